@@ -7,6 +7,7 @@ need a whole, valid model (is there such an actuator?) still run and report on t
 from __future__ import annotations
 
 import copy
+import re
 import types
 from collections.abc import Callable, Iterable, Mapping
 from typing import Annotated, Any, Literal, NamedTuple, TypeVar, Union, get_args, get_origin
@@ -156,8 +157,11 @@ def _issue(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
         return Issue(path, what, one_of(names), did_you_mean(error["input"], names))
     if kind == "refused":
         return Issue(path, context["what"], context["expected"], context["suggestion"])
-    what = f"is {describe(error['input'])}"
-    return Issue(path, what, error["msg"].removeprefix("Input should be ").replace("dictionary", "mapping"))
+    expected = re.sub(r"^(Input|String|Value) should (be )?", "", error["msg"]).replace("dictionary", "mapping")
+    if kind in ("too_short", "too_long"):
+        limits = f"at least {context['min_length']}" if kind == "too_short" else f"at most {context['max_length']}"
+        return Issue(path, f"has {context['actual_length']} entries", limits)
+    return Issue(path, f"is {describe(error['input'])}", re.sub(r" or instance of \w+", "", expected))
 
 
 def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[TreePath, Any]:
