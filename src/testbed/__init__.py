@@ -1,4 +1,4 @@
-"""A flight-control failure testbed: JSBSim is the truth, a controller that has never seen it flies it broken."""
+"""A flight-control failure testbed: JSBSim is the truth, and a controller that never saw it flies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The YAML half of an aircraft: actuators, their properties and limits, axes in order of priority, envelope."""
+"""The YAML half of an aircraft: actuators, their properties and limits, axes by priority, envelope."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Envelope(Settings):
 
 
 class Motor(Settings):
-    """A brushless motor and its propeller: V = Kt-side constants of the usual three-constant model."""
+    """A brushless motor (speed constant, resistance, no-load current) and its propeller."""
 
     max_volts: Positive
     velocity_constant_rpm_v: Positive
@@ -45,7 +45,7 @@ class Motor(Settings):
 
 
 class Actuator(Settings):
-    """What servos and motors share. `limits` and `scale` (one unit of the scaled input matrix) are in `unit`."""
+    """What servos and motors share. `limits` and `scale` (1 in the scaled input matrix) are in `unit`."""
 
     kind: str
     prefix: Text
@@ -104,14 +104,16 @@ class Aircraft(Settings):
 
 
 def data_root() -> Path:
-    """The folder that holds `aircraft/` and `scenarios/`: inside an installed package, else the repository's root."""
+    """The folder of `aircraft/` and `scenarios/`: inside an installed package, else the repository's root."""
     package = Path(__file__).resolve().parent
     return package / "data" if (package / "data").is_dir() else package.parents[1]
 
 
 def aircraft_names() -> list[str]:
     """Names of the aircraft that come with the testbed."""
-    return sorted(p.parent.name for p in (data_root() / "aircraft").glob("*/*.yaml") if p.stem == p.parent.name)
+    return sorted(
+        p.parent.name for p in (data_root() / "aircraft").glob("*/*.yaml") if p.stem == p.parent.name
+    )
 
 
 def is_folder_name(name: str) -> bool:
@@ -129,7 +131,9 @@ def find_aircraft(name: str) -> Path:
     if is_folder_name(name):
         raise BadInput([Problem(f"there is no aircraft in {name!r}", expected=f"{file.name} in that folder")])
     expected = f"{one_of(names)} or a folder as ./{name}"
-    raise BadInput([Problem(f"no aircraft {name!r}", expected=expected, suggestion=did_you_mean(name, names))])
+    raise BadInput(
+        [Problem(f"no aircraft {name!r}", expected=expected, suggestion=did_you_mean(name, names))]
+    )
 
 
 def load_aircraft(name: str) -> Aircraft:
@@ -141,11 +145,15 @@ def load_aircraft(name: str) -> Aircraft:
 
 
 def find_scenario(path: str | Path) -> Path:
-    """A scenario file as given, else the one of that path that comes with the testbed."""
-    if Path(path).exists() or Path(path).is_absolute():
-        return Path(path)
-    shipped = data_root() / path
-    return shipped if shipped.is_file() else Path(path)
+    """A scenario file as given, else the shipped one of that path; raises BadInput when neither is there."""
+    for candidate in (Path(path), data_root() / path):
+        if candidate.exists():
+            return candidate
+    shipped = {file.stem: str(file.relative_to(data_root())) for file in scenario_files()}
+    beside = {file.stem: str(file) for file in Path(path).parent.glob("*.yaml")}
+    known = shipped | beside
+    close = known.get(did_you_mean(Path(path).stem, known), "")
+    raise BadInput([Problem("there is no such file", str(path), suggestion=close)])
 
 
 def scenario_files() -> list[Path]:

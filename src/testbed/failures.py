@@ -1,7 +1,7 @@
 """What can break, and which properties of the plant a failure holds, from when to when.
 
-Adding a type is one class here and one line in TYPES. Times are seconds of the flight; a failure starts at `at_s`, or
-when a logged signal first crosses a value, and lasts to `until_s` or to the end.
+Adding a type is one class here and one line in TYPES. Times are seconds of the flight; a failure starts at
+`at_s`, or when a logged signal first crosses a value, and lasts to `until_s` or to the end.
 """
 
 from __future__ import annotations
@@ -114,11 +114,12 @@ def same_property(name: str) -> str:
 
 
 def overlaps(failures: Sequence[Failure], aircraft: Aircraft) -> Iterator[tuple[int, int, str]]:
-    """Pairs of failures that would write one property at the same time: (earlier index, later index, property).
+    """Pairs of failures that would write one property at one time: (first index, second index, property).
 
-    Two failures may hold the same property only in windows [at_s, until_s) that do not meet. One exception: of two
-    failures of one type, both with `at_s` and neither with `until_s`, the one that starts later takes over from the
-    other (0.2 from 5 s, 0.0 from 15 s). A failure with `when` may start at any time, so its window begins at 0.
+    Two failures may hold the same property only in windows [at_s, until_s) that do not meet. One exception:
+    of two failures of one type, both with `at_s` and neither with `until_s`, the one that starts later takes
+    over from the other (0.2 from 5 s, 0.0 from 15 s). One with `when` may start at any time: its window begins
+    at 0.
     """
     held: list[dict[str, Any]] = [dict.fromkeys(map(same_property, f.properties(aircraft))) for f in failures]
     for j, later in enumerate(failures):

@@ -46,7 +46,7 @@ _SENTENCES = {
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """A scenario and what came of it. `data` is the log, one row a logged step, one column for each of `columns`."""
+    """A scenario and what came of it. `data` is the log: a row for each logged step, its columns `columns`."""
 
     scenario: Scenario
     outcome: Outcome
@@ -94,11 +94,15 @@ class FolderExists(BadInput):
 def refuse_existing(folder: Path) -> None:
     """Raise FolderExists when there is anything at this path."""
     if os.path.lexists(folder):
-        raise FolderExists([Problem("exists already", str(folder), expected="a folder that does not exist yet")])
+        raise FolderExists(
+            [Problem("exists already", str(folder), expected="a folder that does not exist yet")]
+        )
 
 
-def write_run_folder(flight: Flight, folder: str | Path, add: Callable[[Path], None] = lambda _: None) -> Path:
-    """Write a run folder, whole or not at all; `add(folder)` may put more into it (figures) before it appears.
+def write_run_folder(
+    flight: Flight, folder: str | Path, add: Callable[[Path], None] = lambda _: None
+) -> Path:
+    """Write a run folder, whole or not at all; `add(folder)` may add to it (figures) before it appears.
 
     Raises FolderExists when the folder exists, BadInput when it cannot be written.
     """
@@ -138,11 +142,15 @@ def load(folder: str | Path) -> Flight:
             columns=columns,
             data=data,
             events=summary["events"],
-            metrics={name: math.nan if value is None else value for name, value in summary["metrics"].items()},
+            metrics={
+                name: math.nan if value is None else value for name, value in summary["metrics"].items()
+            },
             requirements=summary["requirements"],
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
-        raise BadInput([Problem(f"cannot be read: {error!r}", str(folder), expected="a run folder")]) from None
+        raise BadInput(
+            [Problem(f"cannot be read: {error!r}", str(folder), expected="a run folder")]
+        ) from None
 
 
 def _write_files(flight: Flight, folder: Path) -> None:
@@ -188,7 +196,7 @@ def _plain(value: Any) -> Any:
 
 
 def _sync(folder: Path) -> None:
-    """Have everything in the folder on disk, so that its final name never points to half of it; usual permissions."""
+    """Have it all on disk, so that the final name never points to half of it; the usual permissions."""
     for path in [*folder.rglob("*"), folder]:
         handle = os.open(path, os.O_RDONLY)
         try:

@@ -16,7 +16,9 @@ def apply(source: Source, overrides: Iterable[str]) -> None:
         key, equals, text = override.partition("=")
         parts = key.strip().split(".")
         if not equals or not all(parts):
-            source.problems.append(Problem("is not a setting", place, expected="KEY=VALUE, KEY a dotted path"))
+            source.problems.append(
+                Problem("is not a setting", place, expected="KEY=VALUE, KEY a dotted path")
+            )
             continue
         try:
             value = parse(text)

@@ -10,7 +10,7 @@ from testbed.settings import NonNegative, Number, Positive, Settings, Text, refu
 class Requirement(Settings):
     """`{metric, at_most|at_least}` or `{signal, from_s, until_s, at_most|at_least|within + of}`.
 
-    `within: 0.5, of: 300` bounds the distance from a number, `of: altitude_command_m` that from another signal.
+    `within: 0.5, of: 300` bounds the distance from a number, `of: altitude_command_m` from another signal.
     `until_s` left out is the end of the flight.
     """
 
@@ -42,7 +42,9 @@ class Requirement(Settings):
     @model_validator(mode="after")
     def _complete(self) -> Requirement:
         if (self.metric is None) == (self.signal is None):
-            raise refuse("has both metric and signal" if self.metric else "has no subject", "a metric or a signal")
+            raise refuse(
+                "has both metric and signal" if self.metric else "has no subject", "a metric or a signal"
+            )
         if self.at_most is None and self.at_least is None and self.within is None:
             raise refuse("has no limit", "at_most, at_least or within")
         if (self.within is None) != (self.of is None):

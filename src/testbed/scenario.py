@@ -1,4 +1,4 @@
-"""A scenario: one flight's aircraft, controller, commands, failures, weather and requirements; frozen and valid."""
+"""Scenario files: load, complete and check them, and write them so that they fly again as they are."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ __all__ = [
 def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircraft: bool = True) -> Scenario:
     """Load, complete and check a scenario file.
 
-    `settings` are KEY=VALUE as of --set. Without the aircraft (reading results), names of actuators are not checked.
-    Raises BadInput with every problem found.
+    `settings` are KEY=VALUE as of --set. Without the aircraft (reading results), names of actuators are not
+    checked. Raises BadInput with every problem found.
     """
     source = yamlfile.read(find_scenario(path))
     overrides.apply(source, settings)
@@ -33,7 +33,13 @@ def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircra
     tree = source.tree
     if aircraft is not None and (tree.get("initial") is None or isinstance(tree["initial"], dict)):
         tree["initial"] = {**aircraft.reference.model_dump(), **(tree.get("initial") or {})}
-    stand_ins = {"name": "?", "aircraft": "?", "duration_s": 1e9, "rate_hz": 1, "initial": _somewhere(aircraft)}
+    stand_ins = {
+        "name": "?",
+        "aircraft": "?",
+        "duration_s": 1e9,
+        "rate_hz": 1,
+        "initial": _somewhere(aircraft),
+    }
     scenario = validated(Scenario, source, lambda s: scenario_checks.check(s, aircraft), stand_ins)
     scenario._source = source
     return scenario
@@ -60,7 +66,7 @@ def _placed(scenario: Scenario, issues: Iterable[Issue]) -> list[Problem]:
 
 
 def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
-    """The aircraft that a scenario's tree names, if it can be had; a folder's path is made absolute in the tree."""
+    """The aircraft that a tree names, if it can be had; a folder's path is made absolute in the tree."""
     name = source.tree.get("aircraft")
     if not isinstance(name, str) or not name:
         return None, []
@@ -72,7 +78,9 @@ def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
         return load_aircraft(name), []
     except BadInput as error:
         here = ("aircraft",)
-        return None, [p if p.file else source.problem(here, p.what, p.expected, p.suggestion) for p in error.problems]
+        return None, [
+            p if p.file else source.problem(here, p.what, p.expected, p.suggestion) for p in error.problems
+        ]
 
 
 def _somewhere(aircraft: Aircraft | None) -> dict[str, float]:
@@ -80,7 +88,7 @@ def _somewhere(aircraft: Aircraft | None) -> dict[str, float]:
 
 
 def _drop_settings_of_other_controllers(source: Source) -> None:
-    """With --set controller.type=..., what the file says for its own controller is not held against the new one."""
+    """With --set controller.type=..., the file's settings of its own controller do not offend the new one."""
     controller = source.tree.get("controller")
     if not isinstance(controller, dict) or not overrides.is_override(source, ("controller", "type")):
         return

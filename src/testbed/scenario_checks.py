@@ -1,4 +1,4 @@
-"""What must hold between the parts of a scenario, and between it, its aircraft, and what exists to be named."""
+"""What must hold between the parts of a scenario, and between it, its aircraft, and what can be named."""
 
 from __future__ import annotations
 
@@ -70,7 +70,9 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
         ends.append((("requirements", i, "until_s"), requirement.until_s))
     last = len(scenario.commands) - 1
     if scenario.commands and scenario.commands[-1].at_s >= end:
-        yield Issue(("commands",), f"the last of {last + 1} is at {scenario.commands[-1].at_s:g} s", _before(end))
+        yield Issue(
+            ("commands",), f"the last of {last + 1} is at {scenario.commands[-1].at_s:g} s", _before(end)
+        )
     for path, time in starts:
         if time is not None and time >= end:
             yield Issue(path, f"{time:g} s is not within the flight", _before(end))
@@ -98,9 +100,13 @@ def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     ]
     for name, value, low, high in limits:
         if low is not None and value < low:
-            yield Issue(("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at least {low:g}")
+            yield Issue(
+                ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at least {low:g}"
+            )
         if high is not None and value > high:
-            yield Issue(("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at most {high:g}")
+            yield Issue(
+                ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at most {high:g}"
+            )
 
 
 def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:

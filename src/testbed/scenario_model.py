@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 from typing import Literal
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
@@ -74,7 +75,9 @@ class Scenario(Settings):
         rate = info.data.get("rate_hz", 1)
         if physics_hz % rate:
             below = max(physics_hz // rate, 1) * rate
-            raise refuse(f"{physics_hz} is no whole multiple of rate_hz {rate}", f"such as {below} or {below + rate}")
+            raise refuse(
+                f"{physics_hz} is no whole multiple of rate_hz {rate}", f"such as {below} or {below + rate}"
+            )
         return physics_hz or rate
 
     @field_validator("log_hz")
@@ -90,12 +93,14 @@ class Scenario(Settings):
     def _complete(cls, commands: tuple[Command, ...], info: ValidationInfo) -> tuple[Command, ...]:
         """The first command is at 0 s and says everything: what it leaves out is the initial condition."""
         times = [command.at_s for command in commands]
-        if any(later <= earlier for earlier, later in zip(times, times[1:], strict=False)):
+        if any(later <= earlier for earlier, later in pairwise(times)):
             raise refuse(f"are at {', '.join(f'{t:g}' for t in times)} s", "ascending times")
         initial = info.data.get("initial")
         if initial is None:
             return commands
-        first, rest = (commands[0], commands[1:]) if times and times[0] == 0 else (Command(at_s=0.0), commands)
+        first, rest = (
+            (commands[0], commands[1:]) if times and times[0] == 0 else (Command(at_s=0.0), commands)
+        )
         said = first.model_dump(exclude_none=True)
         return (Command.model_validate({**initial.model_dump(), **said}), *rest)
 

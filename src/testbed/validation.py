@@ -1,7 +1,7 @@
 """A tree against a pydantic model: every problem at once, each with its line and what was probably meant.
 
-When the model refuses a tree, the refused parts are taken out and the rest is validated again, so that checks that
-need a whole, valid model (is there such an actuator?) still run and report on the first attempt.
+When the model refuses a tree, the refused parts are taken out and the rest is validated again, so that checks
+that need a whole, valid model (is there such an actuator?) still run and report on the first attempt.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ def validated(
 ) -> Model:
     """The model made of a tree, or BadInput with everything that is wrong with it.
 
-    `check` yields further issues of a valid model. `stand_ins` are harmless values for required top-level keys:
-    with one in the place of a refused value, the rest of the tree can still be checked.
+    `check` yields further issues of a valid model. `stand_ins` are harmless values for required top-level
+    keys: with one in the place of a refused value, the rest of the tree can still be checked.
     """
     pruned = _Pruned(copy.deepcopy(source.tree), stand_ins)
     issues: list[Issue] = []
@@ -157,9 +157,13 @@ def _issue(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
         return Issue(path, what, one_of(names), did_you_mean(error["input"], names))
     if kind == "refused":
         return Issue(path, context["what"], context["expected"], context["suggestion"])
-    expected = re.sub(r"^(Input|String|Value) should (be )?", "", error["msg"]).replace("dictionary", "mapping")
+    expected = re.sub(r"^(Input|String|Value) should (be )?", "", error["msg"]).replace(
+        "dictionary", "mapping"
+    )
     if kind in ("too_short", "too_long"):
-        limits = f"at least {context['min_length']}" if kind == "too_short" else f"at most {context['max_length']}"
+        limits = (
+            f"at least {context['min_length']}" if kind == "too_short" else f"at most {context['max_length']}"
+        )
         return Issue(path, f"has {context['actual_length']} entries", limits)
     return Issue(path, f"is {describe(error['input'])}", re.sub(r" or instance of \w+", "", expected))
 
@@ -182,7 +186,7 @@ def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[
             break  # a scalar that a validator had spread over several keys: the scalar itself is at fault
         annotation = _inside(annotation, part)
         path = (*path, part)
-        here = isinstance(node, dict) and part in node or isinstance(node, list) and part in range(len(node))
+        here = part in (node if isinstance(node, dict) else range(len(node)))
         node = node[part] if here else None  # type: ignore[index]
     return path, _unwrap(annotation)
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import yaml
 
-from testbed.problems import BadInput, Problem, did_you_mean
+from testbed.problems import BadInput, Problem
 
 TreePath = tuple[str | int, ...]
 
@@ -59,7 +59,7 @@ def read(path: Path | str) -> Source:
     try:
         text = Path(path).read_text(encoding="utf-8")
     except FileNotFoundError:
-        raise BadInput([Problem("there is no such file", file, suggestion=_neighbour(Path(path)))]) from None
+        raise BadInput([Problem("there is no such file", file)]) from None
     except IsADirectoryError:
         raise BadInput([Problem("is a folder", file, expected="a YAML file")]) from None
     except UnicodeDecodeError:
@@ -221,11 +221,3 @@ def as_yaml_float(text: str) -> str:
     sign, whole, fraction, exponent_sign, exponent = match.groups()
     mantissa = f"{sign}{whole or '0'}{fraction if fraction and fraction != '.' else '.0'}"
     return mantissa + (f"e{exponent_sign or '+'}{exponent}" if exponent else "")
-
-
-def _neighbour(path: Path) -> str:
-    """A file with nearly this name in the same folder."""
-    if not path.parent.is_dir():
-        return ""
-    close = did_you_mean(path.name, (p.name for p in path.parent.iterdir()))
-    return str(path.parent / close) if close else ""

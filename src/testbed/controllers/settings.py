@@ -1,4 +1,4 @@
-"""What a scenario may say about each controller. A new controller is one class here and one line in SETTINGS."""
+"""What a scenario may say about each controller. A new one is one class here and one line in SETTINGS."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class PerKind(Settings):
 
 
 class ControllerSettings(Settings):
-    """What all controllers share: axes given up from the start, and how wrong the design model is (section 4)."""
+    """What all controllers share: axes given up from the start, errors of the design model (section 4)."""
 
     type: str
     released: tuple[Axis, ...] = ()
