@@ -6,9 +6,10 @@ import argparse
 import importlib.util
 import sys
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from testbed.problems import BadInput, Problem
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from testbed.flight import Flight
     from testbed.scenario import Scenario
 
+Result = TypeVar("Result")
 MET, NOT_MET, BAD_INPUT = 0, 1, 2
 
 
@@ -82,9 +84,12 @@ def _add_set(command: argparse.ArgumentParser) -> None:
 def _run(options: argparse.Namespace) -> int:
     from testbed.flight import refuse_existing
 
-    if options.out is not None:
-        refuse_existing(options.out)  # before flying for a minute
-    scenario = _checked(options.scenario, options.set)
+    problems: list[Problem] = []
+    if options.out is not None:  # refused before flying for a minute, not after
+        _collect(problems, lambda: refuse_existing(options.out))
+    scenario = _collect(problems, lambda: _checked(options.scenario, options.set))
+    if scenario is None or problems:
+        raise BadInput(problems)
     from testbed.simulation import fly
 
     flight = fly(scenario)
@@ -93,6 +98,15 @@ def _run(options: argparse.Namespace) -> int:
     _print_verdict(flight)
     print(f"wrote {folder}")
     return MET if flight.passed else NOT_MET
+
+
+def _collect(problems: list[Problem], function: Callable[[], Result]) -> Result | None:
+    """Result of a function; of one that refuses the input None, and its problems are added."""
+    try:
+        return function()
+    except BadInput as error:
+        problems += error.problems
+        return None
 
 
 def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
@@ -161,11 +175,8 @@ def _report(options: argparse.Namespace) -> int:
 def _validate(options: argparse.Namespace) -> int:
     problems: list[Problem] = []
     for file in options.files:
-        try:
-            _checked(file)
+        if _collect(problems, partial(_checked, file)) is not None:
             print(f"{file}: ok")
-        except BadInput as error:
-            problems += error.problems
     if problems:
         raise BadInput(problems)
     return MET

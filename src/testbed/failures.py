@@ -118,8 +118,8 @@ def overlaps(failures: Sequence[Failure], aircraft: Aircraft) -> Iterator[tuple[
 
     Two failures may hold the same property only in windows [at_s, until_s) that do not meet. One exception:
     of two failures of one type, both with `at_s` and neither with `until_s`, the one that starts later takes
-    over from the other (0.2 from 5 s, 0.0 from 15 s). One with `when` may start at any time: its window begins
-    at 0.
+    over from the other (0.2 from 5 s, 0.0 from 15 s). One with `when` may start at any time, so its window
+    begins at 0.
     """
     held: list[dict[str, Any]] = [dict.fromkeys(map(same_property, f.properties(aircraft))) for f in failures]
     for j, later in enumerate(failures):

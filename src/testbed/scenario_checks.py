@@ -85,11 +85,17 @@ def _before(end: float) -> str:
     return f"less than duration_s {end:g}"
 
 
+MAX_STEPS = 20_000_000
+"""Control steps in a flight; the log of more would not fit into memory."""
+
+
 def _steps(scenario: Scenario) -> Iterator[Issue]:
     steps = scenario.duration_s * scenario.rate_hz
     if abs(steps - round(steps)) > 1e-6 or round(steps) < 1:
         what = f"{scenario.duration_s:g} s at {scenario.rate_hz} Hz is {steps:g} steps"
         yield Issue(("duration_s",), what, "a whole number of control steps")
+    elif steps > MAX_STEPS:
+        yield Issue(("duration_s",), f"is {steps:g} control steps", f"at most {MAX_STEPS}")
 
 
 def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:

@@ -157,9 +157,8 @@ def _issue(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
         return Issue(path, what, one_of(names), did_you_mean(error["input"], names))
     if kind == "refused":
         return Issue(path, context["what"], context["expected"], context["suggestion"])
-    expected = re.sub(r"^(Input|String|Value) should (be )?", "", error["msg"]).replace(
-        "dictionary", "mapping"
-    )
+    words = re.sub(r"^(Input|String|Value) should (be )?", "", error["msg"])
+    expected = words.replace("dictionary", "mapping").replace("valid tuple", "list")
     if kind in ("too_short", "too_long"):
         limits = (
             f"at least {context['min_length']}" if kind == "too_short" else f"at most {context['max_length']}"

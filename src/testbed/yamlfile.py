@@ -191,15 +191,15 @@ class _Reader:
 
 
 class _Dumper(yaml.SafeDumper):
-    """Quotes text that looks like a number, which `parse` would refuse; writes no anchors."""
+    """Quotes text that `parse` would refuse (it looks like a number) or YAML change; writes no anchors."""
 
     def ignore_aliases(self, data: Any) -> bool:
         return True
 
 
 def _represent_text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
-    style = '"' if _is_number(text) else None
-    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=style)
+    plain = text.isprintable() and not _is_number(text)
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=None if plain else '"')
 
 
 _Dumper.add_representer(str, _represent_text)
