@@ -15,6 +15,8 @@ from testbed.controllers.settings import SETTINGS
 from testbed.failures import TYPES
 from testbed.problems import BadInput, Problem
 from testbed.scenario import Scenario, check_names, check_properties, dump, load_scenario
+from testbed.yamlfile import dump as dump_tree
+from testbed.yamlfile import parse
 
 GOOD = """\
 name: left tail failure
@@ -50,7 +52,13 @@ REFUSED = [
     ("epsilon: 0.05", "epsilon: -1", 8, "controller.epsilon", "expected greater than 0"),
     ("epsilon: 0.05", "epsilon: [1]", 8, "controller.epsilon", "expected a number"),
     ("gamma: 4.0", "gamma: {servo: 4}", 8, "controller.gamma.motor", "is missing"),
-    ("gamma: 4.0", "gamma: {servo: 4, motor: 4, moter: 4}", 8, "controller.gamma.moter", "did you mean motor?"),
+    (
+        "gamma: 4.0",
+        "gamma: {servo: 4, motor: 4, moter: 4}",
+        8,
+        "controller.gamma.moter",
+        "did you mean motor?",
+    ),
     ("gamma: 4.0", "lambda_max: 0.01", 8, "controller.lambda_max", "not above lambda_min"),
     ("gamma: 4.0", "threshold: 2", 8, "controller.threshold", "less than or equal to 1"),
     ("gamma: 4.0", "released: [r_dott]", 8, "controller.released.0", "did you mean r_dot?"),
@@ -72,7 +80,13 @@ REFUSED = [
     ("physics_hz: 400", "log_hz: 300", 5, "log_hz", "does not divide"),
     ("seed: 1", "seed: -1", 6, "seed", "greater than or equal to 0"),
     ("seed: 1", "seed: 1.5", 6, "seed", "expected a valid integer"),
-    ("airspeed_m_s: 18, heading_deg: 90}\ncontroller", "airspeed_m_s: 0}\ncontroller", 7, "initial.airspeed_m_s", "than 0"),
+    (
+        "airspeed_m_s: 18, heading_deg: 90}\ncontroller",
+        "airspeed_m_s: 0}\ncontroller",
+        7,
+        "initial.airspeed_m_s",
+        "than 0",
+    ),
     ("at_s: 40", "at_s: 60", 9, "commands", "less than duration_s 60"),
     ("at_s: 40", "at_s: 0", 9, "commands", "ascending"),
     ("at_s: 40", "at_s: -1", 11, "commands.1.at_s", "greater than or equal to 0"),
@@ -80,27 +94,63 @@ REFUSED = [
     ("heading_deg: 120", "hading_deg: 12", 11, "commands.1.hading_deg", "did you mean heading_deg?"),
     ("heading_deg_s: 4", "heading_deg_s: 0", 12, "command_rates.heading_deg_s", "greater than 0"),
     ("type: property", "type: proprty", 16, "failures.2.type", "did you mean property?"),
-    ("left_ruddervator, at_s: 5", "left_rudervator, at_s: 5", 14, "failures.0.actuator", "did you mean left_ruddervator?"),
+    (
+        "left_ruddervator, at_s: 5",
+        "left_rudervator, at_s: 5",
+        14,
+        "failures.0.actuator",
+        "did you mean left_ruddervator?",
+    ),
     ("actuator: left_ruddervator, at_s: 5", "at_s: 5", 14, "failures.0.actuator", "is missing"),
     ("at_s: 5, value", "at_s: -5, value", 14, "failures.0.at_s", "greater than or equal to 0"),
     ("at_s: 5, value", "value", 14, "failures.0", "has no start"),
-    ("at_s: 5, value", "at_s: 5, when: {signal: altitude_m, below: 9}, value", 14, "failures.0", "two starts"),
+    (
+        "at_s: 5, value",
+        "at_s: 5, when: {signal: altitude_m, below: 9}, value",
+        14,
+        "failures.0",
+        "two starts",
+    ),
     ("at_s: 5, value", "when: {signal: altitude_m}, value", 14, "failures.0.when", "either above or below"),
     ("at_s: 15, value", "at_s: 60, value", 15, "failures.1.at_s", "less than duration_s 60"),
     ("at_s: 15, value", "at_s: 5, value", 15, "failures.1", "overlaps failures.0"),
     ("at_s: 15, value", "at_s: 15, until_s: 20, value", 15, "failures.1", "overlaps failures.0"),
-    ("at_s: 15, value", "when: {signal: altitude_m, below: 9}, value", 15, "failures.1", "overlaps failures.0"),
-    ("fcs/right-ruddervator/command-scale", "fcs/left-ruddervator/effectiveness", 16, "failures.2", "overlaps"),
+    (
+        "at_s: 15, value",
+        "when: {signal: altitude_m, below: 9}, value",
+        15,
+        "failures.1",
+        "overlaps failures.0",
+    ),
+    (
+        "fcs/right-ruddervator/command-scale",
+        "fcs/left-ruddervator/effectiveness",
+        16,
+        "failures.2",
+        "overlaps",
+    ),
     ("value: 0.2", "value: 1.6", 14, "failures.0.value", "less than or equal to 1.5"),
     ("value: 0.2", "vaule: 0.2, value: 0.2", 14, "failures.0.vaule", "did you mean value?"),
     ("until_s: 25", "until_s: 61", 16, "failures.2.until_s", "at most duration_s 60"),
     ("until_s: 25", "until_s: 20", 16, "failures.2.until_s", "not after at_s"),
-    ("command-scale: 0.5", "command-scale: half", 16, "failures.2.set.fcs/right-ruddervator/command-scale", "a valid number"),
+    (
+        "command-scale: 0.5",
+        "command-scale: half",
+        16,
+        "failures.2.set.fcs/right-ruddervator/command-scale",
+        "a valid number",
+    ),
     ("{fcs/right-ruddervator/command-scale: 0.5}", "{}", 16, "failures.2.set", "at least 1"),
     ("sensors: ideal", "sensors: ideel", 17, "sensors", "did you mean ideal?"),
     ("wind_m_s: [0, 0, 0]", "wind_m_s: [0, 0]", 18, "atmosphere.wind_m_s.2", "is missing"),
     ("wind_m_s: [0, 0, 0]", "wind_m_s: 3", 18, "atmosphere.wind_m_s", "expected a list"),
-    ("turbulence_w20_m_s: 0", "turbulence_w20_m_s: -1", 18, "atmosphere.turbulence_w20_m_s", "greater than or equal"),
+    (
+        "turbulence_w20_m_s: 0",
+        "turbulence_w20_m_s: -1",
+        18,
+        "atmosphere.turbulence_w20_m_s",
+        "greater than or equal",
+    ),
     ("at_most: 5", "at_mots: 5, at_most: 5", 20, "requirements.0.at_mots", "did you mean at_most?"),
     (", at_most: 5", "", 20, "requirements.0", "has no limit"),
     ("metric: altitude_error_max_m, ", "", 20, "requirements.0", "has no subject"),
@@ -108,7 +158,7 @@ REFUSED = [
     ("until_s: 50", "until_s: 1", 21, "requirements.1.until_s", "not after from_s"),
     ("until_s: 50", "until_s: 70", 21, "requirements.1.until_s", "at most duration_s 60"),
     ("of: heading_command_deg", "of: [1]", 21, "requirements.1.of", "number or the name of a signal"),
-]  # fmt: skip
+]
 
 
 @pytest.fixture
@@ -353,3 +403,55 @@ def test_a_window_ends_before_its_end(file: Path) -> None:
     first, second, _ = load_scenario(file).failures
     assert first.window_s == (5, 15)
     assert second.window_s == (15, math.inf)
+
+
+junk = (
+    st.none()
+    | st.booleans()
+    | st.integers(-9, 9)
+    | st.sampled_from(["", "x", "vtail", [], {}, [1], {"a": 1}, -0.5, [{}]])
+)
+
+
+@st.composite
+def spoiled_trees(draw: st.DrawFn) -> dict[str, object]:
+    """The good scenario with some values replaced, removed, or under a mistyped key."""
+    tree = parse(GOOD).tree
+    for _ in range(draw(st.integers(1, 5))):
+        node = tree
+        while True:
+            keys = list(node) if isinstance(node, dict) else list(range(len(node)))
+            if not keys:
+                break
+            key = draw(st.sampled_from(keys))
+            if isinstance(node[key], dict | list) and draw(st.booleans()):
+                node = node[key]
+                continue
+            how = draw(st.sampled_from(["replace", "remove", "rename"]))
+            value = node.pop(key)
+            if how == "replace":
+                value = draw(junk)
+            if how == "remove":
+                break
+            if isinstance(node, list):
+                node.insert(key, value)
+            else:
+                node[f"{key}x" if how == "rename" else key] = value
+            break
+    return tree  # type: ignore[no-any-return]
+
+
+@settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(spoiled_trees())
+def test_any_spoiled_scenario_is_refused_in_words_or_flies(tmp_path: Path, tree: dict[str, object]) -> None:
+    """Never another exception; every problem has a place, and no path is complained about twice."""
+    file = tmp_path / "spoiled.yaml"
+    file.write_text(dump_tree(tree), encoding="utf-8")
+    try:
+        scenario = load_scenario(file)
+    except BadInput as error:
+        paths = [p.path for p in error.problems]
+        assert all(p.what and p.file == str(file) for p in error.problems)
+        assert paths and len(set(paths)) == len(paths)
+    else:
+        again_as_it_is(scenario, tmp_path)

@@ -11,6 +11,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
+from testbed.listing import LISTS
 from testbed.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -189,39 +190,6 @@ def _list(options: argparse.Namespace) -> int:
             print(f"  {name:<24}{meaning}")
     return MET
 
-
-def _aircraft() -> list[tuple[str, str]]:
-    from testbed.aircraft import aircraft_names, load_aircraft
-
-    return [(name, load_aircraft(name).description) for name in aircraft_names()]
-
-
-def _controllers() -> list[tuple[str, str]]:
-    from testbed.controllers.settings import SETTINGS
-
-    return _described(SETTINGS)
-
-
-def _failures() -> list[tuple[str, str]]:
-    from testbed.failures import TYPES
-
-    return _described(TYPES)
-
-
-def _metrics() -> list[tuple[str, str]]:
-    if importlib.util.find_spec("testbed.metrics") is None:
-        return []
-    from testbed.metrics import TABLE
-
-    return _described(TABLE)
-
-
-def _described(table: dict[str, type]) -> list[tuple[str, str]]:
-    """Names, each with the first line of its docstring."""
-    return [(name, (entry.__doc__ or "").strip().partition("\n")[0]) for name, entry in table.items()]
-
-
-LISTS = {"aircraft": _aircraft, "controllers": _controllers, "failures": _failures, "metrics": _metrics}
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -10,7 +10,8 @@ from testbed.aircraft import Aircraft, find_scenario, is_folder_name, load_aircr
 from testbed.controllers.settings import SETTINGS
 from testbed.problems import BadInput, Problem
 from testbed.scenario_model import Atmosphere, Command, CommandRates, Initial, Scenario
-from testbed.validation import Issue, validated
+from testbed.validation import validated
+from testbed.wording import Issue
 from testbed.yamlfile import Source
 
 __all__ = [

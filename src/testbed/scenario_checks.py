@@ -8,7 +8,7 @@ from testbed.aircraft import Aircraft
 from testbed.failures import Failure, overlaps, same_property
 from testbed.problems import did_you_mean, one_of
 from testbed.scenario_model import Scenario
-from testbed.validation import Issue
+from testbed.wording import Issue
 from testbed.yamlfile import TreePath
 
 
