@@ -1,0 +1,216 @@
+"""The command line. Exit status: 0 every requirement met, 1 not met or aircraft lost, 2 bad input."""
+
+from __future__ import annotations
+
+import argparse
+import importlib.util
+import sys
+from collections.abc import Callable, Sequence
+from itertools import count
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from testbed.problems import BadInput, Problem
+
+if TYPE_CHECKING:
+    from testbed.flight import Flight
+    from testbed.scenario import Scenario
+
+MET, NOT_MET, BAD_INPUT = 0, 1, 2
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit status; every problem with the input is one line on stderr."""
+    options = parser().parse_args(arguments)
+    try:
+        status: int = options.command(options)
+    except BadInput as error:
+        for problem in error.problems:
+            print(problem, file=sys.stderr)
+        return BAD_INPUT
+    return status
+
+
+def parser() -> argparse.ArgumentParser:
+    """The commands and their options."""
+    top = argparse.ArgumentParser(prog="testbed", description="A flight-control failure testbed.")
+    commands = top.add_subparsers(required=True, metavar="COMMAND")
+
+    command = _command(commands, "run", _run, "fly one scenario")
+    command.add_argument("scenario", help="YAML file; those shipped are found from any folder")
+    command.add_argument("--out", type=Path, metavar="DIR", help="run folder to make (default: runs/<name>)")
+    command.add_argument("--no-plots", action="store_true", help="draw no figures")
+    _add_set(command)
+
+    command = _command(commands, "sweep", _sweep, "Monte Carlo: fly many variations of a scenario")
+    command.add_argument("sweep", help="YAML file")
+    command.add_argument("--out", type=Path, metavar="DIR")
+    for name in ("--runs", "--seed", "--jobs", "--only"):
+        command.add_argument(name, type=int, metavar="N")
+    command.add_argument("--cluster", metavar="ADDRESS")
+    command.add_argument("--resume", action="store_true")
+    _add_set(command)
+
+    command = _command(commands, "report", _report, "rebuild figures and report of a run or sweep folder")
+    command.add_argument("folder", type=Path)
+
+    command = _command(commands, "validate", _validate, "check scenarios, fly nothing")
+    command.add_argument("files", nargs="+", metavar="FILE")
+
+    command = _command(commands, "list", _list, "what there is")
+    command.add_argument("what", nargs="?", choices=LISTS, help="default: everything")
+    return top
+
+
+def _command(
+    commands: argparse._SubParsersAction[argparse.ArgumentParser],
+    name: str,
+    function: Callable[[argparse.Namespace], int],
+    description: str,
+) -> argparse.ArgumentParser:
+    command = commands.add_parser(name, help=description, description=description)
+    command.set_defaults(command=function)
+    return command
+
+
+def _add_set(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--set", action="append", default=[], metavar="KEY=VALUE", help="change a setting by its dotted path"
+    )
+
+
+def _run(options: argparse.Namespace) -> int:
+    from testbed.flight import refuse_existing
+
+    if options.out is not None:
+        refuse_existing(options.out)  # before flying for a minute
+    scenario = _checked(options.scenario, options.set)
+    from testbed.simulation import fly
+
+    flight = fly(scenario)
+    draw = None if options.no_plots else _draw(flight)
+    folder = _write(flight, options.out, draw or (lambda _: None))
+    _print_verdict(flight)
+    print(f"wrote {folder}")
+    return MET if flight.passed else NOT_MET
+
+
+def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
+    """The scenario in a file, checked also against the properties of the loaded JSBSim model."""
+    from testbed.scenario import check_properties, load_scenario
+
+    scenario = load_scenario(file, settings)
+    # Loading the model takes longer than all else here, and only what failures hold needs it.
+    if scenario.failures and importlib.util.find_spec("testbed.plant"):
+        from testbed.aircraft import load_aircraft
+        from testbed.plant import property_catalog
+
+        problems = check_properties(scenario, property_catalog(load_aircraft(scenario.aircraft)))
+        if problems:
+            raise BadInput(problems)
+    return scenario
+
+
+def _draw(flight: Flight) -> Callable[[Path], None]:
+    def draw_into(folder: Path) -> None:
+        from testbed.plots import draw
+
+        draw(flight, folder)
+
+    return draw_into
+
+
+def _write(flight: Flight, out: Path | None, draw: Callable[[Path], None]) -> Path:
+    """Write the run folder: the one asked for, else the first free of runs/<name>, -2, -3 ..."""
+    from testbed.flight import FolderExists, write_run_folder
+
+    if out is not None:
+        return write_run_folder(flight, out, draw)
+    first = Path("runs") / flight.scenario.slug
+    for number in count(1):
+        try:
+            return write_run_folder(flight, first if number == 1 else f"{first}-{number}", draw)
+        except FolderExists:
+            continue
+    raise AssertionError("unreachable: count() does not end")
+
+
+def _print_verdict(flight: Flight) -> None:
+    print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s")
+    for requirement in flight.requirements:
+        verdict = "met    " if requirement["passed"] else "NOT MET"
+        value = requirement["value"]
+        shown = f"{value:.4g}" if isinstance(value, int | float) else value
+        print(f"  {verdict}  {requirement['name']}: {shown}")
+    print("passed" if flight.passed else "not passed")
+
+
+def _sweep(options: argparse.Namespace) -> int:
+    raise BadInput([Problem("sweeps are not available yet", options.sweep)])
+
+
+def _report(options: argparse.Namespace) -> int:
+    from testbed.flight import load
+
+    flight = load(options.folder)
+    _draw(flight)(options.folder)
+    _print_verdict(flight)
+    return MET if flight.passed else NOT_MET
+
+
+def _validate(options: argparse.Namespace) -> int:
+    problems: list[Problem] = []
+    for file in options.files:
+        try:
+            _checked(file)
+            print(f"{file}: ok")
+        except BadInput as error:
+            problems += error.problems
+    if problems:
+        raise BadInput(problems)
+    return MET
+
+
+def _list(options: argparse.Namespace) -> int:
+    for what in [options.what] if options.what else LISTS:
+        print(what)
+        for name, meaning in LISTS[what]():
+            print(f"  {name:<24}{meaning}")
+    return MET
+
+
+def _aircraft() -> list[tuple[str, str]]:
+    from testbed.aircraft import aircraft_names, load_aircraft
+
+    return [(name, load_aircraft(name).description) for name in aircraft_names()]
+
+
+def _controllers() -> list[tuple[str, str]]:
+    from testbed.controllers.settings import SETTINGS
+
+    return _described(SETTINGS)
+
+
+def _failures() -> list[tuple[str, str]]:
+    from testbed.failures import TYPES
+
+    return _described(TYPES)
+
+
+def _metrics() -> list[tuple[str, str]]:
+    if importlib.util.find_spec("testbed.metrics") is None:
+        return []
+    from testbed.metrics import TABLE
+
+    return _described(TABLE)
+
+
+def _described(table: dict[str, type]) -> list[tuple[str, str]]:
+    """Names, each with the first line of its docstring."""
+    return [(name, (entry.__doc__ or "").strip().partition("\n")[0]) for name, entry in table.items()]
+
+
+LISTS = {"aircraft": _aircraft, "controllers": _controllers, "failures": _failures, "metrics": _metrics}
+
+if __name__ == "__main__":
+    sys.exit(main())

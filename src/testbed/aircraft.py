@@ -1,0 +1,161 @@
+"""The YAML half of an aircraft: actuators, their properties and limits, axes by priority, envelope."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, PrivateAttr, field_validator
+
+from testbed.problems import BadInput, Problem, did_you_mean, one_of
+from testbed.settings import NonNegative, Number, Positive, Settings, Text, Whole, refuse
+from testbed.validation import validated
+from testbed.yamlfile import read
+
+Axis = Literal["p_dot", "q_dot", "r_dot", "u_dot"]
+
+
+class Reference(Settings):
+    """The condition at which the aircraft is trimmed and its design model identified."""
+
+    altitude_m: Number
+    airspeed_m_s: Positive
+
+
+class Envelope(Settings):
+    """Outside of this the aircraft counts as lost; a limit that is not given does not exist."""
+
+    alpha_max_deg: Positive | None = None
+    beta_max_deg: Positive | None = None
+    airspeed_min_m_s: NonNegative | None = None
+    airspeed_max_m_s: Positive | None = None
+    roll_max_deg: Positive | None = None
+    altitude_min_m: Number | None = None
+
+
+class Motor(Settings):
+    """A brushless motor (speed constant, resistance, no-load current) and its propeller."""
+
+    max_volts: Positive
+    velocity_constant_rpm_v: Positive
+    resistance_ohm: Positive
+    no_load_current_a: NonNegative
+    rotor_inertia_kg_m2: Positive
+    diameter_m: Positive
+
+
+class Actuator(Settings):
+    """What servos and motors share. `limits` and `scale` (1 in the scaled input matrix) are in `unit`."""
+
+    kind: str
+    prefix: Text
+    unit: Text
+    limits: tuple[Number, Number]
+    scale: Positive = 1.0
+
+    @field_validator("limits")
+    @classmethod
+    def _ascending(cls, limits: tuple[float, float]) -> tuple[float, float]:
+        if limits[0] >= limits[1]:
+            raise refuse(f"{list(limits)} leaves no travel", "[lowest, highest]")
+        return limits
+
+
+class Servo(Actuator):
+    """A control surface's servo: first-order lag, rate limit [unit/s], stops."""
+
+    kind: Literal["servo"] = "servo"
+    rate_limit: Positive
+    lag_rad_s: Positive
+
+
+class MotorActuator(Actuator):
+    """A propeller's motor, commanded as thrust; `engine` is its number in JSBSim."""
+
+    kind: Literal["motor"] = "motor"
+    engine: Whole
+    motor: Motor
+
+
+class Aircraft(Settings):
+    """aircraft/<name>/<name>.yaml, checked. `folder` is where it and the JSBSim model are."""
+
+    name: Text
+    description: str = ""
+    model: Text
+    reference: Reference
+    axes: tuple[Axis, ...] = Field(min_length=1)
+    actuators: dict[str, Annotated[Servo | MotorActuator, Field(discriminator="kind")]] = Field(min_length=1)
+    envelope: Envelope = Envelope()
+    control: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it; the control designer's own settings)
+    _folder: Path = PrivateAttr(default=Path("."))
+
+    @field_validator("axes")
+    @classmethod
+    def _distinct(cls, axes: tuple[Axis, ...]) -> tuple[Axis, ...]:
+        if len(set(axes)) != len(axes):
+            raise refuse("names an axis twice", "each axis once, in order of priority")
+        return axes
+
+    @property
+    def folder(self) -> Path:
+        """The aircraft's folder: its YAML and the JSBSim model's files."""
+        return self._folder
+
+
+def data_root() -> Path:
+    """The folder of `aircraft/` and `scenarios/`: inside an installed package, else the repository's root."""
+    package = Path(__file__).resolve().parent
+    return package / "data" if (package / "data").is_dir() else package.parents[1]
+
+
+def aircraft_names() -> list[str]:
+    """Names of the aircraft that come with the testbed."""
+    return sorted(
+        p.parent.name for p in (data_root() / "aircraft").glob("*/*.yaml") if p.stem == p.parent.name
+    )
+
+
+def is_folder_name(name: str) -> bool:
+    """Whether a scenario's `aircraft` is a path to a folder, not one of `aircraft_names()`."""
+    return "/" in name or "\\" in name or name in (".", "..")
+
+
+def find_aircraft(name: str) -> Path:
+    """The YAML of an aircraft given by name or by folder; raises BadInput when there is none."""
+    folder = Path(name).resolve() if is_folder_name(name) else data_root() / "aircraft" / name
+    file = folder / f"{folder.name}.yaml"
+    if file.is_file():
+        return file
+    names = aircraft_names()
+    if is_folder_name(name):
+        raise BadInput([Problem(f"there is no aircraft in {name!r}", expected=f"{file.name} in that folder")])
+    expected = f"{one_of(names)} or a folder as ./{name}"
+    raise BadInput(
+        [Problem(f"no aircraft {name!r}", expected=expected, suggestion=did_you_mean(name, names))]
+    )
+
+
+def load_aircraft(name: str) -> Aircraft:
+    """Load an aircraft by name or folder; raises BadInput with everything wrong in its YAML."""
+    file = find_aircraft(name)
+    aircraft = validated(Aircraft, read(file))
+    aircraft._folder = file.parent
+    return aircraft
+
+
+def find_scenario(path: str | Path) -> Path:
+    """A scenario file as given, else the shipped one of that path; raises BadInput when neither is there."""
+    for candidate in (Path(path), data_root() / path):
+        if candidate.exists():
+            return candidate
+    shipped = {file.stem: str(file.relative_to(data_root())) for file in scenario_files()}
+    beside = {file.stem: str(file) for file in Path(path).parent.glob("*.yaml")}
+    known = shipped | beside
+    close = known.get(did_you_mean(Path(path).stem, known), "")
+    raise BadInput([Problem("there is no such file", str(path), suggestion=close)])
+
+
+def scenario_files() -> list[Path]:
+    """Scenario files that come with the testbed."""
+    return sorted((data_root() / "scenarios").glob("*.yaml"))

@@ -1,0 +1,81 @@
+"""What a scenario may say about each controller. A new one is one class here and one line in SETTINGS."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+
+from pydantic import Field, ValidationInfo, field_validator, model_validator
+
+from testbed.aircraft import Axis
+from testbed.settings import NonNegative, Number, Positive, Settings, refuse
+
+Fraction = Annotated[Number, Field(ge=0, le=1)]
+
+
+class PerKind(Settings):
+    """One number for each kind of actuator; a plain number is for both."""
+
+    servo: Positive
+    motor: Positive
+
+    @model_validator(mode="before")
+    @classmethod
+    def _spread(cls, value: Any) -> Any:
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            return {"servo": value, "motor": value}
+        if not isinstance(value, dict | PerKind):
+            raise refuse(f"is {value!r}", "a number, or a mapping with servo and motor")
+        return value
+
+    def of(self, kind: str) -> float:
+        """The number for actuators of this kind."""
+        return float(getattr(self, kind))
+
+
+class ControllerSettings(Settings):
+    """What all controllers share: axes given up from the start, errors of the design model (section 4)."""
+
+    type: str
+    released: tuple[Axis, ...] = ()
+    model_error: dict[str, Number] = {}  # noqa: RUF012  (pydantic copies it)
+
+
+class AdaptiveInversionSettings(ControllerSettings):
+    """The paper's controller: inversion (6), adaptation (13), monitor (29)."""
+
+    type: Literal["adaptive_inversion"] = "adaptive_inversion"
+    gamma: PerKind = PerKind(servo=4.0, motor=4.0)
+    """Adaptation rate of (13) [1/s]."""
+    epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
+    """Half-width of g in (14), in units of the actuator's `scale`."""
+    threshold: Fraction = 0.1
+    """An actuator with a lower estimate counts as failed."""
+    persistence_s: NonNegative = 0.1
+    """How long the estimate must stay below the threshold [s]."""
+    lambda_min: Positive = 0.05
+    lambda_max: Positive = 1.1
+    """Estimates are kept between these."""
+
+    @field_validator("lambda_max")
+    @classmethod
+    def _above_min(cls, lambda_max: float, info: ValidationInfo) -> float:
+        if lambda_max <= info.data.get("lambda_min", 0.0):
+            raise refuse(f"{lambda_max:g} is not above lambda_min", f"more than {info.data['lambda_min']:g}")
+        return lambda_max
+
+
+class FixedInversionSettings(ControllerSettings):
+    """Inversion (6) with all actuators taken as healthy: no adaptation, no monitor."""
+
+    type: Literal["fixed_inversion"] = "fixed_inversion"
+
+
+SETTINGS: dict[str, type[ControllerSettings]] = {
+    "adaptive_inversion": AdaptiveInversionSettings,
+    "fixed_inversion": FixedInversionSettings,
+}
+
+if TYPE_CHECKING:
+    AnyController = ControllerSettings
+else:
+    AnyController = Annotated[Union[tuple(SETTINGS.values())], Field(discriminator="type")]  # noqa: UP007

@@ -1,0 +1,53 @@
+"""What is wrong with the user's input, and where: every problem has a place and says what was expected."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing wrong with the input; prints `file:line: path: what, expected ..., did you mean ...?`."""
+
+    what: str
+    file: str = ""
+    line: int | None = None
+    path: str = ""
+    expected: str = ""
+    suggestion: str = ""
+
+    def __str__(self) -> str:
+        place = self.file if self.line is None else f"{self.file}:{self.line}"
+        text = ": ".join(part for part in (place, self.path, self.what) if part)
+        if self.expected:
+            text += f", expected {self.expected}"
+        if self.suggestion:
+            text += f", did you mean {self.suggestion}?"
+        return " ".join(text.split())  # one problem is one line
+
+
+class BadInput(Exception):
+    """The input cannot be used. `problems` lists everything found wrong, not only the first."""
+
+    def __init__(self, problems: Iterable[Problem]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(map(str, self.problems)))
+
+    def __reduce__(self) -> tuple[type[BadInput], tuple[tuple[Problem, ...]]]:
+        """Pickle by problems: it crosses process borders in a sweep."""
+        return type(self), (self.problems,)
+
+
+def did_you_mean(word: object, candidates: Iterable[str]) -> str:
+    """The candidate closest to a mistyped word, or "" when none is close."""
+    by_fold = {candidate.casefold(): candidate for candidate in candidates}
+    close = difflib.get_close_matches(str(word).casefold(), by_fold, n=1, cutoff=0.6)
+    return by_fold[close[0]] if close else ""
+
+
+def one_of(candidates: Iterable[str]) -> str:
+    """'one of a, b, c', cut when there are very many."""
+    names = list(candidates)
+    return "one of " + ", ".join(names) if 0 < len(names) <= 20 else ""
