@@ -86,6 +86,7 @@ class DesignModel:
             torque at once, the thrust with the rotor's lag.
         offset_matrix: [6, n] rates that an effective propeller adds to B u, its torque being affine in thrust.
         propulsors: [n] None for servos.
+        identified_from: fingerprint of the aircraft's files.
     """
 
     airspeed_m_s: float
@@ -101,6 +102,7 @@ class DesignModel:
     torque_matrix: tuple[tuple[float, ...], ...]
     offset_matrix: tuple[tuple[float, ...], ...]
     propulsors: tuple[Propulsor | None, ...]
+    identified_from: str = ""
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""

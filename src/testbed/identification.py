@@ -6,13 +6,14 @@ This is the only place where controller design meets the plant, and it happens o
 
 from __future__ import annotations
 
+import hashlib
 import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from testbed.aircraft import Aircraft
-from testbed.design import COLUMNS, DesignModel, Propulsor, kinematics
+from testbed.design import COLUMNS, DesignModel, Propulsor, kinematics, load_design_model
 from testbed.plant import Plant
 from testbed.trim import Trim, accelerations, trim
 from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
@@ -58,7 +59,26 @@ def identify(aircraft: Aircraft) -> DesignModel:
         torque_matrix=tuple(tuple(map(float, row)) for row in torques),
         offset_matrix=tuple(tuple(map(float, row)) for row in offsets),
         propulsors=propulsors,
+        identified_from=digest(aircraft),
     )
+
+
+def digest(aircraft: Aircraft) -> str:
+    """Fingerprint of the aircraft's files: a stored model is of these files or it is not used."""
+    text = hashlib.sha256()
+    for file in sorted([*aircraft.folder.rglob("*.xml"), aircraft.folder / f"{aircraft.folder.name}.yaml"]):
+        text.update(file.name.encode() + file.read_bytes())
+    return text.hexdigest()
+
+
+def stored(aircraft: Aircraft) -> DesignModel:
+    """The design model stored beside the aircraft; identified anew where there is none, or one of other files."""
+    file = aircraft.folder / "design_model.json"
+    if file.is_file():
+        model = load_design_model(file)
+        if model.identified_from == digest(aircraft):
+            return model
+    return identify(aircraft)
 
 
 def _rates(plant: Plant, state: dict, commands: Sequence[float], settle_s: float = 1.5) -> np.ndarray:

@@ -20,10 +20,13 @@ from testbed.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
 if TYPE_CHECKING:
     from testbed.aircraft import Aircraft
 
-# Property and factor to SI of each of `signals.STATE`; north and east are made of latitude and longitude.
+# Earth radii where flights start, on the equator (WGS84): of the meridian, and of the equator.
+_MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
+
+# Property and factor to SI of each of `signals.STATE`.
 _STATE_PROPERTIES = (
-    ("position/lat-geod-rad", 1.0),
-    ("position/long-gc-rad", 1.0),
+    ("position/lat-geod-rad", _MERIDIAN_M),
+    ("position/long-gc-rad", _EQUATOR_M),
     ("position/h-sl-ft", METRES_PER_FOOT),
     ("velocities/vt-fps", METRES_PER_FOOT),
     ("velocities/h-dot-fps", METRES_PER_FOOT),
@@ -53,7 +56,6 @@ _INTEGRATORS = tuple(
     for kind in ("rate", "position")
     for of in ("rotational", "translational")
 )
-_EARTH_RADIUS_M = 6378137.0  # JSBSim's WGS84 equatorial radius; flights start on the equator
 
 
 class _Listener(jsbsim.FGLogger):
@@ -82,8 +84,8 @@ class Plant:
 
     Attributes:
         warnings: what JSBSim warned about while loading.
-        raw: [17 + 2 n] the last `read`: state in SI (latitude and longitude in the places of north and east), then
-            the position and the effectiveness of each of the n actuators, in the aircraft's units.
+        raw: [17 + 2 n] the last `read`: `signals.STATE` in SI, then the position of each of the n actuators in the
+            aircraft's units (as if fully effective), then the effectiveness of each.
     """
 
     def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
@@ -134,7 +136,7 @@ class Plant:
 
     def command(self, commands: Iterable[float]) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
-        for put, value in zip(self._commands, commands, strict=True):
+        for put, value in zip(self._commands, commands, strict=False):
             put(value)
 
     def step(self) -> None:
@@ -142,9 +144,9 @@ class Plant:
         for _ in range(self.substeps):
             self._run()
 
-    def read(self) -> np.ndarray:
-        """Fill and return `raw`."""
-        raw = self.raw
+    def read(self, raw: np.ndarray | None = None) -> np.ndarray:
+        """Fill and return `raw`, or the row given."""
+        raw = self.raw if raw is None else raw
         for index, get in enumerate(self._getters):
             raw[index] = get()
         np.multiply(raw, self._factors, out=raw)

@@ -28,11 +28,20 @@ SETPOINT = ("altitude", "airspeed", "heading", "altitude_rate", "airspeed_rate",
 """Rate-limited references and their rates [m, m/s, rad, m/s, m/s2, rad/s]."""
 
 
+TELEMETRY = ("reference", "command", "effectiveness_estimate", "failed")
+"""What a controller says of each actuator, in this order; scaled units for the first two (see `Aircraft.scale`)."""
+
+
+def telemetry_width(actuators: int) -> int:
+    """Numbers in a telemetry row: those of each actuator, then desired rates and released flags by `RATES`."""
+    return len(TELEMETRY) * actuators + 2 * len(RATES)
+
+
 def record_dtype(names: tuple[str, ...]) -> np.dtype:
     """Record of float64 fields with these names: a view of one row of a float64 array."""
     return np.dtype([(name, np.float64) for name in names])
 
 
-def as_record(row: np.ndarray, names: tuple[str, ...]) -> np.recarray:
-    """View a contiguous float64 row [len(names)] as a record array of shape [1]: same memory, fields by name."""
-    return row.view(record_dtype(names)).view(np.recarray)
+def as_records(rows: np.ndarray, names: tuple[str, ...]) -> np.recarray:
+    """View contiguous float64 rows [N, len(names)] as N records: same memory, fields by name."""
+    return rows.view(record_dtype(names)).view(np.recarray).reshape(len(rows))

@@ -3,42 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping
 
 import numpy as np
 
 from testbed.controllers.modes import Mode, NoLevelTrim, design_regulator, enumerate_modes
 from testbed.controllers.records import MAX_DEGREE, memory_dtype, mode_dtype, model_dtype, settings_dtype
-from testbed.controllers.control_design import ControlDesign
+from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, scratch
-from testbed.design import DesignModel
 from testbed.signals import RATES
-
-
-@dataclass(frozen=True)
-class ActuatorData:
-    """What a controller is told of one actuator [rad or N]: size of one scaled unit, stops, lag and rate."""
-
-    scale: float
-    low: float
-    high: float
-    lag_rad_s: float
-    rate: float
-
-
-@dataclass(frozen=True)
-class Setup:
-    """All that a controller is given before a flight: the design model, never the plant."""
-
-    model: DesignModel
-    control: ControlDesign
-    actuators: Sequence[ActuatorData]
-    dt_s: float
-    trim_commands: Sequence[float]
-    trim_positions: Sequence[float]
-    trim_pitch: float
-    settings: Mapping[str, object] = field(default_factory=dict)
 
 
 class InversionController:
@@ -110,10 +83,11 @@ class InversionController:
             s.integral[1] = 0.0
         return mode
 
-    def step(self, step: int, states: np.ndarray, setpoints: np.ndarray) -> np.ndarray:
-        """Commands [n] for row `step` of the measured states and references (record arrays)."""
+    def step(self, step: int, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> np.ndarray:
+        """Commands [n] for row `step` of the measured states and references (record arrays); fills that row of
+        telemetry."""
         changed = adaptive_step(
-            step, states, setpoints, self.model, self.settings, self.mode_record, self.memory, self._work
+            step, states, setpoints, telemetry, self.model, self.settings, self.mode_record, self.memory, self._work
         )
         if changed:
             failed = tuple(int(i) for i in np.flatnonzero(self.memory[0].failed > 0.5))
@@ -158,10 +132,11 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
             c[name.removesuffix("_deg")] = math.radians(value)
         else:
             c[name.removesuffix("_m_s").removesuffix("_m")] = value
-    gamma = chosen.get("gamma", 4.0)
-    c.gamma[:] = [gamma[kind] if isinstance(gamma, Mapping) else gamma for kind in setup.model.kinds]
+    for name, default in (("gamma", 4.0), ("epsilon", 0.05)):
+        value = chosen.get(name, default)
+        c[name][:] = [value[kind] if isinstance(value, Mapping) else value for kind in setup.model.kinds]
     c.dt, c.adapts, c.monitors = setup.dt_s, float(adapts), float(monitors)
-    defaults = {"epsilon": 0.05, "threshold": 0.1, "recovery": 0.5, "persistence_s": 0.05}
+    defaults = {"threshold": 0.1, "recovery": 0.5, "persistence_s": 0.05}
     defaults |= {"lambda_min": 0.01, "lambda_max": 1.1, "divisor_min": 0.1, "filter_rad_s": 0.0}
     for name, default in defaults.items():
         c[name.removesuffix("_s").removesuffix("_rad")] = chosen.get(name, default)

@@ -74,7 +74,7 @@ def adapt(e, pressure, m, c, s):
             x += m.B_inv[i, j] * e[j]
         if m.servo[i] > 0.5:
             x /= pressure
-        rate = c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon)
+        rate = c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon[i])
         estimate = s.lambda_hat[i] * math.exp(c.dt * rate / s.lambda_hat[i])
         s.lambda_hat[i] = min(max(estimate, c.lambda_min), c.lambda_max)
 

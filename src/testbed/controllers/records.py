@@ -36,13 +36,13 @@ def model_dtype(n: int) -> np.dtype:
 def settings_dtype(n: int) -> np.dtype:
     """What the control designer chooses."""
     scalars = (
-        "dt", "epsilon", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "adapts", "monitors",
+        "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "adapts", "monitors",
         "divisor_min", "filter",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
     )  # fmt: skip
-    return _dtype([(name, ()) for name in scalars] + [("gamma", (n,))])
+    return _dtype([(name, ()) for name in scalars] + [("gamma", (n,)), ("epsilon", (n,))])
 
 
 def mode_dtype(n: int) -> np.dtype:

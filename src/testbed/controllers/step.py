@@ -33,11 +33,11 @@ def low_pass(x, memory, a):
 
 
 @compiled
-def adaptive_step(step, states, setpoints, models, settings, modes, memories, work):
+def adaptive_step(step, states, setpoints, telemetry, models, settings, modes, memories, work):
     """Estimate, monitor, invert and command for one measured state; returns 1 when the set of failures changed.
 
     Args:
-        step: index of the row of `states` and `setpoints` (record arrays, see `signals`).
+        step: index of the row of `states` and `setpoints` (record arrays, see `signals`) and of `telemetry`.
         models, settings, modes, memories: record arrays of one record (see `records`).
         work: [4, 6 + n] scratch, so that nothing is allocated.
     """
@@ -61,7 +61,22 @@ def adaptive_step(step, states, setpoints, models, settings, modes, memories, wo
         if c.monitors > 0.5:
             changed = monitor(c, s)
     control(y, ref, axial, pressure, m, c, k, s, f, wanted)
+    tell(telemetry[step], k, s)
     return changed
+
+
+@compiled
+def tell(row, k, s):
+    """Fill one row of telemetry, in the order of `signals.TELEMETRY`."""
+    n = len(s.u)
+    for i in range(n):
+        row[i] = s.r[i]
+        row[n + i] = s.u[i]
+        row[2 * n + i] = s.lambda_hat[i]
+        row[3 * n + i] = s.failed[i]
+    for i in range(4):
+        row[4 * n + i] = s.x_dot_desired[i]
+        row[4 * n + 4 + i] = k.released[i]
 
 
 @compiled
