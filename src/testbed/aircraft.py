@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -75,6 +76,15 @@ class MotorActuator(Actuator):
     kind: Literal["motor"] = "motor"
     engine: Whole
     motor: Motor
+    rate_limit: Positive = 1e9
+    """Thrust [N/s] is limited by nothing but the rotor's lag."""
+
+    @property
+    def lag_rad_s(self) -> float:
+        """How fast the rotor follows the voltage, K_t / (R J K_v) without the propeller's load [rad/s]."""
+        motor = self.motor
+        k_t = 60.0 / (2.0 * math.pi * motor.velocity_constant_rpm_v)
+        return k_t * k_t / (motor.resistance_ohm * motor.rotor_inertia_kg_m2)
 
 
 class Aircraft(Settings):

@@ -1,1 +1,37 @@
-"""Controllers, one file each, and their settings."""
+"""Controllers, by the names that scenarios use. A new one is one file, and one line here and in `settings.SETTINGS`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+import numpy as np
+
+from testbed.controllers.setup import Setup
+
+
+class Controller(Protocol):
+    """What flies the aircraft: built from a `Setup`, called once a control step."""
+
+    def step(self, step: int, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> np.ndarray:
+        """Commands [n], servos in radians and motors as throttle, for row `step` of the measured states and the
+        references (record arrays, `signals.STATE` and `signals.SETPOINT`); may fill that row of `telemetry`."""
+        ...
+
+
+def _adaptive_inversion(setup: Setup) -> Controller:
+    from testbed.controllers.inversion import InversionController
+
+    return InversionController(setup)
+
+
+def _fixed_inversion(setup: Setup) -> Controller:
+    from testbed.controllers.inversion import InversionController
+
+    return InversionController(setup, adapts=False, monitors=False)
+
+
+TABLE: dict[str, Callable[[Setup], Any]] = {
+    "adaptive_inversion": _adaptive_inversion,
+    "fixed_inversion": _fixed_inversion,
+}

@@ -1,0 +1,90 @@
+"""Servos and motors as the controller models them: what the last command has become by now.
+
+The regressor of the adaptive law uses these positions, so that lag, rate limits and stops do not read as lost
+effectiveness: with them, (18) holds for any command.
+"""
+
+from __future__ import annotations
+
+import math
+
+from testbed.compiled import compiled
+
+NEWTON_STEPS = 4
+
+
+@compiled
+def advance_servo(i, dt, m, s):
+    """Position of servo i one step after `s.command`: first-order lag (bilinear), rate limit, stops [scaled]."""
+    x = s.command[i] / m.scale[i]
+    a = m.lag[i] * dt
+    lagged = (a * (x + s.servo_input[i]) + (2.0 - a) * s.servo_lagged[i]) / (2.0 + a)
+    s.servo_input[i] = x
+    s.servo_lagged[i] = lagged
+    most = m.rate[i] * dt
+    step = min(max(lagged - s.position[i], -most), most)
+    s.position[i] = min(max(s.position[i] + step, m.low[i]), m.high[i])
+
+
+@compiled
+def polynomial(c, x):
+    """Horner's rule, lowest power first."""
+    y = 0.0
+    for k in range(len(c) - 1, -1, -1):
+        y = y * x + c[k]
+    return y
+
+
+@compiled
+def advance_motor(i, dt, axial, m, s):
+    """Thrust [scaled], motor torque [N m] and rotor speed [rev/s] one step after `s.command` (throttle).
+
+    The airframe feels the torque of the motor, K_t (i - i_0), at once and the thrust with the rotor's lag.
+    """
+    n = s.rotor[i]
+    diameter = m.diameter[i]
+    pressure = m.density * n * n * diameter**4
+    advance = axial / max(n * diameter, 1e-3)
+    current = (s.command[i] * m.max_volts[i] - n / m.k_v[i]) / m.resistance[i]
+    torque = m.k_t[i] * (current - m.no_load_current[i])
+    load = pressure * diameter * polynomial(m.c_torque[i], advance)
+    s.position[i] = pressure * polynomial(m.c_thrust[i], advance) / m.scale[i]
+    s.torque[i] = torque
+    s.rotor[i] = max(n + dt * (torque - load) / (2.0 * math.pi * m.rotor_inertia[i]), 0.0)
+
+
+@compiled
+def throttle_for(i, thrust, axial, m, s):
+    """Throttle that gives a thrust [N] once the rotor is steady, by Newton's method on the rotor speed."""
+    diameter = m.diameter[i]
+    slowest = axial / (1.1 * diameter)
+    n = max(s.rotor[i], slowest)
+    for _ in range(NEWTON_STEPS):
+        t, slope = thrust_and_slope(i, n, axial, m)
+        n = max(n - (t - thrust) / slope, slowest)
+    advance = axial / (n * diameter)
+    load = m.density * n * n * diameter**5 * polynomial(m.c_torque[i], advance)
+    volts = n / m.k_v[i] + m.resistance[i] * (load / m.k_t[i] + m.no_load_current[i])
+    return min(max(volts / m.max_volts[i], 0.0), 1.0)
+
+
+@compiled
+def thrust_and_slope(i, n, axial, m):
+    """Thrust [N] at rotor speed n [rev/s] and its derivative."""
+    diameter = m.diameter[i]
+    step = 1e-3 * n
+    pressure = m.density * diameter**4
+    t = pressure * n * n * polynomial(m.c_thrust[i], axial / (n * diameter))
+    faster = n + step
+    t2 = pressure * faster * faster * polynomial(m.c_thrust[i], axial / (faster * diameter))
+    return t, max((t2 - t) / step, 1e-3)
+
+
+@compiled
+def advance(dt, axial, m, s):
+    """All actuators, one step after their commands."""
+    for i in range(len(s.command)):
+        if m.servo[i] > 0.5:
+            advance_servo(i, dt, m, s)
+        else:
+            advance_motor(i, dt, axial, m, s)

@@ -1,0 +1,143 @@
+"""The adaptive inversion controller: the compiled law with its records, and the switching of control modes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from testbed.controllers.modes import Mode, NoLevelTrim, design_regulator, enumerate_modes
+from testbed.controllers.records import MAX_DEGREE, memory_dtype, mode_dtype, model_dtype, settings_dtype
+from testbed.controllers.setup import Setup
+from testbed.controllers.step import adaptive_step, scratch
+from testbed.signals import RATES
+
+
+class InversionController:
+    """Control inversion with adaptive compensation and automatic goal switching (the paper's figure 2).
+
+    Args:
+        setup: design model, gains and actuators.
+        adapts: estimate effectiveness (13); without, the law is a fixed inversion.
+        monitors: switch modes when an estimate says that an actuator failed (29).
+
+    Attributes:
+        command: [n] last commands, servos in rad and motors as throttle.
+        reasons: what happened to the modes, as (step, text).
+    """
+
+    def __init__(self, setup: Setup, adapts: bool = True, monitors: bool = True) -> None:
+        n = len(setup.actuators)
+        self.setup = setup
+        self.scale = np.array([a.scale for a in setup.actuators])
+        self._limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
+        self._lags = np.array([a.lag_rad_s for a in setup.actuators])
+        released = setup.settings.get("released", ())
+        self.modes = enumerate_modes(setup.model, self.scale, setup.control, released)  # type: ignore[arg-type]
+        self.model = _model_record(setup, self.scale, self._limits)
+        self.settings = _settings_record(setup, adapts, monitors)
+        self.mode_record = np.zeros(1, mode_dtype(n)).view(np.recarray)
+        self.memory = np.zeros(1, memory_dtype(n)).view(np.recarray)
+        self._work = scratch(n)
+        self._start_memory(setup)
+        self.reasons: list[tuple[int, str]] = []
+        self.command = self.memory[0].command
+        self.mode = self._enter((), 0)
+
+    def _start_memory(self, setup: Setup) -> None:
+        s, model = self.memory[0], self.model[0]
+        position = np.asarray(setup.trim_positions) / self.scale
+        s.lambda_hat[:] = 1.0
+        s.command[:] = setup.trim_commands
+        for name in ("r", "u", "position", "servo_input", "servo_lagged"):
+            s[name][:] = position
+        axial = setup.model.airspeed_m_s * math.cos(setup.model.alpha_rad)
+        for i, propulsor in enumerate(setup.model.propulsors):
+            if propulsor is not None:
+                s.rotor[i] = propulsor.speed_at(setup.trim_positions[i], axial, float(model.density))
+
+    def _enter(self, failed: tuple[int, ...], step: int) -> Mode:
+        """Put the mode for these failures in force; one that is refused leaves the last mode in force."""
+        mode = self.modes.get(failed)
+        if mode is None or mode.refused:
+            why = mode.refused if mode else f"{len(failed)} actuators failed: nothing left to control with"
+            self.reasons.append((step, why))
+            return self.mode
+        k, s, n = self.mode_record[0], self.memory[0], len(self.scale)
+        k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
+        k.alive[:] = [i not in failed for i in range(n)]
+        k.regulated, k.r_trim[:] = float(bool(mode.released)), 0.0
+        s.integral[:] = 0.0
+        s.integral[1] = self.setup.trim_pitch
+        if mode.released:
+            try:
+                regulator = design_regulator(
+                    self.setup.model, self.scale, mode, self.setup.control, self._limits, self._lags
+                )
+            except NoLevelTrim as reason:
+                self.reasons.append((step, str(reason)))
+                return self.mode
+            k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim
+            k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
+            s.integral[1] = 0.0
+        return mode
+
+    def step(self, step: int, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> np.ndarray:
+        """Commands [n] for row `step` of the measured states and references (record arrays); fills that row of
+        telemetry."""
+        changed = adaptive_step(
+            step, states, setpoints, telemetry, self.model, self.settings, self.mode_record, self.memory, self._work
+        )
+        if changed:
+            failed = tuple(int(i) for i in np.flatnonzero(self.memory[0].failed > 0.5))
+            self.mode = self._enter(failed, step)
+        return self.command
+
+
+def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.ndarray:
+    model, n = setup.model, len(scale)
+    record = np.zeros(1, model_dtype(n)).view(np.recarray)
+    m = record[0]
+    m.airspeed, m.alpha, m.density = model.airspeed_m_s, model.alpha_rad, model.density_kg_m3
+    m.servo[:] = [kind == "servo" for kind in model.kinds]
+    m.scale[:], m.low[:], m.high[:] = scale, limits[:, 0], limits[:, 1]
+    m.lag[:] = [a.lag_rad_s for a in setup.actuators]
+    m.rate[:] = [a.rate / a.scale for a in setup.actuators]
+    m.hold[:] = np.array(model.trim) / scale
+    m.bias[:] = (np.array(model.bias) + np.array(model.offset_matrix).sum(axis=1))[:4]
+    m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
+    m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
+    axial = model.airspeed_m_s * math.cos(model.alpha_rad)
+    for i, p in enumerate(model.propulsors):
+        if p is None:
+            continue
+        _, slope = p.torque_at(model.trim[i], axial, model.density_kg_m3)
+        m.torque_slope[i] = slope * scale[i]
+        m.c_thrust[i, : len(p.thrust)], m.c_torque[i, : len(p.torque)] = p.thrust, p.torque
+        m.diameter[i], m.rotor_inertia[i], m.max_volts[i] = p.diameter_m, p.rotor_inertia_kg_m2, p.max_volts
+        m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
+        m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
+        if max(len(p.thrust), len(p.torque)) > MAX_DEGREE:
+            raise ValueError(f"propeller polynomials have at most {MAX_DEGREE} coefficients")
+    return record
+
+
+def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
+    n, chosen, loops = len(setup.actuators), setup.settings, setup.control.loops
+    record = np.zeros(1, settings_dtype(n)).view(np.recarray)
+    c = record[0]
+    for name, value in loops.model_dump().items():
+        if name.endswith("_deg"):
+            c[name.removesuffix("_deg")] = math.radians(value)
+        else:
+            c[name.removesuffix("_m_s").removesuffix("_m")] = value
+    for name, default in (("gamma", 4.0), ("epsilon", 0.05)):
+        value = chosen.get(name, default)
+        c[name][:] = [value[kind] if isinstance(value, Mapping) else value for kind in setup.model.kinds]
+    c.dt, c.adapts, c.monitors = setup.dt_s, float(adapts), float(monitors)
+    defaults = {"threshold": 0.1, "recovery": 0.5, "persistence_s": 0.05}
+    defaults |= {"lambda_min": 0.01, "lambda_max": 1.1, "divisor_min": 0.1, "filter_rad_s": 0.0}
+    for name, default in defaults.items():
+        c[name.removesuffix("_s").removesuffix("_rad")] = chosen.get(name, default)
+    return record

@@ -1,0 +1,180 @@
+"""The design model: what the controller believes of the aircraft, f_m and B_m of equation (2).
+
+It is identified before flight (`testbed.identification`), stored beside the aircraft as JSON where anybody can read
+it, and never reads the truth in flight. Its error is a scenario setting: section 4 of the paper is about that error.
+
+The state function is built up from the usual derivatives about one level trim (alpha_0, V_0):
+
+    x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta) + (V/V_0) (A_p p + A_q q + A_r r) + k(x) + B u
+
+with s = (V/V_0)^2 for dynamic pressure, k(x) gravity and the rotation of the body axes, and rows
+p_dot, q_dot, r_dot, u_dot (x_c, controlled) followed by v_dot, w_dot (x_u, not controlled).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import brentq
+
+from testbed.units import GRAVITY_M_S2
+
+ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
+# Advance ratios up to which the propellers are on the stand; beyond, they windmill.
+MAX_ADVANCE_RATIO = 1.2
+COLUMNS = ("alpha", "beta", "p", "q", "r")
+_SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
+
+
+@dataclass(frozen=True)
+class Propulsor:
+    """One motor with its propeller as the design model knows it.
+
+    Coefficients are polynomials in advance ratio J, lowest power first: T = rho n^2 D^4 C_T(J),
+    Q = rho n^2 D^5 C_Q(J), n in rev/s; motor: i = (v - n/K_v)/R, Q_motor = K_t (i - i_0).
+    """
+
+    thrust: tuple[float, ...]
+    torque: tuple[float, ...]
+    diameter_m: float
+    rotor_inertia_kg_m2: float
+    max_volts: float
+    velocity_constant_rps_v: float
+    torque_constant_n_m_a: float
+    resistance_ohm: float
+    no_load_current_a: float
+
+    def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
+        """Rotor speed [rev/s] at which the propeller gives this thrust."""
+        slowest = axial_m_s / (self.diameter_m * MAX_ADVANCE_RATIO)
+        top = self.max_volts * self.velocity_constant_rps_v
+        return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
+
+    def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
+        """Steady torque [N m] at a thrust and speed, and its slope with thrust, dQ/dT [m] at constant speed."""
+        n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
+        (t0, q0), (_, q), (t1, q1) = (
+            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.9999, 1.0, 1.0001)
+        )
+        return q, (q1 - q0) / (t1 - t0)
+
+    def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
+        pressure = density_kg_m3 * n * n * self.diameter_m**4
+        j = axial_m_s / (n * self.diameter_m)
+        polyval = np.polynomial.polynomial.polyval
+        return float(pressure * polyval(j, self.thrust)), float(pressure * self.diameter_m * polyval(j, self.torque))
+
+
+@dataclass(frozen=True)
+class DesignModel:
+    """f_m and B_m about one level trim.
+
+    Attributes:
+        airspeed_m_s, altitude_m, alpha_rad, density_kg_m3: the reference condition.
+        actuators: names, in the order of the columns of `input_matrix`.
+        kinds: `servo` or `motor` each.
+        trim: [n] actuator positions at the reference trim [rad or N].
+        bias: [6] rates at the reference without actuators, gravity apart.
+        derivatives: [6, 5] by `COLUMNS`.
+        input_matrix: [6, n] B_m: rates per rad or N, rotors at their steady speed.
+        torque_matrix: [6, n] rates per N m of motor torque (zero for servos): the airframe feels the motor's
+            torque at once, the thrust with the rotor's lag.
+        offset_matrix: [6, n] rates that an effective propeller adds to B u, its torque being affine in thrust.
+        propulsors: [n] None for servos.
+        identified_from: fingerprint of the aircraft's files.
+    """
+
+    airspeed_m_s: float
+    altitude_m: float
+    alpha_rad: float
+    density_kg_m3: float
+    actuators: tuple[str, ...]
+    kinds: tuple[str, ...]
+    trim: tuple[float, ...]
+    bias: tuple[float, ...]
+    derivatives: tuple[tuple[float, ...], ...]
+    input_matrix: tuple[tuple[float, ...], ...]
+    torque_matrix: tuple[tuple[float, ...], ...]
+    offset_matrix: tuple[tuple[float, ...], ...]
+    propulsors: tuple[Propulsor | None, ...]
+    identified_from: str = ""
+
+    def coefficient_names(self) -> list[str]:
+        """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""
+        return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *self.actuators)]
+
+    def with_error(self, factors: Mapping[str, float]) -> DesignModel:
+        """The model with some coefficients scaled: the controller's ignorance (sections 4.2 and 4.3).
+
+        The trim is kept: scaling moves slopes, `bias` follows so that the reference stays an equilibrium.
+        """
+        slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
+        torques = np.array(self.torque_matrix)
+        for i, row in enumerate(ROWS):
+            for j, name in enumerate(COLUMNS):
+                slopes[i, j] *= factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
+            for j, name in enumerate(self.actuators):
+                factor = factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
+                inputs[i, j] *= factor
+                torques[i, j] *= factor
+        bias = np.array(self.bias) + (np.array(self.input_matrix) - inputs) @ np.array(self.trim)
+        return replace(
+            self,
+            derivatives=_rows(slopes),
+            input_matrix=_rows(inputs),
+            torque_matrix=_rows(torques),
+            bias=tuple(map(float, bias)),
+        )
+
+    def rates(self, x: Mapping[str, float], u: Sequence[float], alive: Sequence[float]) -> np.ndarray:
+        """[6] modelled rates at a state (airspeed, alpha, beta, p, q, r, roll, pitch), actuator positions [n] and
+        effectiveness [n]."""
+        speed = x["airspeed"] / self.airspeed_m_s
+        pressure = speed * speed
+        a = np.array(self.derivatives)
+        aero = pressure * (np.array(self.bias) + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
+        aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
+        scale = np.array([pressure if kind == "servo" else 1.0 for kind in self.kinds])
+        lam = np.asarray(alive, dtype=float)
+        actuators = np.array(self.input_matrix) @ (scale * lam * np.asarray(u)) + np.array(self.offset_matrix) @ lam
+        return aero + kinematics(x) + actuators
+
+    def save(self, path: Path) -> None:
+        """Write as JSON."""
+        path.write_text(json.dumps(asdict(self), indent=1) + "\n")
+
+
+def load_design_model(path: Path) -> DesignModel:
+    """Read what `DesignModel.save` wrote."""
+    data = json.loads(path.read_text())
+    for key in ("derivatives", "input_matrix", "torque_matrix", "offset_matrix"):
+        data[key] = tuple(map(tuple, data[key]))
+    for key in ("actuators", "kinds", "trim", "bias"):
+        data[key] = tuple(data[key])
+    data["propulsors"] = tuple(
+        p and Propulsor(**{k: tuple(v) if isinstance(v, list) else v for k, v in p.items()})
+        for p in data["propulsors"]
+    )
+    return DesignModel(**data)
+
+
+def kinematics(x: Mapping[str, float]) -> np.ndarray:
+    """[6] gravity and the rotation of the body axes, in the rows of the model."""
+    alpha, beta, speed = x["alpha"], x["beta"], x["airspeed"]
+    u = speed * math.cos(alpha) * math.cos(beta)
+    v = speed * math.sin(beta)
+    w = speed * math.sin(alpha) * math.cos(beta)
+    p, q, r = x["p"], x["q"], x["r"]
+    g_u = -GRAVITY_M_S2 * math.sin(x["pitch"])
+    g_v = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.sin(x["roll"])
+    g_w = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.cos(x["roll"])
+    return np.array([0.0, 0.0, 0.0, g_u - q * w + r * v, g_v - r * u + p * w, g_w - p * v + q * u])
+
+
+def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(map(float, row)) for row in matrix)

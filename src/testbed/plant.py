@@ -1,0 +1,222 @@
+"""The truth: JSBSim behind one door. Nothing else imports `jsbsim`; everything here speaks SI and radians.
+
+A `Plant` is one aircraft in the air, made new for each flight and never reset (JSBSim's reset keeps failure flags,
+random generators and more). Properties are bound once to their nodes; a step reads and writes through them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import jsbsim
+import numpy as np
+
+from testbed.problems import BadInput, Problem
+from testbed.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
+
+if TYPE_CHECKING:
+    from testbed.aircraft import Aircraft
+
+# Earth radii where flights start, on the equator (WGS84): of the meridian, and of the equator.
+_MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
+
+# Property and factor to SI of each of `signals.STATE`.
+_STATE_PROPERTIES = (
+    ("position/lat-geod-rad", _MERIDIAN_M),
+    ("position/long-gc-rad", _EQUATOR_M),
+    ("position/h-sl-ft", METRES_PER_FOOT),
+    ("velocities/vt-fps", METRES_PER_FOOT),
+    ("velocities/h-dot-fps", METRES_PER_FOOT),
+    ("attitude/phi-rad", 1.0),
+    ("attitude/theta-rad", 1.0),
+    ("attitude/psi-rad", 1.0),
+    ("aero/alpha-rad", 1.0),
+    ("aero/beta-rad", 1.0),
+    ("velocities/p-rad_sec", 1.0),
+    ("velocities/q-rad_sec", 1.0),
+    ("velocities/r-rad_sec", 1.0),
+    ("accelerations/pdot-rad_sec2", 1.0),
+    ("accelerations/qdot-rad_sec2", 1.0),
+    ("accelerations/rdot-rad_sec2", 1.0),
+    ("accelerations/udot-ft_sec2", METRES_PER_FOOT),
+)
+ACCELERATIONS = (
+    ("accelerations/udot-ft_sec2", METRES_PER_FOOT),
+    ("accelerations/vdot-ft_sec2", METRES_PER_FOOT),
+    ("accelerations/wdot-ft_sec2", METRES_PER_FOOT),
+    ("accelerations/pdot-rad_sec2", 1.0),
+    ("accelerations/qdot-rad_sec2", 1.0),
+    ("accelerations/rdot-rad_sec2", 1.0),
+)
+_INTEGRATORS = tuple(
+    f"simulation/integrator/{kind}/{of}"
+    for kind in ("rate", "position")
+    for of in ("rotational", "translational")
+)
+
+
+class _Listener(jsbsim.FGLogger):
+    """Keeps JSBSim's console silent and remembers what it warned about."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._level = jsbsim.LogLevel.BULK
+        self.warnings: list[str] = []
+
+    def set_level(self, level: Any) -> None:
+        self._level = level
+
+    def message(self, message: str) -> None:
+        if int(self._level) >= int(jsbsim.LogLevel.WARN) and message.strip():
+            self.warnings.append(message.strip())
+
+
+class Plant:
+    """One aircraft flown by JSBSim.
+
+    Args:
+        aircraft: what to fly.
+        physics_hz: rate at which JSBSim integrates.
+        substeps: physics steps that `step` takes, so that the control rate is physics_hz / substeps.
+
+    Attributes:
+        warnings: what JSBSim warned about while loading.
+        raw: [17 + 2 n] the last `read`: `signals.STATE` in SI, then the position of each of the n actuators in the
+            aircraft's units (as if fully effective), then the effectiveness of each.
+    """
+
+    def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
+        listener = _Listener()
+        jsbsim.set_logger(listener)  # thread-local, so set where the plant is made
+        jsbsim.FGJSBBase().debug_lvl = 0
+        self.aircraft = aircraft
+        self.dt_s = 1.0 / physics_hz
+        self.substeps = substeps
+        folder = Path(aircraft.folder).resolve()
+        self._fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
+        self._fdm.set_aircraft_path(str(folder.parent))
+        self._fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
+        try:
+            loaded = self._fdm.load_model(aircraft.model)
+        except jsbsim.BaseError as error:
+            raise _broken_model(folder, aircraft.model, str(error)) from None
+        if not loaded:
+            raise _broken_model(folder, aircraft.model, "; ".join(listener.warnings))
+        self._fdm.disable_output()
+        self.warnings = tuple(listener.warnings)
+        self._manager = self._fdm.get_property_manager()
+        self._run = self._fdm.run
+        reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
+        reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
+        self._getters = [self.getter(name) for name, _ in reads]
+        self._factors = np.array([factor for _, factor in reads])
+        self.raw = np.empty(len(reads))
+        self._commands = [self.setter(_command(a)) for a in aircraft.actuators.values()]
+
+    def getter(self, name: str) -> Callable[[], float]:
+        """Bound reader of a property; KeyError if there is none (JSBSim itself would make it up)."""
+        return self._node(name).get_double_value
+
+    def setter(self, name: str) -> Callable[[float], bool]:
+        """Bound writer of a property; KeyError if there is none."""
+        return self._node(name).set_double_value
+
+    def _node(self, name: str) -> Any:
+        if not self._manager.hasNode(name):
+            raise KeyError(name)
+        return self._manager.get_node(name)
+
+    def catalog(self) -> dict[str, bool]:
+        """Name of each property of the loaded model, and whether it can be written."""
+        rows = (line.rpartition(" (") for line in self._fdm.get_property_catalog())
+        return {name.strip(): "W" in access for name, _, access in rows}
+
+    def command(self, commands: Iterable[float]) -> None:
+        """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
+        for put, value in zip(self._commands, commands, strict=False):
+            put(value)
+
+    def step(self) -> None:
+        """Advance by one control step."""
+        for _ in range(self.substeps):
+            self._run()
+
+    def read(self, raw: np.ndarray | None = None) -> np.ndarray:
+        """Fill and return `raw`, or the row given."""
+        raw = self.raw if raw is None else raw
+        for index, get in enumerate(self._getters):
+            raw[index] = get()
+        np.multiply(raw, self._factors, out=raw)
+        return raw
+
+    def position(self, index: int) -> float:
+        """Position of one actuator [rad, or N as if fully effective]."""
+        value = float(self.read()[len(_STATE_PROPERTIES) + index])
+        servo = list(self.aircraft.actuators.values())[index].kind == "servo"
+        return value / DEGREES_PER_RADIAN if servo else value
+
+    # Trim and identification: the plant as a test stand -----------------------------------------------------------
+
+    def place(self, state: Mapping[str, float]) -> None:
+        """Put the aircraft into a state, at rest to the wind: airspeed, alpha, beta, roll, pitch, heading [SI],
+        altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
+        fdm, get = self._fdm, state.get
+        speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
+        # Order matters in JSBSim: place, then attitude, then velocity.
+        fdm["ic/lat-geod-deg"] = 0.0
+        fdm["ic/long-gc-deg"] = 0.0
+        fdm["ic/h-sl-ft"] = state["altitude"] / METRES_PER_FOOT
+        fdm["ic/psi-true-rad"] = get("heading", 0.0)
+        fdm["ic/phi-rad"] = get("roll", 0.0)
+        fdm["ic/theta-rad"] = state["pitch"]
+        fdm["ic/u-fps"] = speed * math.cos(alpha) * math.cos(beta)
+        fdm["ic/v-fps"] = speed * math.sin(beta)
+        fdm["ic/w-fps"] = speed * math.sin(alpha) * math.cos(beta)
+        for name in "pqr":
+            fdm[f"ic/{name}-rad_sec"] = get(name, 0.0)
+        if not fdm.run_ic():
+            raise RuntimeError("JSBSim refused the initial condition")
+
+    def settle(self, steps: int) -> None:
+        """Run servos, motors and rotors for this many physics steps while the airframe does not move."""
+        self._freeze()
+        for _ in range(steps):
+            self._run()
+        self._thaw()
+
+    def _freeze(self) -> None:
+        self._schemes = [self._fdm[name] for name in _INTEGRATORS]
+        for name in _INTEGRATORS:
+            self._fdm[name] = 0
+
+    def _thaw(self) -> None:
+        for name, scheme in zip(_INTEGRATORS, self._schemes, strict=True):
+            self._fdm[name] = scheme
+
+    def __getitem__(self, name: str) -> float:
+        return self.getter(name)()
+
+    def __setitem__(self, name: str, value: float) -> None:
+        self.setter(name)(value)
+
+
+def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
+    """Name of each property of the aircraft's model, and whether it can be written."""
+    return Plant(aircraft, 200).catalog()
+
+
+def _command(actuator: Any) -> str:
+    return f"{actuator.prefix}/{'command-rad' if actuator.kind == 'servo' else 'command-norm'}"
+
+
+def _position(actuator: Any) -> tuple[str, float]:
+    if actuator.kind == "servo":
+        return f"{actuator.prefix}/position-rad", DEGREES_PER_RADIAN
+    return f"propulsion/engine[{actuator.engine}]/thrust-lbs", NEWTONS_PER_POUND
+
+
+def _broken_model(folder: Path, model: str, why: str) -> BadInput:
+    return BadInput([Problem(file=str(folder / f"{model}.xml"), what=f"JSBSim cannot load it: {why}")])

@@ -1,0 +1,47 @@
+"""What is exchanged each control step: names, order, frames and signs.
+
+Frames: body axes, x forward, y right, z down, origin at the centre of gravity; north-east-down for navigation.
+Angles are in radians and right-handed: roll right, nose up and nose right are positive; heading is 0 to 2 pi from
+north; sideslip beta is positive with the wind from the right; a ruddervator is positive trailing edge down.
+Airspeed, alpha and beta are relative to the air (gusts included); p, q, r, attitude and `u_dot`, the rate of change of
+the body-x velocity, are relative to the ground.
+
+A vector of signals is one row of float64. The loop fills it by index, the compiled law reads the same memory by name
+(a numpy record), so nothing is copied and nothing is looked up.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+STATE = (
+    "north", "east", "altitude", "airspeed", "climb_rate",
+    "roll", "pitch", "heading", "alpha", "beta",
+    "p", "q", "r", "p_dot", "q_dot", "r_dot", "u_dot",
+)  # fmt: skip
+"""The state that is measured each step [m, m/s, rad, rad/s, rad/s2, m/s2]."""
+
+RATES = ("p_dot", "q_dot", "r_dot", "u_dot")
+"""State rates that can be controlled directly, x_c of equation (3), in the order of the state vector."""
+
+SETPOINT = ("altitude", "airspeed", "heading", "altitude_rate", "airspeed_rate", "heading_rate")
+"""Rate-limited references and their rates [m, m/s, rad, m/s, m/s2, rad/s]."""
+
+
+TELEMETRY = ("reference", "command", "effectiveness_estimate", "failed")
+"""What a controller says of each actuator, in this order; scaled units for the first two (see `Aircraft.scale`)."""
+
+
+def telemetry_width(actuators: int) -> int:
+    """Numbers in a telemetry row: those of each actuator, then desired rates and released flags by `RATES`."""
+    return len(TELEMETRY) * actuators + 2 * len(RATES)
+
+
+def record_dtype(names: tuple[str, ...]) -> np.dtype:
+    """Record of float64 fields with these names: a view of one row of a float64 array."""
+    return np.dtype([(name, np.float64) for name in names])
+
+
+def as_records(rows: np.ndarray, names: tuple[str, ...]) -> np.recarray:
+    """View contiguous float64 rows [N, len(names)] as N records: same memory, fields by name."""
+    return rows.view(record_dtype(names)).view(np.recarray).reshape(len(rows))

@@ -1,0 +1,198 @@
+"""Fly a scenario: assemble everything new, loop in lockstep with the plant, judge the result."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from testbed import identification
+from testbed.aircraft import Aircraft, Envelope, load_aircraft
+from testbed.compiled import compiled
+from testbed.controllers import TABLE, Controller
+from testbed.controllers.control_design import ControlDesign
+from testbed.controllers.setup import ActuatorData, Setup
+from testbed.design import DesignModel
+from testbed.events import controller_events
+from testbed.flight import Flight, Outcome
+from testbed.injection import Injector
+from testbed.logbook import Recorded, columns, table
+from testbed.metrics import TABLE as METRICS
+from testbed.metrics import Readings, measure
+from testbed.plant import Plant
+from testbed.problems import BadInput
+from testbed.references import references
+from testbed.scenario import Scenario, check_names, load_scenario
+from testbed.signals import SETPOINT, STATE, as_records, telemetry_width
+from testbed.trim import Trim, trim
+from testbed.verdict import judge
+
+_SETTLE_S = 1.5  # rotors and servos steady before the flight begins
+_GROUND_M = 0.5  # altitude of the centre of gravity at which the aircraft is on the ground
+_OUTCOMES = (Outcome.completed, Outcome.diverged, Outcome.ground_contact, Outcome.envelope_exceeded)
+
+
+@dataclass
+class Assembly:
+    """Everything that takes part in one flight; made new for it."""
+
+    scenario: Scenario
+    aircraft: Aircraft
+    plant: Plant
+    controller: Controller
+    injector: Injector
+    references: np.ndarray
+    limits: np.ndarray
+
+
+def fly(scenario: Scenario | str | Path) -> Flight:
+    """Fly a scenario, or the file of one; a pure function of it.
+
+    Raises:
+        BadInput: the scenario, or a name in it, cannot be used.
+    """
+    if not isinstance(scenario, Scenario):
+        scenario = load_scenario(scenario)
+    parts = assemble(scenario)
+    outcome, recorded = lockstep(parts)
+    return conclude(parts, outcome, recorded)
+
+
+def assemble(scenario: Scenario) -> Assembly:
+    """Make plant, controller and failures, and put the aircraft into trimmed flight."""
+    aircraft = load_aircraft(scenario.aircraft)
+    problems = check_names(scenario, columns(aircraft), METRICS)
+    if problems:
+        raise BadInput(problems)
+    initial = scenario.initial
+    start = _start(scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg)
+    plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
+    plant.command(start.commands)
+    plant.place(start.state)
+    plant.settle(round(_SETTLE_S * scenario.physics_hz))
+    plant.place(start.state)  # the Earth has turned while rotors settled: back to the start
+    return Assembly(
+        scenario=scenario,
+        aircraft=aircraft,
+        plant=plant,
+        controller=TABLE[scenario.controller.type](_setup(scenario, aircraft, start)),
+        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz),
+        references=references(scenario),
+        limits=_limits(aircraft.envelope),
+    )
+
+
+def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
+    """The loop. Each control step k, t = k / rate: inject, read the truth, measure, command, log, end?, step."""
+    plant, controller, injector = parts.plant, parts.controller, parts.injector
+    steps, n = parts.scenario.steps, len(parts.aircraft.actuators)
+    truth = np.zeros((steps, len(STATE) + 2 * n))
+    measured = np.zeros((steps, len(STATE)))
+    telemetry = np.zeros((steps, telemetry_width(n)))
+    states, setpoints = as_records(measured, STATE), as_records(parts.references, SETPOINT)
+    ending, done = 0, steps
+    for k in range(steps):
+        if k >= injector.next_step:
+            injector.apply(k)
+        row = plant.read(truth[k])
+        measured[k] = row[: len(STATE)]
+        plant.command(controller.step(k, states, setpoints, telemetry))
+        ending = ended(row, parts.limits)
+        if ending:
+            done = k + 1
+            break
+        plant.step()
+    return _OUTCOMES[ending], (truth[:done], measured[:done], parts.references[:done], telemetry[:done])
+
+
+@compiled
+def ended(row: np.ndarray, limits: np.ndarray) -> int:
+    """0 while the flight goes on, else the index of its outcome; `row` as `Plant.read`, `limits` as `_limits`."""
+    for value in row:
+        if not math.isfinite(value):
+            return 1
+    altitude, airspeed, roll, alpha, beta = row[2], row[3], row[5], row[8], row[9]
+    if altitude < limits[0]:
+        return 2
+    if airspeed < limits[1] or airspeed > limits[2]:
+        return 3
+    if abs(alpha) > limits[3] or abs(beta) > limits[4] or abs(roll) > limits[5]:
+        return 3
+    return 0
+
+
+def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
+    """Events, metrics and verdicts of what was recorded."""
+    scenario, aircraft = parts.scenario, parts.aircraft
+    names = columns(aircraft)
+    rows = table(aircraft, scenario.rate_hz, recorded)
+    log = dict(zip(names, rows.T, strict=True))
+    actuators = tuple(aircraft.actuators)
+    injections = parts.injector.receipts
+    events = [*injections, *controller_events(log, actuators, injections)]
+    events.sort(key=lambda event: event["time_s"])
+    metrics = measure(Readings(log, events, actuators))
+    return Flight(
+        scenario=scenario,
+        outcome=outcome,
+        end_time_s=len(rows) / scenario.rate_hz,
+        columns=names,
+        data=rows[:: scenario.rate_hz // scenario.log_hz],
+        events=events,
+        metrics=metrics,
+        requirements=judge(scenario.requirements, log, metrics),
+    )
+
+
+@lru_cache(maxsize=32)
+def _start(aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float) -> Trim:
+    """Trimmed flight, found on a plant of its own so that it depends on nothing else; kept, as it is costly."""
+    plant = Plant(load_aircraft(aircraft), physics_hz)
+    return trim(plant, airspeed_m_s, altitude_m, math.radians(heading_deg))
+
+
+@lru_cache(maxsize=8)
+def _design_model(aircraft: str) -> DesignModel:
+    return identification.stored(load_aircraft(aircraft))
+
+
+def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
+    actuators, positions = [], []
+    for actuator, position in zip(aircraft.actuators.values(), start.positions, strict=True):
+        unit = math.radians(1.0) if actuator.kind == "servo" else 1.0
+        low, high = actuator.limits
+        lag, rate = actuator.lag_rad_s, actuator.rate_limit
+        actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
+        positions.append(position * unit)
+    return Setup(
+        model=_design_model(scenario.aircraft).with_error(scenario.controller.model_error),
+        control=ControlDesign.model_validate(aircraft.control),
+        actuators=actuators,
+        dt_s=1.0 / scenario.rate_hz,
+        trim_commands=start.commands,
+        trim_positions=positions,
+        trim_pitch=start.state["pitch"],
+        settings=scenario.controller.model_dump(),
+    )
+
+
+def _limits(envelope: Envelope) -> np.ndarray:
+    """[6] altitude, airspeed low and high, alpha, beta, roll [SI, rad] beyond which a flight ends."""
+
+    def radians(value: float | None) -> float:
+        return math.inf if value is None else math.radians(value)
+
+    return np.array(
+        [
+            _GROUND_M if envelope.altitude_min_m is None else max(envelope.altitude_min_m, _GROUND_M),
+            envelope.airspeed_min_m_s or 0.0,
+            math.inf if envelope.airspeed_max_m_s is None else envelope.airspeed_max_m_s,
+            radians(envelope.alpha_max_deg),
+            radians(envelope.beta_max_deg),
+            radians(envelope.roll_max_deg),
+        ]
+    )
+
