@@ -14,6 +14,7 @@ from testbed.__main__ import _write
 from testbed.controllers.settings import SETTINGS
 from testbed.failures import TYPES
 from testbed.flight import write_run_folder
+from testbed.metrics import TABLE as METRICS
 
 
 def testbed(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -77,6 +78,27 @@ def test_validate_accepts_what_is_shipped_from_any_folder(tmp_path: Path) -> Non
     assert result.stdout.splitlines() == [f"{name}: ok" for name in names]
 
 
+def test_validate_knows_the_model_the_log_and_the_metrics(tmp_path: Path) -> None:
+    """What can be checked only against the loaded JSBSim model and the tables of higher layers."""
+    (tmp_path / "x.yaml").write_text(
+        "name: x\naircraft: vtail\nduration_s: 60\nfailures:\n"
+        "  - {type: property, at_s: 5, set: {fcs/left-ruddervator/comand-scale: 1}}\n"
+        "  - {type: property, at_s: 5, set: {aero/alpha-rad: 1, fcs/left-ruddervator/command-scale: 1}}\n"
+        "  - {type: property, when: {signal: altitud_m, below: 1}, set: {atmosphere/delta-T: 1}}\n"
+        "requirements:\n  - {metric: altitude_error_mx_m, at_most: 1}\n  - {signal: heading_dg, at_most: 1}\n"
+    )
+    result = testbed(tmp_path, "validate", "x.yaml")
+    assert result.returncode == 2
+    assert sorted(line.split(":")[1:3] for line in result.stderr.splitlines()) == [
+        ["10", " requirements.1.signal"],
+        ["5", " failures.0.set.fcs/left-ruddervator/comand-scale"],
+        ["6", " failures.1.set.aero/alpha-rad"],
+        ["7", " failures.2.when.signal"],
+        ["9", " requirements.0.metric"],
+    ]
+    assert result.stderr.count("did you mean") == 4
+
+
 def test_validate_goes_on_after_a_bad_file(tmp_path: Path) -> None:
     (tmp_path / "bad.yaml").write_text(BAD)
     result = testbed(
@@ -96,7 +118,8 @@ def test_a_file_in_the_folder_comes_before_a_shipped_one(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize(
-    ("what", "names"), [("failures", TYPES), ("controllers", SETTINGS), ("aircraft", ["vtail"])]
+    ("what", "names"),
+    [("failures", TYPES), ("controllers", SETTINGS), ("aircraft", ["vtail"]), ("metrics", METRICS)],
 )
 def test_list(tmp_path: Path, what: str, names: list[str]) -> None:
     result = testbed(tmp_path, "list", what)

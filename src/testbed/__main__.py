@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import importlib.util
 import sys
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -111,18 +110,21 @@ def _collect(problems: list[Problem], function: Callable[[], Result]) -> Result 
 
 
 def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
-    """The scenario in a file, checked also against the properties of the loaded JSBSim model."""
-    from testbed.scenario import check_properties, load_scenario
+    """The scenario in a file, checked also against the log's columns, the metrics and the JSBSim model."""
+    from testbed.aircraft import load_aircraft
+    from testbed.logbook import columns
+    from testbed.metrics import TABLE as METRICS
+    from testbed.scenario import check_names, check_properties, load_scenario
 
     scenario = load_scenario(file, settings)
-    # Loading the model takes longer than all else here, and only what failures hold needs it.
-    if scenario.failures and importlib.util.find_spec("testbed.plant"):
-        from testbed.aircraft import load_aircraft
+    aircraft = load_aircraft(scenario.aircraft)
+    problems = check_names(scenario, columns(aircraft), METRICS)
+    if scenario.failures:  # loading the model takes longer than all else here, and only failures need it
         from testbed.plant import property_catalog
 
-        problems = check_properties(scenario, property_catalog(load_aircraft(scenario.aircraft)))
-        if problems:
-            raise BadInput(problems)
+        problems += check_properties(scenario, property_catalog(aircraft))
+    if problems:
+        raise BadInput(problems)
     return scenario
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from collections.abc import Mapping
 
 
@@ -25,8 +24,6 @@ def _failures() -> list[tuple[str, str]]:
 
 
 def _metrics() -> list[tuple[str, str]]:
-    if importlib.util.find_spec("testbed.metrics") is None:
-        return []
     from testbed.metrics import TABLE
 
     return _described(TABLE)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
-import numpy as np
+if TYPE_CHECKING:  # reading a scenario needs the settings beside this file, not numba
+    import numpy as np
 
-from testbed.controllers.setup import Setup
+    from testbed.controllers.setup import Setup
 
 
 class Controller(Protocol):
