@@ -92,15 +92,15 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     truth = np.zeros((steps, len(STATE) + 2 * n))
     measured = np.zeros((steps, len(STATE)))
     telemetry = np.zeros((steps, telemetry_width(n)))
-    states, setpoints = as_records(measured, STATE), as_records(parts.references, SETPOINT)
+    controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
+    channels = (plant.raw, plant.factors, parts.limits, truth, measured)
     ending, done = 0, steps
     for k in range(steps):
         if k >= injector.next_step:
             injector.apply(k)
-        row = plant.read(truth[k])
-        measured[k] = row[: len(STATE)]
-        plant.command(controller.step(k, states, setpoints, telemetry))
-        ending = ended(row, parts.limits)
+        plant.sample()
+        ending = observe(k, channels)
+        plant.command(controller.step(k))
         if ending:
             done = k + 1
             break
@@ -109,12 +109,19 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
 
 
 @compiled
-def ended(row: np.ndarray, limits: np.ndarray) -> int:
-    """0 while the flight goes on, else the index of its outcome; `row` as `Plant.read`, `limits` as `_limits`."""
-    for value in row:
-        if not math.isfinite(value):
-            return 1
+def observe(k, channels):  # type: ignore[no-untyped-def]
+    """Log the truth in SI, measure it, and say whether the flight goes on: 0, or the index of its outcome."""
+    raw, factors, limits, truth, measured = channels
+    row = truth[k]
+    finite = True
+    for i in range(len(raw)):
+        row[i] = raw[i] * factors[i]
+        finite = finite and math.isfinite(row[i])
+    for i in range(measured.shape[1]):
+        measured[k, i] = row[i]
     altitude, airspeed, roll, alpha, beta = row[2], row[3], row[5], row[8], row[9]
+    if not finite:
+        return 1
     if altitude < limits[0]:
         return 2
     if airspeed < limits[1] or airspeed > limits[2]:

@@ -7,6 +7,8 @@ means the same authority for a tail as for a propeller and a single epsilon serv
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 
 OUTER = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
@@ -16,9 +18,10 @@ MAX_DEGREE = 5  # coefficients of the propeller polynomials
 
 
 def _dtype(fields: list[tuple[str, tuple[int, ...]]]) -> np.dtype:
-    return np.dtype([(name, np.float64, shape) if shape else (name, np.float64) for name, shape in fields])
+    return np.dtype((np.record, [(name, np.float64, shape) for name, shape in fields]))
 
 
+@cache
 def model_dtype(n: int) -> np.dtype:
     """Design model f_m, B_m and the actuators' own dynamics, for n actuators."""
     scalars = ("airspeed", "alpha", "density")
@@ -33,6 +36,7 @@ def model_dtype(n: int) -> np.dtype:
     return _dtype(fields)
 
 
+@cache
 def settings_dtype(n: int) -> np.dtype:
     """What the control designer chooses."""
     scalars = (
@@ -45,6 +49,7 @@ def settings_dtype(n: int) -> np.dtype:
     return _dtype([(name, ()) for name in scalars] + [("gamma", (n,)), ("epsilon", (n,))])
 
 
+@cache
 def mode_dtype(n: int) -> np.dtype:
     """One control mode: which actuators are left, and the modified inverse of equation (29)."""
     return _dtype(
@@ -62,6 +67,7 @@ def mode_dtype(n: int) -> np.dtype:
     )
 
 
+@cache
 def memory_dtype(n: int) -> np.dtype:
     """What the law remembers from step to step, and what it says to the log."""
     return _dtype(
