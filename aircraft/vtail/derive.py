@@ -151,7 +151,7 @@ def pod(g, cg):
     f, (area, span, chord) = g["pod"], reference(g)
     volume = f["prismatic"] * f["length_m"] * f["width_m"] * f["height_m"]
     fineness = f["length_m"] / math.sqrt(f["width_m"] * f["height_m"])
-    k = 1 - 1.15 / fineness ** 1.0 if fineness < 4 else 0.86 + 0.014 * (fineness - 6)
+    k = 0.86 + 0.014 * (fineness - 6)  # apparent-mass factor, read from the figure for fineness 5 to 9
     base = 0.5 * f["width_m"] * f["height_m"]  # section where the flow separates (at the boom)
     side = 2 * k * base * (f["height_m"] / f["width_m"]) / area
     aspect, depth = span**2 / area, math.sqrt(f["width_m"] * f["height_m"] / 0.7854)
@@ -238,7 +238,7 @@ def stalled(g, cg, alpha):
 def angle_tables(g, cg, c):
     """CL, CD, Cm over alpha, -180 to 180 deg: straight line and parabola while attached, plate when stalled."""
     start = math.radians(g["wing"]["cl_max_alpha_deg"])
-    degrees = [*range(-180, -90, 15), *range(-90, -30, 10), *range(-30, 31), *range(40, 91, 10), *range(105, 181, 15)]
+    degrees = [*range(-180, -90, 15), *range(-90, -30, 10), *range(-30, -14, 2), *(k / 2 for k in range(-28, 49)), 26, 28, 30, *range(40, 91, 10), *range(105, 181, 15)]
     rows = []
     for deg in degrees:
         a = math.radians(deg)
@@ -291,15 +291,16 @@ def coefficients(g, cg):
     return c, parasite
 
 
+def blade_of(g):
+    p = g["propulsion"]["propeller"]
+    spec = {name: p[name] for name in propeller.Blade.__dataclass_fields__}
+    return propeller.Blade(**{k: tuple(v) if isinstance(v, list) else v for k, v in spec.items()})
+
+
 def propeller_table(g):
-    spec = dict(g["propulsion"]["propeller"])
-    rev_s = spec.pop("reynolds_rev_s")
-    for name in ("mass_kg", "gyration_ratio"):
-        spec.pop(name)
-    for name in ("radius_ratio", "chord_ratio"):
-        spec[name] = tuple(spec[name])
     momentum = [round(0.05 * k, 2) for k in range(41)]
-    return propeller.table(propeller.Blade(**spec), rev_s, momentum, [2.5, 3, 4, 5, 7, 10, 15, 20, 30, 50, 100])
+    free = [2.5, 3, 4, 5, 7, 10, 15, 20, 30, 50, 100]  # windmill to standstill
+    return propeller.table(blade_of(g), g["propulsion"]["propeller"]["reynolds_rev_s"], momentum, free)
 
 
 def build():

@@ -13,7 +13,6 @@ import numpy as np
 from scipy.optimize import brentq
 
 STATIONS = 24
-FREE_STREAM_J = 2.0  # times the J of zero thrust: from here on momentum theory is left
 
 
 @dataclass(frozen=True)
