@@ -1,17 +1,18 @@
-"""Derive the v-tail: geometry.yaml -> coefficients -> vtail.xml, Engines/vtail_prop.xml, Engines/vtail_motor.xml.
+"""Derive the v-tail: geometry.yaml -> coefficients -> vtail.xml and Engines/*.xml.
 
     python derive.py            write the files and print the table of coefficients
     python derive.py --check    write nothing; exit 1 if the files differ from what would be written
 
 Needs AeroSandbox (the extra `derive`); the testbed itself never imports this file.
 
-Wing and tail come from AeroSandbox's vortex lattice (all static derivatives, damping, cross derivatives, ruddervators).
-What a lattice of thin surfaces cannot see is estimated from hand-books and added: pod, propeller side force, parasite
-drag, stall, angle-of-attack rate. Each function below is one source.
+Wing and tail come from AeroSandbox's vortex lattice: static, damping and cross derivatives, ruddervators.
+What a lattice of thin surfaces cannot see is estimated from hand-books and added: pod, propeller side force,
+parasite drag, stall, angle-of-attack rate. Each function below is one source.
 
-Signs: body axes x forward, y right, z down for moments and rates (l right wing down, m nose up, n nose right);
-alpha, beta positive for air from below and from the right; ruddervators positive trailing edge down, both of them.
-Rates are made dimensionless with b/2V (p, r) and c/2V (q, alpha-dot). Moments are about the centre of gravity.
+Signs: body axes x forward, y right, z down for moments and rates (l right wing down, m nose up, n nose
+right); alpha, beta positive for air from below and from the right; ruddervators positive trailing edge down,
+both of them. Rates are made dimensionless with b/2V (p, r) and c/2V (q, alpha-dot). Moments are about the
+centre of gravity.
 """
 
 import argparse
@@ -21,10 +22,9 @@ from pathlib import Path
 
 import aerosandbox as asb
 import aerosandbox.numpy as np
-import yaml
-
 import propeller
 import xml_files
+import yaml
 
 HERE = Path(__file__).parent
 SPANWISE, CHORDWISE = 14, 10  # lattice; doubling both moves no derivative by more than the README says
@@ -33,14 +33,16 @@ RUDDERVATOR_STEP_DEG = 4.0
 AXES = ("CL", "CD", "CY", "Cl", "Cm", "Cn")
 
 
-# ---- masses -----------------------------------------------------------------------------------------------------------
+# ---- masses ---------------------------------------------------------------------
 def inertia_of(parts, about):
-    """[Ixx, Iyy, Izz, Ixz] in kg m2 of uniform boxes about a point; Ixz is the body-axes product of inertia."""
+    """[Ixx, Iyy, Izz, Ixz] in kg m2 of uniform boxes about a point; Ixz is the integral of x z."""
     total = np.zeros(4)
     for part in parts:
         m, (x, y, z), (a, b, c) = part["mass_kg"], np.array(part["at_m"]) - about, part["size_m"]
         own = np.array([b * b + c * c, a * a + c * c, a * a + b * b]) / 12
-        total = total + m * np.array([*(own + np.array([y * y + z * z, x * x + z * z, x * x + y * y])), x * z])
+        total = total + m * np.array(
+            [*(own + np.array([y * y + z * z, x * x + z * z, x * x + y * y])), x * z]
+        )
     return total  # x and z both change sign from structural to body axes, so Ixz keeps its own
 
 
@@ -59,7 +61,12 @@ def ruddervators(g):
     x = round(t["quarter_chord_x_m"] + (r["chord_fraction"] - 0.25) * chord, 5)
     y, z = round(s * math.cos(dihedral), 5), round(t["root_z_m"] + s * math.sin(dihedral), 5)
     return [
-        {"name": f"{side} ruddervator", "mass_kg": r["mass_kg"], "at_m": [x, sign * y, z], "size_m": [0, 0, 0]}
+        {
+            "name": f"{side} ruddervator",
+            "mass_kg": r["mass_kg"],
+            "at_m": [x, sign * y, z],
+            "size_m": [0, 0, 0],
+        }
         for side, sign in (("left", -1), ("right", 1))
     ]
 
@@ -69,12 +76,12 @@ def masses(g):
     mass, cg = balance(fixed + moving)
     empty, empty_cg = balance(fixed)
     return {
-        "mass_kg": mass, "cg_m": cg, "inertia": inertia_of(fixed + moving, cg), "empty_kg": empty, "empty_cg_m": empty_cg,
-        "empty_inertia": inertia_of(fixed, empty_cg), "points": moving,
+        "mass_kg": mass, "cg_m": cg, "inertia": inertia_of(fixed + moving, cg),
+        "empty_kg": empty, "empty_cg_m": empty_cg, "empty_inertia": inertia_of(fixed, empty_cg), "points": moving,
     }  # fmt: skip
 
 
-# ---- vortex lattice -----------------------------------------------------------------------------------------------------
+# ---- vortex lattice -------------------------------------------------------------
 def wing_surface(g):
     w = g["wing"]
     half, foil = 0.5 * w["span_m"], asb.Airfoil(w["airfoil"])
@@ -89,13 +96,20 @@ def tail_surfaces(g, left_deg=0.0):
     """The two panels; the left one's ruddervator may be deflected (positive trailing edge down)."""
     t = g["tail"]
     dihedral, foil = math.radians(t["dihedral_deg"]), asb.Airfoil(t["airfoil"])
-    lattice_foil = {-1: foil.add_control_surface(left_deg, 1 - t["flap_chord_ratio"]), 1: foil.add_control_surface(0.0, 1 - t["flap_chord_ratio"])}
+    lattice_foil = {
+        -1: foil.add_control_surface(left_deg, 1 - t["flap_chord_ratio"]),
+        1: foil.add_control_surface(0.0, 1 - t["flap_chord_ratio"]),
+    }
+
+    def leading_edge(s, chord, side):
+        x, z = t["quarter_chord_x_m"] - 0.25 * chord, t["root_z_m"] + s * math.sin(dihedral)
+        return x, side * s * math.cos(dihedral), z
 
     def panel(side):
         stations = [(0.0, t["root_chord_m"]), (t["panel_span_m"], t["tip_chord_m"])]
         sections = [
             asb.WingXSec(
-                xyz_le=(t["quarter_chord_x_m"] - 0.25 * chord, side * s * math.cos(dihedral), t["root_z_m"] + s * math.sin(dihedral)),
+                xyz_le=leading_edge(s, chord, side),
                 chord=chord, twist=t["incidence_deg"], airfoil=lattice_foil[side],
             ) for s, chord in stations
         ]  # fmt: skip
@@ -118,13 +132,19 @@ class Lattice:
     def __init__(self, g, surfaces, cg):
         self.area, self.span, self.chord = reference(g)
         self.speed = g["reference"]["airspeed_m_s"]
-        self.airplane = asb.Airplane(wings=surfaces, xyz_ref=cg, s_ref=self.area, b_ref=self.span, c_ref=self.chord)
+        self.airplane = asb.Airplane(
+            wings=surfaces, xyz_ref=cg, s_ref=self.area, b_ref=self.span, c_ref=self.chord
+        )
 
     def at(self, alpha_deg, beta_deg=0.0, p=0.0, q=0.0, r=0.0):
         """Coefficients; p, q, r are dimensionless."""
         v2b, v2c = 2 * self.speed / self.span, 2 * self.speed / self.chord
-        op = asb.OperatingPoint(velocity=self.speed, alpha=alpha_deg, beta=beta_deg, p=p * v2b, q=q * v2c, r=r * v2b)
-        run = asb.VortexLatticeMethod(self.airplane, op, spanwise_resolution=SPANWISE, chordwise_resolution=CHORDWISE).run()
+        op = asb.OperatingPoint(
+            velocity=self.speed, alpha=alpha_deg, beta=beta_deg, p=p * v2b, q=q * v2c, r=r * v2b
+        )
+        run = asb.VortexLatticeMethod(
+            self.airplane, op, spanwise_resolution=SPANWISE, chordwise_resolution=CHORDWISE
+        ).run()
         return np.array([float(run[k]) for k in AXES])
 
     def slope(self, alpha_deg, name):
@@ -135,19 +155,27 @@ class Lattice:
             low = self.at(alpha_deg - h) if name == "alpha" else self.at(alpha_deg, beta_deg=-h)
             return dict(zip(AXES, (high - low) / (2 * math.radians(h)), strict=True))
         h = 0.01
-        return dict(zip(AXES, (self.at(alpha_deg, **{name: h}) - self.at(alpha_deg, **{name: -h})) / (2 * h), strict=True))
+        return dict(
+            zip(
+                AXES,
+                (self.at(alpha_deg, **{name: h}) - self.at(alpha_deg, **{name: -h})) / (2 * h),
+                strict=True,
+            )
+        )
 
 
 def left_ruddervator(g, cg, alpha_deg):
-    """Derivatives of every coefficient with the LEFT ruddervator, per rad; the right one is its exact mirror image."""
+    """Derivatives with the LEFT ruddervator, per rad; the right one is its exact mirror image."""
     h = RUDDERVATOR_STEP_DEG
     high, low = (Lattice(g, [wing_surface(g), *tail_surfaces(g, d)], cg).at(alpha_deg) for d in (h, -h))
-    return dict(zip(AXES, (high - low) / (2 * math.radians(h)) * g["tail"]["flap_viscous_factor"], strict=True))
+    return dict(
+        zip(AXES, (high - low) / (2 * math.radians(h)) * g["tail"]["flap_viscous_factor"], strict=True)
+    )
 
 
-# ---- hand-book estimates ------------------------------------------------------------------------------------------------
+# ---- hand-book estimates --------------------------------------------------------
 def pod(g, cg):
-    """Slender-body moments of the pod: Munk, (k2 - k1) from DATCOM 4.2.1.1; high-wing dihedral effect, DATCOM 5.2.2.1."""
+    """Moments of the pod: Munk, with k2 - k1 of DATCOM 4.2.1.1; dihedral effect of a high wing, DATCOM 5.2.2.1."""
     f, (area, span, chord) = g["pod"], reference(g)
     volume = f["prismatic"] * f["length_m"] * f["width_m"] * f["height_m"]
     fineness = f["length_m"] / math.sqrt(f["width_m"] * f["height_m"])
@@ -164,7 +192,7 @@ def pod(g, cg):
 
 
 def propeller_normal_force(g, cg):
-    """Normal force of two propellers in oblique flow: DeYoung, J. Aircraft 2 (1965), lightly loaded; no induction by the wing."""
+    """Normal force of both propellers in oblique flow: DeYoung, J. Aircraft 2 (1965), lightly loaded."""
     p, (area, span, chord) = g["propulsion"]["propeller"], reference(g)
     radius = 0.5 * p["diameter_m"]
     mean_chord = radius * np.interp(0.75, p["radius_ratio"], p["chord_ratio"])
@@ -173,11 +201,16 @@ def propeller_normal_force(g, cg):
     slope = 4.25 * solidity / (1 + 2 * solidity) * math.sin(blade_angle + math.radians(8.0))
     force = 2 * slope * math.pi * radius**2 / area
     arm = cg[0] - g["propulsion"]["x_m"]
-    return {"CL_alpha": force, "Cm_alpha": force * arm / chord, "CY_beta": -force, "Cn_beta": -force * arm / span}
+    return {
+        "CL_alpha": force,
+        "Cm_alpha": force * arm / chord,
+        "CY_beta": -force,
+        "Cn_beta": -force * arm / span,
+    }
 
 
 def drag(g, cg):
-    """CD0 and the pitching moment of drag that acts above or below the centre of gravity; component build-up."""
+    """Component build-up of CD0, and the pitching moment of drag above or below the centre of gravity."""
     area, _, chord = reference(g)
     w, t = g["wing"], g["tail"]
     panel = 0.5 * t["panel_span_m"] * (t["root_chord_m"] + t["tip_chord_m"])
@@ -193,7 +226,7 @@ def drag(g, cg):
 
 
 def ruddervator_drag(g):
-    """Profile drag of one plain flap per sin^2 of its deflection: 1.7 (cf/c)^1.38 S_flapped/S (Young, ARC R&M 2622)."""
+    """Profile drag of one plain flap per sin^2 of deflection: 1.7 (cf/c)^1.38 Sf/S (Young, ARC R&M 2622)."""
     t = g["tail"]
     panel = 0.5 * t["panel_span_m"] * (t["root_chord_m"] + t["tip_chord_m"])
     return 1.7 * t["flap_chord_ratio"] ** 1.38 * panel / reference(g)[0]
@@ -205,7 +238,7 @@ def rotary_profile_drag(g):
 
 
 def downwash(g, cg, alpha_deg):
-    """Terms of the angle-of-attack rate: the tail meets the downwash of l/V earlier (Etkin; Roskam VI, 10.2.5).
+    """Terms of the angle-of-attack rate: the tail meets the downwash of l/V earlier (Etkin; Roskam VI).
 
     The tail's share of CL_alpha and Cm_alpha, alone and behind the wing, gives 1 - d(epsilon)/d(alpha).
     """
@@ -214,7 +247,11 @@ def downwash(g, cg, alpha_deg):
     whole = Lattice(g, [wing_surface(g), *tail_surfaces(g)], cg).slope(alpha_deg, "alpha")
     gradient = 1 - (whole["Cm"] - wing["Cm"]) / alone["Cm"]
     travel = 2 * (g["tail"]["quarter_chord_x_m"] - 0.25 * g["wing"]["root_chord_m"]) / reference(g)[2]
-    return {"gradient": gradient, "CL_alphadot": alone["CL"] * gradient * travel, "Cm_alphadot": alone["Cm"] * gradient * travel}
+    return {
+        "gradient": gradient,
+        "CL_alphadot": alone["CL"] * gradient * travel,
+        "Cm_alphadot": alone["Cm"] * gradient * travel,
+    }
 
 
 def fairing(alpha, start, end):
@@ -224,10 +261,18 @@ def fairing(alpha, start, end):
 
 
 def stalled(g, cg, alpha):
-    """CL, CD, Cm of wing and tail as plates: normal force 1.2 sin(alpha) (Hoerner 3-16, aspect ratio 7) at 40 to 50 % chord."""
+    """CL, CD, Cm of wing and tail as plates: normal force 1.2 sin(alpha) (Hoerner 3-16, aspect ratio 7).
+
+    The wing's force moves from 35 % of the chord just past the stall to 52 % at 90 deg.
+    """
     area, _, chord = reference(g)
     t = g["tail"]
-    share = (t["root_chord_m"] + t["tip_chord_m"]) * t["panel_span_m"] * math.cos(math.radians(t["dihedral_deg"])) / area
+    share = (
+        (t["root_chord_m"] + t["tip_chord_m"])
+        * t["panel_span_m"]
+        * math.cos(math.radians(t["dihedral_deg"]))
+        / area
+    )
     normal = 1.2 * math.sin(alpha)
     centre = (0.25 + 0.175 * min(abs(alpha) / (math.pi / 2), 1.0) + 0.1) * g["wing"]["root_chord_m"]
     arm, tail_arm = centre - cg[0], t["quarter_chord_x_m"] - cg[0]
@@ -236,9 +281,19 @@ def stalled(g, cg, alpha):
 
 
 def angle_tables(g, cg, c):
-    """CL, CD, Cm over alpha, -180 to 180 deg: straight line and parabola while attached, plate when stalled."""
+    """CL, CD, Cm over alpha, -180 to 180 deg: line and parabola while attached, plate when stalled."""
     start = math.radians(g["wing"]["cl_max_alpha_deg"])
-    degrees = [*range(-180, -90, 15), *range(-90, -30, 10), *range(-30, -14, 2), *(k / 2 for k in range(-28, 49)), 26, 28, 30, *range(40, 91, 10), *range(105, 181, 15)]
+    degrees = [
+        *range(-180, -90, 15),
+        *range(-90, -30, 10),
+        *range(-30, -14, 2),
+        *(k / 2 for k in range(-28, 49)),
+        26,
+        28,
+        30,
+        *range(40, 91, 10),
+        *range(105, 181, 15),
+    ]
     rows = []
     for deg in degrees:
         a = math.radians(deg)
@@ -246,20 +301,26 @@ def angle_tables(g, cg, c):
         cl, cm = c["CL0"] + c["CL_alpha"] * a, c["Cm0"] + c["Cm_alpha"] * a
         cd = c["CD0"] + c["CD_k"] * (cl - c["CD_CL"]) ** 2
         plate = stalled(g, cg, a)
-        rows.append((a, (1 - w) * cl + w * plate[0], (1 - w) * cd + w * (c["CD0"] + plate[1]), (1 - w) * cm + w * plate[2]))
+        rows.append(
+            (
+                a,
+                (1 - w) * cl + w * plate[0],
+                (1 - w) * cd + w * (c["CD0"] + plate[1]),
+                (1 - w) * cm + w * plate[2],
+            )
+        )
     return rows
 
 
-# ---- putting it together ------------------------------------------------------------------------------------------------
-def polar(lattice, c):
-    """CD = CD0 + k (CL - CL1)^2: induced drag of the lattice at three angles, plus the section's own growth."""
+# ---- putting it together --------------------------------------------------------
+def polar(lattice):
+    """k, CL1 and floor of CD = floor + k (CL - CL1)^2: the lattice's induced drag at three angles."""
     cl, cd = np.array([lattice.at(a)[:2] for a in (-2.0, 3.0, 8.0)]).T
     k, b, a = np.polyfit(cl, cd, 2)
     return k, -b / (2 * k), a - b * b / (4 * k)
 
 
 def coefficients(g, cg):
-    area, span, chord = reference(g)
     lattice = Lattice(g, [wing_surface(g), *tail_surfaces(g)], cg)
     body, props, parasite = pod(g, cg), propeller_normal_force(g, cg), drag(g, cg)
     a, b = lattice.at(0.0), lattice.at(4.0)
@@ -271,9 +332,13 @@ def coefficients(g, cg):
     c["CL0"] = at_trim[0] - by["alpha"]["CL"] * math.radians(trim_deg)
     c["Cm_alpha"] = by["alpha"]["Cm"] + body["Cm_alpha"] + props["Cm_alpha"]
     c["Cm0"] = at_trim[4] - by["alpha"]["Cm"] * math.radians(trim_deg) + parasite["Cm0"]
-    k, cl1, floor = polar(lattice, c)
+    k, cl1, floor = polar(lattice)
     viscous = 0.38 * g["wing"]["profile_drag"]  # growth of section drag with lift (Obert)
-    c["CD_k"], c["CD_CL"], c["CD0"] = k + viscous, k * cl1 / (k + viscous), parasite["CD0"] + floor + k * cl1**2 * viscous / (k + viscous)
+    c["CD_k"], c["CD_CL"], c["CD0"] = (
+        k + viscous,
+        k * cl1 / (k + viscous),
+        parasite["CD0"] + floor + k * cl1**2 * viscous / (k + viscous),
+    )
     c["CY_beta"] = by["beta"]["CY"] + body["CY_beta"] + props["CY_beta"]
     c["Cl_beta"] = by["beta"]["Cl"] + body["Cl_beta"]
     c["Cn_beta"] = by["beta"]["Cn"] + body["Cn_beta"] + props["Cn_beta"]

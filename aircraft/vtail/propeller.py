@@ -1,8 +1,9 @@
 """Blade-element-momentum theory for a propeller of stated geometry: CT(J) and CP(J).
 
-Method: Ning, "A simple solution method for the blade element momentum equations", Wind Energy 17 (2014), in its propeller
-form: one unknown, the inflow angle phi, per radial station; Prandtl's tip and hub loss. Beyond the windmilling state that
-momentum theory can describe (a rotor almost at rest) induction is left out: each station is then a plate in the free stream.
+Method: Ning, "A simple solution method for the blade element momentum equations", Wind Energy 17 (2014), in
+its propeller form: one unknown, the inflow angle phi, per radial station; Prandtl's tip and hub loss. Beyond the
+windmilling state that momentum theory can describe (a rotor almost at rest) induction is left out: each station
+is then a plate in the free stream.
 
     J = V / (n D)      CT = T / (rho n^2 D^4)      CP = P / (rho n^3 D^5)
 """
@@ -34,18 +35,22 @@ class Blade:
     reynolds_reference: float
 
     def chord_m(self, r_m):
-        return 0.5 * self.diameter_m * np.interp(2 * r_m / self.diameter_m, self.radius_ratio, self.chord_ratio)
+        return (
+            0.5 * self.diameter_m * np.interp(2 * r_m / self.diameter_m, self.radius_ratio, self.chord_ratio)
+        )
 
     def twist_rad(self, r_m):
         return np.arctan(self.pitch_m / (2 * np.pi * r_m))
 
 
 def section(blade, alpha_rad, reynolds):
-    """cl, cd of a blade section: linear with limits, faired into a flat plate (2 sin a cos a, 2 sin^2 a) when stalled."""
+    """cl, cd of a blade section: linear with limits, faired into a flat plate when stalled."""
     zero = np.radians(blade.zero_lift_deg)
     linear = blade.lift_slope_rad * (alpha_rad - zero)
     cl = min(max(linear, blade.cl_min), blade.cl_max)
-    friction = blade.cd_min * (reynolds / blade.reynolds_reference) ** -0.3  # between laminar -1/2 and turbulent -1/5
+    friction = (
+        blade.cd_min * (reynolds / blade.reynolds_reference) ** -0.3
+    )  # between laminar -1/2 and turbulent -1/5
     cd = friction + blade.cd_growth * (cl - blade.cl_of_cd_min) ** 2
     excess = abs(linear - cl) / blade.lift_slope_rad  # angle past the stall
     w = min(excess / np.radians(15.0), 1.0)
@@ -109,7 +114,7 @@ def coefficients(blade, j, rev_s, nu=1.5e-5, induction=True):
 
 
 def table(blade, rev_s, j_momentum, j_free):
-    """Rows (J, CT, CP): momentum theory at j_momentum, then free-stream blade elements at j_free (windmill, rotor at rest)."""
+    """Rows (J, CT, CP): momentum theory at j_momentum, free-stream blade elements at j_free."""
     rows = [(j, *coefficients(blade, j, rev_s)) for j in j_momentum]
     for j in j_free:  # at a given airspeed the rotor turns slower as J rises: keep W at 0.7 R about constant
         slow = rev_s * min(1.0, j_momentum[-1] / j)

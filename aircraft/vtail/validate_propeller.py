@@ -1,10 +1,10 @@
-"""Check propeller.py on a propeller whose table is published: APC 18x8E, from the file shipped inside the jsbsim wheel.
+"""Check propeller.py on a published table: APC 18x8E, from the file inside the jsbsim wheel.
 
     python validate_propeller.py
 
-The blade here is the one of geometry.yaml (same chord law, section and number of blades) at 18 in and 8 in of pitch: the true
-chord law of the 18x8E is not published, so this checks method and assumed blade together. APC's table is itself computed
-(their vortex code, 10 000 rpm).
+The blade here is the one of geometry.yaml (same chord law, section and number of blades) at 18 in and 8 in of
+pitch: the true chord law of the 18x8E was not at hand, so this checks method and assumed blade together. APC's
+table is itself computed (at 10 000 rpm).
 """
 
 import re
@@ -14,7 +14,6 @@ from pathlib import Path
 import jsbsim
 import numpy as np
 import yaml
-
 from derive import blade_of
 from propeller import coefficients
 
@@ -33,7 +32,8 @@ def main():
     for j in (0.0, 0.1, 0.2, 0.3, 0.4, 0.5):
         ct, cp = coefficients(blade, j, 10000 / 60)
         a, b = np.interp(j, *thrust), np.interp(j, *power)
-        print(f"{j:5.2f}  {ct:.4f} {a:.4f} {100 * (ct / a - 1):6.1f}   {cp:.4f} {b:.4f} {100 * (cp / b - 1):6.1f}")
+        off_t, off_p = 100 * (ct / a - 1), 100 * (cp / b - 1)
+        print(f"{j:5.2f}  {ct:.4f} {a:.4f} {off_t:6.1f}   {cp:.4f} {b:.4f} {off_p:6.1f}")
 
 
 if __name__ == "__main__":

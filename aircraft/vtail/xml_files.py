@@ -3,6 +3,8 @@
 Left and right always come from one number printed once: mirror images agree to the last digit.
 """
 
+# ruff: noqa: E501 - lines of XML stay whole
+
 import math
 
 Q, S, B, C = "aero/qbar-psf", "metrics/Sw-sqft", "metrics/bw-ft", "metrics/cbarw-ft"
@@ -44,7 +46,15 @@ def ruddervators(axis, c, area, *lengths):
     out = ""
     for side, _ in SIDES:
         lateral = -1 if axis in ("CY", "Cl", "Cn") and side == "right" else 1
-        out += function(f"{axis}_{side}", text, Q, S, *lengths, f"fcs/{side}-ruddervator/effective-rad", value(lateral * c[f"{axis}_left"]))
+        out += function(
+            f"{axis}_{side}",
+            text,
+            Q,
+            S,
+            *lengths,
+            f"fcs/{side}-ruddervator/effective-rad",
+            value(lateral * c[f"{axis}_left"]),
+        )
     return out
 
 
@@ -63,7 +73,16 @@ def rates(axis, c):
     lengths = () if axis == "CY" else (B,)
     extra = {"Cn_r": " + profile drag of the wing (strip theory)"}
     return "".join(
-        function(f"{axis}_{k}", f"{word} rate; {LATTICE}{extra.get(f'{axis}_{k}', '')}", Q, S, *lengths, prop, B2V, value(c[f"{axis}_{k}"]))
+        function(
+            f"{axis}_{k}",
+            f"{word} rate; {LATTICE}{extra.get(f'{axis}_{k}', '')}",
+            Q,
+            S,
+            *lengths,
+            prop,
+            B2V,
+            value(c[f"{axis}_{k}"]),
+        )
         for k, word, prop in (("p", "roll", P), ("r", "yaw", R))
     )
 
@@ -105,7 +124,10 @@ def metrics(g, m, reference):
     area, span, chord = reference
     t = g["tail"]
     panels = t["panel_span_m"] * (t["root_chord_m"] + t["tip_chord_m"])
-    level, upright = math.cos(math.radians(t["dihedral_deg"])) ** 2, math.sin(math.radians(t["dihedral_deg"])) ** 2
+    level, upright = (
+        math.cos(math.radians(t["dihedral_deg"])) ** 2,
+        math.sin(math.radians(t["dihedral_deg"])) ** 2,
+    )
     arm = t["quarter_chord_x_m"] - m["cg_m"][0]
     return f"""    <wingarea unit="M2">{number(area)}</wingarea><wingspan unit="M">{number(span)}</wingspan><chord unit="M">{number(chord)}</chord>
     <htailarea unit="M2">{number(panels * level)}</htailarea><htailarm unit="M">{number(arm)}</htailarm>
@@ -116,9 +138,9 @@ def metrics(g, m, reference):
 
 def mass_balance(m):
     ixx, iyy, izz, ixz = m["empty_inertia"]
-    # JSBSim's ixz is minus the integral of x z, so that the matrix element is ixz itself
+    # JSBSim expects minus the integral of x z (default negated_crossproduct_inertia)
     text = f"""    <ixx unit="KG*M2">{number(ixx)}</ixx><iyy unit="KG*M2">{number(iyy)}</iyy><izz unit="KG*M2">{number(izz)}</izz>
-    <ixz unit="KG*M2">{number(IXZ_SIGN * ixz)}</ixz>
+    <ixz unit="KG*M2">{number(-ixz)}</ixz>
     <emptywt unit="KG">{number(m["empty_kg"])}</emptywt>
     {location(*m["empty_cg_m"], "CG")}
     <!-- inertia/pointmass-weight-lbs[0] left, [1] right: set to zero when the surface is lost -->
@@ -128,11 +150,12 @@ def mass_balance(m):
     return text
 
 
-IXZ_SIGN = -1.0
-
-
 def contact(kind, name, at, spring, damping, friction):
-    rolling = "<rolling_friction>0.05</rolling_friction><max_steer unit=\"DEG\">0</max_steer><brake_group>NONE</brake_group><retractable>0</retractable>" if kind == "BOGEY" else ""
+    rolling = (
+        '<rolling_friction>0.05</rolling_friction><max_steer unit="DEG">0</max_steer><brake_group>NONE</brake_group><retractable>0</retractable>'
+        if kind == "BOGEY"
+        else ""
+    )
     return (
         f'    <contact type="{kind}" name="{name}">{location(*at)}<static_friction>{friction}</static_friction>'
         f"<dynamic_friction>{friction}</dynamic_friction>{rolling}"
@@ -144,7 +167,11 @@ def ground_reactions(g):
     """Wheels, and what touches when the wheels do not. 5 kg on three wheels of 1500 N/m sink 1 cm."""
     half, tail, pod = 0.5 * g["wing"]["span_m"], g["tail"], g["pod"]
     dihedral = math.radians(tail["dihedral_deg"])
-    tip = (tail["quarter_chord_x_m"], tail["panel_span_m"] * math.cos(dihedral), tail["root_z_m"] + tail["panel_span_m"] * math.sin(dihedral))
+    tip = (
+        tail["quarter_chord_x_m"],
+        tail["panel_span_m"] * math.cos(dihedral),
+        tail["root_z_m"] + tail["panel_span_m"] * math.sin(dihedral),
+    )
     bottom = pod["z_m"] - 0.5 * pod["height_m"]
     out = contact("BOGEY", "NOSE_WHEEL", (-0.25, 0, -0.40), 1500, 60, 0.7)
     for side, sign in SIDES:
@@ -152,10 +179,19 @@ def ground_reactions(g):
     out += contact("STRUCTURE", "BELLY", (0.10, 0, bottom), 4000, 80, 0.5)
     out += contact("STRUCTURE", "NOSE", (pod["nose_x_m"], 0, pod["z_m"]), 4000, 80, 0.5)
     for side, sign in SIDES:
-        out += contact("STRUCTURE", f"{side.upper()}_WING_TIP", (0.10, sign * half, half * math.tan(math.radians(g["wing"]["dihedral_deg"]))), 2000, 40, 0.5)
+        out += contact(
+            "STRUCTURE",
+            f"{side.upper()}_WING_TIP",
+            (0.10, sign * half, half * math.tan(math.radians(g["wing"]["dihedral_deg"]))),
+            2000,
+            40,
+            0.5,
+        )
     out += contact("STRUCTURE", "TAIL_ROOT", (tail["quarter_chord_x_m"], 0, tail["root_z_m"]), 2000, 40, 0.5)
     for side, sign in SIDES:
-        out += contact("STRUCTURE", f"{side.upper()}_TAIL_TIP", (tip[0], sign * tip[1], tip[2]), 1000, 20, 0.5)
+        out += contact(
+            "STRUCTURE", f"{side.upper()}_TAIL_TIP", (tip[0], sign * tip[1], tip[2]), 1000, 20, 0.5
+        )
     return out
 
 
@@ -174,7 +210,9 @@ def propulsion(g):
 
 
 def properties(block, values):
-    return "".join(f'    <property value="{number(v)}">fcs/{block}/{k}</property>\n' for k, v in values.items())
+    return "".join(
+        f'    <property value="{number(v)}">fcs/{block}/{k}</property>\n' for k, v in values.items()
+    )
 
 
 def ruddervator_channel(g, side, sign, gradient, zero):
@@ -219,7 +257,9 @@ def flight_control(g, c):
         "throttle-min-norm": 0, "throttle-max-norm": 1, "effectiveness": 1,
     }  # fmt: skip
     # downwash vanishes with lift
-    zero = math.cos(math.radians(g["tail"]["dihedral_deg"])) * (math.radians(g["tail"]["incidence_deg"]) - c["downwash"] * c["CL0"] / c["CL_alpha"])
+    zero = math.cos(math.radians(g["tail"]["dihedral_deg"])) * (
+        math.radians(g["tail"]["incidence_deg"]) - c["downwash"] * c["CL0"] / c["CL_alpha"]
+    )
     text = "".join(properties(f"{side}-ruddervator", surface) for side, _ in SIDES)
     text += "".join(properties(f"{side}-propeller", motor) for side, _ in SIDES)
     text += "".join(ruddervator_channel(g, side, sign, c["downwash"], zero) for side, sign in SIDES)
