@@ -77,7 +77,8 @@ def masses(g):
     empty, empty_cg = balance(fixed)
     return {
         "mass_kg": mass, "cg_m": cg, "inertia": inertia_of(fixed + moving, cg),
-        "empty_kg": empty, "empty_cg_m": empty_cg, "empty_inertia": inertia_of(fixed, empty_cg), "points": moving,
+        "empty_kg": empty, "empty_cg_m": empty_cg, "empty_inertia": inertia_of(fixed, empty_cg),
+        "points": moving,
     }  # fmt: skip
 
 
@@ -175,7 +176,7 @@ def left_ruddervator(g, cg, alpha_deg):
 
 # ---- hand-book estimates --------------------------------------------------------
 def pod(g, cg):
-    """Moments of the pod: Munk, with k2 - k1 of DATCOM 4.2.1.1; dihedral effect of a high wing, DATCOM 5.2.2.1."""
+    """Moments of the pod: Munk with DATCOM 4.2.1.1; dihedral effect of a high wing: DATCOM 5.2.2.1."""
     f, (area, span, chord) = g["pod"], reference(g)
     volume = f["prismatic"] * f["length_m"] * f["width_m"] * f["height_m"]
     fineness = f["length_m"] / math.sqrt(f["width_m"] * f["height_m"])

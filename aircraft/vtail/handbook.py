@@ -2,8 +2,8 @@
 
     python handbook.py
 
-Lifting-line and strip theory, DATCOM, Etkin and Roskam; nothing here uses the vortex lattice, but the terms of
-pod and propellers are shared. A gross error on either side (sign, reference length, a factor of two) cannot hide.
+Lifting-line and strip theory, DATCOM, Etkin and Roskam; nothing here uses the vortex lattice, but the terms
+of pod and propellers are shared. A gross error on either side (sign, length, factor of two) cannot hide.
 Agreement within a third is what these formulas are good for.
 """
 

@@ -1,9 +1,9 @@
 """Blade-element-momentum theory for a propeller of stated geometry: CT(J) and CP(J).
 
-Method: Ning, "A simple solution method for the blade element momentum equations", Wind Energy 17 (2014), in
-its propeller form: one unknown, the inflow angle phi, per radial station; Prandtl's tip and hub loss. Beyond the
-windmilling state that momentum theory can describe (a rotor almost at rest) induction is left out: each station
-is then a plate in the free stream.
+Method: Ning, "A simple solution method for the blade element momentum equations", Wind Energy 17 (2014),
+in its propeller form: one unknown, the inflow angle phi, per radial station; Prandtl's tip and hub loss.
+Beyond the windmilling state that momentum theory can describe (a rotor almost at rest) induction is left out:
+each station is then a plate in the free stream.
 
     J = V / (n D)      CT = T / (rho n^2 D^4)      CP = P / (rho n^3 D^5)
 """

@@ -3,8 +3,8 @@
     python validate_propeller.py
 
 The blade here is the one of geometry.yaml (same chord law, section and number of blades) at 18 in and 8 in of
-pitch: the true chord law of the 18x8E was not at hand, so this checks method and assumed blade together. APC's
-table is itself computed (at 10 000 rpm).
+pitch: the true chord law of the 18x8E was not at hand, so this checks method and assumed blade together.
+APC's table is itself computed (at 10 000 rpm).
 """
 
 import re

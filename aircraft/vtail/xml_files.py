@@ -16,8 +16,8 @@ LATTICE = "vortex lattice (AeroSandbox)"
 
 
 def number(x):
-    """Six digits; never a negative zero."""
-    return f"{x:.6g}" if float(f"{x:.6g}") else "0"
+    """Six digits; rounding residue and negative zero are zero."""
+    return f"{x:.6g}" if abs(x) > 1e-12 else "0"
 
 
 def function(name, text, *factors):
