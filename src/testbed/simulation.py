@@ -68,7 +68,9 @@ def assemble(scenario: Scenario) -> Assembly:
     if problems:
         raise BadInput(problems)
     initial = scenario.initial
-    start = _start(scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg)
+    start = _start(
+        scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg
+    )
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
     plant.command(start.commands)
     plant.place(start.state)
@@ -155,7 +157,9 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
 
 
 @lru_cache(maxsize=32)
-def _start(aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float) -> Trim:
+def _start(
+    aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float
+) -> Trim:
     """Trimmed flight, found on a plant of its own so that it depends on nothing else; kept, as it is costly."""
     plant = Plant(load_aircraft(aircraft), physics_hz)
     return trim(plant, airspeed_m_s, altitude_m, math.radians(heading_deg))
@@ -202,4 +206,3 @@ def _limits(envelope: Envelope) -> np.ndarray:
             radians(envelope.roll_max_deg),
         ]
     )
-

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.controllers.modes import Mode, NoLevelTrim, design_regulator, enumerate_modes
-from testbed.controllers.records import MAX_DEGREE, memory_dtype, mode_dtype, model_dtype, settings_dtype
+from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
@@ -116,12 +116,12 @@ def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.nda
             continue
         _, slope = p.torque_at(model.trim[i], axial, model.density_kg_m3)
         m.torque_slope[i] = slope * scale[i]
-        m.c_thrust[i, : len(p.thrust)], m.c_torque[i, : len(p.torque)] = p.thrust, p.torque
+        m.c_thrust[i], m.c_torque[i] = p.thrust, p.torque
         m.diameter[i], m.rotor_inertia[i], m.max_volts[i] = p.diameter_m, p.rotor_inertia_kg_m2, p.max_volts
+        m.advance_min[i] = p.advance[0]
+        m.advance_step[i] = (p.advance[1] - p.advance[0]) / (len(p.thrust) - 1)
         m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
         m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
-        if max(len(p.thrust), len(p.torque)) > MAX_DEGREE:
-            raise ValueError(f"propeller polynomials have at most {MAX_DEGREE} coefficients")
     return record
 
 

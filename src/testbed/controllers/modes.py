@@ -17,8 +17,8 @@ import numpy as np
 from scipy.linalg import solve_continuous_are
 from scipy.optimize import root
 
-from testbed.controllers.records import INTEGRALS, OUTER
 from testbed.controllers.control_design import ControlDesign
+from testbed.controllers.records import INTEGRALS, OUTER
 from testbed.design import DesignModel
 from testbed.signals import RATES
 
@@ -59,7 +59,11 @@ def enumerate_modes(
 
 
 def _mode(
-    model: DesignModel, b: np.ndarray, failed: tuple[int, ...], control: ControlDesign, released: Sequence[str]
+    model: DesignModel,
+    b: np.ndarray,
+    failed: tuple[int, ...],
+    control: ControlDesign,
+    released: Sequence[str],
 ) -> Mode:
     names = tuple(model.actuators[i] for i in failed)
     axes = _released_axes(names, b.shape[1], control, released)
@@ -138,7 +142,12 @@ class NoLevelTrim(ValueError):
 
 
 def design_regulator(
-    model: DesignModel, scale: np.ndarray, mode: Mode, control: ControlDesign, limits: np.ndarray, lags: np.ndarray
+    model: DesignModel,
+    scale: np.ndarray,
+    mode: Mode,
+    control: ControlDesign,
+    limits: np.ndarray,
+    lags: np.ndarray,
 ) -> Regulator:
     """Linear-quadratic regulator for a mode, by Bryson's rule (Bryson and Ho, Applied Optimal Control, sec. 5.2).
 

@@ -11,10 +11,11 @@ from functools import cache
 
 import numpy as np
 
+from testbed.design import PROPELLER_POINTS
+
 OUTER = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
 """State that the degraded modes' regulator feeds back, as deviations from the mode's trim and the references."""
 INTEGRALS = ("airspeed", "altitude", "heading")
-MAX_DEGREE = 5  # coefficients of the propeller polynomials
 
 
 def _dtype(fields: list[tuple[str, tuple[int, ...]]]) -> np.dtype:
@@ -27,12 +28,12 @@ def model_dtype(n: int) -> np.dtype:
     scalars = ("airspeed", "alpha", "density")
     per_actuator = (
         "servo", "scale", "low", "high", "lag", "rate", "hold", "torque_slope",
-        "diameter", "rotor_inertia", "max_volts", "k_v", "k_t", "resistance", "no_load_current",
+        "diameter", "advance_min", "advance_step", "rotor_inertia", "max_volts", "k_v", "k_t", "resistance", "no_load_current",
     )  # fmt: skip
     fields: list[tuple[str, tuple[int, ...]]] = [(name, ()) for name in scalars]
     fields += [(name, (n,)) for name in per_actuator]
     fields += [("bias", (4,)), ("A", (4, 5)), ("B", (4, n)), ("B_inv", (n, 4)), ("B_torque", (4, n))]
-    fields += [("c_thrust", (n, MAX_DEGREE)), ("c_torque", (n, MAX_DEGREE))]
+    fields += [("c_thrust", (n, PROPELLER_POINTS)), ("c_torque", (n, PROPELLER_POINTS))]
     return _dtype(fields)
 
 
