@@ -63,9 +63,10 @@ def identify(aircraft: Aircraft) -> DesignModel:
 
 
 def digest(aircraft: Aircraft) -> str:
-    """Fingerprint of the aircraft's files: a stored model is of these files or it is not used."""
-    text = hashlib.sha256()
-    for file in sorted([*aircraft.folder.rglob("*.xml"), aircraft.folder / f"{aircraft.folder.name}.yaml"]):
+    """Fingerprint of what identification sees: JSBSim files, actuators, reference; not the designer's gains."""
+    seen = aircraft.model_dump_json(include={"model", "reference", "actuators"})
+    text = hashlib.sha256(seen.encode())
+    for file in sorted(aircraft.folder.rglob("*.xml")):
         text.update(file.name.encode() + file.read_bytes())
     return text.hexdigest()
 
