@@ -2,16 +2,16 @@
 
 Tolerances are derived, not tuned. Two kinds occur:
 
-* rounding: `U` is the unit roundoff, and a sum of products of n terms is wrong by at most about n U times the
-  sum of the absolute values (Higham, Accuracy and Stability, sec. 3.1). `rounding_of_x` writes that down.
+* rounding: `U` is the unit roundoff, and a sum of products of n terms is wrong by at most about n U times
+  the sum of the absolute values (Higham, Accuracy and Stability, sec. 3.1). `rounding_of_x` writes that down.
 * statistics: bounds of four standard errors on a seeded run, the standard error estimated from batch means.
 
 What the flying law integrates is log(lambda_hat), one explicit step at a time:
 
-    log lambda_hat+ - log lambda_hat = gamma dt kappa (lambda / lambda_hat - 1)                        (*)
+    log lambda_hat+ - log lambda_hat = gamma dt kappa (lambda / lambda_hat - 1)               (*)
 
-which is (19) divided by lambda_hat. kappa is (17) at the modelled position a, not at r = lambda_hat a: equal to
-the paper's where both are beyond epsilon, see `test_eq_23_literal_form_differs_within_epsilon`.
+which is (19) divided by lambda_hat. kappa is (17) at the modelled position a, not at r = lambda_hat a: equal
+to the paper's where both are beyond epsilon, see `test_eq_23_literal_form_differs_within_epsilon`.
 """
 
 from __future__ import annotations
@@ -311,8 +311,7 @@ def test_eq_23_case_3_lag_slowed_by_kappa(fraction: float) -> None:
     """(23) in the law's variable: at a constant *position* |a| <= epsilon, lambda_hat lags with gamma
     a^2/epsilon^2.
 
-    The position is held by making r follow the estimate, r = lambda_hat a, as when an actuator stands at a
-    stop or at its trim. Same convergence statement as in case 2.
+    The actuator stands at a stop, whatever r asks of it. Same convergence statement as in case 2.
     """
     start, truth, epsilon, gamma = 1.0, 0.2, 0.1, 2.0
     a = fraction * epsilon
