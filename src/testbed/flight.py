@@ -84,7 +84,7 @@ class Flight:
             "requirements": list(self.requirements),
             "events": list(self.events),
             "metrics": dict(self.metrics),
-            "actuators": dict(self.actuators),
+            "actuators": [{"name": name, **facts} for name, facts in self.actuators.items()],
         }
         plain: dict[str, Any] = _plain(summary)
         return plain
@@ -149,7 +149,7 @@ def load(folder: str | Path) -> Flight:
                 name: math.nan if value is None else value for name, value in summary["metrics"].items()
             },
             requirements=summary["requirements"],
-            actuators=summary["actuators"],
+            actuators={facts.pop("name"): facts for facts in summary["actuators"]},
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(
