@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import importlib.util
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -39,7 +39,7 @@ def parser() -> argparse.ArgumentParser:
     command = _command(commands, "run", _run, "fly one scenario")
     command.add_argument("scenario", help="YAML file; those shipped are found from any folder")
     command.add_argument("--out", type=Path, metavar="DIR", help="run folder to make (default: runs/<name>)")
-    command.add_argument("--no-plots", action="store_true", help="draw no figures (the report has none either)")
+    command.add_argument("--no-plots", action="store_true", help="draw no figures")
     _add_set(command)
 
     command = _command(commands, "sweep", _sweep, "Monte Carlo: fly many variations of a scenario")
@@ -211,7 +211,7 @@ def _metrics() -> list[tuple[str, str]]:
     return _described(TABLE)
 
 
-def _described(table: dict[str, type]) -> list[tuple[str, str]]:
+def _described(table: Mapping[str, object]) -> list[tuple[str, str]]:
     """Names, each with the first line of its docstring."""
     return [(name, (entry.__doc__ or "").strip().partition("\n")[0]) for name, entry in table.items()]
 
