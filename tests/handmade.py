@@ -39,7 +39,9 @@ def level_log(seconds: float = 10.0, rate_hz: float = 100.0) -> dict[str, np.nda
     return log
 
 
-def injection(time_s: float, actuator: str = "elevon", type: str = "effectiveness", **more: Any) -> dict[str, Any]:
+def injection(
+    time_s: float, actuator: str = "elevon", type: str = "effectiveness", **more: Any
+) -> dict[str, Any]:
     """The receipt of a failure."""
     event = {"time_s": time_s, "kind": "injection", "failure": 0, "type": type, "actuator": actuator}
     return {**event, "active": True, "properties": {"a/b": 0.5}, "verified": True, **more}

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from handmade import injection, level_log, readings_of
 
 import testbed
+from handmade import injection, level_log, readings_of
 from testbed.metrics import TABLE, measure, readings
 
 RATE_HZ = 100.0

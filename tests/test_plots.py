@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from handmade import ACTUATORS, flight_of, injection, level_log
 
+from handmade import ACTUATORS, flight_of, injection, level_log
 from testbed.flight import Flight, Outcome
 from testbed.plots import FIGURES, draw
 from testbed.plots.marks import marks, rows_of
@@ -69,7 +69,8 @@ def test_lines_are_told_apart_without_colour(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "label"), [("rates", "axis released"), ("effectiveness", "flagged failed"), ("actuators", "flagged failed")]
+    ("name", "label"),
+    [("rates", "axis released"), ("effectiveness", "flagged failed"), ("actuators", "flagged failed")],
 )
 def test_released_and_flagged_times_are_shaded(name: str, label: str) -> None:
     first, *rest = panels(FIGURES[name][1](broken()))
@@ -138,7 +139,8 @@ def test_thinning_keeps_every_peak() -> None:
 def test_reading_side_needs_no_simulator() -> None:
     code = (
         "import sys, testbed.report, testbed.metrics, testbed.plots.states, testbed.verdict;"
-        "bad = {'jsbsim', 'numba', 'matplotlib.pyplot', 'testbed.plant', 'testbed.simulation'} & set(sys.modules);"
+        "bad = {'jsbsim', 'numba', 'matplotlib.pyplot', 'testbed.plant', 'testbed.simulation'}"
+        " & set(sys.modules);"
         "sys.exit(', '.join(bad) or 0)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)

@@ -8,8 +8,8 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from handmade import flight_of, injection, level_log
 
+from handmade import flight_of, injection, level_log
 from testbed.__main__ import main
 from testbed.flight import Outcome, write_run_folder
 from testbed.metrics import TABLE, measure, readings
@@ -19,7 +19,14 @@ from testbed.report import write_report
 
 REQUIREMENTS = [
     {"name": "altitude <kept>", "passed": True, "value": 0.5, "limit": "", "margin": 0.25, "reason": ""},
-    {"name": "settled", "passed": False, "value": None, "limit": "", "margin": None, "reason": "ended before"},
+    {
+        "name": "settled",
+        "passed": False,
+        "value": None,
+        "limit": "",
+        "margin": None,
+        "reason": "ended before",
+    },
 ]
 
 
@@ -52,9 +59,16 @@ class Checker(HTMLParser):
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     flight = flight_of(level_log(), [injection(3.0)], requirements=REQUIREMENTS, name="tail & <fan>")
     flight = flight_of(
-        level_log(), [injection(3.0)], Outcome.completed, REQUIREMENTS, measure(readings(flight)), "tail & <fan>"
+        level_log(),
+        [injection(3.0)],
+        Outcome.completed,
+        REQUIREMENTS,
+        measure(readings(flight)),
+        "tail & <fan>",
     )
-    made = write_run_folder(flight, tmp_path_factory.mktemp("report") / "run", lambda f: void(draw(flight, f)))
+    made = write_run_folder(
+        flight, tmp_path_factory.mktemp("report") / "run", lambda f: void(draw(flight, f))
+    )
     write_report(made)
     return made
 

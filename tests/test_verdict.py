@@ -6,14 +6,16 @@ import math
 from typing import Any
 
 import pytest
-from handmade import flight_of, level_log
 
+from handmade import flight_of, level_log
 from testbed.flight import Outcome
 from testbed.requirement import Requirement
 from testbed.verdict import judge
 
 
-def verdict(log: dict[str, Any], metrics: dict[str, float] | None = None, **requirement: Any) -> dict[str, Any]:
+def verdict(
+    log: dict[str, Any], metrics: dict[str, float] | None = None, **requirement: Any
+) -> dict[str, Any]:
     return judge([Requirement(**requirement)], log, metrics or {})[0]
 
 
@@ -38,7 +40,9 @@ def test_signal(limits: dict[str, Any], value: float, margin: float) -> None:
 
 
 @pytest.mark.parametrize(
-    ("row", "seen"), [(199, False), (200, True), (299, True), (300, False)], ids=["before", "first", "last", "after"]
+    ("row", "seen"),
+    [(199, False), (200, True), (299, True), (300, False)],
+    ids=["before", "first", "last", "after"],
 )
 def test_window_has_its_start_and_not_its_end(row: int, seen: bool) -> None:
     log = level_log()

@@ -46,7 +46,7 @@ _SENTENCES = {
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """A scenario and what came of it. `data` is the log: a row for each logged step, its columns `columns`."""
+    """A scenario and what came of it. `data` is the log: a row for each logged step, in `columns`."""
 
     scenario: Scenario
     outcome: Outcome

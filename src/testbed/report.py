@@ -15,11 +15,13 @@ from testbed.plots import FIGURES
 from testbed.plots.marks import describe
 
 _STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; color: #1a1a1a; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
+body { font: 15px/1.45 system-ui, sans-serif; color: #1a1a1a; }
+body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
 .verdict { padding: .7rem 1rem; border-left: .5rem solid; font-size: 1.1rem; }
 .met { border-color: #2e7d32; } .missed { border-color: #b22222; background: #fdf1f0; }
-table { border-collapse: collapse; width: 100%; } caption { text-align: left; color: #555; padding-bottom: .3rem; }
+table { border-collapse: collapse; width: 100%; }
+caption { text-align: left; color: #555; padding-bottom: .3rem; }
 th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #ddd; vertical-align: top; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 tr.missed td:first-child { font-weight: bold; color: #b22222; }
@@ -30,7 +32,7 @@ pre { background: #f4f4f4; padding: .7rem 1rem; overflow-x: auto; }
 
 
 _AGAIN = """<h2>Fly it again</h2>
-<p>In this folder; with the same versions of testbed and JSBSim the log comes out the same to the last digit.</p>
+<p>In this folder; with the same versions of testbed and JSBSim the log is the same to the last digit.</p>
 <pre>python -m testbed run scenario.yaml --out again</pre>"""
 
 
@@ -59,7 +61,8 @@ def page(flight: Flight, folder: Path) -> str:
         _AGAIN,
     )
     head = f'<meta charset="utf-8"><title>{name}</title><style>{_STYLE}</style>'
-    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n' + "\n".join(parts) + "\n</body></html>\n"
+    body = "\n".join(parts)
+    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n{body}\n</body></html>\n'
 
 
 def _verdict(flight: Flight) -> str:
@@ -67,9 +70,11 @@ def _verdict(flight: Flight) -> str:
     total = len(flight.requirements)
     verdict = "Passed" if flight.passed else "Not passed"
     text = f"<strong>{verdict}.</strong> The aircraft {flight.outcome.sentence} ({flight.end_time_s:g} s); "
-    text += f"{total - len(missed)} of {total} requirements met." if total else "the scenario has no requirements."
+    met = f"{total - len(missed)} of {total} requirements met."
+    text += met if total else "the scenario has no requirements."
     scenario = flight.scenario
-    about = f"{scenario.controller.type}, aircraft {scenario.aircraft}, {scenario.duration_s:g} s asked for, seed {scenario.seed}"
+    about = f"{scenario.controller.type}, aircraft {scenario.aircraft}, seed {scenario.seed}"
+    about += f", {scenario.duration_s:g} s asked for"
     return (
         f"<h1>{escape(scenario.name)}</h1>\n<p>{escape(about)}</p>\n"
         f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>'
@@ -92,7 +97,10 @@ def _requirements(flight: Flight) -> str:
 
 
 def _events(flight: Flight) -> str:
-    rows = (_row([f"{e['time_s']:.3f}", str(e["kind"]).replace("_", " "), describe(e)]) for e in flight.events)
+    rows = (
+        _row([f"{event['time_s']:.3f}", str(event["kind"]).replace("_", " "), describe(event)])
+        for event in flight.events
+    )
     if not flight.events:
         return "<h2>Events</h2>\n<p>Nothing broke, and nothing was flagged.</p>"
     return _table("Events", "", ("time [s]", "kind", "what"), rows)
@@ -124,7 +132,10 @@ def _figures(folder: Path) -> str:
 def _table(title: str, caption: str, heads: Iterable[str], rows: Iterable[str]) -> str:
     head = "".join(f"<th>{escape(text)}</th>" for text in heads)
     above = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f"<h2>{title}</h2>\n<table>{above}<thead><tr>{head}</tr></thead>\n<tbody>\n" + "\n".join(rows) + "\n</tbody></table>"
+    body = "\n".join(rows)
+    return (
+        f"<h2>{title}</h2>\n<table>{above}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody></table>"
+    )
 
 
 def _row(texts: Iterable[str], numbers: Iterable[Any] = (), kind: str = "") -> str:
@@ -135,5 +146,5 @@ def _row(texts: Iterable[str], numbers: Iterable[Any] = (), kind: str = "") -> s
 
 def _number(value: Any) -> str:
     if value is None or not math.isfinite(value):
-        return "–"
+        return "-"
     return f"{value:.4g}"

@@ -16,10 +16,10 @@ def judge(
 ) -> list[dict[str, Any]]:
     """[{name, passed, value, limit, margin, reason}] one for each requirement, in their order.
 
-    Value is the worst seen, margin its distance from the limit: 0 or more is met, negative is not. Rows of the window
-    are from_s <= time < until_s; without `until_s` the window ends with the flight, also with one that ended early.
-    Not met, with a reason, no value and a margin of -inf: a window that the flight did not reach or reached in part, and
-    a signal or metric that is not a number in this flight (such as the delay of a detection that never came).
+    Value is the worst seen, margin its distance from the limit: 0 or more is met, negative is not. Rows
+    of the window are from_s <= time < until_s; without `until_s` it ends with the flight, also one that ended
+    early. Not met, with a reason, no value and a margin of -inf: a window that the flight did not reach or
+    reached in part, and what is not a number in this flight (the delay of a detection that never came).
     """
     return [_judge(requirement, log, metrics) for requirement in requirements]
 
@@ -48,7 +48,7 @@ def _judge(
 def _values(
     requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> np.ndarray:
-    """The metric, or the signal (its distance from `of`) in its window; nothing if that was not flown through."""
+    """The metric, or the signal (its distance from `of`) in its window; nothing if that was not flown."""
     if requirement.metric is not None:
         return np.array([metrics[requirement.metric]], dtype=float)
     window = _window(requirement, log["time_s"])

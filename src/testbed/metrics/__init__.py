@@ -1,8 +1,8 @@
-"""Numbers that say how a controller coped, each one function of a finished flight's readings; truth is the judge.
+"""Numbers that say how a controller coped, each a function of a finished flight's readings, judged by truth.
 
-Adding a metric is one function in the module of its subject and its name in that module's TABLE. Its name ends in its
-unit (counts and ratios have none); the first line of its docstring is its definition, which `list metrics` and the
-report print. A metric that has no value in a flight (the delay of a detection that never came) is NaN.
+Adding a metric is one function in the module of its subject and its name in that module's TABLE. Its name
+ends in its unit (counts and ratios have none); the first line of its docstring is its definition, which
+`list` and the report print. A metric without a value in a flight (no detection, no delay) is NaN.
 """
 
 from __future__ import annotations

@@ -12,9 +12,10 @@ _AT_STOP = 1e-3  # of its travel: this near to a stop a command is at it
 
 
 def control_effort_per_s(readings: Readings) -> float:
-    """Integral over the flight of the squared rates of all commands, each in units of its actuator's scale [1/s].
+    """Integral of the squared rates of all commands, each in units of its actuator's scale [1/s].
 
-    Sum over actuators and rows of (change of command / scale)^2 / (time between rows). NaN where no scale is known.
+    Sum over actuators and rows of (change of command / scale)^2 / (time between rows), so that a jump counts
+    for more the shorter the control step. NaN where no scale is known.
     """
     total = 0.0
     for name, facts in readings.actuators.items():

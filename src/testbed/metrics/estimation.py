@@ -1,4 +1,4 @@
-"""How true the effectiveness estimates were, and how fast compared with the first-order lag of (21) and (22)."""
+"""How true the effectiveness estimates were, and how fast against the first-order lag of (21) and (22)."""
 
 from __future__ import annotations
 
@@ -17,29 +17,28 @@ _TIME_CONSTANTS = 3.0  # a first-order lag is within 5 % after ln 20 = 3.0 of th
 
 
 def estimate_error_rms(readings: Readings) -> float:
-    """Root mean square error of the effectiveness estimate over the flight, of the worst actuator [1 is healthy]."""
+    """Root mean square error of the effectiveness estimate, of the worst actuator [1 is healthy]."""
     return _worst(math.sqrt(float(np.square(error).mean())) for error in _errors(readings))
 
 
 def estimate_error_end(readings: Readings) -> float:
-    """Error of the effectiveness estimate in the last row of the log, of the worst actuator [1 is healthy]."""
+    """Error of the effectiveness estimate in the log's last row, of the worst actuator [1 is healthy]."""
     return _worst(abs(float(error[-1])) for error in _errors(readings))
 
 
 def estimate_settling_s(readings: Readings) -> float:
-    """From a step of an actuator's effectiveness until the estimate stays within 5 % of the step, the longest [s].
+    """Longest from a step of effectiveness until the estimate stays within 5 % of the step [s]; NaN if never.
 
-    Until the next step or the end of the flight; NaN without a step, or if one never settles. Steps to 0.1 or less
-    are not counted: of an actuator that is lost the monitor is asked, not the estimate (`detection_delay_s`).
+    Until the next step or the end of the flight; NaN also without a step. Steps to 0.1 or less are not
+    counted: of an actuator that is lost the monitor is asked, not the estimate (`detection_delay_s`).
     """
     return _worst(time for _, time in _settlings(readings))
 
 
 def estimate_settling_ratio(readings: Readings) -> float:
-    """`estimate_settling_s` over the 3/gamma of the paper's first-order lag (22), the largest [-]; 1 is as predicted."""
-    return _worst(
-        time * readings.gamma.get(actuator, math.nan) / _TIME_CONSTANTS for actuator, time in _settlings(readings)
-    )
+    """`estimate_settling_s` over the 3/gamma of the paper's first-order lag (22) [-]; 1 is as predicted."""
+    gamma = readings.gamma
+    return _worst(time * gamma.get(name, math.nan) / _TIME_CONSTANTS for name, time in _settlings(readings))
 
 
 def _errors(readings: Readings) -> Iterator[np.ndarray]:

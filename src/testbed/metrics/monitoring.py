@@ -14,16 +14,16 @@ _RELEASED = "_released"
 
 
 def detection_delay_s(readings: Readings) -> float:
-    """Longest time from an actuator's loss to its first being flagged, over all detected losses [s]; NaN without any."""
+    """Longest time from an actuator's loss to its first being flagged [s]; NaN without a detection."""
     first: dict[tuple[str, int], float] = {}
-    for event in readings.of_kind("detection"):
-        loss = (event["actuator"], round((event["time_s"] - event["delay_s"]) * 1e3))  # flagged again: not a new loss
+    for event in readings.of_kind("detection"):  # flagged again in one loss is not a new detection
+        loss = (event["actuator"], round((event["time_s"] - event["delay_s"]) * 1e3))
         first[loss] = min(first.get(loss, math.inf), event["delay_s"])
     return max(first.values(), default=math.nan)
 
 
 def missed_detections(readings: Readings) -> float:
-    """Times that an actuator was lost (effectiveness 0.1 or less) for over 2 s and not flagged meanwhile [count]."""
+    """Times that an actuator was lost (effectiveness 0.1 or less) for over 2 s and not flagged [count]."""
     return float(
         sum(
             not readings.log[f"{actuator}_failed"][start:end].any()
@@ -41,7 +41,8 @@ def false_alarms(readings: Readings) -> float:
 
 def wrong_blames(readings: Readings) -> float:
     """False alarms while another actuator was broken: noticed, but the wrong one blamed [count]."""
-    return float(sum(_another_broken(readings, e["actuator"], e["time_s"]) for e in readings.of_kind("false_alarm")))
+    alarms = readings.of_kind("false_alarm")
+    return float(sum(_another_broken(readings, alarm["actuator"], alarm["time_s"]) for alarm in alarms))
 
 
 def isolation_fraction(readings: Readings) -> float:
@@ -51,7 +52,7 @@ def isolation_fraction(readings: Readings) -> float:
 
 
 def goal_switches(readings: Readings) -> float:
-    """Times that an axis was given up or taken back [count]; one loss for good takes one or two, more is chatter."""
+    """Times that an axis was given up or taken back [count]; a loss takes one or two, more is chatter."""
     return float(sum(np.count_nonzero(np.diff(flag)) for flag in _released(readings)))
 
 
@@ -66,14 +67,15 @@ def _released(readings: Readings) -> list[np.ndarray]:
 
 
 def _another_broken(readings: Readings, blamed: str, time_s: float) -> bool:
-    """Whether any actuator but this one is lost, or in a failure of another kind than effectiveness, at a time."""
+    """Whether any actuator but this one is lost, or in a failure of another type than effectiveness."""
     row = readings.row_at(time_s)
     others = [name for name in readings.actuators if name != blamed]
     if any(readings.log[f"{name}_effectiveness"][row] <= TRULY_LOST for name in others):
         return True
     active: dict[object, bool] = {}
     for event in readings.of_kind("injection"):
-        if event["actuator"] in others and event["type"] != "effectiveness" and event["time_s"] <= time_s:
+        other_kind = event["actuator"] in others and event["type"] != "effectiveness"
+        if other_kind and event["time_s"] <= time_s:
             active[event["failure"]] = event["active"]
     return any(active.values())
 

@@ -1,4 +1,4 @@
-"""What metrics are computed from: a flight's log, events and actuators, and the questions that many metrics ask."""
+"""What metrics are computed from: a flight's log, events and actuators, and what many metrics ask of them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ _TRACKED = {"altitude": "m", "airspeed": "m_s", "heading": "deg"}
 class Readings:
     """Log columns by name, events, and for each actuator what `Flight.actuators` says of it.
 
-    `gamma` [1/s] is the adaptation rate of each actuator, empty if the controller has none. `survived`: flown to the end.
+    `gamma` [1/s] is the adaptation rate of each actuator, empty if the controller has none; `survived`
+    means flown to the end.
     """
 
     log: Mapping[str, np.ndarray]
@@ -71,7 +72,7 @@ class Readings:
 
 
 def readings(flight: Flight) -> Readings:
-    """Of a finished flight, as logged: a flight that logs fewer rows than steps (`log_hz`) gives coarser numbers."""
+    """Of a finished flight, as logged: with fewer rows than steps (`log_hz`) the numbers are coarser."""
     return Readings(
         log=dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True)),
         events=flight.events,
@@ -82,7 +83,7 @@ def readings(flight: Flight) -> Readings:
 
 
 def adaptation_rates(scenario: Scenario, actuators: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
-    """gamma of (13) for each actuator [1/s]: one number for all, or one for each kind; empty if there is none."""
+    """gamma of (13) for each actuator [1/s]: one for all, or one for each kind; empty if there is none."""
     gamma = scenario.controller.model_dump().get("gamma")
     if gamma is None:
         return {}

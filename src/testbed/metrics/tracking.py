@@ -63,57 +63,57 @@ def airspeed_error_end_m_s(readings: Readings) -> float:
 
 
 def altitude_excursion_healthy_m(readings: Readings) -> float:
-    """Largest distance of altitude from its reference before the first failure [m]; NaN if there is no before."""
+    """Largest distance of altitude from its reference before the first failure [m]."""
     return _largest(readings.error("altitude")[: readings.first_failed_row()])
 
 
 def heading_excursion_healthy_deg(readings: Readings) -> float:
-    """Largest distance of heading from its reference before the first failure [deg]; NaN if there is no before."""
+    """Largest distance of heading from its reference before the first failure [deg]."""
     return _largest(readings.error("heading")[: readings.first_failed_row()])
 
 
 def airspeed_excursion_healthy_m_s(readings: Readings) -> float:
-    """Largest distance of airspeed from its reference before the first failure [m/s]; NaN if there is no before."""
+    """Largest distance of airspeed from its reference before the first failure [m/s]."""
     return _largest(readings.error("airspeed")[: readings.first_failed_row()])
 
 
 def altitude_excursion_failed_m(readings: Readings) -> float:
-    """Largest distance of altitude from its reference from the first failure on [m]; NaN without a failure."""
+    """Largest distance of altitude from its reference since the first failure [m]; NaN without."""
     return _largest(readings.error("altitude")[readings.first_failed_row() :])
 
 
 def heading_excursion_failed_deg(readings: Readings) -> float:
-    """Largest distance of heading from its reference from the first failure on [deg]; NaN without a failure."""
+    """Largest distance of heading from its reference since the first failure [deg]; NaN without."""
     return _largest(readings.error("heading")[readings.first_failed_row() :])
 
 
 def airspeed_excursion_failed_m_s(readings: Readings) -> float:
-    """Largest distance of airspeed from its reference from the first failure on [m/s]; NaN without a failure."""
+    """Largest distance of airspeed from its reference since the first failure [m/s]; NaN without."""
     return _largest(readings.error("airspeed")[readings.first_failed_row() :])
 
 
 def roll_excursion_failed_deg(readings: Readings) -> float:
-    """Largest bank angle, either way, from the first failure on [deg]; NaN without a failure."""
+    """Largest bank angle, either way, since the first failure [deg]; NaN without."""
     return _largest(readings.log["roll_deg"][readings.first_failed_row() :])
 
 
 def beta_excursion_failed_deg(readings: Readings) -> float:
-    """Largest sideslip, either way, from the first failure on [deg]; NaN without a failure."""
+    """Largest sideslip, either way, since the first failure [deg]; NaN without."""
     return _largest(readings.log["beta_deg"][readings.first_failed_row() :])
 
 
 def altitude_recovery_s(readings: Readings) -> float:
-    """From the start of the last failure until altitude is within 1 m of its reference and stays [s]; NaN if never."""
+    """From the last failure until altitude is within 1 m of its reference to stay [s]; NaN if never."""
     return _recovery(readings, "altitude")
 
 
 def heading_recovery_s(readings: Readings) -> float:
-    """From the start of the last failure until heading is within 2 deg of its reference and stays [s]; NaN if never."""
+    """From the last failure until heading is within 2 deg of its reference to stay [s]; NaN if never."""
     return _recovery(readings, "heading")
 
 
 def airspeed_recovery_s(readings: Readings) -> float:
-    """From the start of the last failure until airspeed is within 0.5 m/s of its reference and stays [s]; NaN if never."""
+    """From the last failure until airspeed is within 0.5 m/s of its reference to stay [s]; NaN if never."""
     return _recovery(readings, "airspeed")
 
 
@@ -132,7 +132,7 @@ def _largest(values: np.ndarray) -> float:
 
 
 def _rms(values: np.ndarray) -> float:
-    """Not by a dot product: BLAS splits one among threads, and its last digit then depends on their number."""
+    """Not a dot product: BLAS splits one among threads, and its last digit then depends on their number."""
     return math.sqrt(float(np.square(values).mean())) if len(values) else math.nan
 
 

@@ -12,7 +12,7 @@ _NEAR = 0.15  # of the travel: a stop is shown once a signal comes this near to 
 
 
 def actuators(flight: Flight) -> Figure:
-    """Reference r, command u and position of each actuator over time, in its own unit, with stops that matter."""
+    """Reference r, command u and position of each actuator, in its own unit, with the stops that matter."""
     sheet = page(flight, "actuators", [1.7] * len(flight.actuators))
     for panel, (name, facts) in zip(sheet.panels, flight.actuators.items(), strict=True):
         signals = {of: sheet.column(f"{name}_{of}") for of in ("reference", "command", "position")}

@@ -14,7 +14,8 @@ def effectiveness(flight: Flight) -> Figure:
     sheet = page(flight, "effectiveness of the actuators, 1 is healthy", [1.5] * len(flight.actuators))
     threshold = flight.scenario.controller.model_dump().get("threshold")
     for panel, name in zip(sheet.panels, flight.actuators, strict=True):
-        truth, estimate = sheet.column(f"{name}_effectiveness"), sheet.column(f"{name}_effectiveness_estimate")
+        truth = sheet.column(f"{name}_effectiveness")
+        estimate = sheet.column(f"{name}_effectiveness_estimate")
         sheet.line(panel, truth, "truth", TRUTH)
         sheet.line(panel, estimate, "estimate", {**REFERENCE, "linewidth": 1.8})
         if threshold is not None:

@@ -1,4 +1,4 @@
-"""What happened in a flight, as vertical lines: failures, detections, false alarms, releases; each told apart in grey."""
+"""What happened in a flight, as vertical lines that can be told apart in grey."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ def marks(events: Sequence[Mapping[str, Any]], actuators: Collection[str] = ()) 
     if len(found) > _MOST_LABELS:
         more = f"and {len(found) - _MOST_LABELS} more events"
         last = shown[_MOST_LABELS]
-        shown[_MOST_LABELS:] = [Mark(m.time_s, more if m is last else "", m.style) for m in shown[_MOST_LABELS:]]
+        rest = [Mark(m.time_s, more if m is last else "", m.style) for m in shown[_MOST_LABELS:]]
+        shown[_MOST_LABELS:] = rest
     return shown
 
 
@@ -70,7 +71,7 @@ def _broken(event: Mapping[str, Any]) -> str:
 
 
 def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
-    """(mark, row of its label, side of its text that is at the line) so that no two labels touch, nor a line a label.
+    """(mark, row of its label, side of its text that is at the line), so that no two labels touch.
 
     Later labels of a crowd go into lower rows, so that no line crosses the words of another.
     """

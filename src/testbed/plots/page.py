@@ -35,7 +35,7 @@ COMMAND: dict[str, Any] = {"color": "#D55E00", "linestyle": "-", "linewidth": 1.
 """What an actuator was told."""
 LIMIT: dict[str, Any] = {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth": 1.1}
 """Stops and thresholds."""
-SHADE: dict[str, Any] = {"facecolor": "0.90", "edgecolor": "0.70", "hatch": "////", "linewidth": 0.0, "zorder": 0}
+SHADE: dict[str, Any] = {"facecolor": "0.9", "edgecolor": "0.7", "hatch": "////", "linewidth": 0, "zorder": 0}
 """While an axis is released, or an actuator flagged."""
 
 
@@ -52,8 +52,10 @@ class Page:
         """A column of the log."""
         return self.flight.data[:, self.flight.columns.index(name)]
 
-    def line(self, panel: Axes, values: np.ndarray, label: str, style: dict[str, Any], wraps: bool = False) -> None:
-        """Draw a signal, thinned to what can be seen; an angle that `wraps` is not joined across its jumps."""
+    def line(
+        self, panel: Axes, values: np.ndarray, label: str, style: dict[str, Any], wraps: bool = False
+    ) -> None:
+        """Draw a signal, thinned to what can be seen; one that `wraps` is not joined across its jumps."""
         time, values = thin(self.time_s, values)
         if wraps:
             jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
@@ -76,7 +78,8 @@ class Page:
             for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
                 entries.setdefault(label, handle)
         self.figure.legend(
-            entries.values(), entries, loc="upper right", ncols=max(len(entries), 1), frameon=False, fontsize=9,
+            entries.values(), entries, loc="upper right", ncols=max(len(entries), 1),
+            frameon=False, fontsize=9,
             bbox_to_anchor=(1 - _RIGHT / _WIDTH, 1 - 0.33 / self.figure.get_figheight()),
             borderaxespad=0.0, handlelength=2.8, columnspacing=1.4,
         )  # fmt: skip
@@ -84,7 +87,7 @@ class Page:
 
 
 def page(flight: Flight, what: str, heights: Sequence[float]) -> Page:
-    """A figure with a panel for each of `heights` [inches], its title, and the flight's events marked in every panel."""
+    """A figure with a panel for each of `heights` [inches], a title, and the events marked in every panel."""
     time = flight.data[:, flight.columns.index("time_s")]
     span = (0.0, max(flight.end_time_s, 1e-3))
     shown = marks(flight.events, flight.actuators)
@@ -152,7 +155,7 @@ def _lane(figure: Figure, panel: Axes, lane: Sequence[tuple[Mark, int, str]], ta
 
 
 def thin(time: np.ndarray, values: np.ndarray, blocks: int = _BLOCKS) -> tuple[np.ndarray, np.ndarray]:
-    """Fewer points that look like all: the first, lowest, highest and last of each of so many stretches of time."""
+    """Fewer points that look like all: first, last, lowest and highest of each of so many stretches."""
     each = len(values) // blocks
     if each <= 4:
         return time, values
@@ -165,7 +168,7 @@ def thin(time: np.ndarray, values: np.ndarray, blocks: int = _BLOCKS) -> tuple[n
 
 
 def frame(panel: Axes, least: float, *signals: np.ndarray) -> None:
-    """Limits of the y axis: all that is finite, with some air, and at least `least` high so that noise stays small."""
+    """Limits of the y axis: all that is finite, with some air, and `least` or more, to keep noise small."""
     values = np.concatenate(signals) if signals else np.zeros(0)
     values = values[np.isfinite(values) & (np.abs(values) < 1e6)]
     low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)

@@ -21,7 +21,7 @@ _PANELS = (
 
 
 def states(flight: Flight) -> Figure:
-    """Altitude, airspeed, heading, roll, pitch, alpha and beta over time, with references where there are any."""
+    """Altitude, airspeed, heading, roll, pitch, alpha and beta over time, with references where there are."""
     sheet = page(flight, "aircraft states", [1.25] * len(_PANELS))
     for panel, (label, name, reference, least) in zip(sheet.panels, _PANELS, strict=True):
         values = sheet.column(name)
