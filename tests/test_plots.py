@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -145,3 +146,19 @@ def test_reading_side_needs_no_simulator() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+def test_figures_of_a_long_flight_take_little_time(tmp_path: Path) -> None:
+    log = level_log(120.0)
+    for name in list(log)[1:]:
+        log[name] = log[name] + 0.01 * np.sin(np.arange(12000.0))
+    start = time.process_time()
+    draw(flight_of(log, EVENTS), tmp_path)
+    assert time.process_time() - start < 2.5
+
+
+def test_a_reference_far_beyond_the_stops_does_not_flatten_the_rest() -> None:
+    log = level_log()
+    log["elevon_reference"][500] = 4000.0
+    axes = panels(FIGURES["actuators"][1](flight_of(log)))[0]
+    assert axes.get_ylim()[1] < 40.0

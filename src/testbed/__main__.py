@@ -180,8 +180,10 @@ def _validate(options: argparse.Namespace) -> int:
 def _list(options: argparse.Namespace) -> int:
     for what in [options.what] if options.what else LISTS:
         print(what)
-        for name, meaning in LISTS[what]():
-            print(f"  {name:<24}{meaning}")
+        entries = LISTS[what]()
+        width = max((len(name) for name, _ in entries), default=0) + 2
+        for name, meaning in entries:
+            print(f"  {name:<{width}}{meaning}")
     return MET
 
 

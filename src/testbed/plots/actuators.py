@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -20,10 +23,21 @@ def actuators(flight: Flight) -> Figure:
         sheet.line(panel, signals["command"], "command u", COMMAND)
         sheet.line(panel, signals["reference"], "reference r", REFERENCE)
         sheet.shade(panel, sheet.column(f"{name}_failed"), "flagged failed")
-        frame(panel, 0.5 * float(facts.get("scale", 1.0)), *signals.values())
+        frame(
+            panel, 0.5 * float(facts.get("scale", 1.0)), *_near_travel(signals.values(), facts.get("limits"))
+        )
         _stops(panel, facts.get("limits"))
         panel.set_ylabel(f"{name.replace('_', chr(10))}\n[{facts.get('unit', '-')}]", fontsize=9.5)
     return sheet.finish()
+
+
+def _near_travel(signals: Iterable[np.ndarray], limits: tuple[float, float] | None) -> Iterator[np.ndarray]:
+    """Signals as far as they count for the y axis: a reference may ask for far more than there is."""
+    for values in signals:
+        if limits is not None:
+            near = _NEAR * (limits[1] - limits[0])
+            values = np.clip(values, limits[0] - near, limits[1] + near)
+        yield values
 
 
 def _stops(panel: Axes, limits: tuple[float, float] | None) -> None:

@@ -21,8 +21,9 @@ from testbed.plots.marks import Mark, marks, rows_of
 
 DPI = 110
 _WIDTH = 10.0  # inches, as all sizes here
-_TOP, _BOTTOM, _GAP, _LEFT, _RIGHT = 0.72, 0.55, 0.16, 0.95, 0.25
+_TOP, _BOTTOM, _GAP, _LEFT, _RIGHT = 0.72, 0.55, 0.16, 1.1, 0.25
 _LANE_ROW = 0.19
+_LABEL = 0.58  # from the axis to its label, with room for the numbers
 _BLOCKS = 900  # stretches of time that lines are thinned to: about the width of a panel in pixels
 
 TRUTH: dict[str, Any] = {"color": "black", "linestyle": "-", "linewidth": 1.3}
@@ -130,6 +131,7 @@ def _panels(figure: Figure, top: float, heights: Sequence[float], span: tuple[fl
         panel.tick_params(labelsize=8.5, labelbottom=False)
         panel.ticklabel_format(useOffset=False)
         panel.locator_params(axis="y", nbins=5)
+        panel.yaxis.set_label_coords(-_LABEL / (_WIDTH - _LEFT - _RIGHT), 0.5)
         for side in ("top", "right"):
             panel.spines[side].set_visible(False)
         panels.append(panel)

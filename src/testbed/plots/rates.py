@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from testbed.flight import Flight
@@ -20,6 +21,8 @@ def rates(flight: Flight) -> Figure:
         sheet.line(panel, measured, "measured", TRUTH)
         sheet.line(panel, desired, "desired", REFERENCE)
         sheet.shade(panel, sheet.column(f"{axis}_released"), "axis released")
-        frame(panel, least, measured, desired)
+        frame(
+            panel, least, measured, np.nanpercentile(desired, [0.5, 99.5])
+        )  # spikes of a law may leave the axis
         panel.set_ylabel(f"{axis} [{unit}]", fontsize=9.5)
     return sheet.finish()
