@@ -8,6 +8,7 @@ from typing import Literal
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
 
+from testbed.atmosphere import Atmosphere
 from testbed.controllers.settings import AdaptiveInversionSettings, AnyController
 from testbed.failures import AnyFailure
 from testbed.requirement import Requirement
@@ -38,13 +39,6 @@ class CommandRates(Settings):
     heading_deg_s: Positive = 4.0
     altitude_m_s: Positive = 1.0
     airspeed_m_s2: Positive = 0.5
-
-
-class Atmosphere(Settings):
-    """Steady wind, blowing towards north, east, down; turbulence by the wind at 20 ft of MIL-F-8785C."""
-
-    wind_m_s: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)
-    turbulence_w20_m_s: NonNegative = 0.0
 
 
 class Scenario(Settings):

@@ -11,6 +11,7 @@ import numpy as np
 
 from testbed import identification
 from testbed.aircraft import Aircraft, Envelope, load_aircraft
+from testbed.atmosphere import Weather
 from testbed.compiled import compiled
 from testbed.controllers import TABLE, Controller
 from testbed.controllers.control_design import ControlDesign
@@ -44,6 +45,7 @@ class Assembly:
     plant: Plant
     controller: Controller
     injector: Injector
+    weather: Weather
     references: np.ndarray
     limits: np.ndarray
 
@@ -70,16 +72,19 @@ def assemble(scenario: Scenario) -> Assembly:
     initial = scenario.initial
     start = _start(scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg)
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
+    weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
     plant.command(start.commands)
     plant.place(start.state)
     plant.settle(round(_SETTLE_S * scenario.physics_hz))
     plant.place(start.state)  # the Earth has turned while rotors settled: back to the start
+    weather.begin()
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
         controller=TABLE[scenario.controller.type](_setup(scenario, aircraft, start)),
         injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz),
+        weather=weather,
         references=references(scenario),
         limits=_limits(aircraft.envelope),
     )
@@ -87,7 +92,7 @@ def assemble(scenario: Scenario) -> Assembly:
 
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     """The loop. Each control step k, t = k / rate: inject, read the truth, measure, command, log, end?, step."""
-    plant, controller, injector = parts.plant, parts.controller, parts.injector
+    plant, controller, injector, weather = parts.plant, parts.controller, parts.injector, parts.weather
     steps, n = parts.scenario.steps, len(parts.aircraft.actuators)
     truth = np.zeros((steps, len(STATE) + 2 * n))
     measured = np.zeros((steps, len(STATE)))
@@ -97,6 +102,8 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     for k in range(steps):
         if k >= injector.next_step:
             injector.apply(k)
+        if k >= weather.next_step:
+            weather.apply(k)
         row = plant.read(truth[k])
         measured[k] = row[: len(STATE)]
         plant.command(controller.step(k, states, setpoints, telemetry))
