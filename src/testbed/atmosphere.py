@@ -1,8 +1,8 @@
 """The air: steady wind, 1-cosine gusts and Dryden turbulence.
 
-Wind and gusts are velocities of the air over the ground, north, east, down: a wind of [5, 0, 0] blows towards the
-north. Both are written to the plant as one vector each control step. Turbulence is JSBSim's (MIL-F-8785C intensities
-and lengths, filters of MIL-STD-1797A), seeded from the flight's own stream and switched on once the aircraft is placed.
+Wind and gusts are velocities of the air over the ground, north, east, down: a wind of [5, 0, 0] blows towards
+the north. Turbulence is JSBSim's (intensities and lengths of MIL-F-8785C, filters of MIL-STD-1797A), seeded
+from the flight's own stream and switched on once the aircraft is placed.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ class Gust(Settings):
 
     v = V/2 (1 - cos(pi x / d)), MIL-F-8785C 3.7.1.3; without a hold it is the bump of CS-25.341 with gradient
     distance d. The length is flown through at the airspeed that the aircraft has when the gust begins. The
-    direction is that of the frame at this moment, and then stays with the air: it does not turn with the aircraft.
+    direction is that of the frame at this moment: it stays with the air and does not turn with the aircraft.
     """
 
     at_s: NonNegative
     magnitude_m_s: Vector
-    """Velocity of the air along the frame's x, y, z: body x forward, y right, z down; wind x is the flight path."""
+    """Velocity of the air along x, y, z: forward, right, down of the body or the flight path (wind)."""
     frame: Literal["body", "wind", "ned"] = "body"
     length_m: Positive | None = None
     duration_s: Positive | None = None
@@ -57,7 +57,7 @@ class Gust(Settings):
 
 
 class Atmosphere(Settings):
-    """Steady wind, blowing towards north, east, down; gusts; turbulence by the wind at 20 ft of MIL-F-8785C."""
+    """Steady wind, blowing towards north, east, down; gusts; turbulence by MIL-F-8785C's wind at 20 ft."""
 
     wind_m_s: Vector = (0.0, 0.0, 0.0)
     turbulence: Literal["light", "moderate", "severe"] | None = None
@@ -100,12 +100,12 @@ class Air(Protocol):
 class Weather:
     """The air of one flight.
 
-    Made before the aircraft is placed, so that it is placed in the steady wind; `begin` once it is; then `apply`
-    each control step from `next_step` on.
+    Made before the aircraft is placed, so that it is placed in the steady wind; `begin` once it is; then
+    `apply` each control step from `next_step` on.
 
     Attributes:
         next_step: next control step at which there is something to do; infinite in calm air.
-        wind: [steps, 3] the air's velocity that acted in each step, turbulence included [m/s, north, east, down].
+        wind: [steps, 3] the air's velocity in each step, turbulence included [m/s, north, east, down].
     """
 
     def __init__(self, settings: Atmosphere, plant: Air, rate_hz: int, steps: int, seed: int) -> None:
@@ -129,8 +129,12 @@ class Weather:
         if self._gusts:
             self.plant.set_wind(self._steady + self._gust(step))
 
+    def columns(self, steps: int) -> dict[str, np.ndarray]:
+        """Columns of the log that this weather adds."""
+        return {} if self.settings.is_calm else dict(zip(COLUMNS, self.wind[:steps].T, strict=True))
+
     def _gust(self, step: int) -> np.ndarray:
-        """Sum of all gusts when the step has been taken; one begins with the first step at or after `at_s`."""
+        """Sum of all gusts once the step is taken; one begins with the first step at or after `at_s`."""
         total = np.zeros(3)
         for i, gust in enumerate(self.settings.gusts):
             if step < math.ceil(gust.at_s * self.rate_hz - 1e-9):

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
@@ -70,6 +70,11 @@ class Propulsor:
         return float(pressure * polyval(j, self.thrust)), float(pressure * self.diameter_m * polyval(j, self.torque))
 
 
+def coefficient_names(actuators: Iterable[str]) -> list[str]:
+    """Names of the coefficients of the design model of an aircraft with these actuators."""
+    return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *actuators)]
+
+
 @dataclass(frozen=True)
 class DesignModel:
     """f_m and B_m about one level trim.
@@ -106,7 +111,7 @@ class DesignModel:
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""
-        return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *self.actuators)]
+        return coefficient_names(self.actuators)
 
     def with_error(self, factors: Mapping[str, float]) -> DesignModel:
         """The model with some coefficients scaled: the controller's ignorance (sections 4.2 and 4.3).

@@ -8,7 +8,7 @@ import numpy as np
 
 
 def body_from_ned(roll: float, pitch: float, heading: float) -> np.ndarray:
-    """[3, 3] turns a vector's north-east-down components into body components; yaw, pitch, roll in this order."""
+    """[3, 3] turns north-east-down components into body components; yaw, pitch, roll in this order."""
     cr, sr, cp, sp = math.cos(roll), math.sin(roll), math.cos(pitch), math.sin(pitch)
     ch, sh = math.cos(heading), math.sin(heading)
     return np.array(

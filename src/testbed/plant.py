@@ -173,16 +173,16 @@ class Plant:
         servo = list(self.aircraft.actuators.values())[index].kind == "servo"
         return value / DEGREES_PER_RADIAN if servo else value
 
-    # The air -------------------------------------------------------------------------------------------------------
+    # The air ------------------------------------------------------------------------------------------------
 
     def set_wind(self, ned_m_s: np.ndarray) -> None:
-        """The air's velocity over the ground from now on [m/s, towards north, east, down], turbulence apart."""
+        """Velocity of the air over the ground from now on [m/s, north, east, down], turbulence apart."""
         self._wind = np.array(ned_m_s)
         for name, value in zip(_SET_WIND, self._wind, strict=True):
             self[name] = value / METRES_PER_FOOT
 
     def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
-        """Switch on Dryden turbulence, from zero. Only after the last `place`, whose run_ic would draw from it.
+        """Switch on Dryden turbulence, from zero. After the last `place`, whose run_ic would draw from it.
 
         Args:
             w20_m_s: wind at 20 ft (MIL-F-8785C), which sets the intensity up to 1000 ft above sea level.
@@ -195,7 +195,7 @@ class Plant:
         self["atmosphere/randomseed"] = seed
 
     def total_wind(self) -> tuple[float, float, float]:
-        """The air's velocity that acted in the last step, turbulence included [m/s, towards north, east, down]."""
+        """Velocity of the air in the last step, turbulence included [m/s, north, east, down]."""
         north, east, down = self._total_wind
         return north() * METRES_PER_FOOT, east() * METRES_PER_FOOT, down() * METRES_PER_FOOT
 
@@ -205,9 +205,9 @@ class Plant:
         return airspeed, alpha, beta, roll, pitch, heading
 
     def specific_force_reader(self, axis: str) -> Callable[[], float]:
-        """Bound reader of what an ideal accelerometer at the centre of gravity feels along a body axis [m/s2].
+        """Bound reader of what an accelerometer at the centre of gravity feels along a body axis [m/s2].
 
-        All forces but gravity over the mass; of the present state, where JSBSim's own `a-pilot` is a frame late.
+        All forces but gravity over the mass, of the present state: JSBSim's `a-pilot` is a frame late.
         """
         force, mass = self.getter(f"forces/fb{axis}-total-lbs"), self.getter("inertia/mass-slugs")
         return lambda: METRES_PER_FOOT * force() / mass()
@@ -215,8 +215,8 @@ class Plant:
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 
     def place(self, state: Mapping[str, float]) -> None:
-        """Put the aircraft into a state: airspeed, alpha, beta (relative to the air, which moves as `set_wind` says),
-        roll, pitch, heading [SI], altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
+        """Put the aircraft into a state: airspeed, alpha, beta (relative to the air, see `set_wind`), roll, pitch,
+        heading [SI], altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
         fdm, get = self._fdm, state.get
         speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
         # JSBSim's initial velocity is relative to the ground: the wind's is added.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from itertools import pairwise
-from typing import Literal
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
 
@@ -12,6 +11,7 @@ from testbed.atmosphere import Atmosphere
 from testbed.controllers.settings import AdaptiveInversionSettings, AnyController
 from testbed.failures import AnyFailure
 from testbed.requirement import Requirement
+from testbed.sensors.settings import Sensors
 from testbed.settings import NonNegative, Number, Positive, Settings, Text, Whole, refuse
 from testbed.yamlfile import Source
 
@@ -58,7 +58,7 @@ class Scenario(Settings):
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
     command_rates: CommandRates = CommandRates()
     failures: tuple[AnyFailure, ...] = ()
-    sensors: Literal["ideal"] = "ideal"
+    sensors: Sensors = Sensors()
     atmosphere: Atmosphere = Atmosphere()
     requirements: tuple[Requirement, ...] = ()
     _source: Source = PrivateAttr(default_factory=Source)

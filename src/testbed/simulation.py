@@ -20,13 +20,14 @@ from testbed.design import DesignModel
 from testbed.events import controller_events
 from testbed.flight import Flight, Outcome
 from testbed.injection import Injector
-from testbed.logbook import Recorded, columns, table
+from testbed.logbook import Recorded, all_columns, table
 from testbed.metrics import TABLE as METRICS
 from testbed.metrics import Readings, measure
 from testbed.plant import Plant
 from testbed.problems import BadInput
 from testbed.references import references
 from testbed.scenario import Scenario, check_names, load_scenario
+from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
 from testbed.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.trim import Trim, trim
 from testbed.verdict import judge
@@ -46,6 +47,7 @@ class Assembly:
     controller: Controller
     injector: Injector
     weather: Weather
+    sensors: IdealSensors | RealSensors
     references: np.ndarray
     limits: np.ndarray
 
@@ -66,7 +68,7 @@ def fly(scenario: Scenario | str | Path) -> Flight:
 def assemble(scenario: Scenario) -> Assembly:
     """Make plant, controller and failures, and put the aircraft into trimmed flight."""
     aircraft = load_aircraft(scenario.aircraft)
-    problems = check_names(scenario, columns(aircraft), METRICS)
+    problems = check_names(scenario, all_columns(aircraft, scenario), METRICS)
     if problems:
         raise BadInput(problems)
     initial = scenario.initial
@@ -85,6 +87,7 @@ def assemble(scenario: Scenario) -> Assembly:
         controller=TABLE[scenario.controller.type](_setup(scenario, aircraft, start)),
         injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz),
         weather=weather,
+        sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),
         limits=_limits(aircraft.envelope),
     )
@@ -92,7 +95,8 @@ def assemble(scenario: Scenario) -> Assembly:
 
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     """The loop. Each control step k, t = k / rate: inject, read the truth, measure, command, log, end?, step."""
-    plant, controller, injector, weather = parts.plant, parts.controller, parts.injector, parts.weather
+    plant, controller, injector = parts.plant, parts.controller, parts.injector
+    weather, sensors = parts.weather, parts.sensors
     steps, n = parts.scenario.steps, len(parts.aircraft.actuators)
     truth = np.zeros((steps, len(STATE) + 2 * n))
     measured = np.zeros((steps, len(STATE)))
@@ -105,7 +109,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
         if k >= weather.next_step:
             weather.apply(k)
         row = plant.read(truth[k])
-        measured[k] = row[: len(STATE)]
+        sensors.measure(k, truth, measured)
         plant.command(controller.step(k, states, setpoints, telemetry))
         ending = ended(row, parts.limits)
         if ending:
@@ -134,12 +138,13 @@ def ended(row: np.ndarray, limits: np.ndarray) -> int:
 def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     """Events, metrics and verdicts of what was recorded."""
     scenario, aircraft = parts.scenario, parts.aircraft
-    names = columns(aircraft)
-    rows = table(aircraft, scenario.rate_hz, recorded)
+    names = all_columns(aircraft, scenario)
+    more = {**parts.sensors.columns(recorded[0]), **parts.weather.columns(len(recorded[0]))}
+    rows = np.column_stack([table(aircraft, scenario.rate_hz, recorded), *more.values()])
     log = dict(zip(names, rows.T, strict=True))
     actuators = tuple(aircraft.actuators)
     injections = parts.injector.receipts
-    events = [*injections, *controller_events(log, actuators, injections)]
+    events = [*injections, *parts.sensors.receipts(len(rows)), *controller_events(log, actuators, injections)]
     events.sort(key=lambda event: event["time_s"])
     metrics = measure(Readings(log, events, actuators))
     return Flight(

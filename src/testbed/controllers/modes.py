@@ -170,7 +170,10 @@ def design_regulator(
     into = mode.inverse[:, kept]
     R = into.T @ np.diag(alive / control.regulator.actuator**2) @ into
     A, B = A[np.ix_(states, states)], B[np.ix_(states, kept)]
-    P = solve_continuous_are(A, B, Q, R)
+    try:
+        P = solve_continuous_are(A, B, Q, R)
+    except np.linalg.LinAlgError:
+        raise NoLevelTrim(f"{', '.join(mode.failed)} failed: what is left cannot hold its trim") from None
     gains = np.zeros((4, nx + n + ni))
     gains[np.ix_(kept, states)] = np.linalg.solve(R, B.T @ P)
     integral = np.zeros((4, len(INTEGRALS)))
