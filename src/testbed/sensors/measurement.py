@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from testbed.compiled import compiled
 from testbed.units import GRAVITY_M_S2
 
@@ -49,7 +51,7 @@ def reading(k, c, parameters, table):
     x = table[SENSED, max(k - int(parameters[DELAY, c]), 0), c] + table[OFFSET, k, c]
     digit = parameters[DIGIT, c]
     if digit > 0.0:
-        x = digit * math.floor(x / digit + 0.5)
+        x = digit * np.floor(x / digit + 0.5)  # not math's, which makes an integer even of NaN
     return x % _TURN if parameters[CIRCULAR, c] > 0.5 else x
 
 
