@@ -161,7 +161,7 @@ def test_a_fault_acts_in_its_window_only(kind: str, sensor: str, model: str) -> 
     for window in (before, after):
         assert np.array_equal(broken.table[READING, window], sound.table[READING, window])
     assert np.array_equal(told[before], told_sound[before])
-    assert np.array_equal(told[201:], told_sound[201:])  # row 200 still differentiates over the end of the fault
+    assert np.array_equal(told[201:], told_sound[201:])  # row 200 differentiates over the fault's end
     changed = (broken.table[READING] != sound.table[READING]).any(axis=0)
     assert list(np.flatnonzero(changed)) == channels_of(sensor)
     begin, end = broken.receipts(300)
@@ -241,8 +241,9 @@ def test_heading_goes_round() -> None:
 
 @pytest.mark.parametrize("channel", NAMES)
 def test_noise_has_the_density_that_was_asked_for(channel: str) -> None:
-    """sigma = N sqrt(rate/2), and means of m samples have 1/m of its variance, as white noise of one-sided density
-    N must. A variance of n samples has the relative deviation sqrt(2/n); 5 of them fail once in 2 million."""
+    """sigma = N sqrt(rate/2), and means of m samples have 1/m of its variance, as white noise of one-sided
+    density N must. A variance of n samples has the relative deviation sqrt(2/n); 5 of them fail once in 2
+    million."""
     _, sensor, _, unit = CHANNELS[NAMES.index(channel)]
     density, n, m = 0.01, 40_000, 100
     error = readings({sensor: {f"noise_{unit}_rthz": density}}, channel, n)
@@ -253,9 +254,8 @@ def test_noise_has_the_density_that_was_asked_for(channel: str) -> None:
 
 
 def test_noise_of_a_flight_measured_from_its_log() -> None:
-    """From the log of a flight with MEMS gyros: 0.007 deg/s/rtHz. First differences, so that bias and drift do not
-    count: their variance is twice that of the noise; quantisation adds 1/12 digit squared; the lag on the chip
-    passes the true motion within the bound."""
+    """From the log of a flight with MEMS gyros: 0.007 deg/s/rtHz. First differences, so that bias and drift
+    do not count: their variance is twice the noise's; quantisation adds 1/12 digit squared."""
     log = fly(scenario("sensors=mems", "controller.released=[p_dot]", "controller.filter_rad_s=20")).log
     for name in "pqr":
         error = np.diff(log[f"{name}_measured_deg_s"] - log[f"{name}_deg_s"])[10:]
@@ -264,8 +264,8 @@ def test_noise_of_a_flight_measured_from_its_log() -> None:
 
 
 def test_drift_and_wander() -> None:
-    """A random walk's increments have variance K^2 dt; a wander has its sigma and correlation time: the relative
-    deviation of its variance over T is sqrt(2 tau / T)."""
+    """A random walk's increments have variance K^2 dt; a wander has its sigma and correlation time: the
+    relative deviation of its variance over T is sqrt(2 tau / T)."""
     walk = readings({"altitude": {"drift_m_rts": 0.3}}, "altitude", 20_000)
     assert walk[0] == 0.0
     assert np.var(np.diff(walk)) == pytest.approx(0.3**2 / RATE, rel=5 * math.sqrt(2 / 20_000))

@@ -129,6 +129,7 @@ class Plant:
         self.raw = np.empty(len(reads))
         self._commands = [self.setter(_command(a)) for a in aircraft.actuators.values()]
         self._wind = np.zeros(3)
+        self._put_wind = [self.setter(name) for name in _SET_WIND]
         self._total_wind = [self.getter(name) for name in _TOTAL_WIND]
 
     def getter(self, name: str) -> Callable[[], float]:
@@ -178,8 +179,8 @@ class Plant:
     def set_wind(self, ned_m_s: np.ndarray) -> None:
         """Velocity of the air over the ground from now on [m/s, north, east, down], turbulence apart."""
         self._wind = np.array(ned_m_s)
-        for name, value in zip(_SET_WIND, self._wind, strict=True):
-            self[name] = value / METRES_PER_FOOT
+        for put, value in zip(self._put_wind, self._wind, strict=True):
+            put(float(value) / METRES_PER_FOOT)
 
     def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
         """Switch on Dryden turbulence, from zero. After the last `place`, whose run_ic would draw from it.

@@ -11,7 +11,6 @@ import numpy as np
 
 from testbed import identification
 from testbed.aircraft import Aircraft, Envelope, load_aircraft
-from testbed.atmosphere import Weather
 from testbed.compiled import compiled
 from testbed.controllers import TABLE, Controller
 from testbed.controllers.control_design import ControlDesign
@@ -31,6 +30,7 @@ from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
 from testbed.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.trim import Trim, trim
 from testbed.verdict import judge
+from testbed.weather import Weather
 
 _SETTLE_S = 1.5  # rotors and servos steady before the flight begins
 _GROUND_M = 0.5  # altitude of the centre of gravity at which the aircraft is on the ground
