@@ -46,7 +46,7 @@ def truth_rows(steps: int) -> np.ndarray:
 def measured(settings: object, truth: np.ndarray, seed: int = 1) -> tuple[RealSensors, np.ndarray]:
     """The sensors after a flight, and [steps, state] what the controller was told."""
     sensors = RealSensors(Sensors.model_validate(settings), Still(), RATE, len(truth), seed)
-    told = np.zeros((len(truth), len(STATE)))
+    told = np.full((len(truth), len(STATE)), np.nan)  # so that what is not written shows
     for k in range(len(truth)):
         sensors.measure(k, truth, told)
     return sensors, told

@@ -34,11 +34,12 @@ class Accelerated(Protocol):
 
 
 class IdealSensors:
-    """The controller is told the truth, bit for bit."""
+    """The controller is told the truth, bit for bit: the loop has copied it already."""
+
+    real = False
 
     def measure(self, step: int, truth: np.ndarray, measured: np.ndarray) -> None:
-        """Copy the state of this step's row of truth."""
-        measured[step] = truth[step, : len(STATE)]
+        """Nothing to add."""
 
     def columns(self, truth: np.ndarray) -> dict[str, np.ndarray]:
         """No columns of their own."""
@@ -56,6 +57,8 @@ class RealSensors:
         table: [5, steps, channels] errors, offsets and states drawn, what was sensed and read.
     """
 
+    real = True
+
     def __init__(
         self, settings: SensorSettings, plant: Accelerated, rate_hz: int, steps: int, seed: int
     ) -> None:
@@ -72,7 +75,7 @@ class RealSensors:
             timed(fault, i, rate_hz, seed, self.table[OFFSET], self.table[STATE_OF])
 
     def measure(self, step: int, truth: np.ndarray, measured: np.ndarray) -> None:
-        """Fill this step's row of the measured state from its row of truth."""
+        """Fill all of this step's row of the measured state from its row of truth."""
         measure(
             step, self.rate_hz, truth, self._force(), measured, self._parameters, self._lagged, self.table
         )
