@@ -208,15 +208,26 @@ def test_two_intensities_are_one_too_many() -> None:
 # The controller's ignorance ---------------------------------------------------------------------------------
 
 
-def test_a_model_error_changes_the_flight_but_not_the_trim() -> None:
+_PROPELLER_TORQUE = pytest.mark.xfail(
+    strict=True, reason="the regression counts the affine part of a propeller's torque twice: bias and regressor"
+)
+
+
+@pytest.mark.parametrize(
+    "errors",
+    [
+        "{Cm_alpha: 1.2, Cl_beta: 0.8, Cm_right_ruddervator: 1.2, CX_left_propeller: 1.2}",
+        pytest.param("{Cl_left_propeller: 1.2}", marks=_PROPELLER_TORQUE),
+    ],
+)
+def test_a_model_error_changes_the_flight_but_not_the_trim(errors: str) -> None:
     """In trimmed flight a wrong slope has nothing to act on; in a manoeuvre it has."""
-    errors = "{Cm_alpha: 1.2, Cn_left_propeller: 0.8, Cm_right_ruddervator: 1.2, CX_left_propeller: 1.2}"
     turn = "commands=[{at_s: 1, heading_deg: 120, altitude_m: 305}]"
     sure, wrong = fly(scenario(turn)), fly(scenario(turn, f"controller.model_error={errors}"))
     before = sure.log["time_s"] <= 1.0
     for name in ("altitude_m", "heading_deg", "airspeed_m_s", "pitch_deg"):
         difference = (wrong.log[name] - sure.log[name]).abs()
-        assert difference[before].max() < 1e-3, name
+        assert difference[before].max() < 1e-4, name
         assert difference[~before].max() > 10 * difference[before].max(), name
 
 
