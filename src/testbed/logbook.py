@@ -8,6 +8,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from testbed.aircraft import Aircraft
+from testbed.atmosphere import COLUMNS as WIND
+from testbed.scenario import Scenario
+from testbed.sensors.channels import log_columns as sensor_columns
 from testbed.signals import RATES, SETPOINT, STATE, TELEMETRY
 
 _DEG = 180.0 / math.pi
@@ -30,10 +33,16 @@ Recorded = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 
 
 def columns(aircraft: Aircraft) -> tuple[str, ...]:
-    """Names of the log's columns."""
+    """Names of the columns that every log has."""
     n = len(aircraft.actuators)
     empty = (np.zeros((0, len(STATE) + 2 * n)), np.zeros((0, len(STATE))), np.zeros((0, len(SETPOINT))))
     return tuple(name for name, _ in _columns(aircraft, 1.0, (*empty, np.zeros((0, 4 * n + 8)))))
+
+
+def all_columns(aircraft: Aircraft, scenario: Scenario) -> tuple[str, ...]:
+    """Names of the log's columns in a scenario: those of real sensors and of moving air come last."""
+    sensors = () if scenario.sensors.is_ideal else sensor_columns()
+    return (*columns(aircraft), *sensors, *(() if scenario.atmosphere.is_calm else WIND))
 
 
 def table(aircraft: Aircraft, rate_hz: float, recorded: Recorded, every: int = 1) -> np.ndarray:

@@ -111,7 +111,8 @@ def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.nda
     m.lag[:] = [a.lag_rad_s for a in setup.actuators]
     m.rate[:] = [a.rate / a.scale for a in setup.actuators]
     m.hold[:] = np.array(model.trim) / scale
-    m.bias[:] = (np.array(model.bias) + np.array(model.offset_matrix).sum(axis=1))[:4]
+    m.offset[:] = np.array(model.offset_matrix).sum(axis=1)[:4]
+    m.bias[:] = np.array(model.bias)[:4] + m.offset
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
     axial = model.airspeed_m_s * math.cos(model.alpha_rad)
