@@ -73,7 +73,7 @@ for s in ("left", "right"):
     fcs += props(n, {"command-rad": 0, "command-scale": 1, "command-bias-rad": 0, "override-active": 0, "override-rad": 0, "servo-lag-rad_sec": 30, "servo-rate-rad_sec": 7, "servo-min-rad": -lim, "servo-max-rad": lim, "linkage-bias-rad": 0, "float-active": 0, "float-gain": 0.8, "effectiveness": 1})
 for i, s in enumerate(("left", "right")):
     n = f"{s}-propeller"
-    fcs += props(n, {"command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0, "throttle-min-norm": 0, "throttle-max-norm": 1, "effectiveness": 1})
+    fcs += props(n, {"command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0, "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1})
 for s in ("left", "right"):
     n = f"fcs/{s}-ruddervator"
     fcs += f'''    <channel name="{s} ruddervator">
@@ -81,8 +81,9 @@ for s in ("left", "right"):
         <sum><product><property>{n}/command-rad</property><property>{n}/command-scale</property></product><property>{n}/command-bias-rad</property></sum></ifthen></function></fcs_function>
       <actuator name="{n}/servo"><input>{n}/demand-rad</input><lag>{n}/servo-lag-rad_sec</lag><rate_limit>{n}/servo-rate-rad_sec</rate_limit>
         <clipto><min>{n}/servo-min-rad</min><max>{n}/servo-max-rad</max></clipto><output>{n}/servo-rad</output></actuator>
+      <fcs_function name="{n}/incidence-rad"><function><sum><value>0</value><property>aero/alpha-rad</property></sum></function></fcs_function>
       <fcs_function name="{n}/position-rad"><function><ifthen><property>{n}/float-active</property>
-        <product><value>-1</value><property>{n}/float-gain</property><property>aero/alpha-rad</property></product>
+        <product><value>-1</value><property>{n}/float-gain</property><property>{n}/incidence-rad</property></product>
         <sum><property>{n}/servo-rad</property><property>{n}/linkage-bias-rad</property></sum></ifthen></function></fcs_function>
       <fcs_function name="{n}/effective-rad"><function><product><property>{n}/effectiveness</property><property>{n}/position-rad</property></product></function></fcs_function>
     </channel>
@@ -90,9 +91,12 @@ for s in ("left", "right"):
 for i, s in enumerate(("left", "right")):
     n = f"fcs/{s}-propeller"
     fcs += f'''    <channel name="{s} propeller">
-      <fcs_function name="{n}/throttle-norm"><function><max><property>{n}/throttle-min-norm</property><min><property>{n}/throttle-max-norm</property>
+      <!-- without power no current flows: the motor is held at the voltage that it generates, and windmills -->
+      <fcs_function name="{n}/throttle-norm"><function><ifthen><property>{n}/power-lost</property>
+        <product><property>propulsion/engine[{i}]/propeller-rpm</property><value>{1/(230*22.2):.6g}</value></product>
+        <max><property>{n}/throttle-min-norm</property><min><property>{n}/throttle-max-norm</property>
         <ifthen><property>{n}/override-active</property><property>{n}/override-norm</property>
-        <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></function>
+        <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></ifthen></function>
         <output>fcs/throttle-pos-norm[{i}]</output></fcs_function>
     </channel>
 '''
@@ -104,7 +108,7 @@ for i, (s, sg, sense) in enumerate((("left", -1, -1), ("right", 1, 1))):
 '''
     n = f"fcs/{s}-propeller"
     loss = f"<difference><property>{n}/effectiveness</property><value>1</value></difference>"
-    ext += f'''    <force name="{s}-propeller-loss" frame="BODY"><function><product>{loss}<property>propulsion/engine[{i}]/thrust-lbs</property></product></function>
+    ext += f'''    <force name="{s}-propeller-loss" frame="BODY"><function name="{n}/lost-thrust-lbs"><product>{loss}<property>propulsion/engine[{i}]/thrust-lbs</property></product></function>
       <location unit="M"><x>{xx}</x><y>{sg*yy}</y><z>{zz}</z></location><direction><x>1</x><y>0</y><z>0</z></direction></force>
     <moment name="{s}-propeller-loss-torque" frame="BODY"><function><product>{loss}<property>propulsion/engine[{i}]/propeller-torque-ftlb</property></product></function>
       <direction><x>1</x><y>0</y><z>0</z></direction></moment>
@@ -115,8 +119,10 @@ xml = f'''<?xml version="1.0"?>
   <metrics><wingarea unit="M2">{S}</wingarea><wingspan unit="M">{b}</wingspan><chord unit="M">{c}</chord>
     <htailarea unit="M2">0</htailarea><htailarm unit="M">0</htailarm><vtailarea unit="M2">0</vtailarea><vtailarm unit="M">0</vtailarm>
     <location name="AERORP" unit="M"><x>0</x><y>0</y><z>0</z></location><location name="EYEPOINT" unit="M"><x>0</x><y>0</y><z>0</z></location><location name="VRP" unit="M"><x>0</x><y>0</y><z>0</z></location></metrics>
-  <mass_balance><ixx unit="KG*M2">0.22</ixx><iyy unit="KG*M2">0.32</iyy><izz unit="KG*M2">0.62</izz><emptywt unit="KG">5</emptywt>
-    <location name="CG" unit="M"><x>0</x><y>0</y><z>0</z></location></mass_balance>
+  <mass_balance><ixx unit="KG*M2">0.22</ixx><iyy unit="KG*M2">0.32</iyy><izz unit="KG*M2">0.62</izz><emptywt unit="KG">4.95</emptywt>
+    <location name="CG" unit="M"><x>-0.01</x><y>0</y><z>0</z></location>
+    <pointmass name="left ruddervator"><weight unit="KG">0.025</weight><location name="POINTMASS" unit="M"><x>0.99</x><y>-0.15</y><z>0</z></location></pointmass>
+    <pointmass name="right ruddervator"><weight unit="KG">0.025</weight><location name="POINTMASS" unit="M"><x>0.99</x><y>0.15</y><z>0</z></location></pointmass></mass_balance>
   <ground_reactions>
     <contact type="STRUCTURE" name="BELLY"><location unit="M"><x>0</x><y>0</y><z>-0.15</z></location><static_friction>0.5</static_friction><dynamic_friction>0.4</dynamic_friction><spring_coeff unit="N/M">5000</spring_coeff><damping_coeff unit="N/M/SEC">200</damping_coeff></contact>
   </ground_reactions>

@@ -160,6 +160,8 @@ def _print_verdict(flight: Flight) -> None:
         shown = f"{value:.4g}" if isinstance(value, int | float) else value
         print(f"  {verdict}  {requirement['name']}: {shown}")
     print("passed" if flight.passed else "not passed")
+    for warning in flight.warnings:
+        print(f"WARNING: {warning}", file=sys.stderr)
 
 
 def _sweep(options: argparse.Namespace) -> int:

@@ -57,6 +57,8 @@ class Flight:
     metrics: Mapping[str, float] = field(default_factory=dict)
     requirements: Sequence[Mapping[str, Any]] = ()
     """Verdicts: {name, passed, value, limit} for each of the scenario's requirements."""
+    warnings: Sequence[str] = ()
+    """What makes the flight mean less than it seems: a failure that did not act, or never started."""
 
     @cached_property
     def log(self) -> pd.DataFrame:
@@ -82,6 +84,7 @@ class Flight:
             "requirements": list(self.requirements),
             "events": list(self.events),
             "metrics": dict(self.metrics),
+            "warnings": list(self.warnings),
         }
         plain: dict[str, Any] = _plain(summary)
         return plain
@@ -146,6 +149,7 @@ def load(folder: str | Path) -> Flight:
                 name: math.nan if value is None else value for name, value in summary["metrics"].items()
             },
             requirements=summary["requirements"],
+            warnings=summary["warnings"],
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(

@@ -25,7 +25,7 @@ from testbed.metrics import Readings, measure
 from testbed.plant import Plant
 from testbed.problems import BadInput
 from testbed.references import references
-from testbed.scenario import Scenario, check_names, load_scenario
+from testbed.scenario import Scenario, check_names, check_properties, load_scenario
 from testbed.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.trim import Trim, trim
 from testbed.verdict import judge
@@ -70,6 +70,10 @@ def assemble(scenario: Scenario) -> Assembly:
     initial = scenario.initial
     start = _start(scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg)
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
+    if scenario.failures:
+        problems = check_properties(scenario, plant.catalog())
+        if problems:
+            raise BadInput(problems)
     plant.command(start.commands)
     plant.place(start.state)
     plant.settle(round(_SETTLE_S * scenario.physics_hz))
@@ -79,7 +83,7 @@ def assemble(scenario: Scenario) -> Assembly:
         aircraft=aircraft,
         plant=plant,
         controller=TABLE[scenario.controller.type](_setup(scenario, aircraft, start)),
-        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz),
+        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
         references=references(scenario),
         limits=_limits(aircraft.envelope),
     )
@@ -93,6 +97,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     measured = np.zeros((steps, len(STATE)))
     telemetry = np.zeros((steps, telemetry_width(n)))
     states, setpoints = as_records(measured, STATE), as_records(parts.references, SETPOINT)
+    injector.observe((truth, measured, parts.references, telemetry))
     ending, done = 0, steps
     for k in range(steps):
         if k >= injector.next_step:
@@ -100,6 +105,8 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
         row = plant.read(truth[k])
         measured[k] = row[: len(STATE)]
         plant.command(controller.step(k, states, setpoints, telemetry))
+        for delay in injector.filters:
+            delay()
         ending = ended(row, parts.limits)
         if ending:
             done = k + 1
@@ -131,6 +138,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     rows = table(aircraft, scenario.rate_hz, recorded)
     log = dict(zip(names, rows.T, strict=True))
     actuators = tuple(aircraft.actuators)
+    warnings = parts.injector.finish()
     injections = parts.injector.receipts
     events = [*injections, *controller_events(log, actuators, injections)]
     events.sort(key=lambda event: event["time_s"])
@@ -144,6 +152,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         events=events,
         metrics=metrics,
         requirements=judge(scenario.requirements, log, metrics),
+        warnings=warnings,
     )
 
 

@@ -17,8 +17,8 @@ import numpy as np
 from scipy.linalg import solve_continuous_are
 from scipy.optimize import root
 
-from testbed.controllers.records import INTEGRALS, OUTER
 from testbed.controllers.control_design import ControlDesign
+from testbed.controllers.records import INTEGRALS, OUTER
 from testbed.design import DesignModel
 from testbed.signals import RATES
 

@@ -1,0 +1,207 @@
+"""Did a failure happen? What the plant does after an injection, against what it would do with and without it.
+
+Each actuator is modelled twice from the moment of the injection, fed with the commands that the plant gets: healthy
+(held properties at what they were) and broken (at what they are). As soon as the two differ, the plant must be seen to
+follow the broken one, within RECEIPT_STEPS control steps. What is compared is the far end of the actuator: a
+surface's effective deflection, a motor's throttle (the voltage it gets) and the thrust that reaches the airframe.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from testbed.aircraft import Actuator, MotorActuator
+from testbed.plant import Plant
+from testbed.units import DEGREES_PER_RADIAN, NEWTONS_PER_POUND
+
+RECEIPT_STEPS = 50
+"""Control steps within which an effect that is due must be seen."""
+SMALLEST = 1e-6
+"""Differences from here on [deg, throttle, N] count as an effect."""
+
+_SERVO = (
+    "command-rad", "command-scale", "command-bias-rad", "override-active", "override-rad",
+    "servo-lag-rad_sec", "servo-rate-rad_sec", "servo-min-rad", "servo-max-rad", "servo/malfunction/fail_stuck",
+    "linkage-bias-rad", "float-active", "float-gain", "incidence-rad", "effectiveness",
+)  # fmt: skip
+_MOTOR = (
+    "command-norm", "command-scale", "command-bias-norm", "override-active", "override-norm",
+    "throttle-min-norm", "throttle-max-norm", "power-lost", "effectiveness",
+)  # fmt: skip
+
+Values = Mapping[str, float]
+
+
+@dataclass(slots=True)
+class Hold:
+    """One failure's hold on one property: `healthy` is restored at the end, `before` is what it was at the start."""
+
+    name: str
+    value: float | Callable[[], float]
+    put: Callable[[float], bool]
+    get: Callable[[], float]
+    healthy: float
+    before: float = 0.0
+    first: float = 0.0
+    written: float = 0.0
+
+    def write(self, value: float) -> None:
+        self.put(value)
+        self.written = value
+
+
+def reads_back(value: float, written: float) -> bool:
+    """Whether a property has the value written; some are kept in other units, so to rounding."""
+    return math.isclose(value, written, rel_tol=1e-9, abs_tol=1e-12)
+
+
+class Model(Protocol):
+    """An actuator as its block of properties says it works."""
+
+    def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
+        """Far end of the actuator after one control step with these property values."""
+        ...
+
+
+class ServoModel:
+    """JSBSim's actuator component, in its order: lag (Tustin), rate limit, stuck, stops; then linkage, float, loss."""
+
+    def __init__(self, demand: float, position: float) -> None:
+        self._input, self._lagged, self._output = demand, position, position
+
+    def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
+        demand = v["command-rad"] * v["command-scale"] + v["command-bias-rad"]
+        if v["override-active"]:
+            demand = v["override-rad"]
+        if not v["servo/malfunction/fail_stuck"]:
+            for _ in range(substeps):
+                self._follow(demand, v["servo-lag-rad_sec"] * dt_s, v["servo-rate-rad_sec"] * dt_s)
+        position = min(max(self._output, v["servo-min-rad"]), v["servo-max-rad"]) + v["linkage-bias-rad"]
+        if v["float-active"]:
+            position = -v["float-gain"] * v["incidence-rad"]
+        return {"effective_deg": v["effectiveness"] * position * DEGREES_PER_RADIAN}
+
+    def _follow(self, demand: float, lag: float, rate: float) -> None:
+        lagged = (lag * (demand + self._input) + (2.0 - lag) * self._lagged) / (2.0 + lag)
+        self._output += min(max(lagged - self._output, -rate), rate)
+        self._input, self._lagged = demand, lagged
+
+
+class MotorModel:
+    """Throttle is algebraic; without power it is what the motor generates. The rotor is the plant's own."""
+
+    def __init__(self, rpm_at_full: float) -> None:
+        self._full = rpm_at_full
+
+    def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
+        throttle = v["command-norm"] * v["command-scale"] + v["command-bias-norm"]
+        if v["override-active"]:
+            throttle = v["override-norm"]
+        throttle = max(v["throttle-min-norm"], min(v["throttle-max-norm"], throttle))
+        if v["power-lost"]:
+            throttle = v["rpm"] / self._full
+        return {"throttle": throttle, "thrust_N": v["effectiveness"] * v["thrust_N"]}
+
+
+class Watch:
+    """Follows one injection until its effect has been seen, or was due and has not been seen in time.
+
+    Attributes:
+        verified: True seen; False not seen in time, or a property does not stay as written; None nothing to see yet,
+            because the actuator does the same with and without the failure.
+        effect: the largest difference so far: {quantity, healthy, broken, observed, after_steps}.
+        done: nothing more to look at.
+    """
+
+    def __init__(
+        self,
+        plant: Plant,
+        actuator: Actuator | None,
+        holds: Mapping[str, Hold],
+    ):
+        """`holds`: the injection's, by property."""
+        self._plant, self._actuator, self._holds = plant, actuator, holds
+        self._steps = self._due_steps = 0
+        self.verified: bool | None = None
+        self.effect: dict[str, Any] | None = None
+        self.done = False
+        if actuator is not None:
+            self._bind(actuator)
+
+    def _bind(self, actuator: Actuator) -> None:
+        get = self._plant.getter
+        names = _SERVO if actuator.kind == "servo" else _MOTOR
+        self._block = {name: get(f"{actuator.prefix}/{name}") for name in names}
+        self._far: dict[str, Callable[[], float]]
+        if isinstance(actuator, MotorActuator):
+            engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
+            thrust, lost = get(f"{engine}/thrust-lbs"), get(f"{actuator.prefix}/lost-thrust-lbs")
+            self._block |= {
+                "rpm": get(f"{engine}/propeller-rpm"),
+                "thrust_N": lambda: thrust() * NEWTONS_PER_POUND,
+            }
+            throttle = get(f"fcs/throttle-pos-norm[{actuator.engine}]")
+            self._far = {"throttle": throttle, "thrust_N": lambda: (thrust() + lost()) * NEWTONS_PER_POUND}
+            full = motor.velocity_constant_rpm_v * motor.max_volts
+            self._models: tuple[Model, Model] = (MotorModel(full), MotorModel(full))
+        else:
+            effective, demand = (
+                get(f"{actuator.prefix}/effective-rad"),
+                get(f"{actuator.prefix}/demand-rad")(),
+            )
+            position = get(f"{actuator.prefix}/servo-rad")()
+            self._far = {"effective_deg": lambda: effective() * DEGREES_PER_RADIAN}
+            self._models = (ServoModel(demand, position), ServoModel(demand, position))
+
+    def look(self) -> None:
+        """Judge the control step that the plant has just made."""
+        self._steps += 1
+        if not all(reads_back(hold.get(), hold.written) for hold in self._holds.values()):
+            self._conclude(False)
+        elif self._actuator is None:
+            if self._steps >= RECEIPT_STEPS:
+                self._conclude(True)
+        elif self._follows_broken():
+            self._conclude(True)
+        elif self._due_steps >= RECEIPT_STEPS:
+            self._conclude(False)
+
+    def finish(self) -> None:
+        """The failure or the flight ends: what has not been seen by now will not be."""
+        if not self.done and self._actuator is None and self._steps:
+            self._conclude(True)
+        self.done = True
+
+    def _conclude(self, verified: bool) -> None:
+        self.verified, self.done = verified, True
+
+    def _follows_broken(self) -> bool:
+        assert self._actuator is not None
+        broken = {name: get() for name, get in self._block.items()}
+        healthy = dict(broken)
+        for name, hold in self._holds.items():
+            if name.startswith(self._actuator.prefix + "/"):
+                healthy[name.removeprefix(self._actuator.prefix + "/")] = hold.before
+        dt, n = self._plant.dt_s, self._plant.substeps
+        without, expected = (
+            model.advance(v, dt, n) for model, v in zip(self._models, (healthy, broken), strict=True)
+        )
+        differences = {q: abs(expected[q] - without[q]) for q in expected}
+        quantity = max(differences, key=lambda q: differences[q])
+        if differences[quantity] > SMALLEST:
+            self._due_steps += 1
+        if not self._due_steps:
+            return False
+        observed = self._far[quantity]()
+        self.effect = {
+            "quantity": quantity,
+            "healthy": without[quantity],
+            "broken": expected[quantity],
+            "observed": observed,
+            "after_steps": self._steps,
+        }
+        near = abs(observed - expected[quantity]) <= 0.5 * differences[quantity]
+        return near and differences[quantity] > SMALLEST
