@@ -149,7 +149,7 @@ def load(folder: str | Path) -> Flight:
                 name: math.nan if value is None else value for name, value in summary["metrics"].items()
             },
             requirements=summary["requirements"],
-            warnings=summary["warnings"],
+            warnings=summary.get("warnings", ()),
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(

@@ -41,7 +41,7 @@ class Injection:
     @property
     def filters(self) -> bool:
         """Whether it changes the commands of each step."""
-        return self.active and self._late > 0
+        return self.active and self._late is not None
 
     def start(self, step: int) -> bool:
         """Write; returns whether all properties read back as written."""

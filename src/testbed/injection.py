@@ -92,8 +92,9 @@ class Injector:
         for i in [i for i, read in self._waiting.items() if step > 0 and self._met(i, read(step - 1))]:
             del self._waiting[i]
             self._start(step, i)
-        for i in self._busy:
-            self._all[i].change(step)
+        for injection in self._all:
+            if injection.active:
+                injection.change(step)
         self._plan(step)
 
     def _met(self, index: int, value: float) -> bool:

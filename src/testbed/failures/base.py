@@ -104,9 +104,9 @@ class Failure(Settings):
         """The held property that changes while the failure lasts, and how; None when nothing does."""
         return None
 
-    def delay_steps(self, rate_hz: float) -> int:
-        """Control steps by which the actuator's commands come late."""
-        return 0
+    def delay_steps(self, rate_hz: float) -> int | None:
+        """Control steps by which the actuator's commands come late; None when commands are left alone."""
+        return None
 
     def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
         """What does not fit the aircraft (its actuator exists and is of the right kind)."""
