@@ -25,8 +25,7 @@ from scipy.optimize import brentq
 from testbed.units import GRAVITY_M_S2
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
-# Advance ratios up to which the propellers are on the stand; beyond, they windmill.
-MAX_ADVANCE_RATIO = 1.2
+PROPELLER_POINTS = 41  # of a propeller's tables
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
 
@@ -35,10 +34,12 @@ _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot":
 class Propulsor:
     """One motor with its propeller as the design model knows it.
 
-    Coefficients are polynomials in advance ratio J, lowest power first: T = rho n^2 D^4 C_T(J),
-    Q = rho n^2 D^5 C_Q(J), n in rev/s; motor: i = (v - n/K_v)/R, Q_motor = K_t (i - i_0).
+    Coefficients are tables over equal steps of advance ratio J, from the first to the last of `advance` (where it
+    begins to windmill): T = rho n^2 D^4 C_T(J), Q = rho n^2 D^5 C_Q(J), n in rev/s. Motor: i = (v - n/K_v)/R,
+    Q_motor = K_t (i - i_0).
     """
 
+    advance: tuple[float, float]
     thrust: tuple[float, ...]
     torque: tuple[float, ...]
     diameter_m: float
@@ -51,7 +52,7 @@ class Propulsor:
 
     def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
         """Rotor speed [rev/s] at which the propeller gives this thrust."""
-        slowest = axial_m_s / (self.diameter_m * MAX_ADVANCE_RATIO)
+        slowest = axial_m_s / (self.diameter_m * self.advance[1])
         top = self.max_volts * self.velocity_constant_rps_v
         return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
 
@@ -59,15 +60,16 @@ class Propulsor:
         """Steady torque [N m] at a thrust and speed, and its slope with thrust, dQ/dT [m] at constant speed."""
         n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
         (t0, q0), (_, q), (t1, q1) = (
-            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.9999, 1.0, 1.0001)
-        )
+            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
+        )  # a step that spans the tables' corners
         return q, (q1 - q0) / (t1 - t0)
 
     def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
         pressure = density_kg_m3 * n * n * self.diameter_m**4
         j = axial_m_s / (n * self.diameter_m)
-        polyval = np.polynomial.polynomial.polyval
-        return float(pressure * polyval(j, self.thrust)), float(pressure * self.diameter_m * polyval(j, self.torque))
+        grid = np.linspace(*self.advance, len(self.thrust))
+        thrust, torque = np.interp(j, grid, self.thrust), np.interp(j, grid, self.torque)
+        return float(pressure * thrust), float(pressure * self.diameter_m * torque)
 
 
 @dataclass(frozen=True)
@@ -137,11 +139,15 @@ class DesignModel:
         speed = x["airspeed"] / self.airspeed_m_s
         pressure = speed * speed
         a = np.array(self.derivatives)
-        aero = pressure * (np.array(self.bias) + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
+        aero = pressure * (
+            np.array(self.bias) + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"]
+        )
         aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
         scale = np.array([pressure if kind == "servo" else 1.0 for kind in self.kinds])
         lam = np.asarray(alive, dtype=float)
-        actuators = np.array(self.input_matrix) @ (scale * lam * np.asarray(u)) + np.array(self.offset_matrix) @ lam
+        actuators = (
+            np.array(self.input_matrix) @ (scale * lam * np.asarray(u)) + np.array(self.offset_matrix) @ lam
+        )
         return aero + kinematics(x) + actuators
 
     def save(self, path: Path) -> None:

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from testbed.aircraft import Aircraft
-from testbed.design import COLUMNS, DesignModel, Propulsor, kinematics, load_design_model
+from testbed.design import COLUMNS, PROPELLER_POINTS, DesignModel, Propulsor, kinematics, load_design_model
 from testbed.plant import Plant
 from testbed.trim import Trim, accelerations, trim
 from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
@@ -21,8 +21,7 @@ from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS
 _PHYSICS_HZ = 200.0
 _SLUG_FT3 = 515.378818393  # kg/m3
 _ANGLE_STEP, _RATE_STEP, _THROTTLE_STEP = 0.005, 0.01, 0.01
-_POLYNOMIAL_DEGREE = 4
-_STAND_THRUST_MIN_N = -0.3
+_STAND_THRUST_MIN_N = -2.2
 # Accelerations come as u v w p q r; the model's rows are p q r u v w.
 _ROW_ORDER = [3, 4, 5, 0, 1, 2]
 
@@ -64,9 +63,10 @@ def identify(aircraft: Aircraft) -> DesignModel:
 
 
 def digest(aircraft: Aircraft) -> str:
-    """Fingerprint of the aircraft's files: a stored model is of these files or it is not used."""
-    text = hashlib.sha256()
-    for file in sorted([*aircraft.folder.rglob("*.xml"), aircraft.folder / f"{aircraft.folder.name}.yaml"]):
+    """Fingerprint of what identification sees: JSBSim files, actuators, reference; not the designer's gains."""
+    seen = aircraft.model_dump_json(include={"model", "reference", "actuators"})
+    text = hashlib.sha256(seen.encode())
+    for file in sorted(aircraft.folder.rglob("*.xml")):
         text.update(file.name.encode() + file.read_bytes())
     return text.hexdigest()
 
@@ -151,9 +151,9 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
     engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
     density = plant["atmosphere/rho-slugs_ft3"] * _SLUG_FT3
     rows = []
-    for speed in (0.8, 1.0, 1.2):
+    for speed in (0.6, 0.8, 1.0, 1.2):
         state = {**level.state, "airspeed": speed * level.state["airspeed"]}
-        for throttle in np.linspace(0.35, 1.0, 14):
+        for throttle in np.linspace(0.3, 1.0, 36):
             accelerations(plant, state, _changed(level.commands, i, throttle - level.commands[i]))
             n = plant[f"{engine}/propeller-rpm"] / 60.0
             thrust = plant[f"{engine}/thrust-lbs"] * NEWTONS_PER_POUND
@@ -161,12 +161,14 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
             axial = plant["velocities/u-aero-fps"] * METRES_PER_FOOT
             d, pressure = motor.diameter_m, density * n * n * motor.diameter_m**4
             if thrust < _STAND_THRUST_MIN_N:
-                continue  # windmilling: the polynomials are for a propeller that pulls
+                continue  # windmilling: the tables are for a propeller that pulls
             rows.append((axial / (n * d), thrust / pressure, torque / (pressure * d)))
-    j, thrust_c, torque_c = np.array(rows).T
+    j, thrust_c, torque_c = np.array(sorted(rows)).T
+    grid = np.linspace(j[0], j[-1], PROPELLER_POINTS)
     return Propulsor(
-        thrust=_polynomial(j, thrust_c),
-        torque=_polynomial(j, torque_c),
+        advance=(float(j[0]), float(j[-1])),
+        thrust=tuple(map(float, np.interp(grid, j, thrust_c))),
+        torque=tuple(map(float, np.interp(grid, j, torque_c))),
         diameter_m=motor.diameter_m,
         rotor_inertia_kg_m2=motor.rotor_inertia_kg_m2,
         max_volts=motor.max_volts,
@@ -175,7 +177,3 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
         resistance_ohm=motor.resistance_ohm,
         no_load_current_a=motor.no_load_current_a,
     )
-
-
-def _polynomial(j: np.ndarray, c: np.ndarray) -> tuple[float, ...]:
-    return tuple(map(float, np.polynomial.polynomial.polyfit(j, c, _POLYNOMIAL_DEGREE)))

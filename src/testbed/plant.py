@@ -7,7 +7,9 @@ random generators and more). Properties are bound once to their nodes; a step re
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+import struct
+from collections.abc import Callable, Mapping, Sequence
+from operator import call
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -84,8 +86,9 @@ class Plant:
 
     Attributes:
         warnings: what JSBSim warned about while loading.
-        raw: [17 + 2 n] the last `read`: `signals.STATE` in SI, then the position of each of the n actuators in the
-            aircraft's units (as if fully effective), then the effectiveness of each.
+        raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
+            effective), then the effectiveness of each.
+        factors: [17 + 2 n] from `raw` to SI, positions to the aircraft's units.
     """
 
     def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
@@ -112,8 +115,10 @@ class Plant:
         reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
         reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
         self._getters = [self.getter(name) for name, _ in reads]
-        self._factors = np.array([factor for _, factor in reads])
+        self.factors = np.array([factor for _, factor in reads])
         self.raw = np.empty(len(reads))
+        self._bytes = memoryview(self.raw).cast("B")
+        self._pack = struct.Struct(f"{len(reads)}d").pack_into
         self._commands = [self.setter(_command(a)) for a in aircraft.actuators.values()]
 
     def getter(self, name: str) -> Callable[[], float]:
@@ -134,7 +139,7 @@ class Plant:
         rows = (line.rpartition(" (") for line in self._fdm.get_property_catalog())
         return {name.strip(): "W" in access for name, _, access in rows}
 
-    def command(self, commands: Iterable[float]) -> None:
+    def command(self, commands: Sequence[float] | np.ndarray) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
         for put, value in zip(self._commands, commands, strict=False):
             put(value)
@@ -144,13 +149,14 @@ class Plant:
         for _ in range(self.substeps):
             self._run()
 
-    def read(self, raw: np.ndarray | None = None) -> np.ndarray:
-        """Fill and return `raw`, or the row given."""
-        raw = self.raw if raw is None else raw
-        for index, get in enumerate(self._getters):
-            raw[index] = get()
-        np.multiply(raw, self._factors, out=raw)
-        return raw
+    def sample(self) -> None:
+        """Read every property into `raw`, in JSBSim's units: one pass in C, as the loop does it each step."""
+        self._pack(self._bytes, 0, *map(call, self._getters))
+
+    def read(self) -> np.ndarray:
+        """The signals now, in SI: a new row [17 + 2 n], see `raw`."""
+        self.sample()
+        return self.raw * self.factors
 
     def position(self, index: int) -> float:
         """Position of one actuator [rad, or N as if fully effective]."""

@@ -68,7 +68,9 @@ def assemble(scenario: Scenario) -> Assembly:
     if problems:
         raise BadInput(problems)
     initial = scenario.initial
-    start = _start(scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg)
+    start = _start(
+        scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg
+    )
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
     if scenario.failures:
         problems = check_properties(scenario, plant.catalog())
@@ -96,18 +98,18 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     truth = np.zeros((steps, len(STATE) + 2 * n))
     measured = np.zeros((steps, len(STATE)))
     telemetry = np.zeros((steps, telemetry_width(n)))
-    states, setpoints = as_records(measured, STATE), as_records(parts.references, SETPOINT)
+    controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
+    channels = (plant.raw, plant.factors, parts.limits, truth, measured)
     injector.observe((truth, measured, parts.references, telemetry))
     ending, done = 0, steps
     for k in range(steps):
         if k >= injector.next_step:
             injector.apply(k)
-        row = plant.read(truth[k])
-        measured[k] = row[: len(STATE)]
-        plant.command(controller.step(k, states, setpoints, telemetry))
+        plant.sample()
+        ending = observe(k, channels)
+        plant.command(controller.step(k))
         for delay in injector.filters:
             delay()
-        ending = ended(row, parts.limits)
         if ending:
             done = k + 1
             break
@@ -116,12 +118,19 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
 
 
 @compiled
-def ended(row: np.ndarray, limits: np.ndarray) -> int:
-    """0 while the flight goes on, else the index of its outcome; `row` as `Plant.read`, `limits` as `_limits`."""
-    for value in row:
-        if not math.isfinite(value):
-            return 1
+def observe(k, channels):  # type: ignore[no-untyped-def]
+    """Log the truth in SI, measure it, and say whether the flight goes on: 0, or the index of its outcome."""
+    raw, factors, limits, truth, measured = channels
+    row = truth[k]
+    finite = True
+    for i in range(len(raw)):
+        row[i] = raw[i] * factors[i]
+        finite = finite and math.isfinite(row[i])
+    for i in range(measured.shape[1]):
+        measured[k, i] = row[i]
     altitude, airspeed, roll, alpha, beta = row[2], row[3], row[5], row[8], row[9]
+    if not finite:
+        return 1
     if altitude < limits[0]:
         return 2
     if airspeed < limits[1] or airspeed > limits[2]:
@@ -157,7 +166,9 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
 
 
 @lru_cache(maxsize=32)
-def _start(aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float) -> Trim:
+def _start(
+    aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float
+) -> Trim:
     """Trimmed flight, found on a plant of its own so that it depends on nothing else; kept, as it is costly."""
     plant = Plant(load_aircraft(aircraft), physics_hz)
     return trim(plant, airspeed_m_s, altitude_m, math.radians(heading_deg))
@@ -204,4 +215,3 @@ def _limits(envelope: Envelope) -> np.ndarray:
             radians(envelope.roll_max_deg),
         ]
     )
-

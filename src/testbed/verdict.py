@@ -30,7 +30,13 @@ def _judge(
     if len(values) and np.all(np.isfinite(values)):
         margin, value = _worst(requirement, values)
     passed = margin >= 0.0
-    return {"name": requirement.title, "passed": bool(passed), "value": value, "limit": requirement.limit, "margin": margin}
+    return {
+        "name": requirement.title,
+        "passed": bool(passed),
+        "value": value,
+        "limit": requirement.limit,
+        "margin": margin,
+    }
 
 
 def _values(

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.controllers.modes import Mode, NoLevelTrim, design_regulator, enumerate_modes
-from testbed.controllers.records import MAX_DEGREE, memory_dtype, mode_dtype, model_dtype, settings_dtype
+from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
-from testbed.controllers.step import adaptive_step, scratch
+from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
 
 
@@ -37,8 +37,8 @@ class InversionController:
         self.modes = enumerate_modes(setup.model, self.scale, setup.control, released)  # type: ignore[arg-type]
         self.model = _model_record(setup, self.scale, self._limits)
         self.settings = _settings_record(setup, adapts, monitors)
-        self.mode_record = np.zeros(1, mode_dtype(n)).view(np.recarray)
-        self.memory = np.zeros(1, memory_dtype(n)).view(np.recarray)
+        self.mode_record = np.zeros(1, mode_dtype(n))
+        self.memory = np.zeros(1, memory_dtype(n))
         self._work = scratch(n)
         self._start_memory(setup)
         self.reasons: list[tuple[int, str]] = []
@@ -83,21 +83,23 @@ class InversionController:
             s.integral[1] = 0.0
         return mode
 
-    def step(self, step: int, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> np.ndarray:
-        """Commands [n] for row `step` of the measured states and references (record arrays); fills that row of
-        telemetry."""
-        changed = adaptive_step(
-            step, states, setpoints, telemetry, self.model, self.settings, self.mode_record, self.memory, self._work
-        )
-        if changed:
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight (see `controllers.Controller`)."""
+        own = (self.model, self.settings, self.mode_record, self.memory, self._work)
+        self._parts = (states, setpoints, telemetry, *own)
+
+    def step(self, step: int) -> np.ndarray:
+        """Commands [n] for row `step`."""
+        if adaptive_step(step, self._parts):
             failed = tuple(int(i) for i in np.flatnonzero(self.memory[0].failed > 0.5))
             self.mode = self._enter(failed, step)
+            command_step(step, self._parts)
         return self.command
 
 
 def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.ndarray:
     model, n = setup.model, len(scale)
-    record = np.zeros(1, model_dtype(n)).view(np.recarray)
+    record = np.zeros(1, model_dtype(n))
     m = record[0]
     m.airspeed, m.alpha, m.density = model.airspeed_m_s, model.alpha_rad, model.density_kg_m3
     m.servo[:] = [kind == "servo" for kind in model.kinds]
@@ -114,18 +116,18 @@ def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.nda
             continue
         _, slope = p.torque_at(model.trim[i], axial, model.density_kg_m3)
         m.torque_slope[i] = slope * scale[i]
-        m.c_thrust[i, : len(p.thrust)], m.c_torque[i, : len(p.torque)] = p.thrust, p.torque
+        m.c_thrust[i], m.c_torque[i] = p.thrust, p.torque
         m.diameter[i], m.rotor_inertia[i], m.max_volts[i] = p.diameter_m, p.rotor_inertia_kg_m2, p.max_volts
+        m.advance_min[i] = p.advance[0]
+        m.advance_step[i] = (p.advance[1] - p.advance[0]) / (len(p.thrust) - 1)
         m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
         m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
-        if max(len(p.thrust), len(p.torque)) > MAX_DEGREE:
-            raise ValueError(f"propeller polynomials have at most {MAX_DEGREE} coefficients")
     return record
 
 
 def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     n, chosen, loops = len(setup.actuators), setup.settings, setup.control.loops
-    record = np.zeros(1, settings_dtype(n)).view(np.recarray)
+    record = np.zeros(1, settings_dtype(n))
     c = record[0]
     for name, value in loops.model_dump().items():
         if name.endswith("_deg"):
