@@ -9,9 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from testbed.aircraft import Servo, data_root, load_aircraft
+from testbed import failures_catalogue, simulation
+from testbed.__main__ import main
+from testbed.aircraft import Servo, data_root, load_aircraft, scenario_files
 from testbed.failures import TYPES
-from testbed.flight import Flight, Outcome
+from testbed.flight import Flight, Outcome, load
 from testbed.problems import BadInput
 from testbed.receipt import RECEIPT_STEPS
 from testbed.scenario import Scenario, dump, load_scenario
@@ -468,3 +470,39 @@ def test_prop_loss_motor_still_tracks() -> None:
         min(max(plant["fcs/left-propeller/command-norm"], 0), 1)
     )
     assert plant["propulsion/engine/thrust-lbs"] + plant["fcs/left-propeller/lost-thrust-lbs"] == 0.0
+
+
+# Catalogue and shipped scenarios ---------------------------------------------------------------------
+
+
+def test_the_catalogue_is_of_this_code(tmp_path: Path) -> None:
+    assert failures_catalogue.stale(data_root() / "docs") == []
+    assert len(failures_catalogue.stale(tmp_path)) == 1 + len(TYPES)  # negative control: nothing is there
+
+
+def test_the_command_line_is_loud(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "scenario.yaml"
+    file.write_text(dump(scenario({**example("effectiveness", "left_ruddervator"), "value": 1.0})))
+    main(["run", str(file), "--out", str(tmp_path / "run"), "--no-plots"])
+    warning = "failures.0 (effectiveness, left_ruddervator) at 0.5 s had no observable effect"
+    assert f"WARNING: {warning}" in capfd.readouterr().err
+    assert warning in load(tmp_path / "run").warnings[0]
+
+
+def shipped() -> list[Path]:
+    """Scenarios with failures, but not the paper's, which have tests of their own."""
+    return [
+        file for file in scenario_files() if "failures:" in file.read_text() and "_fail.yaml" not in file.name
+    ]
+
+
+def test_a_family_of_failures_is_shipped_for_each_type() -> None:
+    flown = {failure.type for file in scenario_files() for failure in load_scenario(file).failures}
+    assert set(TYPES) - flown == {"command_scale", "hardover", "bias", "position_limit"}
+
+
+@pytest.mark.parametrize("file", shipped(), ids=lambda file: file.stem)
+def test_shipped_scenarios_are_flown_to_their_requirements(file: Path) -> None:
+    flight = simulation.fly(file)
+    assert [r["name"] for r in flight.requirements if not r["passed"]] == []
+    assert flight.passed and flight.warnings == []

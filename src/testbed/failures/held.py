@@ -82,7 +82,7 @@ class StuckAt(ActuatorFailure):
 
     type: Literal["stuck_at"] = "stuck_at"
     value: Number
-    examples: ClassVar[Examples] = both({"value": 8.0}, {"value": 0.3})
+    examples: ClassVar[Examples] = both({"value": 5.0}, {"value": 0.3})
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         value = self.inside(aircraft, self.value)

@@ -130,7 +130,7 @@ class Intermittent(ActuatorFailure):
 
 
 class Decay(ActuatorFailure):
-    """Effectiveness fades to `value`: in `over_s` (`shape: linear`), or with the time constant `over_s` (exponential)."""
+    """Effectiveness fades to `value`: in `over_s` (`shape: linear`) or with that time constant (`exponential`)."""
 
     type: Literal["decay"] = "decay"
     value: Gain
