@@ -14,6 +14,8 @@ from testbed.__main__ import main
 from testbed.aircraft import Servo, data_root, load_aircraft, scenario_files
 from testbed.failures import TYPES
 from testbed.flight import Flight, Outcome, load
+from testbed.injection import Injector
+from testbed.plant import Plant
 from testbed.problems import BadInput
 from testbed.receipt import RECEIPT_STEPS
 from testbed.scenario import Scenario, dump, load_scenario
@@ -409,12 +411,21 @@ def test_position_limit() -> None:
 
 
 def test_delay_by_whole_steps() -> None:
-    """Throttle is algebraic, so the plant's thrust and the delayed command can be compared exactly."""
-    late = fly(example("delay", "left_propeller"))
-    plant, what = late.parts.plant, AIRCRAFT.actuators["left_propeller"]
-    assert late.parts.injector.filters == [] and plant[f"{what.prefix}/command-norm"] > 0
-    failure = TYPES["delay"].model_validate(example("delay", "left_propeller"))
-    assert [failure.delay_steps(rate) for rate in (200, 100, 10)] == [30, 15, 2]
+    """Two steps late from step 3 to step 8; the last command before is held until the first late one arrives."""
+    plant, actuator = Plant(AIRCRAFT, 100), {"actuator": "left_propeller", "at_s": 0.03, "until_s": 0.08}
+    failure = TYPES["delay"].model_validate({"type": "delay", **actuator, "delay_s": 0.02})
+    injector = Injector(plant, AIRCRAFT, [failure], 100)
+    arrived = []
+    for k in range(10):
+        if k >= injector.next_step:
+            injector.apply(k)
+        plant.command([0.0, 0.0, k / 10, 0.0])
+        for delay in injector.filters:
+            delay()
+        plant.settle(1)
+        arrived.append(round(10 * plant["fcs/throttle-pos-norm"]))
+    assert arrived == [0, 1, 2, 2, 2, 3, 4, 5, 8, 9]
+    assert [failure.delay_steps(rate) for rate in (200, 100, 10)] == [4, 2, 0]
 
 
 def test_decay_in_numbers() -> None:

@@ -1,8 +1,8 @@
 """What can break, and which properties of the plant a failure holds, from when to when.
 
-Adding a type is one class in `held` or `varying`, and one line in TYPES. Times are seconds of the flight; a failure
-starts at `at_s`, or when a logged signal first crosses a value, and lasts to `until_s` or to the end. Whatever the
-type, it acts through properties of the JSBSim model alone; nothing is written before it starts.
+Adding a type is one class in `losses`, `held` or `varying`, and one line in TYPES. Times are seconds of the flight;
+a failure starts at `at_s`, or when a logged signal is beyond a value, and lasts to `until_s` or to the end. Whatever
+the type, it acts through properties of the JSBSim model alone; nothing is written before it starts.
 """
 
 from __future__ import annotations
@@ -15,20 +15,17 @@ from testbed.failures.base import ActuatorFailure, Capture, Course, Failure, Fau
 from testbed.failures.held import (
     Bias,
     CommandScale,
-    Effectiveness,
     Float,
     Hardover,
     Lag,
-    MotorStop,
     PositionLimit,
     Property,
-    PropLoss,
     RateLimit,
     Reversal,
     Stuck,
     StuckAt,
-    SurfaceLost,
 )
+from testbed.failures.losses import Effectiveness, MotorStop, PropLoss, SurfaceLost
 from testbed.failures.varying import Decay, Delay, Intermittent, Oscillation, Runaway
 from testbed.failures.windows import overlaps, same_property
 

@@ -18,6 +18,8 @@ from pydantic import ValidationInfo, field_validator, model_validator
 from testbed.aircraft import Aircraft, MotorActuator, Servo
 from testbed.settings import NonNegative, Number, Positive, Settings, Text, refuse
 
+Examples = Mapping[str, Mapping[str, Any]]
+"""Fields of a failure, per kind of actuator."""
 Course = Callable[[float, float], float]
 """Value of a held property from the time since the failure's start [s] and the property's value at the start."""
 
@@ -27,6 +29,11 @@ class Capture:
     """Held at the value that another property (or the property itself) has when the failure starts."""
 
     source: str
+
+
+def both(servo: Mapping[str, Any], motor: Mapping[str, Any] | None = None) -> Examples:
+    """Fields for a servo and for a motor; the same ones where `motor` is not given."""
+    return {"servo": servo, "motor": servo if motor is None else motor}
 
 
 class Fault(NamedTuple):
@@ -66,7 +73,7 @@ class Failure(Settings):
     """Kinds of actuator that can fail in this way."""
     undone: ClassVar[bool] = True
     """Whether it ends at `until_s`; what has fallen off does not come back."""
-    examples: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
+    examples: ClassVar[Examples] = {}
     """Per kind, fields of one failure that shows; flown by the tests and for the catalogue's figures."""
 
     type: str

@@ -10,8 +10,8 @@ import numpy as np
 from pydantic import Field
 
 from testbed.aircraft import Aircraft, MotorActuator, Servo
-from testbed.failures.base import ActuatorFailure, Capture, Course, Fault
-from testbed.failures.held import Examples, Gain, both
+from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both
+from testbed.failures.losses import Gain
 from testbed.settings import NonNegative, Number, Positive
 
 MAX_DELAY_S = 5.0
