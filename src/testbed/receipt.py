@@ -53,16 +53,11 @@ class Watch:
     Attributes:
         verified: True seen; False not seen in time, or a property does not stay as written; None nothing to see yet,
             because the actuator does the same with and without the failure.
-        effect: the largest difference so far: {quantity, healthy, broken, observed, after_steps}.
+        effect: what the last look compared: {quantity, healthy, broken, observed, after_steps}.
         done: nothing more to look at.
     """
 
-    def __init__(
-        self,
-        plant: Plant,
-        actuator: Actuator | None,
-        holds: Mapping[str, Hold],
-    ):
+    def __init__(self, plant: Plant, actuator: Actuator | None, holds: Mapping[str, Hold]) -> None:
         """`holds`: the injection's, by property."""
         self._plant, self._actuator, self._holds = plant, actuator, holds
         self._steps = self._due_steps = 0
@@ -89,11 +84,8 @@ class Watch:
             full = motor.velocity_constant_rpm_v * motor.max_volts
             self._models: tuple[Model, Model] = (MotorModel(full), MotorModel(full))
         else:
-            effective, demand = (
-                get(f"{actuator.prefix}/effective-rad"),
-                get(f"{actuator.prefix}/demand-rad")(),
-            )
-            position = get(f"{actuator.prefix}/servo-rad")()
+            effective = get(f"{actuator.prefix}/effective-rad")
+            demand, position = (get(f"{actuator.prefix}/{name}")() for name in ("demand-rad", "servo-rad"))
             self._far = {"effective_deg": lambda: effective() * DEGREES_PER_RADIAN}
             self._models = (ServoModel(demand, position), ServoModel(demand, position))
 
@@ -114,6 +106,8 @@ class Watch:
         """The failure or the flight ends: what has not been seen by now will not be."""
         if not self.done and self._actuator is None and self._steps:
             self._conclude(True)
+        elif not self.done and self._due_steps:
+            self._conclude(False)
         self.done = True
 
     def _conclude(self, verified: bool) -> None:
