@@ -166,6 +166,8 @@ def _print_verdict(flight: Flight) -> None:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         print(f"  {verdict}  {requirement['name']}: {shown}{reason}")
     print("passed" if flight.passed else "not passed")
+    for warning in flight.warnings:
+        print(f"WARNING: {warning}", file=sys.stderr)
 
 
 def _sweep(options: argparse.Namespace) -> int:

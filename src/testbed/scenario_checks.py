@@ -150,6 +150,10 @@ def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             known.append(i)
         else:
             yield problem
+    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # 1 stands in for a refused one: let it pass
+    for i in known:
+        for fault in scenario.failures[i].faults(aircraft, rate_hz):
+            yield Issue(("failures", i, fault.field), fault.what, fault.expected)
     for i, j, name in overlaps([scenario.failures[i] for i in known], aircraft):
         what = f"overlaps failures.{known[i]}: both hold {name}"
         yield Issue(("failures", known[j]), what, "windows that do not meet")

@@ -25,7 +25,7 @@ from testbed.metrics import Readings, adaptation_rates, measure
 from testbed.plant import Plant
 from testbed.problems import BadInput
 from testbed.references import references
-from testbed.scenario import Scenario, check_names, load_scenario
+from testbed.scenario import Scenario, check_names, check_properties, load_scenario
 from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
 from testbed.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.trim import Trim, trim
@@ -76,6 +76,10 @@ def assemble(scenario: Scenario) -> Assembly:
         scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg
     )
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
+    if scenario.failures:
+        problems = check_properties(scenario, plant.catalog())
+        if problems:
+            raise BadInput(problems)
     weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
     plant.command(start.commands)
     plant.place(start.state)
@@ -87,7 +91,7 @@ def assemble(scenario: Scenario) -> Assembly:
         aircraft=aircraft,
         plant=plant,
         controller=TABLE[scenario.controller.type](_setup(scenario, aircraft, start)),
-        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz),
+        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),
@@ -105,6 +109,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     telemetry = np.zeros((steps, telemetry_width(n)))
     controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
     channels = (plant.raw, plant.factors, parts.limits, truth, measured)
+    injector.observe((truth, measured, parts.references, telemetry))
     ending, done = 0, steps
     for k in range(steps):
         if k >= injector.next_step:
@@ -116,6 +121,8 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
         if sensors.real:
             sensors.measure(k, truth, measured)
         plant.command(controller.step(k))
+        for delay in injector.filters:
+            delay()
         if ending:
             done = k + 1
             break
@@ -157,6 +164,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
         for name, actuator in aircraft.actuators.items()
     }
+    warnings = parts.injector.finish()
     injections = parts.injector.receipts
     events = [*injections, *parts.sensors.receipts(len(rows)), *controller_events(log, tuple(actuators), injections)]
     events.sort(key=lambda event: event["time_s"])
@@ -172,6 +180,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         metrics=metrics,
         requirements=judge(scenario.requirements, log, metrics),
         actuators=actuators,
+        warnings=warnings,
     )
 
 
