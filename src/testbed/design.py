@@ -17,7 +17,9 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
@@ -25,6 +27,8 @@ from scipy.optimize import brentq
 from testbed.units import GRAVITY_M_S2
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
+DESIGN_MODEL = "design_model.json"
+"""Where the model is stored, in the aircraft's folder."""
 PROPELLER_POINTS = 41  # of a propeller's tables
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
@@ -150,6 +154,10 @@ class DesignModel:
         )
         return aero + kinematics(x) + actuators
 
+    def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
+        """The same, but for the last digits of numbers (relative to each, and absolute near zero)."""
+        return _close(asdict(self), asdict(other), tolerance)
+
     def save(self, path: Path) -> None:
         """Write as JSON."""
         path.write_text(json.dumps(asdict(self), indent=1) + "\n")
@@ -180,6 +188,16 @@ def kinematics(x: Mapping[str, float]) -> np.ndarray:
     g_v = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.sin(x["roll"])
     g_w = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.cos(x["roll"])
     return np.array([0.0, 0.0, 0.0, g_u - q * w + r * v, g_v - r * u + p * w, g_w - p * v + q * u])
+
+
+def _close(one: Any, other: Any, tolerance: float) -> bool:
+    if isinstance(one, float) and isinstance(other, int | float):
+        return math.isclose(one, other, rel_tol=tolerance, abs_tol=tolerance)
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(_close(one[k], other[k], tolerance) for k in one)
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(partial(_close, tolerance=tolerance), one, other))
+    return bool(one == other)
 
 
 def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:

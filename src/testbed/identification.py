@@ -13,7 +13,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from testbed.aircraft import Aircraft
-from testbed.design import COLUMNS, PROPELLER_POINTS, DesignModel, Propulsor, kinematics, load_design_model
+from testbed.design import (
+    COLUMNS,
+    DESIGN_MODEL,
+    PROPELLER_POINTS,
+    DesignModel,
+    Propulsor,
+    kinematics,
+    load_design_model,
+)
 from testbed.plant import Plant
 from testbed.trim import Trim, accelerations, trim
 from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
@@ -73,7 +81,7 @@ def digest(aircraft: Aircraft) -> str:
 
 def stored(aircraft: Aircraft) -> DesignModel:
     """The design model stored beside the aircraft; identified anew where there is none, or one of other files."""
-    file = aircraft.folder / "design_model.json"
+    file = aircraft.folder / DESIGN_MODEL
     if file.is_file():
         model = load_design_model(file)
         if model.identified_from == digest(aircraft):
