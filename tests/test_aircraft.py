@@ -128,8 +128,8 @@ def test_modes_are_plausible(body: Body) -> None:
     w > 1 rad/s (3.3.1.1), roll below 1.0 s (3.3.1.2), spiral doubling in more than 12 s (3.3.1.3).
 
     Frequencies of a small UAV are higher than those limits foresee, as 1/sqrt(length). Their range is half to twice
-    what the Aerosonde's parameters give (Beard and McLain, Small Unmanned Aircraft, 2012, appendix E): short period 11.1,
-    Dutch roll 5.1 rad/s. The phugoid's is near Lanchester's sqrt(2) g / V = 0.77 rad/s.
+    what the Aerosonde's parameters give (Beard and McLain, Small Unmanned Aircraft, 2012, appendix E): short period
+    11.1, Dutch roll 5.1 rad/s. The phugoid's is near Lanchester's sqrt(2) g / V = 0.77 rad/s.
     """
     m = modes_of(body.A)
     for name, z in (("short period", m.short_period), ("phugoid", m.phugoid), ("Dutch roll", m.dutch_roll)):

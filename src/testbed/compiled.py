@@ -15,4 +15,4 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 def compiled(function: F) -> F:
     """Compile at first use; no fast-math, so that results agree with the uncompiled page."""
-    return njit(cache=True, error_model="numpy")(function)  # type: ignore[no-any-return]
+    return njit(cache=True, error_model="numpy")(function)  # type: ignore[no-any-return, return-value]

@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
+from testbed.problems import BadInput, Problem
 from testbed.units import GRAVITY_M_S2
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
@@ -32,6 +33,8 @@ DESIGN_MODEL = "design_model.json"
 PROPELLER_POINTS = 41  # of a propeller's tables
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
+
+Vector = Sequence[float] | np.ndarray
 
 
 @dataclass(frozen=True)
@@ -137,7 +140,7 @@ class DesignModel:
             bias=tuple(map(float, bias)),
         )
 
-    def rates(self, x: Mapping[str, float], u: Sequence[float], alive: Sequence[float]) -> np.ndarray:
+    def rates(self, x: Mapping[str, float], u: Vector, alive: Vector) -> np.ndarray:
         """[6] modelled rates at a state (airspeed, alpha, beta, p, q, r, roll, pitch), actuator positions [n] and
         effectiveness [n]."""
         speed = x["airspeed"] / self.airspeed_m_s
@@ -164,17 +167,26 @@ class DesignModel:
 
 
 def load_design_model(path: Path) -> DesignModel:
-    """Read what `DesignModel.save` wrote."""
-    data = json.loads(path.read_text())
+    """Read what `DesignModel.save` wrote; raises BadInput when it is anything else."""
+    try:
+        return _from_tree(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        what = f"is no design model: {error!r}"
+        raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+
+
+def _from_tree(data: dict[str, Any]) -> DesignModel:
     for key in ("derivatives", "input_matrix", "torque_matrix", "offset_matrix"):
         data[key] = tuple(map(tuple, data[key]))
     for key in ("actuators", "kinds", "trim", "bias"):
         data[key] = tuple(data[key])
-    data["propulsors"] = tuple(
-        p and Propulsor(**{k: tuple(v) if isinstance(v, list) else v for k, v in p.items()})
-        for p in data["propulsors"]
-    )
+    data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
     return DesignModel(**data)
+
+
+def _propulsor(data: dict[str, Any]) -> Propulsor:
+    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in data.items()}
+    return Propulsor(**fields)
 
 
 def kinematics(x: Mapping[str, float]) -> np.ndarray:

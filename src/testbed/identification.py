@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -89,11 +89,13 @@ def stored(aircraft: Aircraft) -> DesignModel:
     return identify(aircraft)
 
 
-def _rates(plant: Plant, state: dict, commands: Sequence[float], settle_s: float = 1.5) -> np.ndarray:
+def _rates(
+    plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = 1.5
+) -> np.ndarray:
     return accelerations(plant, state, commands, settle_s)[_ROW_ORDER]
 
 
-def _with_rates(state: dict) -> dict:
+def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
     return {"p": 0.0, "q": 0.0, "r": 0.0, **state}
 
 
@@ -113,8 +115,9 @@ def _input_column(plant: Plant, level: Trim, i: int, kind: str) -> np.ndarray:
 
 def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
     """Rates per N m of motor torque: a throttle step seen before the rotor has answered."""
-    engine = list(plant.aircraft.actuators.values())[i].engine
-    name = f"propulsion/engine[{engine}]/propeller-torque-ftlb"
+    motor = list(plant.aircraft.actuators.values())[i]
+    assert motor.kind == "motor"
+    name = f"propulsion/engine[{motor.engine}]/propeller-torque-ftlb"
     steady = _rates(plant, level.state, level.commands)
     before = abs(plant[name])
     stepped = _rates(plant, level.state, _changed(level.commands, i, _THROTTLE_STEP), settle_s=plant.dt_s)

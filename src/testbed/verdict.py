@@ -14,7 +14,7 @@ from testbed.requirement import Requirement
 def judge(
     requirements: Sequence[Requirement], log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> list[dict[str, Any]]:
-    """[{name, passed, value, limit, margin}] one for each requirement; value is the worst seen, margin negative if missed.
+    """[{name, passed, value, limit, margin}] for each requirement; value is the worst seen, margin negative if missed.
 
     A requirement on a window that the flight did not reach is not met; a metric that does not exist in this flight
     (NaN, such as the delay of a detection that never came) is not met either.
