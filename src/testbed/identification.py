@@ -29,7 +29,7 @@ from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS
 _PHYSICS_HZ = 200.0
 _SLUG_FT3 = 515.378818393  # kg/m3
 _ANGLE_STEP, _RATE_STEP, _THROTTLE_STEP = 0.005, 0.01, 0.01
-_STAND_THRUST_MIN_N = -0.3
+_STAND_THRUST_MIN_N = -2.2
 # Accelerations come as u v w p q r; the model's rows are p q r u v w.
 _ROW_ORDER = [3, 4, 5, 0, 1, 2]
 

@@ -80,6 +80,36 @@ def adapt(e, pressure, m, c, s):
 
 
 @compiled
+def adapt_weighted(z, phi, c, s):
+    """(13) with its gain Phi^-1 replaced by a Kalman gain, for weather: rows that gusts disturb count for less.
+
+    lambda is a random walk, each row i of z = Phi lambda + noise is one scalar measurement whose noise has the spectral
+    density c.noise[i]^2; epsilon is no longer needed, because small commands carry little weight by themselves. The
+    covariance P is bounded by that of not knowing lambda at all, and estimates are projected as in `adapt`.
+    """
+    n = len(s.lambda_hat)
+    for i in range(n):
+        s.P[i, i] = min(s.P[i, i] + c.walk * c.walk * c.dt, 1.0)
+    for row in range(4):
+        h = phi[row]
+        variance = c.noise[row] * c.noise[row] / c.dt
+        error = z[row]
+        for i in range(n):
+            error -= h[i] * s.lambda_hat[i]
+            s.Ph[i] = 0.0
+            for j in range(n):
+                s.Ph[i] += s.P[i, j] * h[j]
+        for i in range(n):
+            variance += h[i] * s.Ph[i]
+        for i in range(n):
+            s.lambda_hat[i] += s.Ph[i] * error / variance
+            for j in range(n):
+                s.P[i, j] -= s.Ph[i] * s.Ph[j] / variance
+    for i in range(n):
+        s.lambda_hat[i] = min(max(s.lambda_hat[i], c.lambda_min), c.lambda_max)
+
+
+@compiled
 def monitor(c, s):
     """Section 2.3: an actuator has failed once its estimate stays below the threshold; returns 1 on any change."""
     changed = 0

@@ -86,14 +86,14 @@ def _mode(
 def _released_axes(
     failed: tuple[str, ...], n: int, control: ControlDesign, always: Sequence[str]
 ) -> tuple[str, ...]:
-    """Axes to give up: the aircraft's choice for the combination, else by its choice for each and its priorities."""
+    """Axes to give up: those asked for while nothing has failed; else the aircraft's choice for the combination, or by
+    its choices for each and its priorities, until no more axes are kept than actuators are left."""
+    if not failed:
+        return tuple(axis for axis in RATES if axis in always)
     listed = control.release.get("+".join(failed))
-    axes = set(always)
-    if listed is not None:
-        axes |= set(listed)
-    else:
-        for name in failed:
-            axes |= set(control.release.get(name, ()))
+    if listed is None:
+        listed = [axis for name in failed for axis in control.release.get(name, ())]
+    axes = set(listed)
     for axis in reversed(control.priorities):
         if len(RATES) - len(axes) <= n - len(failed):
             break
@@ -138,7 +138,11 @@ class Regulator:
 
 
 class NoLevelTrim(ValueError):
-    """The design model has no steady level flight with these actuators."""
+    """With these actuators the design model has no steady flight, or none that can be held."""
+
+
+def _titles(mode: Mode) -> str:
+    return f"{', '.join(mode.failed) or 'nothing'} failed, {', '.join(mode.released) or 'nothing'} released"
 
 
 def design_regulator(
@@ -179,7 +183,10 @@ def design_regulator(
     into = mode.inverse[:, kept]
     R = into.T @ np.diag(alive / control.regulator.actuator**2) @ into
     A, B = A[np.ix_(states, states)], B[np.ix_(states, kept)]
-    P = solve_continuous_are(A, B, Q, R)
+    try:
+        P = solve_continuous_are(A, B, Q, R)
+    except np.linalg.LinAlgError:
+        raise NoLevelTrim(f"{_titles(mode)}: what is left cannot stabilise the aircraft about its trim") from None
     gains = np.zeros((4, nx + n + ni))
     gains[np.ix_(kept, states)] = np.linalg.solve(R, B.T @ P)
     integral = np.zeros((4, len(INTEGRALS)))
@@ -197,7 +204,7 @@ def _level_trim(
     hold = np.array(model.trim) / scale
     free = np.flatnonzero(alive)
     if len(free) < 2:
-        raise NoLevelTrim(f"{', '.join(mode.failed)} failed: one actuator cannot hold altitude and heading")
+        raise NoLevelTrim(f"{_titles(mode)}: one actuator cannot hold altitude and heading")
     thrust = any(alive[i] and model.kinds[i] == "motor" for i in range(len(alive)))
     slack = () if len(free) >= 3 else (("airspeed",) if thrust else ("path_angle",))
     sizes = {"airspeed": model.airspeed_m_s, "path_angle": 0.0}
@@ -234,7 +241,7 @@ def _level_trim(
                 return state, a, held
         if not slack:
             break
-    raise NoLevelTrim(f"{', '.join(mode.failed)} failed: no steady level flight within the stops")
+    raise NoLevelTrim(f"{_titles(mode)}: no steady level flight within the stops")
 
 
 def _pitch_for(alpha: float, beta: float, roll: float, path_angle: float) -> float:

@@ -42,12 +42,12 @@ def settings_dtype(n: int) -> np.dtype:
     """What the control designer chooses."""
     scalars = (
         "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "adapts", "monitors",
-        "divisor_min", "filter",
+        "divisor_min", "filter", "weighted", "walk",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
     )  # fmt: skip
-    return _dtype([(name, ()) for name in scalars] + [("gamma", (n,)), ("epsilon", (n,))])
+    return _dtype([(name, ()) for name in scalars] + [("gamma", (n,)), ("epsilon", (n,)), ("noise", (4,))])
 
 
 @cache
@@ -86,6 +86,8 @@ def memory_dtype(n: int) -> np.dtype:
             ("timer", (n,)),
             ("integral", (4,)),
             ("x_dot_desired", (4,)),
+            ("P", (n, n)),
+            ("Ph", (n,)),
             ("filtered", (2, 4)),
             ("filtered_phi", (2, 4, n)),
         ]

@@ -10,6 +10,7 @@ from testbed.compiled import compiled
 from testbed.controllers.actuators import advance, throttle_for
 from testbed.controllers.law import (
     adapt,
+    adapt_weighted,
     compensate,
     give_up_speed,
     invert,
@@ -57,8 +58,11 @@ def adaptive_step(step, parts):
         low_pass(z, s.filtered, c.filter * c.dt)
         for i in range(4):
             low_pass(phi[i], s.filtered_phi[:, i], c.filter * c.dt)
-        measured_error(z, phi, s, e)
-        adapt(e, pressure, m, c, s)
+        if c.weighted > 0.5:
+            adapt_weighted(z, phi, c, s)
+        else:
+            measured_error(z, phi, s, e)
+            adapt(e, pressure, m, c, s)
         if c.monitors > 0.5 and monitor(c, s):
             return 1
     command_step(step, parts)
