@@ -161,6 +161,7 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
         return None
     engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
     density = plant["atmosphere/rho-slugs_ft3"] * _SLUG_FT3
+    sense = plant[f"{engine}/propeller-sense"]  # the airframe feels the opposite torque
     rows = []
     for speed in (0.6, 0.8, 1.0, 1.2):
         state = {**level.state, "airspeed": speed * level.state["airspeed"]}
@@ -168,7 +169,7 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
             accelerations(plant, state, _changed(level.commands, i, throttle - level.commands[i]))
             n = plant[f"{engine}/propeller-rpm"] / 60.0
             thrust = plant[f"{engine}/thrust-lbs"] * NEWTONS_PER_POUND
-            torque = abs(plant[f"{engine}/propeller-torque-ftlb"]) * NEWTON_METRES_PER_FOOT_POUND
+            torque = -sense * plant[f"{engine}/propeller-torque-ftlb"] * NEWTON_METRES_PER_FOOT_POUND
             axial = plant["velocities/u-aero-fps"] * METRES_PER_FOOT
             d, pressure = motor.diameter_m, density * n * n * motor.diameter_m**4
             if thrust < _STAND_THRUST_MIN_N:

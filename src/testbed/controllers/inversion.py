@@ -66,6 +66,8 @@ class InversionController:
             return self.mode
         k, s, n = self.mode_record[0], self.memory[0], len(self.scale)
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
+        k.spare = float(mode.held is not None)
+        k.held_inv[:] = 0.0 if mode.held is None else mode.held
         k.alive[:] = [i not in failed for i in range(n)]
         k.regulated, k.r_trim[:] = float(bool(mode.released)), 0.0
         s.integral[:] = 0.0

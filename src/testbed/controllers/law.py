@@ -135,6 +135,30 @@ def invert(wanted, pressure, m, k, s):
 
 
 @compiled
+def redistribute(wanted, pressure, m, c, k, s):
+    """With an actuator to spare, one that would pass its stop stays there and the others do what it cannot
+    (redistributed pseudo-inverse; Bodson, J. Guidance 25 (2002) 703)."""
+    worst, excess = -1, 0.0
+    for i in range(len(s.r)):
+        lam = max(s.lambda_hat[i], c.divisor_min)
+        beyond = max(s.r[i] - m.high[i] * lam, m.low[i] * lam - s.r[i])
+        if k.alive[i] > 0.5 and beyond > excess:
+            worst, excess = i, beyond
+    if k.spare < 0.5 or worst < 0:
+        return
+    lam = max(s.lambda_hat[worst], c.divisor_min)
+    held = min(max(s.r[worst], m.low[worst] * lam), m.high[worst] * lam)
+    moved = held * (pressure if m.servo[worst] > 0.5 else 1.0) - k.r_trim[worst]
+    for j in range(len(s.r)):
+        s.r[j] = k.r_trim[j]
+        for i in range(4):
+            s.r[j] += k.held_inv[worst, j, i] * (wanted[i] - m.B[i, worst] * moved)
+        if m.servo[j] > 0.5:
+            s.r[j] /= pressure
+    s.r[worst] = held
+
+
+@compiled
 def give_up_speed(m, c, k, s):
     """When an actuator would pass its stop, move along the column of u_dot in B_hat^-1 until none does.
 

@@ -34,6 +34,7 @@ class Mode:
         released: rates that are given up.
         matrix: [4, n] B_hat of (29), scaled: zeros where the paper puts them.
         inverse: [n, 4] from wanted rates to scaled actuator positions; zero rows and columns for failed and released.
+        held: [n, n, 4] the inverse to use while an actuator (first index) is held at a stop; None without a spare one.
         condition: condition number of what remains, scaled.
         refused: why the mode is not controllable, or empty.
     """
@@ -44,6 +45,7 @@ class Mode:
     inverse: np.ndarray
     condition: float
     refused: str = ""
+    held: np.ndarray | None = None
 
 
 def enumerate_modes(
@@ -80,7 +82,16 @@ def _mode(
         )
     else:
         inverse[np.ix_(alive, kept)] = np.linalg.pinv(remaining)
-    return Mode(names, axes, modified_matrix(b, failed, axes), inverse, condition, refused)
+    held = _held_inverses(b, kept, alive) if len(alive) > len(kept) and not refused else None
+    return Mode(names, axes, modified_matrix(b, failed, axes), inverse, condition, refused, held)
+
+
+def _held_inverses(b: np.ndarray, kept: list[int], alive: list[int]) -> np.ndarray:
+    inverses = np.zeros((b.shape[1], b.shape[1], 4))
+    for i in alive:
+        others = [j for j in alive if j != i]
+        inverses[np.ix_([i], others, kept)] = np.linalg.pinv(b[np.ix_(kept, others)])
+    return inverses
 
 
 def _released_axes(

@@ -42,7 +42,7 @@ def settings_dtype(n: int) -> np.dtype:
     """What the control designer chooses."""
     scalars = (
         "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "adapts", "monitors",
-        "divisor_min", "filter", "weighted", "walk",
+        "divisor_min", "filter", "weighted", "walk", "protect", "protect_from",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
@@ -57,6 +57,8 @@ def mode_dtype(n: int) -> np.dtype:
         [
             ("regulated", ()),
             ("B_hat_inv", (n, 4)),
+            ("spare", ()),
+            ("held_inv", (n, n, 4)),
             ("alive", (n,)),
             ("released", (4,)),
             ("r_trim", (n,)),

@@ -16,6 +16,7 @@ from testbed.controllers.law import (
     invert,
     measured_error,
     monitor,
+    redistribute,
     regressor,
     state_function,
 )
@@ -83,6 +84,7 @@ def command_step(step, parts):
     else:
         pid(y, ref, m, c, k, s, f, wanted)
     invert(wanted, pressure, m, k, s)
+    redistribute(wanted, pressure, m, c, k, s)
     give_up_speed(m, c, k, s)
     compensate(m, c, k, s)
     for i in range(len(s.u)):
