@@ -377,6 +377,15 @@ def test_a_lost_aircraft_is_an_outcome(
         assert log.altitude_m.iloc[-1] < 6.0 < log.altitude_m.iloc[-200]
 
 
+def test_no_steady_flight_to_begin_from_is_bad_input(tmp_path: Path) -> None:
+    """Within the envelope, but faster than full throttle flies level."""
+    result = run(tmp_path, TAIL, "initial.airspeed_m_s=39", "requirements=[]")
+    assert result.process.returncode == 2
+    assert result.process.stderr.startswith("no steady flight of vtail was found at 39 m/s, 300 m")
+    assert len(result.process.stderr.splitlines()) == 1
+    assert not list(tmp_path.iterdir())
+
+
 # The controller never reads the truth -------------------------------------------------------------------------------
 
 
