@@ -78,6 +78,7 @@ def test_summary_is_the_contract(tmp_path: Path) -> None:
     assert json.loads((folder / "summary.json").read_text()) == {
         "scenario": "left tail failure",
         "seed": 1,
+        "actuators": [],
         "outcome": "completed",
         "end_time_s": 60.0,
         "passed": True,

@@ -101,8 +101,7 @@ def _run(options: argparse.Namespace) -> int:
     from testbed.simulation import fly
 
     flight = fly(scenario)
-    draw = None if options.no_plots else _draw(flight)
-    folder = _write(flight, options.out, draw or (lambda _: None))
+    folder = _write(flight, options.out, _presentation(flight, figures=not options.no_plots))
     _print_verdict(flight)
     print(f"wrote {folder}")
     return MET if flight.passed else NOT_MET
@@ -136,25 +135,31 @@ def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     return scenario
 
 
-def _draw(flight: Flight) -> Callable[[Path], None]:
-    def draw_into(folder: Path) -> None:
-        from testbed.plots import draw
+def _presentation(flight: Flight, figures: bool = True) -> Callable[[Path], None]:
+    """What writes figures (unless not wanted) and report into a folder that has log and summary."""
 
-        draw(flight, folder)
+    def write_into(folder: Path) -> None:
+        from testbed.report import write_report
 
-    return draw_into
+        if figures:
+            from testbed.plots import draw
+
+            draw(flight, folder)
+        write_report(folder)
+
+    return write_into
 
 
-def _write(flight: Flight, out: Path | None, draw: Callable[[Path], None]) -> Path:
+def _write(flight: Flight, out: Path | None, add: Callable[[Path], None]) -> Path:
     """Write the run folder: the one asked for, else the first free of runs/<name>, -2, -3 ..."""
     from testbed.flight import FolderExists, write_run_folder
 
     if out is not None:
-        return write_run_folder(flight, out, draw)
+        return write_run_folder(flight, out, add)
     first = Path("runs") / flight.scenario.slug
     for number in count(1):
         try:
-            return write_run_folder(flight, first if number == 1 else f"{first}-{number}", draw)
+            return write_run_folder(flight, first if number == 1 else f"{first}-{number}", add)
         except FolderExists:
             continue
     raise AssertionError("unreachable: count() does not end")
@@ -166,7 +171,8 @@ def _print_verdict(flight: Flight) -> None:
         verdict = "met    " if requirement["passed"] else "NOT MET"
         value = requirement["value"]
         shown = f"{value:.4g}" if isinstance(value, int | float) else value
-        print(f"  {verdict}  {requirement['name']}: {shown}")
+        reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
+        print(f"  {verdict}  {requirement['name']}: {shown}{reason}")
     print("passed" if flight.passed else "not passed")
 
 
@@ -178,7 +184,7 @@ def _report(options: argparse.Namespace) -> int:
     from testbed.flight import load
 
     flight = load(options.folder)
-    _draw(flight)(options.folder)
+    _presentation(flight)(options.folder)
     _print_verdict(flight)
     return MET if flight.passed else NOT_MET
 
@@ -216,8 +222,10 @@ def _identify(options: argparse.Namespace) -> int:
 def _list(options: argparse.Namespace) -> int:
     for what in [options.what] if options.what else LISTS:
         print(what)
-        for name, meaning in LISTS[what]():
-            print(f"  {name:<24}{meaning}")
+        entries = LISTS[what]()
+        width = max((len(name) for name, _ in entries), default=0) + 2
+        for name, meaning in entries:
+            print(f"  {name:<{width}}{meaning}")
     return MET
 
 

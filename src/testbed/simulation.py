@@ -21,7 +21,7 @@ from testbed.flight import Flight, Outcome
 from testbed.injection import Injector
 from testbed.logbook import Recorded, columns, table
 from testbed.metrics import TABLE as METRICS
-from testbed.metrics import Readings, measure
+from testbed.metrics import Readings, adaptation_rates, measure
 from testbed.plant import Plant
 from testbed.problems import BadInput
 from testbed.references import references
@@ -138,12 +138,16 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     scenario, aircraft = parts.scenario, parts.aircraft
     names = columns(aircraft)
     rows = table(aircraft, scenario.rate_hz, recorded)
-    log = dict(zip(names, rows.T, strict=True))
-    actuators = tuple(aircraft.actuators)
+    log = dict(zip(names, np.ascontiguousarray(rows.T), strict=True))
+    actuators = {
+        name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
+        for name, actuator in aircraft.actuators.items()
+    }
     injections = parts.injector.receipts
-    events = [*injections, *controller_events(log, actuators, injections)]
+    events = [*injections, *controller_events(log, tuple(actuators), injections)]
     events.sort(key=lambda event: event["time_s"])
-    metrics = measure(Readings(log, events, actuators))
+    survived = outcome is Outcome.completed
+    metrics = measure(Readings(log, events, actuators, adaptation_rates(scenario, actuators), survived))
     return Flight(
         scenario=scenario,
         outcome=outcome,
@@ -153,6 +157,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         events=events,
         metrics=metrics,
         requirements=judge(scenario.requirements, log, metrics),
+        actuators=actuators,
     )
 
 
