@@ -5,6 +5,10 @@ python benchmarks/results_table.py
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+from typing import Any
+
 from testbed import fly
 from testbed.flight import Flight
 from testbed.scenario import load_scenario
@@ -25,8 +29,11 @@ def main() -> None:
         for rows in zip(*(flight.requirements for flight in flights), strict=True):
             if "within" in rows[0]["limit"]:
                 what = rows[0]["name"].replace(rows[0]["limit"], "").replace(" ,", ",")
-                values = (f"{row['value']:.2g}" if row["value"] == row["value"] else "not reached" for row in rows)
-                print(f"| {what} | {rows[0]['limit']} | {' | '.join(values)} |")
+                print(f"| {what} | {rows[0]['limit']} | {' | '.join(map(value, rows))} |")
+
+
+def value(row: Mapping[str, Any]) -> str:
+    return "not reached" if math.isnan(row["value"]) else f"{row['value']:.2g}"
 
 
 def ending(flight: Flight) -> str:

@@ -118,7 +118,8 @@ def trim(
             plant.place(state)
             return Trim(state, tuple(commands), _positions(plant), worst)
     what = f"no steady flight of {plant.aircraft.name} was found at {airspeed_m_s:g} m/s, {altitude_m:g} m"
-    raise NoTrim([Problem(f"{what} with {', '.join(names)} free, {1.0 / plant.dt_s:g} physics steps a second")])
+    how = f"with {', '.join(names)} free and {1.0 / plant.dt_s:g} physics steps a second"
+    raise NoTrim([Problem(f"{what}, {how}")])
 
 
 def _positions(plant: Plant) -> tuple[float, ...]:
