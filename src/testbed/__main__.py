@@ -59,6 +59,14 @@ def parser() -> argparse.ArgumentParser:
     command = _command(commands, "validate", _validate, "check scenarios, fly nothing")
     command.add_argument("files", nargs="+", metavar="FILE")
 
+    command = _command(
+        commands, "identify", _identify, "find an aircraft's design model and store it beside it"
+    )
+    command.add_argument("aircraft", help="name, or folder as ./name")
+    command.add_argument(
+        "--check", action="store_true", help="only compare with what is stored; 1 if it differs"
+    )
+
     command = _command(commands, "list", _list, "what there is")
     command.add_argument("what", nargs="?", choices=LISTS, help="default: everything")
     return top
@@ -190,6 +198,26 @@ def _validate(options: argparse.Namespace) -> int:
             print(f"{file}: ok")
     if problems:
         raise BadInput(problems)
+    return MET
+
+
+def _identify(options: argparse.Namespace) -> int:
+    from testbed.aircraft import load_aircraft
+    from testbed.design import DESIGN_MODEL, load_design_model
+    from testbed.identification import identify
+
+    aircraft = load_aircraft(options.aircraft)
+    file = aircraft.folder / DESIGN_MODEL
+    model = identify(aircraft)
+    if options.check:
+        same = file.is_file() and load_design_model(file).agrees_with(model)
+        print(f"{file}: {'as identified' if same else 'differs from what is identified now'}")
+        return MET if same else NOT_MET
+    try:
+        model.save(file)
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
+    print(f"wrote {file}")
     return MET
 
 

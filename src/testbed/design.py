@@ -17,17 +17,24 @@ import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
 
+from testbed.problems import BadInput, Problem
 from testbed.units import GRAVITY_M_S2
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
+DESIGN_MODEL = "design_model.json"
+"""Where the model is stored, in the aircraft's folder."""
 PROPELLER_POINTS = 41  # of a propeller's tables
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
+
+Vector = Sequence[float] | np.ndarray
 
 
 @dataclass(frozen=True)
@@ -141,7 +148,7 @@ class DesignModel:
             bias=tuple(map(float, bias)),
         )
 
-    def rates(self, x: Mapping[str, float], u: Sequence[float], alive: Sequence[float]) -> np.ndarray:
+    def rates(self, x: Mapping[str, float], u: Vector, alive: Vector) -> np.ndarray:
         """[6] modelled rates at a state (airspeed, alpha, beta, p, q, r, roll, pitch), actuator positions [n] and
         effectiveness [n]."""
         speed = x["airspeed"] / self.airspeed_m_s
@@ -158,23 +165,36 @@ class DesignModel:
         )
         return aero + kinematics(x) + actuators
 
+    def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
+        """The same, but for the last digits of numbers (relative to each, and absolute near zero)."""
+        return _close(asdict(self), asdict(other), tolerance)
+
     def save(self, path: Path) -> None:
         """Write as JSON."""
         path.write_text(json.dumps(asdict(self), indent=1) + "\n")
 
 
 def load_design_model(path: Path) -> DesignModel:
-    """Read what `DesignModel.save` wrote."""
-    data = json.loads(path.read_text())
+    """Read what `DesignModel.save` wrote; raises BadInput when it is anything else."""
+    try:
+        return _from_tree(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        what = f"is no design model: {error!r}"
+        raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+
+
+def _from_tree(data: dict[str, Any]) -> DesignModel:
     for key in ("derivatives", "input_matrix", "torque_matrix", "offset_matrix"):
         data[key] = tuple(map(tuple, data[key]))
     for key in ("actuators", "kinds", "trim", "bias"):
         data[key] = tuple(data[key])
-    data["propulsors"] = tuple(
-        p and Propulsor(**{k: tuple(v) if isinstance(v, list) else v for k, v in p.items()})
-        for p in data["propulsors"]
-    )
+    data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
     return DesignModel(**data)
+
+
+def _propulsor(data: dict[str, Any]) -> Propulsor:
+    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in data.items()}
+    return Propulsor(**fields)
 
 
 def kinematics(x: Mapping[str, float]) -> np.ndarray:
@@ -188,6 +208,16 @@ def kinematics(x: Mapping[str, float]) -> np.ndarray:
     g_v = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.sin(x["roll"])
     g_w = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.cos(x["roll"])
     return np.array([0.0, 0.0, 0.0, g_u - q * w + r * v, g_v - r * u + p * w, g_w - p * v + q * u])
+
+
+def _close(one: Any, other: Any, tolerance: float) -> bool:
+    if isinstance(one, float) and isinstance(other, int | float):
+        return math.isclose(one, other, rel_tol=tolerance, abs_tol=tolerance)
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(_close(one[k], other[k], tolerance) for k in one)
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(partial(_close, tolerance=tolerance), one, other))
+    return bool(one == other)
 
 
 def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:

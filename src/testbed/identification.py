@@ -8,12 +8,20 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from testbed.aircraft import Aircraft
-from testbed.design import COLUMNS, PROPELLER_POINTS, DesignModel, Propulsor, kinematics, load_design_model
+from testbed.design import (
+    COLUMNS,
+    DESIGN_MODEL,
+    PROPELLER_POINTS,
+    DesignModel,
+    Propulsor,
+    kinematics,
+    load_design_model,
+)
 from testbed.plant import Plant
 from testbed.trim import Trim, accelerations, trim
 from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
@@ -73,7 +81,7 @@ def digest(aircraft: Aircraft) -> str:
 
 def stored(aircraft: Aircraft) -> DesignModel:
     """The design model stored beside the aircraft; identified anew where there is none, or one of other files."""
-    file = aircraft.folder / "design_model.json"
+    file = aircraft.folder / DESIGN_MODEL
     if file.is_file():
         model = load_design_model(file)
         if model.identified_from == digest(aircraft):
@@ -81,11 +89,13 @@ def stored(aircraft: Aircraft) -> DesignModel:
     return identify(aircraft)
 
 
-def _rates(plant: Plant, state: dict, commands: Sequence[float], settle_s: float = 1.5) -> np.ndarray:
+def _rates(
+    plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = 1.5
+) -> np.ndarray:
     return accelerations(plant, state, commands, settle_s)[_ROW_ORDER]
 
 
-def _with_rates(state: dict) -> dict:
+def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
     return {"p": 0.0, "q": 0.0, "r": 0.0, **state}
 
 
@@ -105,8 +115,9 @@ def _input_column(plant: Plant, level: Trim, i: int, kind: str) -> np.ndarray:
 
 def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
     """Rates per N m of motor torque: a throttle step seen before the rotor has answered."""
-    engine = list(plant.aircraft.actuators.values())[i].engine
-    name = f"propulsion/engine[{engine}]/propeller-torque-ftlb"
+    motor = list(plant.aircraft.actuators.values())[i]
+    assert motor.kind == "motor"
+    name = f"propulsion/engine[{motor.engine}]/propeller-torque-ftlb"
     steady = _rates(plant, level.state, level.commands)
     before = abs(plant[name])
     stepped = _rates(plant, level.state, _changed(level.commands, i, _THROTTLE_STEP), settle_s=plant.dt_s)

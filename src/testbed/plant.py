@@ -130,7 +130,7 @@ class Plant:
         self._getters = [self.getter(name) for name, _ in reads]
         self.factors = np.array([factor for _, factor in reads])
         self.raw = np.empty(len(reads))
-        self._bytes = memoryview(self.raw).cast("B")
+        self._bytes = memoryview(self.raw).cast("B")  # type: ignore[arg-type]
         self._pack = struct.Struct(f"{len(reads)}d").pack_into
         self._commands = [self.setter(_command(a)) for a in aircraft.actuators.values()]
         self._wind = np.zeros(3)

@@ -197,7 +197,9 @@ def design_regulator(
     try:
         P = solve_continuous_are(A, B, Q, R)
     except np.linalg.LinAlgError:
-        raise NoLevelTrim(f"{_titles(mode)}: what is left cannot stabilise the aircraft about its trim") from None
+        raise NoLevelTrim(
+            f"{_titles(mode)}: what is left cannot stabilise the aircraft about its trim"
+        ) from None
     gains = np.zeros((4, nx + n + ni))
     gains[np.ix_(kept, states)] = np.linalg.solve(R, B.T @ P)
     integral = np.zeros((4, len(INTEGRALS)))

@@ -68,7 +68,8 @@ def pid(y, ref, m, c, k, s, f, wanted):
 def regulate(y, ref, m, c, k, s, f, wanted):
     """Hold references about the mode's own trim without cancelling what is stable: x_dc_dot = f_m(x) + v.
 
-    v = -K (x - x_trim) - K_a (a - r_trim) - K_i integral, so the bracket of (29) is v itself; the trim enters as r_trim.
+    v = -K (x - x_trim) - K_a (a - r_trim) - K_i integral, so the bracket of (29) is v itself; the trim enters as
+    r_trim.
     """
     e_speed = clip(y.airspeed - ref.airspeed, c.airspeed_error_max)
     e_height = clip(y.altitude - ref.altitude, c.altitude_error_max)

@@ -1,8 +1,8 @@
 """The memory of the compiled law: four numpy records, made new for each flight.
 
 A record is a fixed block of float64 with named fields, so the law reads `m.B[i, j]` as the paper writes it, whether it
-is compiled or not. Actuator quantities are in scaled units: position divided by the actuator's `scale`, so that one unit
-means the same authority for a tail as for a propeller and a single epsilon serves all (14).
+is compiled or not. Actuator quantities are in scaled units: position divided by the actuator's `scale`, so that one
+unit means the same authority for a tail as for a propeller and a single epsilon serves all (14).
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ def model_dtype(n: int) -> np.dtype:
     scalars = ("airspeed", "alpha", "density")
     per_actuator = (
         "servo", "scale", "low", "high", "lag", "rate", "hold", "torque_slope",
-        "diameter", "advance_min", "advance_step", "rotor_inertia", "max_volts", "k_v", "k_t", "resistance", "no_load_current",
+        "diameter", "advance_min", "advance_step", "rotor_inertia", "max_volts", "k_v", "k_t", "resistance",
+        "no_load_current",
     )  # fmt: skip
     fields: list[tuple[str, tuple[int, ...]]] = [(name, ()) for name in scalars]
     fields += [(name, (n,)) for name in per_actuator]

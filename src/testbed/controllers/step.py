@@ -41,9 +41,9 @@ def adaptive_step(step, parts):
 
     Args:
         step: row of the channels.
-        parts: states, setpoints, telemetry (see `Controller.bind`), then model, settings, mode and memory (record arrays of
-            one, see `records`), then working memory [4, 6 + n], so that nothing is allocated. One tuple, because numba
-            takes it in a third of the time.
+        parts: states, setpoints, telemetry (see `Controller.bind`), then model, settings, mode and memory (record
+            arrays of one, see `records`), then working memory [4, 6 + n], so that nothing is allocated. One tuple,
+            because numba takes it in a third of the time.
     """
     states, _, _, models, settings, _, memories, work = parts
     y, m, c, s = states[step], models[0], settings[0], memories[0]
