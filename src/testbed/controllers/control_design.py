@@ -59,10 +59,13 @@ class ControlDesign(_Frozen):
         release: axes given up when an actuator is lost; `a+b` names a combination.
         priorities: axes from the last to be given up to the first, for combinations not listed.
         condition_max: scaled condition number above which a mode is refused.
+        disturbance: what gusts do to each rate beyond the design model, as the root of a two-sided spectral density
+            [rad/s2 or m/s2 per sqrt(Hz)]; the weights of weighted estimation.
     """
 
     release: dict[str, list[str]] = {}
     priorities: list[str] = ["q_dot", "u_dot", "r_dot", "p_dot"]
     condition_max: Positive = 50.0
+    disturbance: dict[str, Positive] = {"p_dot": 2.0, "q_dot": 0.5, "r_dot": 0.15, "u_dot": 0.08}
     loops: Loops = Loops()
     regulator: RegulatorWeights = RegulatorWeights()

@@ -14,6 +14,9 @@ from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
 
 
+_HEALTHY_VARIANCE = 0.01  # of the estimates at the start: whole within a tenth
+
+
 class InversionController:
     """Control inversion with adaptive compensation and automatic goal switching (the paper's figure 2).
 
@@ -49,6 +52,7 @@ class InversionController:
         s, model = self.memory[0], self.model[0]
         position = np.asarray(setup.trim_positions) / self.scale
         s.lambda_hat[:] = 1.0
+        s.P[:] = np.diag(np.full(len(s.lambda_hat), _HEALTHY_VARIANCE))
         s.command[:] = setup.trim_commands
         for name in ("r", "u", "position", "servo_input", "servo_lagged"):
             s[name][:] = position
@@ -143,8 +147,13 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
         value = chosen.get(name, default)
         c[name][:] = [value[kind] if isinstance(value, Mapping) else value for kind in setup.model.kinds]
     c.dt, c.adapts, c.monitors = setup.dt_s, float(adapts), float(monitors)
-    defaults = {"threshold": 0.1, "recovery": 0.5, "persistence_s": 0.05}
-    defaults |= {"lambda_min": 0.01, "lambda_max": 1.1, "divisor_min": 0.1, "filter_rad_s": 0.0}
+    defaults = {"threshold": 0.1, "recovery": 0.5, "persistence_s": 0.1, "recovery_s": 1.0, "walk_rts": 0.1}
+    defaults |= {"lambda_min": 0.05, "lambda_max": 1.1, "filter_rad_s": 0.0}
+    names = {"recovery_s": "recovery_time", "persistence_s": "persistence", "walk_rts": "walk"}
+    names["filter_rad_s"] = "filter"
     for name, default in defaults.items():
-        c[name.removesuffix("_s").removesuffix("_rad")] = chosen.get(name, default)
+        c[names.get(name, name)] = chosen.get(name, default)
+    c.divisor_min = 0.1
+    c.weighted = float(chosen.get("estimation") == "weighted")
+    c.noise[:] = [setup.control.disturbance[rate] for rate in RATES]
     return record

@@ -116,7 +116,7 @@ def monitor(c, s):
     for i in range(len(s.lambda_hat)):
         against = s.lambda_hat[i] < c.threshold if s.failed[i] < 0.5 else s.lambda_hat[i] > c.recovery
         s.timer[i] = s.timer[i] + c.dt if against else 0.0
-        if s.timer[i] > (c.persistence if s.failed[i] < 0.5 else 10.0 * c.persistence):
+        if s.timer[i] > (c.persistence if s.failed[i] < 0.5 else c.recovery_time) + 1e-9:
             s.failed[i] = 1.0 - s.failed[i]
             s.timer[i] = 0.0
             changed = 1
