@@ -367,7 +367,7 @@ def scenario_trees(draw: st.DrawFn) -> dict[str, object]:
         "controller": {
             "type": "adaptive_inversion",
             "gamma": draw(st.floats(1e-9, 1e9)),
-            "model_error": draw(st.dictionaries(st.text(), numbers)),
+            "model_error": draw(st.dictionaries(st.sampled_from(["Cm_alpha", "CX_left_propeller"]), numbers)),
         },
         "commands": [{"at_s": begin, "heading_deg": draw(st.floats(0, 360))}],
         "failures": [

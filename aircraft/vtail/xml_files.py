@@ -234,12 +234,16 @@ def ruddervator_channel(g, side, sign, gradient, zero):
 '''
 
 
-def propeller_channel(index, side):
-    n = f"fcs/{side}-propeller"
+def propeller_channel(g, index, side):
+    n, motor = f"fcs/{side}-propeller", g["propulsion"]["motor"]
+    volts_per_rpm = 1 / (motor["velocity_constant_rpm_v"] * motor["max_volts"])
     return f'''    <channel name="{side} propeller">
-      <fcs_function name="{n}/throttle-norm"><function><max><property>{n}/throttle-min-norm</property><min><property>{n}/throttle-max-norm</property>
+      <!-- without power no current flows: the motor is held at the voltage that it generates, and windmills -->
+      <fcs_function name="{n}/throttle-norm"><function><ifthen><property>{n}/power-lost</property>
+        <product><property>propulsion/engine[{index}]/propeller-rpm</property>{value(volts_per_rpm)}</product>
+        <max><property>{n}/throttle-min-norm</property><min><property>{n}/throttle-max-norm</property>
         <ifthen><property>{n}/override-active</property><property>{n}/override-norm</property>
-        <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></function>
+        <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></ifthen></function>
         <output>fcs/throttle-pos-norm[{index}]</output></fcs_function>
     </channel>
 '''
@@ -254,7 +258,7 @@ def flight_control(g, c):
     }  # fmt: skip
     motor = {
         "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
-        "throttle-min-norm": 0, "throttle-max-norm": 1, "effectiveness": 1,
+        "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
     }  # fmt: skip
     # downwash vanishes with lift
     zero = math.cos(math.radians(g["tail"]["dihedral_deg"])) * (
@@ -263,7 +267,7 @@ def flight_control(g, c):
     text = "".join(properties(f"{side}-ruddervator", surface) for side, _ in SIDES)
     text += "".join(properties(f"{side}-propeller", motor) for side, _ in SIDES)
     text += "".join(ruddervator_channel(g, side, sign, c["downwash"], zero) for side, sign in SIDES)
-    return text + "".join(propeller_channel(i, side) for i, (side, _) in enumerate(SIDES))
+    return text + "".join(propeller_channel(g, i, side) for i, (side, _) in enumerate(SIDES))
 
 
 def external_reactions(g):
@@ -271,7 +275,7 @@ def external_reactions(g):
     out = ""
     for i, (side, sign) in enumerate(SIDES):
         loss = f"<difference><property>fcs/{side}-propeller/effectiveness</property><value>1</value></difference>"
-        out += f"""    <force name="{side}-propeller-loss" frame="BODY"><function><product>{loss}<property>propulsion/engine[{i}]/thrust-lbs</property></product></function>
+        out += f"""    <force name="{side}-propeller-loss" frame="BODY"><function name="fcs/{side}-propeller/lost-thrust-lbs"><product>{loss}<property>propulsion/engine[{i}]/thrust-lbs</property></product></function>
       {hub(g, sign)}<direction><x>1</x><y>0</y><z>0</z></direction></force>
     <moment name="{side}-propeller-loss-torque" frame="BODY"><function><product>{loss}<property>propulsion/engine[{i}]/propeller-torque-ftlb</property></product></function>
       <direction><x>1</x><y>0</y><z>0</z></direction></moment>

@@ -119,13 +119,13 @@ def _collect(problems: list[Problem], function: Callable[[], Result]) -> Result 
 def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     """The scenario in a file, checked also against the log's columns, the metrics and the JSBSim model."""
     from testbed.aircraft import load_aircraft
-    from testbed.logbook import columns
+    from testbed.logbook import all_columns
     from testbed.metrics import TABLE as METRICS
     from testbed.scenario import check_names, check_properties, load_scenario
 
     scenario = load_scenario(file, settings)
     aircraft = load_aircraft(scenario.aircraft)
-    problems = check_names(scenario, columns(aircraft), METRICS)
+    problems = check_names(scenario, all_columns(aircraft, scenario), METRICS)
     if scenario.failures:  # loading the model takes longer than all else here, and only failures need it
         from testbed.plant import property_catalog
 
@@ -174,6 +174,8 @@ def _print_verdict(flight: Flight) -> None:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         print(f"  {verdict}  {requirement['name']}: {shown}{reason}")
     print("passed" if flight.passed else "not passed")
+    for warning in flight.warnings:
+        print(f"WARNING: {warning}", file=sys.stderr)
 
 
 def _sweep(options: argparse.Namespace) -> int:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -79,6 +79,11 @@ class Propulsor:
         return float(pressure * thrust), float(pressure * self.diameter_m * torque)
 
 
+def coefficient_names(actuators: Iterable[str]) -> list[str]:
+    """Names of the coefficients of the design model of an aircraft with these actuators."""
+    return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *actuators)]
+
+
 @dataclass(frozen=True)
 class DesignModel:
     """f_m and B_m about one level trim.
@@ -115,7 +120,7 @@ class DesignModel:
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""
-        return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *self.actuators)]
+        return coefficient_names(self.actuators)
 
     def with_error(self, factors: Mapping[str, float]) -> DesignModel:
         """The model with some coefficients scaled: the controller's ignorance (sections 4.2 and 4.3).
@@ -123,7 +128,7 @@ class DesignModel:
         The trim is kept: scaling moves slopes, `bias` follows so that the reference stays an equilibrium.
         """
         slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
-        torques = np.array(self.torque_matrix)
+        torques, offsets = np.array(self.torque_matrix), np.array(self.offset_matrix)
         for i, row in enumerate(ROWS):
             for j, name in enumerate(COLUMNS):
                 slopes[i, j] *= factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
@@ -131,12 +136,15 @@ class DesignModel:
                 factor = factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
                 inputs[i, j] *= factor
                 torques[i, j] *= factor
+                offsets[i, j] *= factor
         bias = np.array(self.bias) + (np.array(self.input_matrix) - inputs) @ np.array(self.trim)
+        bias += (np.array(self.offset_matrix) - offsets).sum(axis=1)
         return replace(
             self,
             derivatives=_rows(slopes),
             input_matrix=_rows(inputs),
             torque_matrix=_rows(torques),
+            offset_matrix=_rows(offsets),
             bias=tuple(map(float, bias)),
         )
 

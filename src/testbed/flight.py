@@ -59,6 +59,8 @@ class Flight:
     """Verdicts: {name, passed, value, limit, margin, reason} for each of the scenario's requirements."""
     actuators: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     """{kind, unit, limits, scale} of each actuator, so that a log is understood without the aircraft."""
+    warnings: Sequence[str] = ()
+    """What makes the flight mean less than it seems: a failure that did not act, or never started."""
 
     @cached_property
     def log(self) -> pd.DataFrame:
@@ -85,6 +87,7 @@ class Flight:
             "events": list(self.events),
             "metrics": dict(self.metrics),
             "actuators": [{"name": name, **facts} for name, facts in self.actuators.items()],
+            "warnings": list(self.warnings),
         }
         plain: dict[str, Any] = _plain(summary)
         return plain
@@ -150,6 +153,7 @@ def load(folder: str | Path) -> Flight:
             },
             requirements=summary["requirements"],
             actuators={facts.pop("name"): facts for facts in summary["actuators"]},
+            warnings=summary.get("warnings", ()),
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(

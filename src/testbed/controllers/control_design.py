@@ -36,13 +36,16 @@ class Loops(_Frozen):
     heading_error_max_deg: float = 20.0
     altitude_error_max_m: float = 5.0
     airspeed_error_max_m_s: float = 2.0
+    slow_descent_s: float = 2.0
+    """With a propeller lost, height given up for each m/s that airspeed is more than `protect_from_m_s` low [m/(m/s)]."""
+    protect_from_m_s: float = 0.7
 
 
 class RegulatorWeights(_Frozen):
     """Largest acceptable deviation of each state, integral and scaled actuator (Bryson's rule)."""
 
     states: dict[str, Positive] = {
-        "airspeed": 2.0, "alpha": 0.2, "beta": 0.2, "p": 0.6, "q": 0.5, "r": 0.5,
+        "airspeed": 1.0, "alpha": 0.2, "beta": 0.2, "p": 0.6, "q": 0.5, "r": 0.5,
         "roll": 0.4, "pitch": 0.2, "heading": 0.15, "altitude": 1.5,
     }  # fmt: skip
     integrals: dict[str, Positive] = {"airspeed": 5.0, "altitude": 5.0, "heading": 0.4}

@@ -66,6 +66,8 @@ class InversionController:
             return self.mode
         k, s, n = self.mode_record[0], self.memory[0], len(self.scale)
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
+        lost = any(self.setup.model.kinds[i] == "motor" for i in failed)
+        k.protect = self.setup.control.loops.slow_descent_s if lost else 0.0
         k.spare = float(mode.held is not None)
         k.held_inv[:] = 0.0 if mode.held is None else mode.held
         k.alive[:] = [i not in failed for i in range(n)]
@@ -109,7 +111,8 @@ def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.nda
     m.lag[:] = [a.lag_rad_s for a in setup.actuators]
     m.rate[:] = [a.rate / a.scale for a in setup.actuators]
     m.hold[:] = np.array(model.trim) / scale
-    m.bias[:] = (np.array(model.bias) + np.array(model.offset_matrix).sum(axis=1))[:4]
+    m.offset[:] = np.array(model.offset_matrix).sum(axis=1)[:4]
+    m.bias[:] = np.array(model.bias)[:4] + m.offset
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
     axial = model.airspeed_m_s * math.cos(model.alpha_rad)
@@ -134,7 +137,7 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     for name, value in loops.model_dump().items():
         if name.endswith("_deg"):
             c[name.removesuffix("_deg")] = math.radians(value)
-        else:
+        elif name != "slow_descent_s":
             c[name.removesuffix("_m_s").removesuffix("_m")] = value
     for name, default in (("gamma", 4.0), ("epsilon", 0.05)):
         value = chosen.get(name, default)

@@ -33,7 +33,7 @@ def model_dtype(n: int) -> np.dtype:
     )  # fmt: skip
     fields: list[tuple[str, tuple[int, ...]]] = [(name, ()) for name in scalars]
     fields += [(name, (n,)) for name in per_actuator]
-    fields += [("bias", (4,)), ("A", (4, 5)), ("B", (4, n)), ("B_inv", (n, 4)), ("B_torque", (4, n))]
+    fields += [("bias", (4,)), ("offset", (4,)), ("A", (4, 5)), ("B", (4, n)), ("B_inv", (n, 4)), ("B_torque", (4, n))]
     fields += [("c_thrust", (n, PROPELLER_POINTS)), ("c_torque", (n, PROPELLER_POINTS))]
     return _dtype(fields)
 
@@ -43,7 +43,7 @@ def settings_dtype(n: int) -> np.dtype:
     """What the control designer chooses."""
     scalars = (
         "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "adapts", "monitors",
-        "divisor_min", "filter", "weighted", "walk", "protect", "protect_from",
+        "divisor_min", "filter", "weighted", "walk", "protect_from",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
@@ -59,6 +59,7 @@ def mode_dtype(n: int) -> np.dtype:
             ("regulated", ()),
             ("B_hat_inv", (n, 4)),
             ("spare", ()),
+            ("protect", ()),
             ("held_inv", (n, n, 4)),
             ("alive", (n,)),
             ("released", (4,)),

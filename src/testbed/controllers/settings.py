@@ -50,11 +50,22 @@ class AdaptiveInversionSettings(ControllerSettings):
     """Half-width of g in (14), in units of the actuator's `scale`."""
     threshold: Fraction = 0.1
     """An actuator with a lower estimate counts as failed."""
+    recovery: Fraction = Field(default=0.5, validate_default=True)
+    """A failed one with a higher estimate counts as sound again."""
     persistence_s: NonNegative = 0.1
     """How long the estimate must stay below the threshold [s]."""
+    filter_rad_s: NonNegative = 0.0
+    """Two equal lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
     lambda_min: Positive = 0.05
     lambda_max: Positive = 1.1
     """Estimates are kept between these."""
+
+    @field_validator("recovery")
+    @classmethod
+    def _above_threshold(cls, recovery: float, info: ValidationInfo) -> float:
+        if recovery <= info.data.get("threshold", 0.0):
+            raise refuse(f"{recovery:g} is not above threshold", f"more than {info.data['threshold']:g}")
+        return recovery
 
     @field_validator("lambda_max")
     @classmethod

@@ -55,6 +55,8 @@ def adaptive_step(step, parts):
     state_function(y, m, f)
     if c.adapts > 0.5:
         z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
+        for i in range(4):
+            z[i] += m.offset[i] * pressure  # in f_m as if all propellers were whole; Phi has it for each
         regressor(pressure, m, s, phi)
         low_pass(z, s.filtered, c.filter * c.dt)
         for i in range(4):
