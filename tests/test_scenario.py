@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 import pickle
 import re
@@ -433,7 +434,7 @@ def spoiled_trees(draw: st.DrawFn) -> dict[str, object]:
             how = draw(st.sampled_from(["replace", "remove", "rename"]))
             value = node.pop(key)
             if how == "replace":
-                value = draw(junk)
+                value = copy.deepcopy(draw(junk))  # a later change must not reach into the junk itself
             if how == "remove":
                 break
             if isinstance(node, list):

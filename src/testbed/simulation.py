@@ -166,7 +166,11 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     }
     warnings = parts.injector.finish()
     injections = parts.injector.receipts
-    events = [*injections, *parts.sensors.receipts(len(rows)), *controller_events(log, tuple(actuators), injections)]
+    events = [
+        *injections,
+        *parts.sensors.receipts(len(rows)),
+        *controller_events(log, tuple(actuators), injections),
+    ]
     events.sort(key=lambda event: event["time_s"])
     survived = outcome is Outcome.completed
     metrics = measure(Readings(log, events, actuators, adaptation_rates(scenario, actuators), survived))

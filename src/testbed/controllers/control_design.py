@@ -37,7 +37,7 @@ class Loops(_Frozen):
     altitude_error_max_m: float = 5.0
     airspeed_error_max_m_s: float = 2.0
     slow_descent_s: float = 2.0
-    """With a propeller lost, height given up for each m/s that airspeed is more than `protect_from_m_s` low [m/(m/s)]."""
+    """With a propeller lost, height given up for each m/s that airspeed is more than `protect_from_m_s` low [s]."""
     protect_from_m_s: float = 0.7
 
 

@@ -33,7 +33,14 @@ def model_dtype(n: int) -> np.dtype:
     )  # fmt: skip
     fields: list[tuple[str, tuple[int, ...]]] = [(name, ()) for name in scalars]
     fields += [(name, (n,)) for name in per_actuator]
-    fields += [("bias", (4,)), ("offset", (4,)), ("A", (4, 5)), ("B", (4, n)), ("B_inv", (n, 4)), ("B_torque", (4, n))]
+    fields += [
+        ("bias", (4,)),
+        ("offset", (4,)),
+        ("A", (4, 5)),
+        ("B", (4, n)),
+        ("B_inv", (n, 4)),
+        ("B_torque", (4, n)),
+    ]
     fields += [("c_thrust", (n, PROPELLER_POINTS)), ("c_torque", (n, PROPELLER_POINTS))]
     return _dtype(fields)
 

@@ -82,9 +82,7 @@ def _valued(fault: type[Fault]) -> type[Fault]:
     """The fault with one optional field for each unit that its value can have."""
     kind = NonNegative if fault.key.startswith("noise") else Number
     fields: dict[str, Any] = {_name(fault.key, u): (kind | None, None) for u in SI}
-    return create_model(
-        fault.__name__, __base__=fault, __module__=__name__, __doc__=fault.__doc__, **fields
-    )
+    return create_model(fault.__name__, __base__=fault, __module__=__name__, __doc__=fault.__doc__, **fields)
 
 
 @_valued
@@ -149,5 +147,3 @@ def clash(one: SensorFault, other: SensorFault) -> str:
     meet = max(one.at_s, other.at_s) < min(ends)
     fights = one.replaces or other.replaces
     return CHANNELS[min(shared)].name if shared and meet and fights else ""
-
-
