@@ -101,13 +101,17 @@ def _parquet(flight: Flight) -> bytes:
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    data = np.asarray(flight.data, dtype=np.float32).T
-    columns = [pa.array(np.ascontiguousarray(column)) for column in data]
-    columns[0] = pa.array(flight.data[:, 0].copy())  # time keeps its last digits
+    # Straight from the bytes: pa.array would import pandas, 60 MB in every worker.
+    columns = [_column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))]
+    columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time keeps its last digits
     stream = io.BytesIO()
     table = pa.table(columns, names=list(flight.columns))
     pq.write_table(table, stream, compression="zstd", use_byte_stream_split=True, use_dictionary=False)
     return stream.getvalue()
+
+
+def _column(pa: Any, kind: Any, values: np.ndarray) -> Any:
+    return pa.Array.from_buffers(kind, len(values), [None, pa.py_buffer(values)])
 
 
 def _number(value: Any) -> float:

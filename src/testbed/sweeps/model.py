@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
@@ -58,8 +57,3 @@ class Sweep(Settings):
                 if f"{one}.".startswith(f"{other}.") and (one != other or other in self.compare):
                     raise refuse(f"gives {one} two meanings", f"not also {other}")
         return self
-
-    @property
-    def slug(self) -> str:
-        """The name as a file name."""
-        return re.sub(r"[^a-z0-9]+", "-", (self.name or "").lower()).strip("-") or "sweep"
