@@ -16,7 +16,10 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
 
     Needs neither the simulator nor the aircraft of a run. Raises BadInput when the folder is neither.
     """
-    from testbed import flight
-    from testbed.sweeps import reading
+    if (Path(folder) / "sweep.yaml").is_file():
+        from testbed.sweeps import reading
 
-    return reading.load(folder) if reading.is_sweep_folder(folder) else flight.load(folder)
+        return reading.load(folder)
+    from testbed import flight
+
+    return flight.load(folder)

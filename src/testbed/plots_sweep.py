@@ -72,7 +72,9 @@ def survival(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
                  for b in np.unique(which)]  # fmt: skip
         centres = [centre for centre, _ in found]
         axes.plot(centres, [p.estimate for _, p in found], "o-", color=_colour(i), label=label or None)
-        axes.fill_between(centres, [p.low for _, p in found], [p.high for _, p in found], color=_colour(i), alpha=0.2)
+        axes.fill_between(
+            centres, [p.low for _, p in found], [p.high for _, p in found], color=_colour(i), alpha=0.2
+        )
     axes.set(xlabel=_axis(path), ylabel="P(all requirements met)", ylim=(-0.02, 1.02))
     _legend(axes)
     return figure
@@ -142,7 +144,13 @@ def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | N
         delays = np.sort(rows["detection_delay_s"].dropna().to_numpy(dtype=float))
         if len(delays):
             words = f"{label or 'all'}: {len(delays)} of {len(rows)} flights"
-            axes.step(delays, np.arange(1, len(delays) + 1) / len(delays), where="post", color=_colour(i), label=words)
+            axes.step(
+                delays,
+                np.arange(1, len(delays) + 1) / len(delays),
+                where="post",
+                color=_colour(i),
+                label=words,
+            )
     axes.set(xlabel="detection delay [s]", ylabel="share of detections", ylim=(0, 1.02))
     _legend(axes)
     return figure
@@ -152,7 +160,9 @@ def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """PAWN index of each input on passing, and what chance alone would give."""
     from testbed.sweeps.sensitivity import sensitivity
 
-    found = {label: sensitivity(rows, plan.paths, ["passed"])["passed"] for label, rows in groups_of(plan, frame)}
+    found = {
+        label: sensitivity(rows, plan.paths, ["passed"])["passed"] for label, rows in groups_of(plan, frame)
+    }
     usable = {label: result["inputs"] for label, result in found.items() if "inputs" in result}
     if not usable:
         return None
@@ -161,9 +171,15 @@ def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     for label, inputs in usable.items():
         i = labels.index(label)
         where = [plan.paths.index(name) + 0.25 * (i - (len(labels) - 1) / 2) for name in inputs]
-        axes.barh(where, [r["pawn"] for r in inputs.values()], height=0.22, color=_colour(i), label=label or None)
+        axes.barh(
+            where, [r["pawn"] for r in inputs.values()], height=0.22, color=_colour(i), label=label or None
+        )
         axes.axvline(next(iter(inputs.values()))["pawn_by_chance"], color=_colour(i), ls=":", lw=1)
-    axes.set(yticks=range(len(plan.paths)), yticklabels=plan.paths, xlabel="PAWN index on passing; dotted: by chance")
+    axes.set(
+        yticks=range(len(plan.paths)),
+        yticklabels=plan.paths,
+        xlabel="PAWN index on passing; dotted: by chance",
+    )
     axes.invert_yaxis()
     _legend(axes)
     return figure

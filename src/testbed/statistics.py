@@ -9,12 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from scipy import stats
 
 CONFIDENCE = 0.95
+Method = Literal["wilson", "exact"]
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,9 @@ class Proportion:
         return f"{self.estimate:.3f} ({self.low:.3f} to {self.high:.3f})"
 
 
-def proportion(successes: int, n: int, confidence: float = CONFIDENCE, method: str = "wilson") -> Proportion:
+def proportion(
+    successes: int, n: int, confidence: float = CONFIDENCE, method: Method = "wilson"
+) -> Proportion:
     """Interval of a probability: `wilson` (score; Wilson 1927), close to its nominal confidence, or `exact`
     (Clopper and Pearson 1934), never below it. Without any run: all of [0, 1]."""
     if n == 0:

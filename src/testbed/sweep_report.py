@@ -44,7 +44,11 @@ def write_sweep_report(folder: str | Path) -> Path:
 def _head(summary: dict[str, Any]) -> Iterable[str]:
     asked = summary["runs_asked"]
     state = "" if summary["complete"] else f" (of {asked} asked for)"
-    many = f", each flown by {len(summary['variants'])} variants under the same draws" if summary["pairs"] else ""
+    many = (
+        f", each flown by {len(summary['variants'])} variants under the same draws"
+        if summary["pairs"]
+        else ""
+    )
     yield f"<p>{summary['runs']} runs{state}{many}; sampling {html.escape(summary['sampling'])}, seed {summary['seed']}.</p>"
     if not summary["probabilistic"]:
         yield "<p class=note>These runs are no random sample: shares are of the cases flown, not probabilities.</p>"
@@ -81,7 +85,10 @@ def _pairs(summary: dict[str, Any]) -> Iterable[str]:
          str(p["only_first"]), str(p["only_second"]), f"{p['p_value']:.2g}"]
         for p in summary["pairs"] if p["difference"] is not None
     ]  # fmt: skip
-    yield _table(["", "difference in P(all)", "only the first passed", "only the second passed", "p (exact McNemar)"], rows)
+    yield _table(
+        ["", "difference in P(all)", "only the first passed", "only the second passed", "p (exact McNemar)"],
+        rows,
+    )
 
 
 def _figures(folder: Path) -> Iterable[str]:
@@ -102,8 +109,13 @@ def _excursions(summary: dict[str, Any]) -> Iterable[str]:
                 bounds = [_number(bound) for bound in metric["tolerance_bounds"].values()]
                 rows.append([html.escape(variant["label"]), html.escape(name), *(_number(metric[k]) for k in
                              ("median", "p95", "largest")), *bounds])  # fmt: skip
-    shares = list(next((m["tolerance_bounds"] for v in summary["variants"] for m in v["metrics"].values()), {}))
-    yield _table(["", "metric", "median", "95 %", "largest", *(f"{100 * float(s):g} % stay within" for s in shares)], rows)
+    shares = list(
+        next((m["tolerance_bounds"] for v in summary["variants"] for m in v["metrics"].values()), {})
+    )
+    yield _table(
+        ["", "metric", "median", "95 %", "largest", *(f"{100 * float(s):g} % stay within" for s in shares)],
+        rows,
+    )
     yield ("<p class=note>The last columns hold with 95 % confidence, whatever the distribution (order statistics, Wilks "
            "1941); a lost flight counts as infinitely far. 'too few' means that even the largest of so few runs says less.</p>")  # fmt: skip
 
@@ -118,7 +130,11 @@ def _sensitivity(summary: dict[str, Any]) -> Iterable[str]:
                 rows.append([*where, f"<span class=note>{html.escape(result['reason'])}</span>", "", ""])
             for name, index in sorted(result.get("inputs", {}).items(), key=lambda item: -item[1]["pawn"]):
                 matters = "" if index["matters"] else " <span class=note>no more than chance</span>"
-                s1 = f"{index['s1']:.2f} &plusmn; {index['s1_half_width']:.2f}" if index["s1"] is not None else ""
+                s1 = (
+                    f"{index['s1']:.2f} &plusmn; {index['s1_half_width']:.2f}"
+                    if index["s1"] is not None
+                    else ""
+                )
                 rows.append([*where, html.escape(name) + matters, f"{index['pawn']:.2f}", s1])
     yield _table(["", "result", "input", "PAWN", "share of variance (RBD-FAST)"], rows)
 
@@ -130,7 +146,11 @@ def _worst(summary: dict[str, Any], folder: Path) -> Iterable[str]:
          f"<code>python -m testbed sweep {html.escape(folder.name)}/sweep.yaml --only {flight['run']}</code>"]
         for variant in summary["variants"] for flight in variant["worst"]
     ]  # fmt: skip
-    yield _table(["", "run", "ended", "flies it again, from the folder above this one"], rows) if rows else "<p>None failed.</p>"
+    yield (
+        _table(["", "run", "ended", "flies it again, from the folder above this one"], rows)
+        if rows
+        else "<p>None failed.</p>"
+    )
 
 
 def _needed(summary: dict[str, Any]) -> Iterable[str]:

@@ -31,8 +31,12 @@ def read_cases(file: Path, missing: Problem) -> Cases:
         if not name or name in header[:j]
     ]
     if len(rows) < 2:
-        problems.append(Problem("has no runs", str(file), expected="a header of dotted paths and a row for each run"))
-    cases = [_case(header, row, str(file), line, problems) for line, row in enumerate(rows[1:], 2) if any(row)]
+        problems.append(
+            Problem("has no runs", str(file), expected="a header of dotted paths and a row for each run")
+        )
+    cases = [
+        _case(header, row, str(file), line, problems) for line, row in enumerate(rows[1:], 2) if any(row)
+    ]
     if problems:
         raise BadInput(problems)
     return cases, text, {name: str(file) for name in header}
@@ -40,7 +44,9 @@ def read_cases(file: Path, missing: Problem) -> Cases:
 
 def _case(header: list[str], row: list[str], file: str, line: int, problems: list[Problem]) -> dict[str, Any]:
     if len(row) != len(header):
-        problems.append(Problem(f"has {len(row)} cells", file, line, expected=f"{len(header)}, as the header"))
+        problems.append(
+            Problem(f"has {len(row)} cells", file, line, expected=f"{len(header)}, as the header")
+        )
         return {}
     case = {}
     for name, cell in zip(header, row, strict=True):

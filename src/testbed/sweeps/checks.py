@@ -44,7 +44,11 @@ class _Checker:
             for variant in range(len(plan.variants)):
                 problems = self.problems(plan.task(run * len(plan.variants) + variant))
                 for problem in problems:
-                    yield replace(problem, what=f"{problem.what} (run {run})") if plan.cases is not None else problem
+                    yield (
+                        replace(problem, what=f"{problem.what} (run {run})")
+                        if plan.cases is not None
+                        else problem
+                    )
                 found += len(problems)
             if found >= _MOST:
                 return
@@ -79,7 +83,9 @@ class _Checker:
         for name in scenario.controller.model_error:
             if name not in coefficients:
                 path = ("controller", "model_error", name)
-                found.append(scenario.source.problem(path, "unknown coefficient", "", did_you_mean(name, coefficients)))
+                found.append(
+                    scenario.source.problem(path, "unknown coefficient", "", did_you_mean(name, coefficients))
+                )
         return found
 
     def _knowledge(self, scenario: Scenario) -> tuple[Mapping[str, bool], list[str], list[str]]:
@@ -90,5 +96,9 @@ class _Checker:
 
             aircraft = load_aircraft(scenario.aircraft)
             coefficients = identification.stored(aircraft).coefficient_names()
-            self._known[scenario.aircraft] = (property_catalog(aircraft), coefficients, list(columns(aircraft)))
+            self._known[scenario.aircraft] = (
+                property_catalog(aircraft),
+                coefficients,
+                list(columns(aircraft)),
+            )
         return self._known[scenario.aircraft]

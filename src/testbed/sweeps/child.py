@@ -64,7 +64,9 @@ class Child:
         if process is None:
             return 0
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(1.0)  # it has closed its pipe and is about to be gone: its own status is the true one
+            process.wait(
+                1.0
+            )  # it has closed its pipe and is about to be gone: its own status is the true one
         process.kill()
         self._to.close()
         self._from.close()
@@ -110,14 +112,17 @@ class Child:
             except (EOFError, OSError):
                 ready = False
             if not ready:
-                self._fail(words.seek(0) or words.read())
+                words.seek(0)
+                self._fail(words.read())
 
     def _fail(self, words: bytes) -> None:
         self.kill()
         if self._closed.is_set():
             raise InterruptedError("closed")
         lines = words.decode(errors="replace").strip().splitlines()
-        raise BadInput([Problem(f"a worker process does not start: {lines[-1] if lines else 'no reason given'}")])
+        raise BadInput(
+            [Problem(f"a worker process does not start: {lines[-1] if lines else 'no reason given'}")]
+        )
 
 
 def _cause(status: int) -> str:
@@ -131,9 +136,13 @@ def _cause(status: int) -> str:
 
 def _environment(job: Job) -> dict[str, str]:
     """One thread for each process: two that share the cores by threads are slower than one."""
-    single = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1")
+    single = dict.fromkeys(
+        ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"
+    )
     package = str(Path(__file__).resolve().parents[2])
-    path = os.pathsep.join(dict.fromkeys([package, *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))]))
+    path = os.pathsep.join(
+        dict.fromkeys([package, *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))])
+    )
     return {**os.environ, **single, "PYTHONPATH": path}
 
 

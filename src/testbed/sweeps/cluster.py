@@ -15,7 +15,7 @@ import queue
 import tempfile
 import threading
 import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -50,7 +50,9 @@ def parcel(job: Job) -> Parcel:
     return Parcel(hashlib.sha256(content).hexdigest()[:32], content)
 
 
-def fly_on_cluster(job: Job, tasks: Iterable[Task], address: str) -> Iterator[tuple[Task, Flown]]:
+def fly_on_cluster(
+    job: Job, tasks: Iterable[Task], address: str
+) -> Generator[tuple[Task, Flown], None, None]:
     """Fly every task on the cluster at this address; yields each as it finishes, in no order.
 
     Raises BadInput when there is no cluster, it has gone, or its workers cannot fly.
@@ -78,8 +80,8 @@ def fly_on_cluster(job: Job, tasks: Iterable[Task], address: str) -> Iterator[tu
             else:
                 _explain(future, tries, address)
                 again = [(_submit(client, sent, task), (task, tries + 1))]
-            for new, what in again:
-                pending[new] = what
+            for new, sent_again in again:
+                pending[new] = sent_again
                 completed.add(new)
 
 

@@ -57,14 +57,18 @@ def fly_reference(fly: Fly | None) -> str:
     return f"{module}:{name}"
 
 
-def fly_task(job: Job, task: Task) -> Flown:
-    """Fly one task; whatever goes wrong in Python is a record with its reason, never an exception."""
+def fly_task(job: Job, task: Task, keep: Callable[[Flight], object] = lambda _: None) -> Flown:
+    """Fly one task; whatever goes wrong in Python is a record with its reason, never an exception.
+
+    `keep` is given the whole flight.
+    """
     try:
         scenario = job.builder.scenario(task)
     except BadInput as error:
         return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
     try:
         flight = _function(job.fly)(scenario)
+        keep(flight)
         return _flown(job, task, flight)
     except BadInput as error:
         return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
@@ -74,7 +78,9 @@ def fly_task(job: Job, task: Task) -> Flown:
 
 def not_flown(task: Task, outcome: str, reason: str) -> Flown:
     """The record of a flight that has no result: it counts as not passed."""
-    reason = re.sub(r"0x[0-9a-f]{6,}", "0x...", " ".join(reason.split()))  # addresses differ between processes
+    reason = re.sub(
+        r"0x[0-9a-f]{6,}", "0x...", " ".join(reason.split())
+    )  # addresses differ between processes
     return Flown({**_head(task), "outcome": outcome, "passed": False, "reason": reason[:_WORDS]})
 
 
@@ -102,7 +108,9 @@ def _parquet(flight: Flight) -> bytes:
     import pyarrow.parquet as pq
 
     # Straight from the bytes: pa.array would import pandas, 60 MB in every worker.
-    columns = [_column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))]
+    columns = [
+        _column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))
+    ]
     columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time keeps its last digits
     stream = io.BytesIO()
     table = pa.table(columns, names=list(flight.columns))

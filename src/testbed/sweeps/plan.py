@@ -66,7 +66,9 @@ class Plan:
         run, variant = divmod(k, len(self.variants))
         values = dict(self.draw(run))
         seed = values.pop("seed", None) if self.cases is not None else None
-        return Task(run, variant, sampling.hashed(self.sweep.seed, "run", run) if seed is None else seed, values)
+        return Task(
+            run, variant, sampling.hashed(self.sweep.seed, "run", run) if seed is None else seed, values
+        )
 
     def draw(self, run: int) -> Mapping[str, Any]:
         """Drawn values of a run by dotted path; a pure function of (sweep, seed, run)."""
@@ -178,7 +180,9 @@ def _place(source: Source, path: TreePath) -> str:
 
 def _variants(sweep: Sweep) -> Iterator[Variant]:
     for values in itertools.product(*sweep.compare.values()):
-        label = ", ".join(v if isinstance(v, str) else f"{path} {v}" for path, v in zip(sweep.compare, values, strict=True))
+        label = ", ".join(
+            v if isinstance(v, str) else f"{path} {v}" for path, v in zip(sweep.compare, values, strict=True)
+        )
         yield Variant(label, dict(zip(sweep.compare, values, strict=True)))
 
 
@@ -197,6 +201,3 @@ def _spec(distribution: Any) -> dict[str, Any]:
     if distribution.weights is not None:
         spec["weights"] = list(distribution.weights)
     return spec
-
-
-

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import queue
 import threading
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 
 from testbed.sweeps.builder import Task
 from testbed.sweeps.child import Child
@@ -19,7 +19,7 @@ def default_jobs() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def fly_locally(job: Job, tasks: Iterable[Task], jobs: int | None = None) -> Iterator[Done]:
+def fly_locally(job: Job, tasks: Iterable[Task], jobs: int | None = None) -> Generator[Done, None, None]:
     """Fly every task in `jobs` processes; yields each as it finishes, in no order. Closing it ends the processes."""
     feed = _Feed(tasks)
     done: queue.Queue[Done | BaseException | None] = queue.Queue(maxsize=64)

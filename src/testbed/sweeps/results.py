@@ -50,7 +50,9 @@ def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]
         for name, value in row.items():
             if value is not None:
                 kinds.setdefault(name, set()).add(type(value))
-            (verdicts if name.startswith("requirements.") and name not in plan.paths else middle).setdefault(name)
+            (verdicts if name.startswith("requirements.") and name not in plan.paths else middle).setdefault(
+                name
+            )
     head = ["run", "seed", *plan.sweep.compare, "outcome", "passed", *plan.paths, "end_time_s"]
     rest = [name for name in middle if name not in head and name != "reason"]
     order = sorted(verdicts, key=lambda name: (int(name.split(".")[1]), name))

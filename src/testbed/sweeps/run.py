@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import time
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -33,7 +33,9 @@ class Flights:
 
     def __str__(self) -> str:
         rate, speed = self.count / self.wall_s, self.flown_s / self.wall_s
-        return f"{self.count} flights in {self.wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} s flown a second"
+        return (
+            f"{self.count} flights in {self.wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} s flown a second"
+        )
 
 
 @dataclass(frozen=True)
@@ -73,7 +75,9 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
 
 
 def _kept(store: Store, why: str) -> str:
-    return f"{store.folder}: {why}; {len(store)} of {store.plan.size} flights are kept, --resume flies the rest"
+    return (
+        f"{store.folder}: {why}; {len(store)} of {store.plan.size} flights are kept, --resume flies the rest"
+    )
 
 
 def _fly_missing(store: Store, job: Job, options: Options) -> tuple[Flights, int]:
@@ -95,15 +99,16 @@ def _fly_missing(store: Store, job: Job, options: Options) -> tuple[Flights, int
     return Flights(count, flown_s, max(time.perf_counter() - begun, 1e-9)), runs
 
 
-def _flying(job: Job, prefix: _Prefix, options: Options) -> Iterator[pool.Done]:
+def _flying(job: Job, prefix: _Prefix, options: Options) -> Generator[pool.Done, None, None]:
     missing = prefix.missing()
     first = next(missing, None)
     if first is None:
-        return iter(())
+        return  # and start no process
     tasks = itertools.chain([first], missing)
     if options.cluster is not None:
-        return cluster.fly_on_cluster(job, tasks, options.cluster)
-    return pool.fly_locally(job, tasks, options.jobs)
+        yield from cluster.fly_on_cluster(job, tasks, options.cluster)
+    else:
+        yield from pool.fly_locally(job, tasks, options.jobs)
 
 
 class _Prefix:

@@ -77,7 +77,9 @@ def _too_few(y: np.ndarray, output: str, varied: Sequence[str]) -> str:
 
 def _ranks(values: pd.Series, rng: np.random.Generator) -> np.ndarray:
     """Ranks in (0, 1), ties in random order: equal values then share their tenths, and names become numbers."""
-    codes = values.factorize(sort=True)[0] if values.dtype.kind not in "fiub" else values.to_numpy(dtype=float)
+    codes = (
+        values.factorize(sort=True)[0] if values.dtype.kind not in "fiub" else values.to_numpy(dtype=float)
+    )
     order = np.lexsort((rng.random(len(codes)), codes))
     ranks = np.empty(len(codes))
     ranks[order] = (np.arange(len(codes)) + 0.5) / len(codes)

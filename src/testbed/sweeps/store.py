@@ -1,9 +1,9 @@
 """A sweep's folder while it is flown: what it is a sweep of, and what has finished. Nothing is ever rewritten.
 
-    sweep.yaml       the resolved sweep, scenario inside; written first, flies again as it is
-    journal.jsonl    first line: the versions and aircraft it is flown with; then a line a finished flight
-    histories.f32    a slot a flight
-    logs/            run-000012-adaptive_inversion.parquet, as --save-logs asks
+sweep.yaml       the resolved sweep, scenario inside; written first, flies again as it is
+journal.jsonl    first line: the versions and aircraft it is flown with; then a line a finished flight
+histories.f32    a slot a flight
+logs/            run-000012-adaptive_inversion.parquet, as --save-logs asks
 """
 
 from __future__ import annotations
@@ -99,12 +99,19 @@ class Store:
 
     def _begin(self, fly: str) -> None:
         """The first line of a new journal; of one there is already, that it can be gone on with here."""
-        header = {"journal": 1, "fly": fly, "aircraft_sha256": aircraft_digest(self.plan), "versions": versions()}
+        header = {
+            "journal": 1,
+            "fly": fly,
+            "aircraft_sha256": aircraft_digest(self.plan),
+            "versions": versions(),
+        }
         first = next((record for _, record in records(self.journal.file)), None)
         if first is None:
             self.journal.append(header)
         else:
-            problems = [Problem(f"was begun with {what}", str(self.folder)) for what in _changed(first, header)]
+            problems = [
+                Problem(f"was begun with {what}", str(self.folder)) for what in _changed(first, header)
+            ]
             if problems:
                 raise BadInput(problems)
         # From here on the folder is this sweep's; it may say that it is longer than before.
@@ -172,7 +179,9 @@ def _refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
         return  # killed in its first instant, before it had said what it is
     before = yamlfile.read(file).tree
     now = yamlfile.parse(yamlfile.dump(plan.tree)).tree
-    problems = [Problem(what, str(file), None, path, "an unchanged sweep") for path, what in _differences(before, now)]
+    problems = [
+        Problem(what, str(file), None, path, "an unchanged sweep") for path, what in _differences(before, now)
+    ]
     if plan.runs < before["runs"]:
         problems.append(Problem(f"has {before['runs']} already", str(file), None, "runs", "at least as many"))
     if plan.runs > before["runs"] and not plan.extendable:

@@ -70,7 +70,9 @@ def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
     requirements and by the largest altitude error."""
     failed = rows[~rows["passed"]]
     flown = failed["outcome"].isin(["completed", "ground_contact", "envelope_exceeded", "diverged"])
-    verdicts = [name for name in rows.columns if name.startswith("requirements.") and name.endswith(".passed")]
+    verdicts = [
+        name for name in rows.columns if name.startswith("requirements.") and name.endswith(".passed")
+    ]
     keys = {
         "no_result": ~flown,
         "lost": failed["outcome"] != "completed",
@@ -106,7 +108,9 @@ def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
         "metrics": {name: _metric(rows, name) for name in metrics},
         "runs_needed": _runs_needed(passed, n),
         "sensitivity": sensitivity(rows, plan.paths, drivers),
-        "worst": [{"run": int(r["run"]), "outcome": str(r["outcome"])} for _, r in worst(plan, rows).iterrows()],
+        "worst": [
+            {"run": int(r["run"]), "outcome": str(r["outcome"])} for _, r in worst(plan, rows).iterrows()
+        ],
     }
 
 
