@@ -22,6 +22,7 @@ from testbed.aircraft import find_aircraft
 from testbed.problems import BadInput
 from testbed.sweeps.cluster import fly_parcel, parcel
 from testbed.sweeps.flying import Job, fly_task
+from testbed.sweeps.journal import encode
 from testbed.sweeps.plan import load_sweep
 
 pytest.importorskip("distributed", reason="the cluster extra")
@@ -78,7 +79,7 @@ def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, t
             time.sleep(0.005)
         cluster.kill_worker()
 
-    killer = threading.Thread(target=kill_midway)
+    killer = threading.Thread(target=kill_midway, daemon=True)
     killer.start()
     there = testbed.sweep(sweep, tmp_path / "there", runs=60, cluster=cluster.address, figures=False)
     killer.join()
@@ -109,7 +110,7 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
     shutil.rmtree(folder)
     flown = fly_parcel(sent, plan.task(4))
     assert flown.record["outcome"] == "completed"
-    assert (flown.record["metrics"], flown.history) == (expected.record["metrics"], expected.history)
+    assert (encode(flown.record), flown.history) == (encode(expected.record), expected.history)
 
 
 def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:

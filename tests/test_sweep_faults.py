@@ -27,7 +27,6 @@ from testbed.sweeps.flying import Job, fly_task
 from testbed.sweeps.plan import Plan, load_sweep
 from testbed.sweeps.store import Store
 
-FLY = "import sys, testbed, sweep_flights; sys.path.insert(0, '.')\n"
 
 
 def script(text: str) -> list[str]:

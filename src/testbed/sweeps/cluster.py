@@ -70,7 +70,7 @@ def fly_on_cluster(
     feed = iter(tasks)
     with client:
         pending = {_submit(client, sent, task): (task, 1) for task in itertools.islice(feed, _room(client))}
-        completed = as_completed(list(pending))
+        completed = as_completed(list(pending), loop=client.loop)
         for future in completed:
             task, tries = pending.pop(future)
             if future.status == "finished":
