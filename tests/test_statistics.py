@@ -97,7 +97,8 @@ def test_runs_for_a_half_width() -> None:
         n = runs_for_half_width(estimate, half_width)
         z = stats.norm.ppf(0.975)
         widths = [
-            z * math.sqrt(estimate * (1 - estimate) / m + z * z / (4 * m * m)) / (1 + z * z / m) for m in (n, n - 1)
+            z * math.sqrt(estimate * (1 - estimate) / m + z * z / (4 * m * m)) / (1 + z * z / m)
+            for m in (n, n - 1)
         ]
         assert widths[0] <= half_width < widths[1]
     assert abs(runs_for_half_width(0.5, 0.01) - 9604) < 10

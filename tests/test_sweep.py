@@ -190,7 +190,9 @@ def test_stopping_does_not_depend_on_workers(tmp_path: Path) -> None:
     text = SWEEP + "stop_when: {half_width: 0.15, confidence: 0.9}\n"
     tables = []
     for jobs in (1, 4):
-        testbed.sweep(written(tmp_path, text), tmp_path / f"{jobs}", runs=200, jobs=jobs, fly=quick, figures=False)
+        testbed.sweep(
+            written(tmp_path, text), tmp_path / f"{jobs}", runs=200, jobs=jobs, fly=quick, figures=False
+        )
         tables.append((tmp_path / f"{jobs}/results.csv").read_bytes())
     assert tables[0] == tables[1]
     summary = json.loads((tmp_path / "1/summary.json").read_text())
@@ -204,7 +206,9 @@ def test_stopping_does_not_depend_on_workers(tmp_path: Path) -> None:
 
 
 def test_cases_are_flown_as_written(tmp_path: Path) -> None:
-    (tmp_path / "table.csv").write_text("failures.0.value,failures.0.at_s,seed\n0.25,0.5,77\n0.75,,78\n1,0.1,\n")
+    (tmp_path / "table.csv").write_text(
+        "failures.0.value,failures.0.at_s,seed\n0.25,0.5,77\n0.75,,78\n1,0.1,\n"
+    )
     text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\n"
     frame = testbed.sweep(written(tmp_path, text), tmp_path / "out", fly=quick)
     assert list(frame["failures.0.value"]) == [0.25, 0.75, 1.0]
@@ -228,7 +232,9 @@ def test_what_goes_wrong_is_a_row_with_its_reason(tmp_path: Path) -> None:
     (tmp_path / "table.csv").write_text("failures.0.value\n" + "".join(f"{v}\n" for v in values))
     text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\ntime_limit_s: 2\n"
     for jobs in (1, 3):
-        frame = testbed.sweep(written(tmp_path, text), tmp_path / f"{jobs}", jobs=jobs, fly=bad, figures=jobs == 1)
+        frame = testbed.sweep(
+            written(tmp_path, text), tmp_path / f"{jobs}", jobs=jobs, fly=bad, figures=jobs == 1
+        )
         assert list(frame["failures.0.value"]) == values
         for value, outcome, reason in MISBEHAVIOURS[:-1]:
             row = frame[frame["failures.0.value"] == value].iloc[0]
@@ -264,9 +270,14 @@ def test_the_table_loads_with_dtypes_and_units(reference: Path) -> None:
     ("which", "keeps"), [("none", lambda p: p & ~p), ("failed", lambda p: ~p), ("all", lambda p: p | ~p)]
 )
 def test_logs_are_kept_as_asked(tmp_path: Path, which: str, keeps: Callable[[pd.Series], pd.Series]) -> None:
-    frame = testbed.sweep(written(tmp_path), tmp_path / "out", runs=6, save_logs=which, fly=quick, figures=False)
+    frame = testbed.sweep(
+        written(tmp_path), tmp_path / "out", runs=6, save_logs=which, fly=quick, figures=False
+    )
     chosen = frame[keeps(frame["passed"])]
-    names = {f"run-{run:06d}-{kind}.parquet" for run, kind in zip(chosen["run"], chosen["controller.type"], strict=True)}
+    names = {
+        f"run-{run:06d}-{kind}.parquet"
+        for run, kind in zip(chosen["run"], chosen["controller.type"], strict=True)
+    }
     assert {f.name for f in (tmp_path / "out").glob("logs/*")} == names
     for name in names:
         assert len(pd.read_parquet(tmp_path / "out/logs" / name)) == 50

@@ -32,7 +32,9 @@ DRAWS = [
 
 @pytest.mark.parametrize("sampling", [s for s in SAMPLINGS if s != "grid"])
 @pytest.mark.parametrize(("spec", "law"), DRAWS, ids=[next(iter(spec)) for spec, _ in DRAWS])
-def test_draws_follow_their_distribution(sampling: str, spec: dict[str, object], law: stats.rv_continuous) -> None:
+def test_draws_follow_their_distribution(
+    sampling: str, spec: dict[str, object], law: stats.rv_continuous
+) -> None:
     points = block(sampling, 11, ["a", "b"], 1024, 0)
     values = Distribution.model_validate(spec).quantiles(points[:, 1])
     assert all(type(value) is float for value in values)
@@ -140,7 +142,13 @@ def test_the_report_is_one_file_that_fetches_and_runs_nothing(answered: Path) ->
     page.feed((answered / "report.html").read_text())
     assert "script" not in page.tags and page.tags.count("img") >= 4
     assert all(reference.startswith("data:image/png;base64,") for reference in page.references)
-    for words in ("all requirements", "exact McNemar", "99 % stay within", "PAWN", "How many runs a claim needs"):
+    for words in (
+        "all requirements",
+        "exact McNemar",
+        "99 % stay within",
+        "PAWN",
+        "How many runs a claim needs",
+    ):
         assert words in page.text
     drawn = {f.name for f in (answered / "figures").iterdir()}
     assert drawn >= {"probabilities.png", "survival.png", "envelope.png", "drivers.png"}
@@ -158,7 +166,9 @@ def test_the_report_names_commands_that_work(tmp_path: Path) -> None:
 
 
 def test_report_rebuilds_the_same_table_and_summary(answered: Path) -> None:
-    before = {name: (answered / name).read_bytes() for name in ("results.csv", "results.parquet", "summary.json")}
+    before = {
+        name: (answered / name).read_bytes() for name in ("results.csv", "results.parquet", "summary.json")
+    }
     for name in before:
         (answered / name).unlink()
     result = run(answered.parent, "report", "out")

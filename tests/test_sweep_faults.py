@@ -28,17 +28,25 @@ from testbed.sweeps.plan import Plan, load_sweep
 from testbed.sweeps.store import Store
 
 
-
 def script(text: str) -> list[str]:
     """A Python program that flies, with the functions of sweep_flights."""
-    return [sys.executable, "-c", f"import sys; sys.path.insert(0, {str(TESTS)!r})\nimport sweep_flights, testbed\n{text}"]
+    return [
+        sys.executable,
+        "-c",
+        f"import sys; sys.path.insert(0, {str(TESTS)!r})\nimport sweep_flights, testbed\n{text}",
+    ]
 
 
 def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     arguments = command("sweep", sweep, "--out", "out", "--runs", 400, "--jobs", 2, "--no-plots")
     process = subprocess.Popen(
-        arguments, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+        arguments,
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
     )
     while journal_lines(tmp_path / "out") < 10:
         assert process.poll() is None

@@ -92,7 +92,8 @@ def test_bad_cases_are_refused_by_line(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments", [["sweep"], ["sweep", "--only", "1"], ["validate"], ["sweep", "--cluster", "tcp://127.0.0.1:1"]]
+    "arguments",
+    [["sweep"], ["sweep", "--only", "1"], ["validate"], ["sweep", "--cluster", "tcp://127.0.0.1:1"]],
 )
 def test_the_command_line_says_it_and_leaves_nothing(tmp_path: Path, arguments: list[str]) -> None:
     file = written(tmp_path, SWEEP.replace("unif", "unfi", 2))

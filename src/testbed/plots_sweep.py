@@ -23,6 +23,8 @@ _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 _BINS = 10
 _CHUNK = 2000
 """Histories read at a time."""
+_MOST = 20_000
+"""Histories whose quantiles are drawn."""
 
 
 def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
@@ -75,7 +77,8 @@ def survival(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
         axes.fill_between(
             centres, [p.low for _, p in found], [p.high for _, p in found], color=_colour(i), alpha=0.2
         )
-    axes.set(xlabel=_axis(path), ylabel="P(all requirements met)", ylim=(-0.02, 1.02))
+    words = "remaining effectiveness, " if path.endswith(".value") else ""
+    axes.set(xlabel=words + _axis(path), ylabel="P(all requirements met)", ylim=(-0.02, 1.02))
     _legend(axes)
     return figure
 
@@ -118,21 +121,27 @@ def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 
 
 def _band(folder: Path, flights: np.ndarray, channel: int) -> tuple[Any, ...] | None:
-    """(5 %, median, 95 % of the flights still flying; the flight with the largest error; its number)."""
-    parts = [
-        histories.read(folder / "histories.f32", flights[i : i + _CHUNK])[:, channel]
-        for i in range(0, len(flights), _CHUNK)
-    ]
-    data = np.concatenate(parts) if parts else np.empty((0, histories.POINTS))
-    known = np.isfinite(data).any(axis=1)
-    if not known.any():
+    """(5 %, median, 95 % of the flights still flying; the flight with the largest error; its number).
+
+    The largest is sought among all, a chunk at a time; of very many flights, every so many-th makes the quantiles.
+    """
+    file, every = folder / "histories.f32", -(-len(flights) // _MOST)
+    sampled, largest, worst, number = [], -1.0, None, -1
+    for first in range(0, len(flights), _CHUNK):
+        chunk = flights[first : first + _CHUNK]
+        data = histories.read(file, chunk)[:, channel]
+        sampled.append(data[-first % every :: every])
+        size = np.nan_to_num(np.abs(data), nan=-1.0).max(axis=1)
+        if size.max() > largest:
+            k = int(np.argmax(size))
+            largest, worst, number = float(size[k]), data[k], int(chunk[k])
+    if worst is None:
         return None
-    data, flights = data[known], flights[known]
+    data = np.concatenate(sampled)
+    bands = np.full((3, data.shape[1]), np.nan)
     flying = np.isfinite(data).any(axis=0)
-    low, median, high = np.full((3, data.shape[1]), np.nan)
-    low[flying], median[flying], high[flying] = np.nanquantile(data[:, flying], [0.05, 0.5, 0.95], axis=0)
-    k = int(np.argmax(np.nanmax(np.abs(data), axis=1)))
-    return low, median, high, data[k], int(flights[k])
+    bands[:, flying] = np.nanquantile(data[:, flying], [0.05, 0.5, 0.95], axis=0)
+    return (*bands, worst, number)
 
 
 def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
