@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from testbed.flight import load as load
+    from testbed.loading import load as load
     from testbed.simulation import fly as fly
+    from testbed.sweeps.api import sweep as sweep
 
-__all__ = ["fly", "load"]
+__all__ = ["fly", "load", "sweep"]
 
 
 def __getattr__(name: str) -> Any:
@@ -18,7 +19,11 @@ def __getattr__(name: str) -> Any:
 
         return fly
     if name == "load":
-        from testbed.flight import load
+        from testbed.loading import load
 
         return load
+    if name == "sweep":
+        from testbed.sweeps.api import sweep
+
+        return sweep
     raise AttributeError(f"module 'testbed' has no attribute {name!r}")

@@ -45,18 +45,13 @@ def parser() -> argparse.ArgumentParser:
     _add_set(command)
 
     command = _command(commands, "sweep", _sweep, "Monte Carlo: fly many variations of a scenario")
-    command.add_argument("sweep", help="YAML file")
-    command.add_argument("--out", type=Path, metavar="DIR")
-    for name in ("--runs", "--seed", "--jobs", "--only"):
-        command.add_argument(name, type=int, metavar="N")
-    command.add_argument("--cluster", metavar="ADDRESS")
-    command.add_argument("--resume", action="store_true")
+    _add_sweep(command)
     _add_set(command)
 
     command = _command(commands, "report", _report, "rebuild figures and report of a run or sweep folder")
     command.add_argument("folder", type=Path)
 
-    command = _command(commands, "validate", _validate, "check scenarios, fly nothing")
+    command = _command(commands, "validate", _validate, "check scenarios and sweeps, fly nothing")
     command.add_argument("files", nargs="+", metavar="FILE")
 
     command = _command(
@@ -87,6 +82,25 @@ def _add_set(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change a setting by its dotted path"
     )
+
+
+def _add_sweep(command: argparse.ArgumentParser) -> None:
+    command.add_argument("sweep", help="YAML file; those shipped are found from any folder")
+    command.add_argument(
+        "--out", type=Path, metavar="DIR", help="sweep folder to make (default: runs/<name>)"
+    )
+    command.add_argument(
+        "--runs", type=int, metavar="N", help="runs in all; more than a finished sweep has extend it"
+    )
+    command.add_argument("--seed", type=int, metavar="S")
+    command.add_argument("--jobs", type=int, metavar="N", help="processes (default: one a core)")
+    command.add_argument("--cluster", metavar="ADDRESS", help="fly on a Dask cluster, as tcp://host:8786")
+    command.add_argument("--resume", action="store_true", help="fly only what the folder is missing")
+    command.add_argument("--only", type=int, metavar="I", help="fly run I alone and keep its whole log")
+    command.add_argument(
+        "--save-logs", default="failed", metavar="WHICH", help="none, failed or all, as Parquet"
+    )
+    command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -179,10 +193,16 @@ def _print_verdict(flight: Flight) -> None:
 
 
 def _sweep(options: argparse.Namespace) -> int:
-    raise BadInput([Problem("sweeps are not available yet", options.sweep)])
+    from testbed.sweeps import command
+
+    return command.run(options)
 
 
 def _report(options: argparse.Namespace) -> int:
+    if (options.folder / "sweep.yaml").is_file():
+        from testbed.sweeps import command
+
+        return command.report(options.folder)
     from testbed.flight import load
 
     flight = load(options.folder)
@@ -194,7 +214,7 @@ def _report(options: argparse.Namespace) -> int:
 def _validate(options: argparse.Namespace) -> int:
     problems: list[Problem] = []
     for file in options.files:
-        if _collect(problems, partial(_checked, file)) is not None:
+        if _collect(problems, partial(_validated, file)) is not None:
             print(f"{file}: ok")
     if problems:
         raise BadInput(problems)
@@ -219,6 +239,15 @@ def _identify(options: argparse.Namespace) -> int:
         raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
     print(f"wrote {file}")
     return MET
+
+
+def _validated(file: str) -> object:
+    """The scenario or the sweep in a file, checked."""
+    from testbed import yamlfile
+    from testbed.aircraft import find_scenario
+    from testbed.sweeps import command
+
+    return command.validate(file) if command.is_sweep(yamlfile.read(find_scenario(file))) else _checked(file)
 
 
 def _list(options: argparse.Namespace) -> int:

@@ -17,7 +17,7 @@ from testbed.yamlfile import Source
 
 __all__ = [
     "Atmosphere", "Command", "CommandRates", "Gust", "Initial", "Scenario",
-    "check_names", "check_properties", "dump", "load_scenario",
+    "check_names", "check_properties", "dump", "load_scenario", "scenario_from",
 ]  # fmt: skip
 
 
@@ -29,6 +29,11 @@ def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircra
     """
     source = yamlfile.read(find_scenario(path))
     overrides.apply(source, settings)
+    return scenario_from(source, with_aircraft=with_aircraft)
+
+
+def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
+    """Complete and check a tree that was read already, overrides applied; see `load_scenario`."""
     _drop_settings_of_other_controllers(source)
     aircraft, problems = _aircraft(source) if with_aircraft else (None, [])
     source.problems += problems

@@ -1,0 +1,5 @@
+"""Monte Carlo sweeps: many flights drawn from one scenario, and what they say together.
+
+Run i is a pure function of (sweep, seed, i). `plan` draws it, `flying` flies it in a process of its own,
+`store` keeps what came of it, `results` writes the table, `summary` and `figures` read that table.
+"""

@@ -1,0 +1,104 @@
+"""Before anything flies: the base scenario, the first draws, and the ends of every range must be valid."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+from testbed.aircraft import load_aircraft
+from testbed.logbook import columns
+from testbed.metrics import TABLE as METRICS
+from testbed.problems import BadInput, Problem, did_you_mean
+from testbed.scenario import Scenario, check_names, check_properties
+from testbed.sweeps.builder import Task
+from testbed.sweeps.plan import Plan
+
+_DRAWS = 16
+"""Runs whose scenarios are made and checked before flying; all the others are when their turn comes."""
+_OTHERS = 3
+"""An end of a range is refused when it is invalid with each of so many draws of all the rest."""
+_MOST = 20
+"""Problems shown of the cases of a table."""
+
+
+def check(plan: Plan) -> None:
+    """Raise BadInput with everything that is wrong with the scenarios of a sweep."""
+    checker = _Checker(plan)
+    found = list(dict.fromkeys(checker.ends()))  # first: they cite the number that the user wrote
+    if not found:
+        found = list(dict.fromkeys(checker.draws()))
+    if found:
+        raise BadInput(found)
+
+
+class _Checker:
+    def __init__(self, plan: Plan) -> None:
+        self._plan = plan
+        self._known: dict[str, tuple[Mapping[str, bool], list[str], list[str]]] = {}
+
+    def draws(self) -> Iterator[Problem]:
+        """Problems of the first runs; of a table of cases, of all."""
+        plan, found = self._plan, 0
+        for run in range(plan.runs if plan.cases is not None else min(plan.runs, _DRAWS)):
+            for variant in range(len(plan.variants)):
+                problems = self.problems(plan.task(run * len(plan.variants) + variant))
+                for problem in problems:
+                    yield (
+                        replace(problem, what=f"{problem.what} (run {run})")
+                        if plan.cases is not None
+                        else problem
+                    )
+                found += len(problems)
+            if found >= _MOST:
+                return
+
+    def ends(self) -> Iterator[Problem]:
+        """Lowest and highest value of every bounded range, and every option of every choice."""
+        plan = self._plan
+        for path, distribution in plan.sweep.vary.items():
+            for value in distribution.bounds:
+                for variant in range(len(plan.variants)):
+                    yield from self._always(path, value, variant)
+
+    def _always(self, path: str, value: Any, variant: int) -> list[Problem]:
+        """Problems of a value that it has whatever else is drawn."""
+        found: list[Problem] = []
+        for run in range(min(self._plan.runs, _OTHERS)):
+            task = self._plan.task(run * len(self._plan.variants) + variant)
+            found = self.problems(replace(task, values={**task.values, path: value}))
+            if not found:
+                return []
+        return found
+
+    def problems(self, task: Task) -> list[Problem]:
+        """Everything wrong with one flight's scenario."""
+        try:
+            scenario = self._plan.builder.scenario(task)
+            catalog, coefficients, names = self._knowledge(scenario)
+        except BadInput as error:
+            return list(error.problems)
+        found = check_names(scenario, names, METRICS)
+        found += check_properties(scenario, catalog)
+        for name in scenario.controller.model_error:
+            if name not in coefficients:
+                path = ("controller", "model_error", name)
+                found.append(
+                    scenario.source.problem(path, "unknown coefficient", "", did_you_mean(name, coefficients))
+                )
+        return found
+
+    def _knowledge(self, scenario: Scenario) -> tuple[Mapping[str, bool], list[str], list[str]]:
+        """Properties of the loaded model, coefficients of the design model, columns of the log: kept, as slow."""
+        if scenario.aircraft not in self._known:
+            from testbed import identification
+            from testbed.plant import property_catalog
+
+            aircraft = load_aircraft(scenario.aircraft)
+            coefficients = identification.stored(aircraft).coefficient_names()
+            self._known[scenario.aircraft] = (
+                property_catalog(aircraft),
+                coefficients,
+                list(columns(aircraft)),
+            )
+        return self._known[scenario.aircraft]

@@ -1,0 +1,59 @@
+"""The model of a sweep file: every key, its default and its range."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from testbed.settings import Number, Positive, Settings, Text, Whole, refuse
+from testbed.sweeps.distributions import Distribution
+
+
+class StopWhen(Settings):
+    """Stop as soon as P(all requirements met) of every compared variant is known this closely."""
+
+    half_width: Annotated[Number, Field(gt=0, lt=0.5)]
+    confidence: Annotated[Number, Field(gt=0, lt=1)] = 0.95
+
+
+class Sweep(Settings):
+    """One study: a scenario, what varies, and what is compared under the same variations."""
+
+    name: Text | None = None
+    scenario: Text | dict[str, Any]
+    """A scenario file, relative to the sweep's; or a whole scenario."""
+    runs: Annotated[int, Field(strict=True, gt=0)] | None = None
+    """Default: 1000; with `cases` or a grid all of them."""
+    seed: Whole = 1
+    sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
+    levels: Annotated[int, Field(strict=True, gt=1)] = 5
+    """Of each continuous value in a grid."""
+    set: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it)
+    """Changes to the scenario, for all runs, by dotted paths."""
+    vary: dict[str, Distribution] = {}  # noqa: RUF012
+    cases: Text | None = None
+    """A CSV table of explicit runs, one a row, columns being dotted paths; relative to the sweep's file."""
+    compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
+    stop_when: StopWhen | None = None
+    time_limit_s: Positive = 300.0
+    """Wall time after which a flight counts as hung."""
+
+    @field_validator("vary", "compare")
+    @classmethod
+    def _not_the_seed(cls, paths: dict[str, Any]) -> dict[str, Any]:
+        if "seed" in paths:
+            raise refuse("names seed", "other values: every run has a seed of its own already")
+        return paths
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Sweep:
+        if self.cases is not None and self.vary:
+            raise refuse("has both vary and cases", "one of them")
+        if self.cases is None and not self.vary:
+            raise refuse("varies nothing", "vary, or cases: table.csv")
+        for one in self.vary:
+            for other in [*self.compare, *self.vary]:
+                if f"{one}.".startswith(f"{other}.") and (one != other or other in self.compare):
+                    raise refuse(f"gives {one} two meanings", f"not also {other}")
+        return self

@@ -1,0 +1,203 @@
+"""A sweep, read and resolved: what run i is. Nothing here flies."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+from collections import OrderedDict
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from testbed import overrides, yamlfile
+from testbed.aircraft import find_scenario
+from testbed.problems import BadInput
+from testbed.sweeps import sampling
+from testbed.sweeps.builder import Builder, Task, Variant
+from testbed.sweeps.cases import read_cases
+from testbed.sweeps.model import Sweep
+from testbed.validation import validated
+from testbed.yamlfile import Source, TreePath, describe
+
+DEFAULT_RUNS = 1000
+_MAPPINGS = ("set", "vary", "compare")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A sweep and what follows from it: `runs` runs, each flown once for every variant."""
+
+    sweep: Sweep
+    name: str
+    builder: Builder
+    runs: int
+    cases: list[dict[str, Any]] | None = None
+    cases_text: str | None = None
+    _blocks: OrderedDict[int, list[dict[str, Any]]] = field(default_factory=OrderedDict, compare=False)
+
+    @property
+    def variants(self) -> tuple[Variant, ...]:
+        """What is compared; one nameless variant when nothing is."""
+        return self.builder.variants
+
+    @property
+    def paths(self) -> list[str]:
+        """Dotted paths of the varied values, in the order of the file."""
+        if self.cases is not None:
+            return list(dict.fromkeys(path for case in self.cases for path in case if path != "seed"))
+        return list(self.sweep.vary)
+
+    @property
+    def extendable(self) -> bool:
+        """Whether more runs leave the first ones as they are."""
+        return self.sweep.sampling != "latin_hypercube" or self.cases is not None
+
+    @property
+    def size(self) -> int:
+        """Flights in all; flight k is run k // variants of variant k % variants."""
+        return self.runs * len(self.variants)
+
+    def task(self, k: int) -> Task:
+        """Flight k: the run's draw and seed are the same for every variant."""
+        run, variant = divmod(k, len(self.variants))
+        values = dict(self.draw(run))
+        seed = values.pop("seed", None) if self.cases is not None else None
+        return Task(
+            run, variant, sampling.hashed(self.sweep.seed, "run", run) if seed is None else seed, values
+        )
+
+    def draw(self, run: int) -> Mapping[str, Any]:
+        """Drawn values of a run by dotted path; a pure function of (sweep, seed, run)."""
+        if self.cases is not None:
+            return self.cases[run]
+        index, offset = divmod(run, sampling.BLOCK)
+        if index not in self._blocks:
+            self._blocks[index] = self._drawn(index)
+            while len(self._blocks) > 4:
+                self._blocks.popitem(last=False)
+        return self._blocks[index][offset]
+
+    def _drawn(self, index: int) -> list[dict[str, Any]]:
+        sweep, paths = self.sweep, list(self.sweep.vary)
+        if sweep.sampling == "grid":
+            first, last = index * sampling.BLOCK, min((index + 1) * sampling.BLOCK, self.runs)
+            points = np.array([sampling.grid_point(self._levels, i) for i in range(first, last)])
+        else:
+            points = sampling.block(sweep.sampling, sweep.seed, paths, self.runs, index)
+        columns = [sweep.vary[path].quantiles(points[:, j]) for j, path in enumerate(paths)]
+        return [dict(zip(paths, row, strict=True)) for row in zip(*columns, strict=True)]
+
+    @cached_property
+    def _levels(self) -> list[np.ndarray]:
+        return [distribution.grid(self.sweep.levels) for distribution in self.sweep.vary.values()]
+
+    @cached_property
+    def tree(self) -> dict[str, Any]:
+        """The resolved sweep, for sweep.yaml: it flies again as it is, the scenario inside."""
+        sweep = self.sweep
+        tree: dict[str, Any] = {"name": self.name, "scenario": self.builder.base.tree, "runs": self.runs}
+        tree |= {"seed": sweep.seed, "time_limit_s": sweep.time_limit_s}
+        if self.cases is None:
+            tree["sampling"] = sweep.sampling
+            if sweep.sampling == "grid":
+                tree["levels"] = sweep.levels
+            tree["vary"] = {path: _spec(d) for path, d in sweep.vary.items()}
+        else:
+            tree["cases"] = "cases.csv"
+        if sweep.compare:
+            tree["compare"] = sweep.compare
+        if sweep.stop_when:
+            tree["stop_when"] = sweep.stop_when.model_dump()
+        return copy.deepcopy(tree)
+
+
+def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
+    """Read and resolve a sweep file; raises BadInput with every problem of its own keys.
+
+    `settings` are KEY=VALUE: a key of the sweep (`runs=10`), else a dotted path of the scenario
+    (`duration_s=2`), changed for all runs. The scenarios that it draws are checked by `checks.check`.
+    """
+    source = yamlfile.read(find_scenario(path))
+    _apply(source, settings)
+    sweep = validated(Sweep, source, stand_ins={"scenario": "?"})
+    base = _base(sweep, source)
+    for key, value in sweep.set.items():
+        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
+    paths = [("vary", path) for path in sweep.vary] + [("compare", path) for path in sweep.compare]
+    places = {path: _place(source, (kind, path)) for kind, path in paths}
+    cases, text = None, None
+    if sweep.cases is not None:
+        file = Path(source.file).parent / sweep.cases
+        cases, text, case_places = read_cases(file, source.problem(("cases",), "there is no such file"))
+        places |= case_places
+    variants = tuple(_variants(sweep))
+    name = sweep.name or Path(path).stem.replace("_", " ")
+    runs = _runs(sweep, source, cases)
+    return Plan(sweep, name, Builder(base, variants, places), runs, cases, text)
+
+
+def _apply(source: Source, settings: Iterable[str]) -> None:
+    """A key of the sweep goes to it; dotted keys of its mappings stay whole; the rest is for the scenario."""
+    for setting in settings:
+        key, equals, text = setting.partition("=")
+        first, _, rest = key.strip().partition(".")
+        if equals and first not in Sweep.model_fields:
+            first, rest = "set", key.strip()
+        if not equals or first not in _MAPPINGS or not rest:
+            overrides.apply(source, [setting])
+            continue
+        place = f"--set {setting}"
+        value = yamlfile.parse(text)
+        if source.tree.get(first) is None:
+            source.tree[first] = {}
+        overrides.set_value(source, [first, rest], value.tree, place)
+
+
+def _base(sweep: Sweep, source: Source) -> Source:
+    """The scenario's tree; of one written inside the sweep, with the places it has there."""
+    if isinstance(sweep.scenario, dict):
+        places = {path[1:]: place for path, place in source.places.items() if path[:1] == ("scenario",)}
+        return Source(source.file, copy.deepcopy(sweep.scenario), places)
+    beside = Path(source.file).parent / sweep.scenario
+    try:
+        return yamlfile.read(beside if beside.exists() else find_scenario(sweep.scenario))
+    except BadInput as error:
+        missing = [p for p in error.problems if p.line is None and p.what == "there is no such file"]
+        if not missing:
+            raise
+        raise BadInput([source.problem(("scenario",), f"there is no file {sweep.scenario!r}", "",
+                                       missing[0].suggestion)]) from None  # fmt: skip
+
+
+def _place(source: Source, path: TreePath) -> str:
+    file, line = source.place(path)
+    return file if line is None else f"{file}:{line}"
+
+
+def _variants(sweep: Sweep) -> Iterator[Variant]:
+    for values in itertools.product(*sweep.compare.values()):
+        label = ", ".join(
+            v if isinstance(v, str) else f"{path} {v}" for path, v in zip(sweep.compare, values, strict=True)
+        )
+        yield Variant(label, dict(zip(sweep.compare, values, strict=True)))
+
+
+def _runs(sweep: Sweep, source: Source, cases: list[dict[str, Any]] | None) -> int:
+    total: int | None = None if cases is None else len(cases)
+    if cases is None and sweep.sampling == "grid":
+        total = sampling.grid_size([d.grid(sweep.levels) for d in sweep.vary.values()])
+    if total is not None and sweep.runs is not None and sweep.runs > total:
+        what = f"is {describe(sweep.runs)}, there are {total}"
+        raise BadInput([source.problem(("runs",), what, f"at most {total}, or no runs for all")])
+    return sweep.runs or total or DEFAULT_RUNS
+
+
+def _spec(distribution: Any) -> dict[str, Any]:
+    spec = {distribution.name: distribution.parameters}
+    if distribution.weights is not None:
+        spec["weights"] = list(distribution.weights)
+    return spec

@@ -1,0 +1,56 @@
+"""How far a sweep is: a bar on a terminal, nothing elsewhere."""
+
+from __future__ import annotations
+
+from types import TracebackType
+from typing import Any
+
+from testbed.sweeps.plan import Plan
+
+
+class Progress:
+    """Flights done, rate, time left, and the share that passed so far of each variant."""
+
+    def __init__(self, plan: Plan, done: int) -> None:
+        self._plan = plan
+        self._counts = [[0, 0] for _ in plan.variants]
+        self._done = done
+        self._bar: Any = None
+        self._task: Any = None
+
+    def __enter__(self) -> Progress:
+        from rich.console import Console
+        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+        console = Console(stderr=True)
+        if console.is_terminal:
+            self._bar = Progress(
+                TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
+                TextColumn("{task.fields[rate]}"), TimeRemainingColumn(), TextColumn("{task.fields[passed]}"),
+                console=console, transient=True,
+            )  # fmt: skip
+            self._task = self._bar.add_task(
+                self._plan.name, total=self._plan.size, completed=self._done, rate="", passed=""
+            )
+            self._bar.start()
+        return self
+
+    def add(self, variant: int, passed: bool) -> None:
+        """One more flight has finished."""
+        self._done += 1
+        self._counts[variant][0] += passed
+        self._counts[variant][1] += 1
+        if self._bar is not None:
+            task = self._bar.tasks[self._task]
+            rate = f"{task.speed:.1f} flights/s" if task.speed else ""
+            self._bar.update(self._task, completed=self._done, rate=rate, passed=self.passed)
+
+    @property
+    def passed(self) -> str:
+        """`adaptive_inversion 93 %  fixed_inversion 12 %`."""
+        shares = zip(self._plan.variants, self._counts, strict=True)
+        return "  ".join(f"{v.label or 'passed'} {100 * p / n:.0f} %" for v, (p, n) in shares if n)
+
+    def __exit__(self, *_: type[BaseException] | BaseException | TracebackType | None) -> None:
+        if self._bar is not None:
+            self._bar.stop()

@@ -1,0 +1,122 @@
+"""The table of a sweep: results.csv and results.parquet, written in the order of runs, a row at a time."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+from testbed.sweeps.plan import Plan
+
+Records = Callable[[], Iterator[Mapping[str, Any]]]
+_GROUP = 5000
+"""Rows of Parquet held in memory at a time."""
+
+
+def rows(plan: Plan, records: Iterable[Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
+    """A flat row for each record: its columns are those of results.csv."""
+    for record in records:
+        yield {
+            "run": record["run"],
+            "seed": record["seed"],
+            **plan.variants[record["variant"]].values,
+            "outcome": record["outcome"],
+            "passed": record["passed"],
+            **record["values"],
+            "end_time_s": record.get("end_time_s", math.nan),
+            **record.get("metrics", {}),
+            **_requirements(record),
+            "reason": record["reason"],
+        }
+
+
+def _requirements(record: Mapping[str, Any]) -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for j, (passed, value) in enumerate(record.get("requirements", ())):
+        flat |= {f"requirements.{j}.passed": passed, f"requirements.{j}.value": value}
+    return flat
+
+
+def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]:
+    """Name and type of every column; found by reading all records once, as a flight may have a metric more."""
+    kinds: dict[str, set[type]] = {}
+    middle: dict[str, None] = {}
+    verdicts: dict[str, None] = {}
+    for row in rows(plan, records):
+        for name, value in row.items():
+            if value is not None:
+                kinds.setdefault(name, set()).add(type(value))
+            (verdicts if name.startswith("requirements.") and name not in plan.paths else middle).setdefault(
+                name
+            )
+    head = ["run", "seed", *plan.sweep.compare, "outcome", "passed", *plan.paths, "end_time_s"]
+    rest = [name for name in middle if name not in head and name != "reason"]
+    order = sorted(verdicts, key=lambda name: (int(name.split(".")[1]), name))
+    return {name: _type(kinds.get(name, set())) for name in dict.fromkeys([*head, *rest, *order, "reason"])}
+
+
+def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
+    """Write both files of a folder, whole or not at all; `records()` yields them in order, and is read twice."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    kinds = columns(plan, records())
+    arrow = {bool: pa.bool_(), int: pa.int64(), float: pa.float64(), str: pa.string()}
+    schema = pa.schema([(name, arrow[kind]) for name, kind in kinds.items()])
+    text, parquet = folder / ".results.csv.partial", folder / ".results.parquet.partial"
+    try:
+        with ExitStack() as stack:
+            stream = stack.enter_context(text.open("w", encoding="utf-8", newline=""))
+            writer = csv.writer(stream, lineterminator="\n")
+            writer.writerow(kinds)
+            binary = stack.enter_context(pq.ParquetWriter(parquet, schema, compression="zstd"))
+            group: list[dict[str, Any]] = []
+            for row in rows(plan, records()):
+                flat = {name: _value(row.get(name), kind) for name, kind in kinds.items()}
+                writer.writerow(map(_cell, flat.values()))
+                group.append(flat)
+                if len(group) >= _GROUP:
+                    binary.write_table(pa.Table.from_pylist(group, schema))
+                    group.clear()
+            if group:
+                binary.write_table(pa.Table.from_pylist(group, schema))
+        text.replace(folder / "results.csv")
+        parquet.replace(folder / "results.parquet")
+    finally:
+        for partial in (text, parquet):
+            partial.unlink(missing_ok=True)
+    return kinds
+
+
+def csv_lines(plan: Plan, records: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
+    """Rows as text, a cell by its column: what results.csv says of these records."""
+    return [{name: _cell(value) for name, value in row.items()} for row in rows(plan, records)]
+
+
+def _type(kinds: set[type]) -> type:
+    for kind, members in ((bool, {bool}), (int, {int}), (float, {int, float})):
+        if kinds and kinds <= members:
+            return kind
+    return str
+
+
+def _value(value: Any, kind: type) -> Any:
+    """A value as its column's type; a mapping or a list as JSON."""
+    if value is None or (kind is float and isinstance(value, float) and math.isnan(value)):
+        return None
+    if kind is str and not isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    return kind(value)
+
+
+def _cell(value: Any) -> str:
+    """Shortest text that reads back as the same value."""
+    if value is None or (isinstance(value, float) and math.isnan(value)):
+        return ""
+    if isinstance(value, bool):
+        return "True" if value else "False"
+    return value if isinstance(value, str) else repr(value)

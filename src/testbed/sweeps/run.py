@@ -1,0 +1,152 @@
+"""Fly a sweep into its folder: fly what is missing, keep each flight at once, then write what they say."""
+
+from __future__ import annotations
+
+import itertools
+import time
+from collections.abc import Generator, Iterator
+from contextlib import closing, suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from testbed.problems import BadInput, Problem
+from testbed.sweeps import cluster, pool, results
+from testbed.sweeps.builder import Task
+from testbed.sweeps.flying import Fly, Job, fly_reference
+from testbed.sweeps.plan import Plan
+from testbed.sweeps.progress import Progress
+from testbed.sweeps.stopping import Stopping
+from testbed.sweeps.store import Store
+
+
+class Stopped(Exception):
+    """The sweep ended before its time; what had finished is kept, and --resume goes on."""
+
+
+@dataclass(frozen=True)
+class Flights:
+    """What was flown by this call: flights, seconds flown, seconds it took."""
+
+    count: int
+    flown_s: float
+    wall_s: float
+
+    def __str__(self) -> str:
+        rate, speed = self.count / self.wall_s, self.flown_s / self.wall_s
+        return (
+            f"{self.count} flights in {self.wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} s flown a second"
+        )
+
+
+@dataclass(frozen=True)
+class Options:
+    """How to fly, none of which changes a row: processes, cluster, logs to keep, the function that flies."""
+
+    jobs: int | None = None
+    cluster: str | None = None
+    save_logs: str = "failed"
+    fly: Fly | None = None
+
+    def job(self, plan: Plan) -> Job:
+        """What the workers must know."""
+        return Job(plan.builder, fly_reference(self.fly), self.save_logs, plan.sweep.time_limit_s)
+
+
+def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
+    """Fly what a folder is missing of a sweep, and write its table.
+
+    Raises BadInput when it cannot begin, Stopped when it could not finish: interrupted, disk full, cluster gone.
+    """
+    job = options.job(plan)
+    store = Store(folder, plan, job.fly, resume=resume)
+    try:
+        flights, runs = _fly_missing(store, job, options)
+        results.write(plan, lambda: (record for _, record in store.records(runs)), folder)
+        return flights
+    except KeyboardInterrupt:
+        raise Stopped(_kept(store, "interrupted")) from None
+    except OSError as error:
+        raise Stopped(_kept(store, f"cannot write: {error.strerror or error}")) from None
+    except BadInput as error:
+        raise Stopped(_kept(store, str(error))) from None
+    finally:
+        with suppress(OSError):  # a full disk, said above
+            store.close()
+
+
+def _kept(store: Store, why: str) -> str:
+    return (
+        f"{store.folder}: {why}; {len(store)} of {store.plan.size} flights are kept, --resume flies the rest"
+    )
+
+
+def _fly_missing(store: Store, job: Job, options: Options) -> tuple[Flights, int]:
+    """Fly until all is there or enough is known; returns also how many runs count."""
+    plan, prefix = store.plan, _Prefix(store)
+    begun, count, flown_s = time.perf_counter(), 0, 0.0
+    prefix.advance()
+    with Progress(plan, len(store)) as progress:
+        flying = _flying(job, prefix, options)
+        with closing(flying):
+            for task, flown in flying:
+                store.add(task.run * len(plan.variants) + task.variant, flown)
+                count += 1
+                flown_s += flown.record.get("end_time_s", 0.0)
+                progress.add(task.variant, flown.record["passed"])
+                if prefix.advance():
+                    break
+    runs = prefix.stopping.stopped_at or plan.runs
+    return Flights(count, flown_s, max(time.perf_counter() - begun, 1e-9)), runs
+
+
+def _flying(job: Job, prefix: _Prefix, options: Options) -> Generator[pool.Done, None, None]:
+    missing = prefix.missing()
+    first = next(missing, None)
+    if first is None:
+        return  # and start no process
+    tasks = itertools.chain([first], missing)
+    if options.cluster is not None:
+        yield from cluster.fly_on_cluster(job, tasks, options.cluster)
+    else:
+        yield from pool.fly_locally(job, tasks, options.jobs)
+
+
+class _Prefix:
+    """The runs from the first on that are complete, and what to fly next."""
+
+    def __init__(self, store: Store) -> None:
+        self._store = store
+        self._runs = 0
+        self.stopping = Stopping(store.plan.sweep.stop_when, len(store.plan.variants))
+
+    def advance(self) -> bool:
+        """Judge every run that has become complete, in order; whether enough is known."""
+        store, n = self._store, len(self._store.plan.variants)
+        while self.stopping.stopped_at is None and self._runs < store.plan.runs:
+            flights = range(self._runs * n, (self._runs + 1) * n)
+            if not all(k in store for k in flights):
+                break
+            if store.plan.sweep.stop_when is not None:
+                self.stopping.add([bool(store.record(k)["passed"]) for k in flights])
+            self._runs += 1
+        return self.stopping.stopped_at is not None
+
+    def missing(self) -> Iterator[Task]:
+        """Tasks still to fly, in order."""
+        store = self._store
+        for k in range(store.plan.size):
+            if self.stopping.stopped_at is not None:
+                return
+            if k not in store:
+                yield store.plan.task(k)
+
+
+def fly_only(plan: Plan, run: int, options: Options) -> list[pool.Done]:
+    """Fly one run alone, all its variants, in order; raises BadInput when there is no such run."""
+    if not 0 <= run < plan.runs:
+        raise BadInput([Problem(f"there is no run {run}", "--only", expected=f"0 to {plan.runs - 1}")])
+    n = len(plan.variants)
+    tasks = [plan.task(k) for k in range(run * n, (run + 1) * n)]
+    flying = pool.fly_locally(options.job(plan), tasks, min(n, options.jobs or pool.default_jobs()))
+    with closing(flying):
+        return sorted(flying, key=lambda done: done[0].variant)

@@ -1,0 +1,90 @@
+"""Which inputs drive the result: given-data sensitivity, from the flights that were flown anyway (SALib).
+
+PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves, in Kolmogorov-Smirnov distance, when one
+input is known to lie in one tenth of its range; the median over the tenths. Made-up inputs that cannot matter show how
+large it gets by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010): the share of the variance of the
+result that one input explains alone.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+LEAST_RUNS = 100
+"""With fewer, a tenth of the range holds too few flights."""
+_LEAST_OF_EACH = 10
+_TENTHS = 10
+_DUMMIES = 20
+
+
+def sensitivity(frame: pd.DataFrame, inputs: Sequence[str], outputs: Sequence[str]) -> dict[str, Any]:
+    """{output: {"inputs": {input: {pawn, pawn_by_chance, matters, s1, s1_half_width}}}} of one variant's rows.
+
+    An output about which nothing can be said is {"reason": why}.
+    """
+    return {output: _of_output(frame, inputs, output) for output in outputs}
+
+
+def _of_output(frame: pd.DataFrame, inputs: Sequence[str], output: str) -> dict[str, Any]:
+    y = frame[output].to_numpy(dtype=float)
+    rows = np.isfinite(y)
+    y, chosen = y[rows], frame[rows]
+    varied = [name for name in inputs if chosen[name].nunique() > 1]
+    reason = _too_few(y, output, varied)
+    if reason:
+        return {"reason": reason}
+    try:
+        from SALib.analyze import pawn, rbd_fast
+    except ImportError:
+        return {"reason": "SALib is not installed"}
+    rng = np.random.default_rng(20)
+    x = np.column_stack([*(_ranks(chosen[name], rng) for name in varied), rng.random((len(y), _DUMMIES))])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of empty slices, which PAWN skips
+        moved = pawn.analyze(_problem(x.shape[1]), x, y, S=_TENTHS)["median"]
+        alone = rbd_fast.analyze(_problem(len(varied)), x[:, : len(varied)], y, num_resamples=50, seed=rng)
+    chance = float(np.quantile(moved[len(varied) :], 0.95))
+    return {
+        "inputs": {
+            name: {
+                "pawn": float(moved[j]),
+                "pawn_by_chance": chance,
+                "matters": bool(moved[j] > chance),
+                "s1": float(alone["S1"][j]),
+                "s1_half_width": float(alone["S1_conf"][j]),
+            }
+            for j, name in enumerate(varied)
+        }
+    }
+
+
+def _too_few(y: np.ndarray, output: str, varied: Sequence[str]) -> str:
+    if not varied:
+        return "nothing varies"
+    if len(y) < LEAST_RUNS:
+        return f"{len(y)} runs, at least {LEAST_RUNS} are needed"
+    if len(np.unique(y)) <= 2 and min(np.sum(y == y.min()), np.sum(y != y.min())) < _LEAST_OF_EACH:
+        return f"{output} is nearly always the same: fewer than {_LEAST_OF_EACH} flights differ"
+    return ""
+
+
+def _ranks(values: pd.Series, rng: np.random.Generator) -> np.ndarray:
+    """Ranks in (0, 1), ties in random order: equal values then share their tenths, and names become numbers."""
+    codes = (
+        values.factorize(sort=True)[0] if values.dtype.kind not in "fiub" else values.to_numpy(dtype=float)
+    )
+    order = np.lexsort((rng.random(len(codes)), codes))
+    ranks = np.empty(len(codes))
+    ranks[order] = (np.arange(len(codes)) + 0.5) / len(codes)
+    return ranks
+
+
+def _problem(count: int) -> dict[str, Any]:
+    return {"num_vars": count, "names": [str(j) for j in range(count)], "bounds": [[0.0, 1.0]] * count}

@@ -1,0 +1,40 @@
+"""When a sweep knows enough: judged in run order on what is complete, so that it never depends on who was first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from testbed.statistics import proportion
+from testbed.sweeps.model import StopWhen
+
+
+class Stopping:
+    """Feed it each completed run's verdicts in run order; `stopped_at` is then the number of runs that suffice.
+
+    Judged after every run up to 100, then after every further percent: often enough, and little work. Intervals are
+    exact (Clopper-Pearson), as looking repeatedly makes any interval optimistic and these err on the safe side.
+    """
+
+    def __init__(self, rule: StopWhen | None, variants: int) -> None:
+        self._rule = rule
+        self._passed = [0] * variants
+        self._next = 1
+        self.runs = 0
+        self.stopped_at: int | None = None
+
+    def add(self, passed: Sequence[bool]) -> bool:
+        """Count one more run, one verdict a variant; whether to stop."""
+        if self.stopped_at is not None or self._rule is None:
+            return self.stopped_at is not None
+        self.runs += 1
+        self._passed = [n + p for n, p in zip(self._passed, passed, strict=True)]
+        if self.runs >= self._next:
+            self._next = self.runs + max(1, self.runs // 100)
+            if all(self._close(n) for n in self._passed):
+                self.stopped_at = self.runs
+        return self.stopped_at is not None
+
+    def _close(self, passed: int) -> bool:
+        assert self._rule is not None
+        known = proportion(passed, self.runs, self._rule.confidence, method="exact")
+        return (known.high - known.low) / 2.0 <= self._rule.half_width

@@ -1,0 +1,180 @@
+"""What a sweep's table says: summary.json. Nothing in it depends on the clock or on who flew."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from testbed import statistics
+from testbed.sweeps.plan import Plan
+from testbed.sweeps.sensitivity import sensitivity
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+CLAIMS = (0.9, 0.99, 0.999)
+COVERAGES = (0.9, 0.95, 0.99)
+HALF_WIDTHS = (0.05, 0.01)
+WORST = 5
+
+
+def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
+    """Contents of summary.json, of the finished flights of a sweep."""
+    groups = list(groups_of(plan, frame))
+    probabilistic = plan.cases is None and plan.sweep.sampling != "grid"
+    summary = {
+        "sweep": plan.name,
+        "seed": plan.sweep.seed,
+        "sampling": "cases" if plan.cases is not None else plan.sweep.sampling,
+        "probabilistic": probabilistic,
+        "runs": int(frame["run"].nunique()),
+        "runs_asked": plan.runs,
+        "complete": len(frame) == plan.size,
+        "varied": plan.paths,
+        "variants": [_variant(plan, label, rows) for label, rows in groups],
+        "pairs": [
+            _pair(one[0], one[1], other[0], other[1]) for one, other in itertools.combinations(groups, 2)
+        ],
+    }
+    plain: dict[str, Any] = _plain(summary)
+    return plain
+
+
+def write(summary: dict[str, Any], folder: Path) -> None:
+    """Write summary.json, whole or not at all."""
+    partial = folder / ".summary.json.partial"
+    text = json.dumps(summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    partial.write_text(text + "\n", encoding="utf-8")
+    partial.replace(folder / "summary.json")
+
+
+def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
+    """Columns that are metrics."""
+    others = {"run", "seed", "outcome", "passed", "reason", "end_time_s", *plan.paths, *plan.sweep.compare}
+    return [name for name in frame.columns if name not in others and not name.startswith("requirements.")]
+
+
+def requirement_titles(plan: Plan) -> list[str]:
+    """What each requirement says, in order."""
+    return [requirement.title for requirement in plan.builder.scenario(plan.task(0)).requirements]
+
+
+def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
+    """The worst flights that did not pass: without a result, then lost (the earliest first), then by unmet
+    requirements and by the largest altitude error."""
+    failed = rows[~rows["passed"]]
+    flown = failed["outcome"].isin(["completed", "ground_contact", "envelope_exceeded", "diverged"])
+    verdicts = [
+        name for name in rows.columns if name.startswith("requirements.") and name.endswith(".passed")
+    ]
+    keys = {
+        "no_result": ~flown,
+        "lost": failed["outcome"] != "completed",
+        "early": -failed["end_time_s"].where(failed["outcome"] != "completed", 0.0).fillna(0.0),
+        "unmet": (failed[verdicts] == False).sum(axis=1),  # noqa: E712  (missing verdicts are neither)
+        "error": failed.get("altitude_error_max_m", failed["end_time_s"] * 0.0).fillna(0.0),
+    }
+    order = failed.assign(**{f"_{name}": key for name, key in keys.items()})
+    ranked = order.sort_values([f"_{name}" for name in keys], ascending=False, kind="stable")
+    return ranked[list(rows.columns)].head(count)
+
+
+def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFrame]]:
+    """Each variant's label and rows: every len(variants)-th row, told by its compared values."""
+    for variant in plan.variants:
+        mask = np.ones(len(frame), dtype=bool)
+        for path, value in variant.values.items():
+            column = frame[path].astype(object)
+            text = len(column) and isinstance(column.iloc[0], str) and not isinstance(value, str)
+            mask &= (column == (json.dumps(value, ensure_ascii=False) if text else value)).to_numpy()
+        yield variant.label, frame[mask]
+
+
+def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
+    passed, n = int(rows["passed"].sum()), len(rows)
+    metrics = metric_names(plan, rows)
+    drivers = ["passed", *(name for name in metrics if "error_max" in name)]
+    return {
+        "label": label,
+        "outcomes": {str(k): int(v) for k, v in sorted(rows["outcome"].value_counts().items()) if v},
+        "all_requirements": _both_intervals(passed, n),
+        "requirements": list(_requirements(plan, rows)),
+        "metrics": {name: _metric(rows, name) for name in metrics},
+        "runs_needed": _runs_needed(passed, n),
+        "sensitivity": sensitivity(rows, plan.paths, drivers),
+        "worst": [
+            {"run": int(r["run"]), "outcome": str(r["outcome"])} for _, r in worst(plan, rows).iterrows()
+        ],
+    }
+
+
+def _both_intervals(passed: int, n: int) -> dict[str, Any]:
+    wilson, exact = statistics.proportion(passed, n), statistics.proportion(passed, n, method="exact")
+    return {**wilson.plain, "exact_low": exact.low, "exact_high": exact.high}
+
+
+def _requirements(plan: Plan, rows: pd.DataFrame) -> Iterator[dict[str, Any]]:
+    """A flight without a result has met nothing."""
+    for j, title in enumerate(requirement_titles(plan)):
+        name = f"requirements.{j}.passed"
+        met = int((rows[name] == True).sum()) if name in rows else 0  # noqa: E712
+        yield {"name": title, **_both_intervals(met, len(rows))}
+
+
+def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:
+    """Quantiles of what was measured, and bounds in which a lost flight counts as infinitely bad."""
+    values = rows[name].to_numpy(dtype=float)
+    known = values[np.isfinite(values)]
+    lost = (rows["outcome"] != "completed").to_numpy()
+    counted = np.where(lost, math.inf, values)
+    counted = counted[~np.isnan(counted)]
+    quantiles = np.quantile(known, [0.05, 0.5, 0.95]) if len(known) else [math.nan] * 3
+    bounds = {f"{c:g}": statistics.tolerance_bound(counted.tolist(), c) for c in COVERAGES}
+    return {
+        "n": len(known),
+        "lost": int(lost.sum()),
+        "p5": float(quantiles[0]),
+        "median": float(quantiles[1]),
+        "p95": float(quantiles[2]),
+        "largest": float(known.max()) if len(known) else math.nan,
+        "tolerance_confidence": statistics.CONFIDENCE,
+        "tolerance_bounds": {c: "none: flights were lost" if b == math.inf else b for c, b in bounds.items()},
+    }
+
+
+def _runs_needed(passed: int, n: int) -> dict[str, Any]:
+    """For claims about P(all), and for knowing it more closely."""
+    share = passed / n if n else 0.5
+    return {
+        "claim_without_a_failure": {f"{c:g}": statistics.runs_needed(c) for c in CLAIMS},
+        "claim_with_failures_as_now": {
+            f"{c:g}": statistics.runs_needed(c, n - passed) if share > c else None for c in CLAIMS
+        },
+        "half_width": {f"{w:g}": statistics.runs_for_half_width(share, w) for w in HALF_WIDTHS},
+        "tolerance_by_the_largest": {f"{c:g}": statistics.runs_for_tolerance(c) for c in COVERAGES},
+    }
+
+
+def _pair(one: str, first: pd.DataFrame, other: str, second: pd.DataFrame) -> dict[str, Any]:
+    """Only runs that both have flown."""
+    a, b = first.set_index("run")["passed"], second.set_index("run")["passed"]
+    runs = a.index.intersection(b.index)
+    result = statistics.paired(a[runs].tolist(), b[runs].tolist())
+    return {"first": one, "second": other, "n": len(runs), **result.plain}
+
+
+def _plain(value: Any) -> Any:
+    """Python's own types; None for a number that is not finite."""
+    if isinstance(value, dict):
+        return {str(key): _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, np.generic):
+        return _plain(value.item())
+    return None if isinstance(value, float) and not math.isfinite(value) else value
