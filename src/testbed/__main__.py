@@ -245,9 +245,13 @@ def _validated(file: str) -> object:
     """The scenario or the sweep in a file, checked."""
     from testbed import yamlfile
     from testbed.aircraft import find_scenario
+    from testbed.sweeps import is_sweep
+
+    if not is_sweep(yamlfile.read(find_scenario(file)).tree):
+        return _checked(file)
     from testbed.sweeps import command
 
-    return command.validate(file) if command.is_sweep(yamlfile.read(find_scenario(file))) else _checked(file)
+    return command.validate(file)
 
 
 def _list(options: argparse.Namespace) -> int:

@@ -70,6 +70,7 @@ class Tuning:
     threshold: float = 0.1
     recovery: float = 0.5
     persistence_s: float = 0.05
+    recovery_s: float = 0.5
 
 
 @dataclass(frozen=True)
@@ -178,6 +179,7 @@ class IdealLoop:
         for name in ("gamma", "epsilon", "lambda_min", "lambda_max", "threshold", "recovery"):
             settings[name] = getattr(tuning, name)
         settings["dt"], settings["persistence"] = tuning.dt_s, tuning.persistence_s
+        settings["recovery_time"] = tuning.recovery_s
         settings["divisor_min"] = tuning.lambda_min
         self._modes["B_hat_inv"], self._modes["alive"] = models["B_inv"][0], 1.0
         self._memories["lambda_hat"] = estimate

@@ -13,7 +13,6 @@ from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
 
-
 _HEALTHY_VARIANCE = 0.01  # of the estimates at the start: whole within a tenth
 
 

@@ -40,7 +40,13 @@ class ControllerSettings(Settings):
     model_error: dict[str, Number] = {}  # noqa: RUF012  (pydantic copies it)
 
 
-_WEIGHTED = {"threshold": 0.15, "persistence_s": 0.2, "recovery_s": 0.3, "filter_rad_s": 20.0, "lambda_max": 1.0}
+_WEIGHTED = {
+    "threshold": 0.15,
+    "persistence_s": 0.2,
+    "recovery_s": 0.3,
+    "filter_rad_s": 20.0,
+    "lambda_max": 1.0,
+}
 
 
 class AdaptiveInversionSettings(ControllerSettings):
