@@ -212,49 +212,64 @@ def design_regulator(
 def _level_trim(
     model: DesignModel, scale: np.ndarray, alive: np.ndarray, mode: Mode, limits: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
-    """Steady level flight with what is left: at the reference airspeed if three actuators are, else at any airspeed;
-    without thrust a glide. Returns state [10], scaled positions [n] and the outputs that can be held."""
-    hold = np.array(model.trim) / scale
+    """Steady flight with what is left: level at the reference airspeed if three actuators are, else level at any
+    airspeed, else descending. Returns state [10], scaled positions [n] and the outputs that can be held."""
     free = np.flatnonzero(alive)
     if len(free) < 2:
         raise NoLevelTrim(f"{_titles(mode)}: one actuator cannot hold altitude and heading")
     thrust = any(alive[i] and model.kinds[i] == "motor" for i in range(len(alive)))
-    slack = () if len(free) >= 3 else (("airspeed",) if thrust else ("path_angle",))
-    sizes = {"airspeed": model.airspeed_m_s, "path_angle": 0.0}
+    if len(free) >= 3:
+        ways = [("", ("airspeed", "altitude", "heading"))]
+    else:
+        ways = [("airspeed", ("altitude", "heading"))] if thrust else []
+        ways += [("path_angle", ("airspeed", "heading"))]  # down, as energy is what is left
+    for slack, held in ways:
+        found = _steady(model, scale, alive, limits, slack)
+        if found is not None:
+            return *found, held
+    raise NoLevelTrim(f"{_titles(mode)}: no steady flight within the stops, level or descending")
 
-    def unpack(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+
+def _steady(
+    model: DesignModel, scale: np.ndarray, alive: np.ndarray, limits: np.ndarray, slack: str
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """Steady flight on the design model, with airspeed or path angle unknown too if `slack` says so: state [10] and
+    scaled positions [n] of the trim that is nearest to the reference, or None."""
+    hold, free = np.array(model.trim) / scale, np.flatnonzero(alive)
+    used = free[-3:]
+
+    def unpack(x: np.ndarray, speed: float) -> tuple[np.ndarray, np.ndarray]:
         alpha, beta, roll = x[:3]
-        values = dict(sizes)
-        values.update(zip(slack, x[3 : 3 + len(slack)], strict=True))
+        values = {"airspeed": speed, "path_angle": 0.0}
+        if slack:
+            values[slack] = x[3]
         a = hold.copy()
-        a[free[-3:] if len(free) > 3 else free] = x[3 + len(slack) :]
+        a[used] = x[3 + bool(slack) :]
         if len(free) > 3:
             a[free[0]] = a[free[1]]  # nothing has failed: fly symmetrically
         pitch = _pitch_for(alpha, beta, roll, values["path_angle"])
-        state = [values["airspeed"], alpha, beta, 0.0, 0.0, 0.0, roll, pitch, 0.0, 0.0]
-        return np.array(state), a, values["path_angle"]
+        return np.array([values["airspeed"], alpha, beta, 0.0, 0.0, 0.0, roll, pitch, 0.0, 0.0]), a
 
-    def residual(x: np.ndarray) -> np.ndarray:
-        state, a, _ = unpack(x)
-        return _model_rates(model, state, a * scale, alive)
+    def attempt(change: float, beta: float) -> tuple[np.ndarray, np.ndarray] | None:
+        speed = model.airspeed_m_s + change
+        start = [model.alpha_rad, beta, 0.0] + ([speed if slack == "airspeed" else -0.08] if slack else [])
 
-    count = min(len(free), 3)
-    for speed in (0.0, -4.0, 4.0, -2.0, 8.0):
+        def residual(x: np.ndarray) -> np.ndarray:
+            state, a = unpack(x, speed)
+            return _model_rates(model, state, a * scale, alive)
+
+        found = root(residual, np.array([*start, *hold[used]]), method="hybr")
+        state, a = unpack(found.x, speed)
+        inside = np.all((a >= limits[:, 0] - 1e-9) & (a <= limits[:, 1] + 1e-9))
+        plausible = abs(state[1]) < 0.25 and abs(state[2]) < 0.4 and state[0] > 0.5 * model.airspeed_m_s
+        return (state, a) if found.success and inside and plausible else None
+
+    for change in (0.0, -2.0, 2.0, -4.0, 4.0, 8.0) if slack else (0.0,):
         for beta in (0.0, 0.08, -0.08):
-            start = [model.alpha_rad, beta, 0.0]
-            start += [model.airspeed_m_s + speed if s == "airspeed" else -0.08 for s in slack]
-            start += list(hold[free[-count:]])
-            found = root(residual, np.array(start), method="hybr")
-            state, a, _ = unpack(found.x)
-            inside = np.all((a >= limits[:, 0] - 1e-9) & (a <= limits[:, 1] + 1e-9))
-            if found.success and inside and abs(state[1]) < 0.25 and abs(state[2]) < 0.4:
-                held = ("airspeed", "altitude", "heading") if not slack else (
-                    ("altitude", "heading") if thrust else ("airspeed", "heading")
-                )  # fmt: skip
-                return state, a, held
-        if not slack:
-            break
-    raise NoLevelTrim(f"{_titles(mode)}: no steady level flight within the stops")
+            found = attempt(change, beta)
+            if found is not None:
+                return found
+    return None
 
 
 def _pitch_for(alpha: float, beta: float, roll: float, path_angle: float) -> float:
