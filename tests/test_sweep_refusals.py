@@ -1,5 +1,8 @@
-"""Bad sweeps are refused like bad scenarios: every problem, its place, what was expected and meant; nothing flies."""
+"""Bad sweeps are refused like bad scenarios: every problem, its place, what was expected and meant; nothing
+flies.
+"""
 
+# ruff: noqa: E501  (messages stand here as they are printed)
 from __future__ import annotations
 
 from pathlib import Path

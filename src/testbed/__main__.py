@@ -209,9 +209,12 @@ def _validated(file: str) -> object:
     """The scenario or the sweep in a file, checked."""
     from testbed import yamlfile
     from testbed.aircraft import find_scenario
+
+    if not {"vary", "cases", "scenario"} & yamlfile.read(find_scenario(file)).tree.keys():
+        return _checked(file)
     from testbed.sweeps import command
 
-    return command.validate(file) if command.is_sweep(yamlfile.read(find_scenario(file))) else _checked(file)
+    return command.validate(file)
 
 
 def _list(options: argparse.Namespace) -> int:

@@ -89,7 +89,9 @@ class _Checker:
         return found
 
     def _knowledge(self, scenario: Scenario) -> tuple[Mapping[str, bool], list[str], list[str]]:
-        """Properties of the loaded model, coefficients of the design model, columns of the log: kept, as slow."""
+        """Properties of the loaded model, coefficients of the design model, columns of the log: kept, as
+        slow.
+        """
         if scenario.aircraft not in self._known:
             from testbed import identification
             from testbed.plant import property_catalog

@@ -1,4 +1,4 @@
-"""What `testbed sweep` does and prints. Exit status: 0 all passed, 1 not all, 3 ended early (130 by Ctrl-C)."""
+"""What `testbed sweep` does and prints. Exit: 0 all passed, 1 not all, 3 ended early, 130 Ctrl-C."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from testbed.sweeps.flying import fly_task
 from testbed.sweeps.plan import Plan, load_sweep
 from testbed.sweeps.run import Options, Stopped, fly_only, fly_sweep
 from testbed.sweeps.store import flight_label
-from testbed.yamlfile import Source
 
 ENDED_EARLY, INTERRUPTED = 3, 130
 
@@ -78,11 +77,6 @@ def print_answer(found: dict[str, Any]) -> None:
         if pair["difference"] is not None:
             interval = f"{pair['difference']:+.3f} ({pair['low']:+.3f} to {pair['high']:+.3f})"
             print(f"{pair['first']} minus {pair['second']}: {interval}, p = {pair['p_value']:.2g}")
-
-
-def is_sweep(source: Source) -> bool:
-    """Whether a YAML file is a sweep: only these name a scenario."""
-    return isinstance(source.tree, dict) and any(key in source.tree for key in ("vary", "cases", "scenario"))
 
 
 def validate(file: str) -> Plan:
