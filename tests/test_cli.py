@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 import time
@@ -11,7 +12,9 @@ import pytest
 
 from test_flight import make_flight
 from testbed.__main__ import _write
+from testbed.aircraft import load_aircraft
 from testbed.controllers.settings import SETTINGS
+from testbed.design import DESIGN_MODEL
 from testbed.failures import TYPES
 from testbed.flight import write_run_folder
 from testbed.metrics import TABLE as METRICS
@@ -164,3 +167,23 @@ def test_validating_without_failures_is_quick(tmp_path: Path) -> None:
     start = time.perf_counter()
     subprocess.run([sys.executable, "-c", program], cwd=tmp_path, check=True)
     assert time.perf_counter() - start < 3.0
+
+
+def test_identify_writes_what_it_then_agrees_with(tmp_path: Path) -> None:
+    """On a copy of the v-tail: written anew it is the stored one; a changed number is noticed, and mended."""
+    folder = shutil.copytree(load_aircraft("vtail").folder, tmp_path / "aircraft" / "vtail")
+    model = folder / DESIGN_MODEL
+    name = str(folder)
+    assert testbed(tmp_path, "identify", name, "--check").returncode == 0
+    text = model.read_text()
+    model.write_text(text.replace('"altitude_m": 300', '"altitude_m": 301'))
+    assert model.read_text() != text
+    differs = testbed(tmp_path, "identify", name, "--check")
+    assert (differs.returncode, differs.stdout) == (1, f"{model}: differs from what is identified now\n")
+    assert testbed(tmp_path, "identify", name).stdout == f"wrote {model}\n"
+    assert testbed(tmp_path, "identify", name, "--check").returncode == 0
+    model.write_text("{}")
+    damaged = testbed(tmp_path, "identify", name, "--check")
+    assert damaged.returncode == 2
+    assert damaged.stderr.startswith(f"{model}: is no design model: ")
+    assert testbed(tmp_path, "identify", "vtial").returncode == 2

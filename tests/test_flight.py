@@ -78,12 +78,14 @@ def test_summary_is_the_contract(tmp_path: Path) -> None:
     assert json.loads((folder / "summary.json").read_text()) == {
         "scenario": "left tail failure",
         "seed": 1,
+        "actuators": [],
         "outcome": "completed",
         "end_time_s": 60.0,
         "passed": True,
         "requirements": [{"name": "a", "passed": True, "value": 0.1, "limit": "at most 1"}],
         "events": [{"time_s": 5.0, "kind": "injection", "verified": True}],
         "metrics": {"a": None, "b": 0.1},
+        "warnings": [],
     }
 
 

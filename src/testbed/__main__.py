@@ -54,6 +54,14 @@ def parser() -> argparse.ArgumentParser:
     command = _command(commands, "validate", _validate, "check scenarios and sweeps, fly nothing")
     command.add_argument("files", nargs="+", metavar="FILE")
 
+    command = _command(
+        commands, "identify", _identify, "find an aircraft's design model and store it beside it"
+    )
+    command.add_argument("aircraft", help="name, or folder as ./name")
+    command.add_argument(
+        "--check", action="store_true", help="only compare with what is stored; 1 if it differs"
+    )
+
     command = _command(commands, "list", _list, "what there is")
     command.add_argument("what", nargs="?", choices=LISTS, help="default: everything")
     return top
@@ -107,8 +115,7 @@ def _run(options: argparse.Namespace) -> int:
     from testbed.simulation import fly
 
     flight = fly(scenario)
-    draw = None if options.no_plots else _draw(flight)
-    folder = _write(flight, options.out, draw or (lambda _: None))
+    folder = _write(flight, options.out, _presentation(flight, figures=not options.no_plots))
     _print_verdict(flight)
     print(f"wrote {folder}")
     return MET if flight.passed else NOT_MET
@@ -126,13 +133,13 @@ def _collect(problems: list[Problem], function: Callable[[], Result]) -> Result 
 def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     """The scenario in a file, checked also against the log's columns, the metrics and the JSBSim model."""
     from testbed.aircraft import load_aircraft
-    from testbed.logbook import columns
+    from testbed.logbook import all_columns
     from testbed.metrics import TABLE as METRICS
     from testbed.scenario import check_names, check_properties, load_scenario
 
     scenario = load_scenario(file, settings)
     aircraft = load_aircraft(scenario.aircraft)
-    problems = check_names(scenario, columns(aircraft), METRICS)
+    problems = check_names(scenario, all_columns(aircraft, scenario), METRICS)
     if scenario.failures:  # loading the model takes longer than all else here, and only failures need it
         from testbed.plant import property_catalog
 
@@ -142,25 +149,31 @@ def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     return scenario
 
 
-def _draw(flight: Flight) -> Callable[[Path], None]:
-    def draw_into(folder: Path) -> None:
-        from testbed.plots import draw
+def _presentation(flight: Flight, figures: bool = True) -> Callable[[Path], None]:
+    """What writes figures (unless not wanted) and report into a folder that has log and summary."""
 
-        draw(flight, folder)
+    def write_into(folder: Path) -> None:
+        from testbed.report import write_report
 
-    return draw_into
+        if figures:
+            from testbed.plots import draw
+
+            draw(flight, folder)
+        write_report(folder)
+
+    return write_into
 
 
-def _write(flight: Flight, out: Path | None, draw: Callable[[Path], None]) -> Path:
+def _write(flight: Flight, out: Path | None, add: Callable[[Path], None]) -> Path:
     """Write the run folder: the one asked for, else the first free of runs/<name>, -2, -3 ..."""
     from testbed.flight import FolderExists, write_run_folder
 
     if out is not None:
-        return write_run_folder(flight, out, draw)
+        return write_run_folder(flight, out, add)
     first = Path("runs") / flight.scenario.slug
     for number in count(1):
         try:
-            return write_run_folder(flight, first if number == 1 else f"{first}-{number}", draw)
+            return write_run_folder(flight, first if number == 1 else f"{first}-{number}", add)
         except FolderExists:
             continue
     raise AssertionError("unreachable: count() does not end")
@@ -172,8 +185,11 @@ def _print_verdict(flight: Flight) -> None:
         verdict = "met    " if requirement["passed"] else "NOT MET"
         value = requirement["value"]
         shown = f"{value:.4g}" if isinstance(value, int | float) else value
-        print(f"  {verdict}  {requirement['name']}: {shown}")
+        reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
+        print(f"  {verdict}  {requirement['name']}: {shown}{reason}")
     print("passed" if flight.passed else "not passed")
+    for warning in flight.warnings:
+        print(f"WARNING: {warning}", file=sys.stderr)
 
 
 def _sweep(options: argparse.Namespace) -> int:
@@ -190,7 +206,7 @@ def _report(options: argparse.Namespace) -> int:
     from testbed.flight import load
 
     flight = load(options.folder)
-    _draw(flight)(options.folder)
+    _presentation(flight)(options.folder)
     _print_verdict(flight)
     return MET if flight.passed else NOT_MET
 
@@ -205,12 +221,33 @@ def _validate(options: argparse.Namespace) -> int:
     return MET
 
 
+def _identify(options: argparse.Namespace) -> int:
+    from testbed.aircraft import load_aircraft
+    from testbed.design import DESIGN_MODEL, load_design_model
+    from testbed.identification import identify
+
+    aircraft = load_aircraft(options.aircraft)
+    file = aircraft.folder / DESIGN_MODEL
+    model = identify(aircraft)
+    if options.check:
+        same = file.is_file() and load_design_model(file).agrees_with(model)
+        print(f"{file}: {'as identified' if same else 'differs from what is identified now'}")
+        return MET if same else NOT_MET
+    try:
+        model.save(file)
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
+    print(f"wrote {file}")
+    return MET
+
+
 def _validated(file: str) -> object:
     """The scenario or the sweep in a file, checked."""
     from testbed import yamlfile
     from testbed.aircraft import find_scenario
+    from testbed.sweeps import is_sweep
 
-    if not {"vary", "cases", "scenario"} & yamlfile.read(find_scenario(file)).tree.keys():
+    if not is_sweep(yamlfile.read(find_scenario(file)).tree):
         return _checked(file)
     from testbed.sweeps import command
 
@@ -220,8 +257,10 @@ def _validated(file: str) -> object:
 def _list(options: argparse.Namespace) -> int:
     for what in [options.what] if options.what else LISTS:
         print(what)
-        for name, meaning in LISTS[what]():
-            print(f"  {name:<24}{meaning}")
+        entries = LISTS[what]()
+        width = max((len(name) for name, _ in entries), default=0) + 2
+        for name, meaning in entries:
+            print(f"  {name:<{width}}{meaning}")
     return MET
 
 

@@ -63,9 +63,11 @@ class Actuator(Settings):
 
 
 class Servo(Actuator):
-    """A control surface's servo: first-order lag, rate limit [unit/s], stops."""
+    """A control surface's servo: first-order lag, rate limit [unit/s], stops; `pointmass` is the surface's number
+    in JSBSim, where it has a mass of its own."""
 
     kind: Literal["servo"] = "servo"
+    pointmass: Whole | None = None
     rate_limit: Positive
     lag_rad_s: Positive
 

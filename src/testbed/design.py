@@ -15,30 +15,38 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq
 
+from testbed.problems import BadInput, Problem
 from testbed.units import GRAVITY_M_S2
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
-# Advance ratios up to which the propellers are on the stand; beyond, they windmill.
-MAX_ADVANCE_RATIO = 1.2
+DESIGN_MODEL = "design_model.json"
+"""Where the model is stored, in the aircraft's folder."""
+PROPELLER_POINTS = 41  # of a propeller's tables
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
+
+Vector = Sequence[float] | np.ndarray
 
 
 @dataclass(frozen=True)
 class Propulsor:
     """One motor with its propeller as the design model knows it.
 
-    Coefficients are polynomials in advance ratio J, lowest power first: T = rho n^2 D^4 C_T(J),
-    Q = rho n^2 D^5 C_Q(J), n in rev/s; motor: i = (v - n/K_v)/R, Q_motor = K_t (i - i_0).
+    Coefficients are tables over equal steps of advance ratio J, from the first to the last of `advance` (where it
+    begins to windmill): T = rho n^2 D^4 C_T(J), Q = rho n^2 D^5 C_Q(J), n in rev/s. Motor: i = (v - n/K_v)/R,
+    Q_motor = K_t (i - i_0).
     """
 
+    advance: tuple[float, float]
     thrust: tuple[float, ...]
     torque: tuple[float, ...]
     diameter_m: float
@@ -51,7 +59,7 @@ class Propulsor:
 
     def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
         """Rotor speed [rev/s] at which the propeller gives this thrust."""
-        slowest = axial_m_s / (self.diameter_m * MAX_ADVANCE_RATIO)
+        slowest = axial_m_s / (self.diameter_m * self.advance[1])
         top = self.max_volts * self.velocity_constant_rps_v
         return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
 
@@ -59,15 +67,21 @@ class Propulsor:
         """Steady torque [N m] at a thrust and speed, and its slope with thrust, dQ/dT [m] at constant speed."""
         n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
         (t0, q0), (_, q), (t1, q1) = (
-            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.9999, 1.0, 1.0001)
-        )
+            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
+        )  # a step that spans the tables' corners
         return q, (q1 - q0) / (t1 - t0)
 
     def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
         pressure = density_kg_m3 * n * n * self.diameter_m**4
         j = axial_m_s / (n * self.diameter_m)
-        polyval = np.polynomial.polynomial.polyval
-        return float(pressure * polyval(j, self.thrust)), float(pressure * self.diameter_m * polyval(j, self.torque))
+        grid = np.linspace(*self.advance, len(self.thrust))
+        thrust, torque = np.interp(j, grid, self.thrust), np.interp(j, grid, self.torque)
+        return float(pressure * thrust), float(pressure * self.diameter_m * torque)
+
+
+def coefficient_names(actuators: Iterable[str]) -> list[str]:
+    """Names of the coefficients of the design model of an aircraft with these actuators."""
+    return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *actuators)]
 
 
 @dataclass(frozen=True)
@@ -106,7 +120,7 @@ class DesignModel:
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""
-        return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *self.actuators)]
+        return coefficient_names(self.actuators)
 
     def with_error(self, factors: Mapping[str, float]) -> DesignModel:
         """The model with some coefficients scaled: the controller's ignorance (sections 4.2 and 4.3).
@@ -114,7 +128,7 @@ class DesignModel:
         The trim is kept: scaling moves slopes, `bias` follows so that the reference stays an equilibrium.
         """
         slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
-        torques = np.array(self.torque_matrix)
+        torques, offsets = np.array(self.torque_matrix), np.array(self.offset_matrix)
         for i, row in enumerate(ROWS):
             for j, name in enumerate(COLUMNS):
                 slopes[i, j] *= factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
@@ -122,27 +136,38 @@ class DesignModel:
                 factor = factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
                 inputs[i, j] *= factor
                 torques[i, j] *= factor
+                offsets[i, j] *= factor
         bias = np.array(self.bias) + (np.array(self.input_matrix) - inputs) @ np.array(self.trim)
+        bias += (np.array(self.offset_matrix) - offsets).sum(axis=1)
         return replace(
             self,
             derivatives=_rows(slopes),
             input_matrix=_rows(inputs),
             torque_matrix=_rows(torques),
+            offset_matrix=_rows(offsets),
             bias=tuple(map(float, bias)),
         )
 
-    def rates(self, x: Mapping[str, float], u: Sequence[float], alive: Sequence[float]) -> np.ndarray:
+    def rates(self, x: Mapping[str, float], u: Vector, alive: Vector) -> np.ndarray:
         """[6] modelled rates at a state (airspeed, alpha, beta, p, q, r, roll, pitch), actuator positions [n] and
         effectiveness [n]."""
         speed = x["airspeed"] / self.airspeed_m_s
         pressure = speed * speed
         a = np.array(self.derivatives)
-        aero = pressure * (np.array(self.bias) + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
+        aero = pressure * (
+            np.array(self.bias) + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"]
+        )
         aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
         scale = np.array([pressure if kind == "servo" else 1.0 for kind in self.kinds])
         lam = np.asarray(alive, dtype=float)
-        actuators = np.array(self.input_matrix) @ (scale * lam * np.asarray(u)) + np.array(self.offset_matrix) @ lam
+        actuators = (
+            np.array(self.input_matrix) @ (scale * lam * np.asarray(u)) + np.array(self.offset_matrix) @ lam
+        )
         return aero + kinematics(x) + actuators
+
+    def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
+        """The same, but for the last digits of numbers (relative to each, and absolute near zero)."""
+        return _close(asdict(self), asdict(other), tolerance)
 
     def save(self, path: Path) -> None:
         """Write as JSON."""
@@ -150,17 +175,26 @@ class DesignModel:
 
 
 def load_design_model(path: Path) -> DesignModel:
-    """Read what `DesignModel.save` wrote."""
-    data = json.loads(path.read_text())
+    """Read what `DesignModel.save` wrote; raises BadInput when it is anything else."""
+    try:
+        return _from_tree(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        what = f"is no design model: {error!r}"
+        raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+
+
+def _from_tree(data: dict[str, Any]) -> DesignModel:
     for key in ("derivatives", "input_matrix", "torque_matrix", "offset_matrix"):
         data[key] = tuple(map(tuple, data[key]))
     for key in ("actuators", "kinds", "trim", "bias"):
         data[key] = tuple(data[key])
-    data["propulsors"] = tuple(
-        p and Propulsor(**{k: tuple(v) if isinstance(v, list) else v for k, v in p.items()})
-        for p in data["propulsors"]
-    )
+    data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
     return DesignModel(**data)
+
+
+def _propulsor(data: dict[str, Any]) -> Propulsor:
+    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in data.items()}
+    return Propulsor(**fields)
 
 
 def kinematics(x: Mapping[str, float]) -> np.ndarray:
@@ -174,6 +208,16 @@ def kinematics(x: Mapping[str, float]) -> np.ndarray:
     g_v = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.sin(x["roll"])
     g_w = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.cos(x["roll"])
     return np.array([0.0, 0.0, 0.0, g_u - q * w + r * v, g_v - r * u + p * w, g_w - p * v + q * u])
+
+
+def _close(one: Any, other: Any, tolerance: float) -> bool:
+    if isinstance(one, float) and isinstance(other, int | float):
+        return math.isclose(one, other, rel_tol=tolerance, abs_tol=tolerance)
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(_close(one[k], other[k], tolerance) for k in one)
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(partial(_close, tolerance=tolerance), one, other))
+    return bool(one == other)
 
 
 def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:

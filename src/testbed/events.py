@@ -9,7 +9,9 @@ import numpy as np
 
 from testbed.signals import RATES
 
-_TRULY_FAILED = 0.1  # an actuator with this much effectiveness or less is lost, whatever a controller's threshold
+_TRULY_FAILED = (
+    0.1  # an actuator with this much effectiveness or less is lost, whatever a controller's threshold
+)
 
 
 def controller_events(
@@ -32,7 +34,8 @@ def controller_events(
                 events.append({**event, "kind": "detection", "delay_s": float(time[row]) - since})
     for axis in RATES:
         events += [
-            {"time_s": float(time[row]), "kind": "release", "axis": axis} for row in _rises(log[f"{axis}_released"])
+            {"time_s": float(time[row]), "kind": "release", "axis": axis}
+            for row in _rises(log[f"{axis}_released"])
         ]
     return sorted(events, key=lambda event: (event["time_s"], event["kind"]))
 
@@ -51,6 +54,10 @@ def _broken_since(
         return float(log["time_s"][row + 1 - np.argmin(lost[::-1]) if not lost.all() else 0])
     since = None
     for event in injections:
-        if event["actuator"] == actuator and event["type"] != "effectiveness" and event["time_s"] <= log["time_s"][row]:
+        if (
+            event["actuator"] == actuator
+            and event["type"] != "effectiveness"
+            and event["time_s"] <= log["time_s"][row]
+        ):
             since = event["time_s"] if event["active"] else None
     return since

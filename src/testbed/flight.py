@@ -46,7 +46,7 @@ _SENTENCES = {
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """A scenario and what came of it. `data` is the log: one row a logged step, one column for each name."""
+    """A scenario and what came of it. `data` is the log: a row for each logged step, in `columns`."""
 
     scenario: Scenario
     outcome: Outcome
@@ -56,7 +56,11 @@ class Flight:
     events: Sequence[Mapping[str, Any]] = ()
     metrics: Mapping[str, float] = field(default_factory=dict)
     requirements: Sequence[Mapping[str, Any]] = ()
-    """Verdicts: {name, passed, value, limit} for each of the scenario's requirements."""
+    """Verdicts: {name, passed, value, limit, margin, reason} for each of the scenario's requirements."""
+    actuators: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    """{kind, unit, limits, scale} of each actuator, so that a log is understood without the aircraft."""
+    warnings: Sequence[str] = ()
+    """What makes the flight mean less than it seems: a failure that did not act, or never started."""
 
     @cached_property
     def log(self) -> pd.DataFrame:
@@ -82,6 +86,8 @@ class Flight:
             "requirements": list(self.requirements),
             "events": list(self.events),
             "metrics": dict(self.metrics),
+            "actuators": [{"name": name, **facts} for name, facts in self.actuators.items()],
+            "warnings": list(self.warnings),
         }
         plain: dict[str, Any] = _plain(summary)
         return plain
@@ -146,6 +152,8 @@ def load(folder: str | Path) -> Flight:
                 name: math.nan if value is None else value for name, value in summary["metrics"].items()
             },
             requirements=summary["requirements"],
+            actuators={facts.pop("name"): facts for facts in summary["actuators"]},
+            warnings=summary.get("warnings", ()),
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(

@@ -8,12 +8,20 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from testbed.aircraft import Aircraft
-from testbed.design import COLUMNS, DesignModel, Propulsor, kinematics, load_design_model
+from testbed.design import (
+    COLUMNS,
+    DESIGN_MODEL,
+    PROPELLER_POINTS,
+    DesignModel,
+    Propulsor,
+    kinematics,
+    load_design_model,
+)
 from testbed.plant import Plant
 from testbed.trim import Trim, accelerations, trim
 from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
@@ -21,8 +29,7 @@ from testbed.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS
 _PHYSICS_HZ = 200.0
 _SLUG_FT3 = 515.378818393  # kg/m3
 _ANGLE_STEP, _RATE_STEP, _THROTTLE_STEP = 0.005, 0.01, 0.01
-_POLYNOMIAL_DEGREE = 4
-_STAND_THRUST_MIN_N = -0.3
+_STAND_THRUST_MIN_N = -2.2
 # Accelerations come as u v w p q r; the model's rows are p q r u v w.
 _ROW_ORDER = [3, 4, 5, 0, 1, 2]
 
@@ -64,16 +71,17 @@ def identify(aircraft: Aircraft) -> DesignModel:
 
 
 def digest(aircraft: Aircraft) -> str:
-    """Fingerprint of the aircraft's files: a stored model is of these files or it is not used."""
-    text = hashlib.sha256()
-    for file in sorted([*aircraft.folder.rglob("*.xml"), aircraft.folder / f"{aircraft.folder.name}.yaml"]):
+    """Fingerprint of what identification sees: JSBSim files, actuators, reference; not the designer's gains."""
+    seen = aircraft.model_dump_json(include={"model", "reference", "actuators"})
+    text = hashlib.sha256(seen.encode())
+    for file in sorted(aircraft.folder.rglob("*.xml")):
         text.update(file.name.encode() + file.read_bytes())
     return text.hexdigest()
 
 
 def stored(aircraft: Aircraft) -> DesignModel:
     """The design model stored beside the aircraft; identified anew where there is none, or one of other files."""
-    file = aircraft.folder / "design_model.json"
+    file = aircraft.folder / DESIGN_MODEL
     if file.is_file():
         model = load_design_model(file)
         if model.identified_from == digest(aircraft):
@@ -81,11 +89,13 @@ def stored(aircraft: Aircraft) -> DesignModel:
     return identify(aircraft)
 
 
-def _rates(plant: Plant, state: dict, commands: Sequence[float], settle_s: float = 1.5) -> np.ndarray:
+def _rates(
+    plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = 1.5
+) -> np.ndarray:
     return accelerations(plant, state, commands, settle_s)[_ROW_ORDER]
 
 
-def _with_rates(state: dict) -> dict:
+def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
     return {"p": 0.0, "q": 0.0, "r": 0.0, **state}
 
 
@@ -105,8 +115,9 @@ def _input_column(plant: Plant, level: Trim, i: int, kind: str) -> np.ndarray:
 
 def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
     """Rates per N m of motor torque: a throttle step seen before the rotor has answered."""
-    engine = list(plant.aircraft.actuators.values())[i].engine
-    name = f"propulsion/engine[{engine}]/propeller-torque-ftlb"
+    motor = list(plant.aircraft.actuators.values())[i]
+    assert motor.kind == "motor"
+    name = f"propulsion/engine[{motor.engine}]/propeller-torque-ftlb"
     steady = _rates(plant, level.state, level.commands)
     before = abs(plant[name])
     stepped = _rates(plant, level.state, _changed(level.commands, i, _THROTTLE_STEP), settle_s=plant.dt_s)
@@ -150,23 +161,26 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
         return None
     engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
     density = plant["atmosphere/rho-slugs_ft3"] * _SLUG_FT3
+    sense = plant[f"{engine}/propeller-sense"]  # the airframe feels the opposite torque
     rows = []
-    for speed in (0.8, 1.0, 1.2):
+    for speed in (0.6, 0.8, 1.0, 1.2):
         state = {**level.state, "airspeed": speed * level.state["airspeed"]}
-        for throttle in np.linspace(0.35, 1.0, 14):
+        for throttle in np.linspace(0.3, 1.0, 36):
             accelerations(plant, state, _changed(level.commands, i, throttle - level.commands[i]))
             n = plant[f"{engine}/propeller-rpm"] / 60.0
             thrust = plant[f"{engine}/thrust-lbs"] * NEWTONS_PER_POUND
-            torque = abs(plant[f"{engine}/propeller-torque-ftlb"]) * NEWTON_METRES_PER_FOOT_POUND
+            torque = -sense * plant[f"{engine}/propeller-torque-ftlb"] * NEWTON_METRES_PER_FOOT_POUND
             axial = plant["velocities/u-aero-fps"] * METRES_PER_FOOT
             d, pressure = motor.diameter_m, density * n * n * motor.diameter_m**4
             if thrust < _STAND_THRUST_MIN_N:
-                continue  # windmilling: the polynomials are for a propeller that pulls
+                continue  # windmilling: the tables are for a propeller that pulls
             rows.append((axial / (n * d), thrust / pressure, torque / (pressure * d)))
-    j, thrust_c, torque_c = np.array(rows).T
+    j, thrust_c, torque_c = np.array(sorted(rows)).T
+    grid = np.linspace(j[0], j[-1], PROPELLER_POINTS)
     return Propulsor(
-        thrust=_polynomial(j, thrust_c),
-        torque=_polynomial(j, torque_c),
+        advance=(float(j[0]), float(j[-1])),
+        thrust=tuple(map(float, np.interp(grid, j, thrust_c))),
+        torque=tuple(map(float, np.interp(grid, j, torque_c))),
         diameter_m=motor.diameter_m,
         rotor_inertia_kg_m2=motor.rotor_inertia_kg_m2,
         max_volts=motor.max_volts,
@@ -175,7 +189,3 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
         resistance_ohm=motor.resistance_ohm,
         no_load_current_a=motor.no_load_current_a,
     )
-
-
-def _polynomial(j: np.ndarray, c: np.ndarray) -> tuple[float, ...]:
-    return tuple(map(float, np.polynomial.polynomial.polyfit(j, c, _POLYNOMIAL_DEGREE)))

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import numpy as np
 
 from testbed.aircraft import Aircraft
+from testbed.atmosphere import COLUMNS as WIND
+from testbed.scenario import Scenario
+from testbed.sensors.channels import log_columns as sensor_columns
 from testbed.signals import RATES, SETPOINT, STATE, TELEMETRY
 
 _DEG = 180.0 / math.pi
@@ -29,39 +33,70 @@ Recorded = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 """What the loop recorded, a row a step: truth (as `Plant.read`), measured state, references, telemetry."""
 
 
+class _Column(NamedTuple):
+    """A log column: which column of which recorded array it is, and its factor; angles of 0 to 360 are wrapped."""
+
+    name: str
+    array: int
+    place: int
+    factor: float = 1.0
+    wrapped: bool = False
+
+
+_TIME = _Column("time_s", -1, 0)
+_TRUTH_ROWS, _MEASURED, _REFERENCE_ROWS, _TELEMETRY = range(4)
+
+
 def columns(aircraft: Aircraft) -> tuple[str, ...]:
-    """Names of the log's columns."""
-    n = len(aircraft.actuators)
-    empty = (np.zeros((0, len(STATE) + 2 * n)), np.zeros((0, len(STATE))), np.zeros((0, len(SETPOINT))))
-    return tuple(name for name, _ in _columns(aircraft, 1.0, (*empty, np.zeros((0, 4 * n + 8)))))
+    """Names of the columns that every log has."""
+    return tuple(column.name for column in _columns(aircraft))
+
+
+def all_columns(aircraft: Aircraft, scenario: Scenario) -> tuple[str, ...]:
+    """Names of the log's columns in a scenario: those of real sensors and of moving air come last."""
+    sensors = () if scenario.sensors.is_ideal else sensor_columns()
+    return (*columns(aircraft), *sensors, *(() if scenario.atmosphere.is_calm else WIND))
 
 
 def table(aircraft: Aircraft, rate_hz: float, recorded: Recorded, every: int = 1) -> np.ndarray:
     """[rows, columns] the log of every so many steps."""
-    return np.column_stack([column for _, column in _columns(aircraft, rate_hz, recorded)])[::every]
+    rows = slice(0, len(recorded[0]))
+    return np.column_stack([_values(c, rate_hz, recorded, rows) for c in _columns(aircraft)])[::every]
 
 
-def _columns(aircraft: Aircraft, rate_hz: float, recorded: Recorded) -> Iterator[tuple[str, np.ndarray]]:
-    """Each column's name where it is filled."""
-    truth, measured, references, telemetry = recorded
+def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) -> Callable[[int], float]:
+    """Reads one column at one step while the flight is being recorded; in the log's unit."""
+    (column,) = (column for column in _columns(aircraft) if column.name == name)
+    return lambda step: float(_values(column, rate_hz, recorded, slice(step, step + 1))[0])
+
+
+def _values(column: _Column, rate_hz: float, recorded: Recorded, rows: slice) -> np.ndarray:
+    if column is _TIME:
+        return np.arange(rows.start, rows.stop) / rate_hz
+    values: np.ndarray = recorded[column.array][rows, column.place] * column.factor
+    return np.mod(values, 360.0) if column.wrapped else values
+
+
+def _columns(aircraft: Aircraft) -> Iterator[_Column]:
+    """Each column where it is named."""
     n = len(aircraft.actuators)
-    yield "time_s", np.arange(len(truth)) / rate_hz
+    rates = len(TELEMETRY) * n
+    yield _TIME
     for name, of, factor in _TRUTH:
-        yield name, truth[:, STATE.index(of)] * factor
+        yield _Column(name, _TRUTH_ROWS, STATE.index(of), factor)
     for name, of, factor in _REFERENCES:
-        value = references[:, SETPOINT.index(of)] * factor
-        yield name, np.mod(value, 360.0) if of == "heading" else value
+        yield _Column(name, _REFERENCE_ROWS, SETPOINT.index(of), factor, wrapped=of == "heading")
     for i, rate in enumerate(RATES):
         unit = _RATE_UNITS[rate]
         factor = 1.0 if rate == "u_dot" else _DEG
-        yield f"{rate}_{unit}", measured[:, STATE.index(rate)] * factor
-        yield f"{rate}_desired_{unit}", telemetry[:, len(TELEMETRY) * n + i] * factor
+        yield _Column(f"{rate}_{unit}", _MEASURED, STATE.index(rate), factor)
+        yield _Column(f"{rate}_desired_{unit}", _TELEMETRY, rates + i, factor)
     for i, rate in enumerate(RATES):
-        yield f"{rate}_released", telemetry[:, len(TELEMETRY) * n + len(RATES) + i]
+        yield _Column(f"{rate}_released", _TELEMETRY, rates + len(RATES) + i)
     for i, (name, actuator) in enumerate(aircraft.actuators.items()):
-        yield f"{name}_reference", telemetry[:, i] * actuator.scale
-        yield f"{name}_command", telemetry[:, n + i] * actuator.scale
-        yield f"{name}_position", truth[:, len(STATE) + i]
-        yield f"{name}_effectiveness", truth[:, len(STATE) + n + i]
-        yield f"{name}_effectiveness_estimate", telemetry[:, 2 * n + i]
-        yield f"{name}_failed", telemetry[:, 3 * n + i]
+        yield _Column(f"{name}_reference", _TELEMETRY, i, actuator.scale)
+        yield _Column(f"{name}_command", _TELEMETRY, n + i, actuator.scale)
+        yield _Column(f"{name}_position", _TRUTH_ROWS, len(STATE) + i)
+        yield _Column(f"{name}_effectiveness", _TRUTH_ROWS, len(STATE) + n + i)
+        yield _Column(f"{name}_effectiveness_estimate", _TELEMETRY, 2 * n + i)
+        yield _Column(f"{name}_failed", _TELEMETRY, 3 * n + i)

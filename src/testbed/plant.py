@@ -7,13 +7,16 @@ random generators and more). Properties are bound once to their nodes; a step re
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+import struct
+from collections.abc import Callable, Mapping, Sequence
+from operator import call
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import jsbsim
 import numpy as np
 
+from testbed.frames import body_from_ned
 from testbed.problems import BadInput, Problem
 from testbed.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
 
@@ -51,6 +54,18 @@ ACCELERATIONS = (
     ("accelerations/qdot-rad_sec2", 1.0),
     ("accelerations/rdot-rad_sec2", 1.0),
 )
+# The air's velocity is set through JSBSim's gust and not through its wind, which run_ic overwrites.
+_SET_WIND = tuple(f"atmosphere/gust-{axis}-fps" for axis in ("north", "east", "down"))
+_TOTAL_WIND = tuple(f"atmosphere/total-wind-{axis}-fps" for axis in ("north", "east", "down"))
+_AIR_DATA = (
+    ("velocities/vt-fps", METRES_PER_FOOT),
+    ("aero/alpha-rad", 1.0),
+    ("aero/beta-rad", 1.0),
+    ("attitude/phi-rad", 1.0),
+    ("attitude/theta-rad", 1.0),
+    ("attitude/psi-rad", 1.0),
+)
+_MILSPEC_TURBULENCE = 3
 _INTEGRATORS = tuple(
     f"simulation/integrator/{kind}/{of}"
     for kind in ("rate", "position")
@@ -84,8 +99,9 @@ class Plant:
 
     Attributes:
         warnings: what JSBSim warned about while loading.
-        raw: [17 + 2 n] the last `read`: `signals.STATE` in SI, then the position of each of the n actuators in the
-            aircraft's units (as if fully effective), then the effectiveness of each.
+        raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
+            effective), then the effectiveness of each.
+        factors: [17 + 2 n] from `raw` to SI, positions to the aircraft's units.
     """
 
     def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
@@ -112,9 +128,14 @@ class Plant:
         reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
         reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
         self._getters = [self.getter(name) for name, _ in reads]
-        self._factors = np.array([factor for _, factor in reads])
+        self.factors = np.array([factor for _, factor in reads])
         self.raw = np.empty(len(reads))
+        self._bytes = memoryview(self.raw).cast("B")  # type: ignore[arg-type]
+        self._pack = struct.Struct(f"{len(reads)}d").pack_into
         self._commands = [self.setter(_command(a)) for a in aircraft.actuators.values()]
+        self._wind = np.zeros(3)
+        self._put_wind = [self.setter(name) for name in _SET_WIND]
+        self._total_wind = [self.getter(name) for name in _TOTAL_WIND]
 
     def getter(self, name: str) -> Callable[[], float]:
         """Bound reader of a property; KeyError if there is none (JSBSim itself would make it up)."""
@@ -134,7 +155,7 @@ class Plant:
         rows = (line.rpartition(" (") for line in self._fdm.get_property_catalog())
         return {name.strip(): "W" in access for name, _, access in rows}
 
-    def command(self, commands: Iterable[float]) -> None:
+    def command(self, commands: Sequence[float] | np.ndarray) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
         for put, value in zip(self._commands, commands, strict=False):
             put(value)
@@ -144,13 +165,14 @@ class Plant:
         for _ in range(self.substeps):
             self._run()
 
-    def read(self, raw: np.ndarray | None = None) -> np.ndarray:
-        """Fill and return `raw`, or the row given."""
-        raw = self.raw if raw is None else raw
-        for index, get in enumerate(self._getters):
-            raw[index] = get()
-        np.multiply(raw, self._factors, out=raw)
-        return raw
+    def sample(self) -> None:
+        """Read every property into `raw`, in JSBSim's units: one pass in C, as the loop does it each step."""
+        self._pack(self._bytes, 0, *map(call, self._getters))
+
+    def read(self) -> np.ndarray:
+        """The signals now, in SI: a new row [17 + 2 n], see `raw`."""
+        self.sample()
+        return self.raw * self.factors
 
     def position(self, index: int) -> float:
         """Position of one actuator [rad, or N as if fully effective]."""
@@ -158,13 +180,55 @@ class Plant:
         servo = list(self.aircraft.actuators.values())[index].kind == "servo"
         return value / DEGREES_PER_RADIAN if servo else value
 
+    # The air ------------------------------------------------------------------------------------------------
+
+    def set_wind(self, ned_m_s: np.ndarray) -> None:
+        """Velocity of the air over the ground from now on [m/s, north, east, down], turbulence apart."""
+        self._wind = np.array(ned_m_s)
+        for put, value in zip(self._put_wind, self._wind, strict=True):
+            put(float(value) / METRES_PER_FOOT)
+
+    def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
+        """Switch on Dryden turbulence, from zero. After the last `place`, whose run_ic would draw from it.
+
+        Args:
+            w20_m_s: wind at 20 ft (MIL-F-8785C), which sets the intensity up to 1000 ft above sea level.
+            severity: JSBSim's index of probability of exceedance, which sets it above 2000 ft.
+            seed: 2 or more (JSBSim takes 0 for 1).
+        """
+        self["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = w20_m_s / METRES_PER_FOOT
+        self["atmosphere/turbulence/milspec/severity"] = severity
+        self["atmosphere/turb-type"] = _MILSPEC_TURBULENCE
+        self["atmosphere/randomseed"] = seed
+
+    def total_wind(self) -> tuple[float, float, float]:
+        """Velocity of the air in the last step, turbulence included [m/s, north, east, down]."""
+        north, east, down = self._total_wind
+        return north() * METRES_PER_FOOT, east() * METRES_PER_FOOT, down() * METRES_PER_FOOT
+
+    def air_data(self) -> tuple[float, float, float, float, float, float]:
+        """Airspeed [m/s], alpha, beta, roll, pitch, heading [rad] now."""
+        airspeed, alpha, beta, roll, pitch, heading = (self[name] * factor for name, factor in _AIR_DATA)
+        return airspeed, alpha, beta, roll, pitch, heading
+
+    def specific_force_reader(self, axis: str) -> Callable[[], float]:
+        """Bound reader of what an accelerometer at the centre of gravity feels along a body axis [m/s2].
+
+        All forces but gravity over the mass, of the present state: JSBSim's `a-pilot` is a frame late.
+        """
+        force, mass = self.getter(f"forces/fb{axis}-total-lbs"), self.getter("inertia/mass-slugs")
+        return lambda: METRES_PER_FOOT * force() / mass()
+
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 
     def place(self, state: Mapping[str, float]) -> None:
-        """Put the aircraft into a state, at rest to the wind: airspeed, alpha, beta, roll, pitch, heading [SI],
-        altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
+        """Put the aircraft into a state: airspeed, alpha, beta (relative to the air, see `set_wind`), roll, pitch,
+        heading [SI], altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
         fdm, get = self._fdm, state.get
         speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
+        # JSBSim's initial velocity is relative to the ground: the wind's is added.
+        attitude = get("roll", 0.0), state["pitch"], get("heading", 0.0)
+        u, v, w = map(float, body_from_ned(*attitude) @ self._wind / METRES_PER_FOOT)
         # Order matters in JSBSim: place, then attitude, then velocity.
         fdm["ic/lat-geod-deg"] = 0.0
         fdm["ic/long-gc-deg"] = 0.0
@@ -172,9 +236,9 @@ class Plant:
         fdm["ic/psi-true-rad"] = get("heading", 0.0)
         fdm["ic/phi-rad"] = get("roll", 0.0)
         fdm["ic/theta-rad"] = state["pitch"]
-        fdm["ic/u-fps"] = speed * math.cos(alpha) * math.cos(beta)
-        fdm["ic/v-fps"] = speed * math.sin(beta)
-        fdm["ic/w-fps"] = speed * math.sin(alpha) * math.cos(beta)
+        fdm["ic/u-fps"] = speed * math.cos(alpha) * math.cos(beta) + u
+        fdm["ic/v-fps"] = speed * math.sin(beta) + v
+        fdm["ic/w-fps"] = speed * math.sin(alpha) * math.cos(beta) + w
         for name in "pqr":
             fdm[f"ic/{name}-rad_sec"] = get(name, 0.0)
         if not fdm.run_ic():

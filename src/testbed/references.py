@@ -9,7 +9,11 @@ import numpy as np
 from testbed.scenario import Scenario
 from testbed.signals import SETPOINT
 
-_FIELDS = (("altitude", "altitude_m", 1.0), ("airspeed", "airspeed_m_s", 1.0), ("heading", "heading_deg", math.pi / 180))
+_FIELDS = (
+    ("altitude", "altitude_m", 1.0),
+    ("airspeed", "airspeed_m_s", 1.0),
+    ("heading", "heading_deg", math.pi / 180),
+)
 
 
 def references(scenario: Scenario) -> np.ndarray:
@@ -33,7 +37,9 @@ def references(scenario: Scenario) -> np.ndarray:
             change = _change(start, target * factor, name)
             elapsed = time[after] - time[first]
             value[after] = start + math.copysign(1.0, change) * np.minimum(rates[name] * elapsed, abs(change))
-            rate[after] = np.where(rates[name] * elapsed < abs(change), math.copysign(rates[name], change), 0.0)
+            rate[after] = np.where(
+                rates[name] * elapsed < abs(change), math.copysign(rates[name], change), 0.0
+            )
         rows[:, SETPOINT.index(name)] = value
         rows[:, SETPOINT.index(f"{name}_rate")] = rate
     return rows

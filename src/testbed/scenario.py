@@ -7,15 +7,16 @@ from pathlib import Path
 
 from testbed import overrides, scenario_checks, yamlfile
 from testbed.aircraft import Aircraft, find_scenario, is_folder_name, load_aircraft
+from testbed.atmosphere import Atmosphere, Gust
 from testbed.controllers.settings import SETTINGS
 from testbed.problems import BadInput, Problem
-from testbed.scenario_model import Atmosphere, Command, CommandRates, Initial, Scenario
+from testbed.scenario_model import Command, CommandRates, Initial, Scenario
 from testbed.validation import validated
 from testbed.wording import Issue
 from testbed.yamlfile import Source
 
 __all__ = [
-    "Atmosphere", "Command", "CommandRates", "Initial", "Scenario",
+    "Atmosphere", "Command", "CommandRates", "Gust", "Initial", "Scenario",
     "check_names", "check_properties", "dump", "load_scenario", "scenario_from",
 ]  # fmt: skip
 

@@ -19,6 +19,7 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
     if aircraft is not None:
         yield from _initial(scenario, aircraft)
         yield from _axes(scenario, aircraft)
+        yield from _coefficients(scenario, aircraft)
         yield from _failures(scenario, aircraft)
 
 
@@ -65,6 +66,11 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
     for i, failure in enumerate(scenario.failures):
         starts.append((("failures", i, "at_s"), failure.at_s))
         ends.append((("failures", i, "until_s"), failure.until_s))
+    for i, fault in enumerate(scenario.sensors.faults):
+        starts.append((("sensors", "faults", i, "at_s"), fault.at_s))
+        ends.append((("sensors", "faults", i, "until_s"), fault.until_s))
+    for i, gust in enumerate(scenario.atmosphere.gusts):
+        starts.append((("atmosphere", "gusts", i, "at_s"), gust.at_s))
     for i, requirement in enumerate(scenario.requirements):
         starts.append((("requirements", i, "from_s"), requirement.from_s))
         ends.append((("requirements", i, "until_s"), requirement.until_s))
@@ -122,6 +128,20 @@ def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             yield Issue(path, f"{aircraft.name} has no axis {axis}", one_of(aircraft.axes))
 
 
+def _coefficients(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
+    """Coefficients that the design model does not have."""
+    if scenario.controller.model_error:
+        from testbed.design import coefficient_names  # scipy is slow to import, and few scenarios need it
+
+        known = coefficient_names(aircraft.actuators)
+        for name in scenario.controller.model_error:
+            if name not in known:
+                path: TreePath = ("controller", "model_error", name)
+                close = did_you_mean(name, known)
+                expected = "" if close else f"such as {known[0]} or {known[-1]}"
+                yield Issue(path, f"unknown coefficient {name!r}", expected, close)
+
+
 def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     known: list[int] = []
     for i, failure in enumerate(scenario.failures):
@@ -130,6 +150,10 @@ def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             known.append(i)
         else:
             yield problem
+    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # 1 stands in for a refused one: let it pass
+    for i in known:
+        for fault in scenario.failures[i].faults(aircraft, rate_hz):
+            yield Issue(("failures", i, fault.field), fault.what, fault.expected)
     for i, j, name in overlaps([scenario.failures[i] for i in known], aircraft):
         what = f"overlaps failures.{known[i]}: both hold {name}"
         yield Issue(("failures", known[j]), what, "windows that do not meet")

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from itertools import pairwise
-from typing import Literal
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
 
+from testbed.atmosphere import Atmosphere
 from testbed.controllers.settings import AdaptiveInversionSettings, AnyController
 from testbed.failures import AnyFailure
 from testbed.requirement import Requirement
+from testbed.sensors.settings import Sensors
 from testbed.settings import NonNegative, Number, Positive, Settings, Text, Whole, refuse
 from testbed.yamlfile import Source
 
@@ -40,13 +41,6 @@ class CommandRates(Settings):
     airspeed_m_s2: Positive = 0.5
 
 
-class Atmosphere(Settings):
-    """Steady wind, blowing towards north, east, down; turbulence by the wind at 20 ft of MIL-F-8785C."""
-
-    wind_m_s: tuple[Number, Number, Number] = (0.0, 0.0, 0.0)
-    turbulence_w20_m_s: NonNegative = 0.0
-
-
 class Scenario(Settings):
     """One flight, whole. A flight is a pure function of this."""
 
@@ -64,7 +58,7 @@ class Scenario(Settings):
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
     command_rates: CommandRates = CommandRates()
     failures: tuple[AnyFailure, ...] = ()
-    sensors: Literal["ideal"] = "ideal"
+    sensors: Sensors = Sensors()
     atmosphere: Atmosphere = Atmosphere()
     requirements: tuple[Requirement, ...] = ()
     _source: Source = PrivateAttr(default_factory=Source)

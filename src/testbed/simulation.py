@@ -19,16 +19,18 @@ from testbed.design import DesignModel
 from testbed.events import controller_events
 from testbed.flight import Flight, Outcome
 from testbed.injection import Injector
-from testbed.logbook import Recorded, columns, table
+from testbed.logbook import Recorded, all_columns, table
 from testbed.metrics import TABLE as METRICS
-from testbed.metrics import Readings, measure
+from testbed.metrics import Readings, adaptation_rates, measure
 from testbed.plant import Plant
 from testbed.problems import BadInput
 from testbed.references import references
-from testbed.scenario import Scenario, check_names, load_scenario
+from testbed.scenario import Scenario, check_names, check_properties, load_scenario
+from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
 from testbed.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.trim import Trim, trim
 from testbed.verdict import judge
+from testbed.weather import Weather
 
 _SETTLE_S = 1.5  # rotors and servos steady before the flight begins
 _GROUND_M = 0.5  # altitude of the centre of gravity at which the aircraft is on the ground
@@ -44,6 +46,8 @@ class Assembly:
     plant: Plant
     controller: Controller
     injector: Injector
+    weather: Weather
+    sensors: IdealSensors | RealSensors
     references: np.ndarray
     limits: np.ndarray
 
@@ -64,22 +68,32 @@ def fly(scenario: Scenario | str | Path) -> Flight:
 def assemble(scenario: Scenario) -> Assembly:
     """Make plant, controller and failures, and put the aircraft into trimmed flight."""
     aircraft = load_aircraft(scenario.aircraft)
-    problems = check_names(scenario, columns(aircraft), METRICS)
+    problems = check_names(scenario, all_columns(aircraft, scenario), METRICS)
     if problems:
         raise BadInput(problems)
     initial = scenario.initial
-    start = _start(scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg)
+    start = _start(
+        scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg
+    )
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
+    if scenario.failures:
+        problems = check_properties(scenario, plant.catalog())
+        if problems:
+            raise BadInput(problems)
+    weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
     plant.command(start.commands)
     plant.place(start.state)
     plant.settle(round(_SETTLE_S * scenario.physics_hz))
     plant.place(start.state)  # the Earth has turned while rotors settled: back to the start
+    weather.begin()
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
         controller=TABLE[scenario.controller.type](_setup(scenario, aircraft, start)),
-        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz),
+        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
+        weather=weather,
+        sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),
         limits=_limits(aircraft.envelope),
     )
@@ -88,19 +102,27 @@ def assemble(scenario: Scenario) -> Assembly:
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     """The loop. Each control step k, t = k / rate: inject, read the truth, measure, command, log, end?, step."""
     plant, controller, injector = parts.plant, parts.controller, parts.injector
+    weather, sensors = parts.weather, parts.sensors
     steps, n = parts.scenario.steps, len(parts.aircraft.actuators)
     truth = np.zeros((steps, len(STATE) + 2 * n))
     measured = np.zeros((steps, len(STATE)))
     telemetry = np.zeros((steps, telemetry_width(n)))
-    states, setpoints = as_records(measured, STATE), as_records(parts.references, SETPOINT)
+    controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
+    channels = (plant.raw, plant.factors, parts.limits, truth, measured)
+    injector.observe((truth, measured, parts.references, telemetry))
     ending, done = 0, steps
     for k in range(steps):
         if k >= injector.next_step:
             injector.apply(k)
-        row = plant.read(truth[k])
-        measured[k] = row[: len(STATE)]
-        plant.command(controller.step(k, states, setpoints, telemetry))
-        ending = ended(row, parts.limits)
+        if k >= weather.next_step:
+            weather.apply(k)
+        plant.sample()
+        ending = observe(k, channels)
+        if sensors.real:
+            sensors.measure(k, truth, measured)
+        plant.command(controller.step(k))
+        for delay in injector.filters:
+            delay()
         if ending:
             done = k + 1
             break
@@ -109,12 +131,19 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
 
 
 @compiled
-def ended(row: np.ndarray, limits: np.ndarray) -> int:
-    """0 while the flight goes on, else the index of its outcome; `row` as `Plant.read`, `limits` as `_limits`."""
-    for value in row:
-        if not math.isfinite(value):
-            return 1
+def observe(k, channels):  # type: ignore[no-untyped-def]
+    """Log the truth in SI, measure it ideally, and say whether the flight goes on: 0, or the index of its outcome."""
+    raw, factors, limits, truth, measured = channels
+    row = truth[k]
+    finite = True
+    for i in range(len(raw)):
+        row[i] = raw[i] * factors[i]
+        finite = finite and math.isfinite(row[i])
+    for i in range(measured.shape[1]):
+        measured[k, i] = row[i]
     altitude, airspeed, roll, alpha, beta = row[2], row[3], row[5], row[8], row[9]
+    if not finite:
+        return 1
     if altitude < limits[0]:
         return 2
     if airspeed < limits[1] or airspeed > limits[2]:
@@ -127,14 +156,24 @@ def ended(row: np.ndarray, limits: np.ndarray) -> int:
 def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     """Events, metrics and verdicts of what was recorded."""
     scenario, aircraft = parts.scenario, parts.aircraft
-    names = columns(aircraft)
-    rows = table(aircraft, scenario.rate_hz, recorded)
-    log = dict(zip(names, rows.T, strict=True))
-    actuators = tuple(aircraft.actuators)
+    names = all_columns(aircraft, scenario)
+    more = {**parts.sensors.columns(recorded[0]), **parts.weather.columns(len(recorded[0]))}
+    rows = np.column_stack([table(aircraft, scenario.rate_hz, recorded), *more.values()])
+    log = dict(zip(names, np.ascontiguousarray(rows.T), strict=True))
+    actuators = {
+        name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
+        for name, actuator in aircraft.actuators.items()
+    }
+    warnings = parts.injector.finish()
     injections = parts.injector.receipts
-    events = [*injections, *controller_events(log, actuators, injections)]
+    events = [
+        *injections,
+        *parts.sensors.receipts(len(rows)),
+        *controller_events(log, tuple(actuators), injections),
+    ]
     events.sort(key=lambda event: event["time_s"])
-    metrics = measure(Readings(log, events, actuators))
+    survived = outcome is Outcome.completed
+    metrics = measure(Readings(log, events, actuators, adaptation_rates(scenario, actuators), survived))
     return Flight(
         scenario=scenario,
         outcome=outcome,
@@ -144,11 +183,15 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         events=events,
         metrics=metrics,
         requirements=judge(scenario.requirements, log, metrics),
+        actuators=actuators,
+        warnings=warnings,
     )
 
 
 @lru_cache(maxsize=32)
-def _start(aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float) -> Trim:
+def _start(
+    aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float
+) -> Trim:
     """Trimmed flight, found on a plant of its own so that it depends on nothing else; kept, as it is costly."""
     plant = Plant(load_aircraft(aircraft), physics_hz)
     return trim(plant, airspeed_m_s, altitude_m, math.radians(heading_deg))
@@ -195,4 +238,3 @@ def _limits(envelope: Envelope) -> np.ndarray:
             radians(envelope.roll_max_deg),
         ]
     )
-

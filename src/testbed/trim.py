@@ -14,6 +14,7 @@ import numpy as np
 from scipy.optimize import root
 
 from testbed.plant import ACCELERATIONS, Plant
+from testbed.problems import BadInput, Problem
 
 _SETTLE_S = 1.5  # more than 40 time constants of rotors and servos
 _ROOT_TOLERANCE = 1e-9
@@ -22,7 +23,7 @@ _SIZES = {"alpha": 0.1, "beta": 0.1, "roll": 0.1, "airspeed": 5.0, "path_angle":
 _COMMAND_SIZE = 0.2
 
 
-class NoTrim(ValueError):
+class NoTrim(BadInput):
     """No level (or asked-for) steady flight was found from any starting point."""
 
 
@@ -116,7 +117,9 @@ def trim(
         if worst < 1e-6 and _attainable(actuators, commands):
             plant.place(state)
             return Trim(state, tuple(commands), _positions(plant), worst)
-    raise NoTrim(f"no trim at {airspeed_m_s:g} m/s with {', '.join(names)} free")
+    what = f"no steady flight of {plant.aircraft.name} was found at {airspeed_m_s:g} m/s, {altitude_m:g} m"
+    how = f"with {', '.join(names)} free and {1.0 / plant.dt_s:g} physics steps a second"
+    raise NoTrim([Problem(f"{what}, {how}")])
 
 
 def _positions(plant: Plant) -> tuple[float, ...]:

@@ -14,10 +14,12 @@ from testbed.requirement import Requirement
 def judge(
     requirements: Sequence[Requirement], log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> list[dict[str, Any]]:
-    """[{name, passed, value, limit, margin}] one for each requirement; value is the worst seen, margin negative if missed.
+    """[{name, passed, value, limit, margin, reason}] one for each requirement, in their order.
 
-    A requirement on a window that the flight did not reach is not met; a metric that does not exist in this flight
-    (NaN, such as the delay of a detection that never came) is not met either.
+    Value is the worst seen, margin its distance from the limit: 0 or more is met, negative is not. Rows
+    of the window are from_s <= time < until_s; without `until_s` it ends with the flight, also one that ended
+    early. Not met, with a reason, no value and a margin of -inf: a window that the flight did not reach or
+    reached in part, and what is not a number in this flight (the delay of a detection that never came).
     """
     return [_judge(requirement, log, metrics) for requirement in requirements]
 
@@ -25,33 +27,48 @@ def judge(
 def _judge(
     requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> dict[str, Any]:
+    margin, value, reason = -math.inf, math.nan, ""
     values = _values(requirement, log, metrics)
-    margin, value = -math.inf, math.nan
-    if len(values) and np.all(np.isfinite(values)):
+    if not len(values):
+        reason = "the flight ended before this window did"
+    elif not np.all(np.isfinite(values)):
+        reason = "not a number in this flight"
+    else:
         margin, value = _worst(requirement, values)
-    passed = margin >= 0.0
-    return {"name": requirement.title, "passed": bool(passed), "value": value, "limit": requirement.limit, "margin": margin}
+    return {
+        "name": requirement.title,
+        "passed": bool(margin >= 0.0),
+        "value": value,
+        "limit": requirement.limit,
+        "margin": margin,
+        "reason": reason,
+    }
 
 
 def _values(
     requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> np.ndarray:
-    """The metric, or the signal (its distance from `of`) in its window."""
+    """The metric, or the signal (its distance from `of`) in its window; nothing if that was not flown."""
     if requirement.metric is not None:
         return np.array([metrics[requirement.metric]], dtype=float)
-    time, signal = log["time_s"], log[str(requirement.signal)]
-    start = requirement.from_s or 0.0
-    end = math.inf if requirement.until_s is None else requirement.until_s
-    window = (time >= start - 1e-9) & (time < end - 1e-9)
-    if not math.isinf(end) and len(time) and time[-1] < end - 1.5 * _step(time):
-        return np.array([])  # the flight ended before the window did
-    values = signal[window]
+    window = _window(requirement, log["time_s"])
+    values = log[str(requirement.signal)][window]
     if requirement.within is not None:
         of = log[requirement.of][window] if isinstance(requirement.of, str) else float(requirement.of or 0.0)
         values = values - of
         if str(requirement.signal).startswith("heading"):
             values = np.mod(values + 180.0, 360.0) - 180.0
     return values
+
+
+def _window(requirement: Requirement, time: np.ndarray) -> slice:
+    """Rows with from_s <= time < until_s; none if the flight ended more than a step before `until_s`."""
+    first = int(np.searchsorted(time, (requirement.from_s or 0.0) - 1e-9))
+    if requirement.until_s is None:
+        return slice(first, len(time))
+    if not len(time) or time[-1] < requirement.until_s - 1.5 * _step(time):
+        return slice(0, 0)
+    return slice(first, int(np.searchsorted(time, requirement.until_s - 1e-9)))
 
 
 def _step(time: np.ndarray) -> float:

@@ -12,11 +12,15 @@ if TYPE_CHECKING:  # reading a scenario needs the settings beside this file, not
 
 
 class Controller(Protocol):
-    """What flies the aircraft: built from a `Setup`, called once a control step."""
+    """What flies the aircraft: built from a `Setup`, bound to a flight's channels, called once a control step."""
 
-    def step(self, step: int, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> np.ndarray:
-        """Commands [n], servos in radians and motors as throttle, for row `step` of the measured states and the
-        references (record arrays, `signals.STATE` and `signals.SETPOINT`); may fill that row of `telemetry`."""
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight, a row a step: measured states and references (record arrays with the fields of
+        `signals.STATE` and `signals.SETPOINT`), and the telemetry to be filled (`signals.TELEMETRY`)."""
+        ...
+
+    def step(self, step: int) -> np.ndarray:
+        """Commands [n], servos in radians and motors as throttle, for row `step` of the channels."""
         ...
 
 

@@ -27,12 +27,12 @@ def advance_servo(i, dt, m, s):
 
 
 @compiled
-def polynomial(c, x):
-    """Horner's rule, lowest power first."""
-    y = 0.0
-    for k in range(len(c) - 1, -1, -1):
-        y = y * x + c[k]
-    return y
+def coefficient(i, table, advance, m):
+    """C_T or C_Q of propeller i at an advance ratio: linear between its points, constant beyond them."""
+    last = table.shape[1] - 1
+    x = min(max((advance - m.advance_min[i]) / m.advance_step[i], 0.0), float(last))
+    left = min(int(x), last - 1)
+    return table[i, left] + (x - left) * (table[i, left + 1] - table[i, left])
 
 
 @compiled
@@ -47,8 +47,8 @@ def advance_motor(i, dt, axial, m, s):
     advance = axial / max(n * diameter, 1e-3)
     current = (s.command[i] * m.max_volts[i] - n / m.k_v[i]) / m.resistance[i]
     torque = m.k_t[i] * (current - m.no_load_current[i])
-    load = pressure * diameter * polynomial(m.c_torque[i], advance)
-    s.position[i] = pressure * polynomial(m.c_thrust[i], advance) / m.scale[i]
+    load = pressure * diameter * coefficient(i, m.c_torque, advance, m)
+    s.position[i] = pressure * coefficient(i, m.c_thrust, advance, m) / m.scale[i]
     s.torque[i] = torque
     s.rotor[i] = max(n + dt * (torque - load) / (2.0 * math.pi * m.rotor_inertia[i]), 0.0)
 
@@ -57,13 +57,13 @@ def advance_motor(i, dt, axial, m, s):
 def throttle_for(i, thrust, axial, m, s):
     """Throttle that gives a thrust [N] once the rotor is steady, by Newton's method on the rotor speed."""
     diameter = m.diameter[i]
-    slowest = axial / (1.1 * diameter)
+    slowest = axial / ((m.advance_min[i] + m.advance_step[i] * (m.c_thrust.shape[1] - 1)) * diameter)
     n = max(s.rotor[i], slowest)
     for _ in range(NEWTON_STEPS):
         t, slope = thrust_and_slope(i, n, axial, m)
         n = max(n - (t - thrust) / slope, slowest)
     advance = axial / (n * diameter)
-    load = m.density * n * n * diameter**5 * polynomial(m.c_torque[i], advance)
+    load = m.density * n * n * diameter**5 * coefficient(i, m.c_torque, advance, m)
     volts = n / m.k_v[i] + m.resistance[i] * (load / m.k_t[i] + m.no_load_current[i])
     return min(max(volts / m.max_volts[i], 0.0), 1.0)
 
@@ -74,9 +74,9 @@ def thrust_and_slope(i, n, axial, m):
     diameter = m.diameter[i]
     step = 1e-3 * n
     pressure = m.density * diameter**4
-    t = pressure * n * n * polynomial(m.c_thrust[i], axial / (n * diameter))
+    t = pressure * n * n * coefficient(i, m.c_thrust, axial / (n * diameter), m)
     faster = n + step
-    t2 = pressure * faster * faster * polynomial(m.c_thrust[i], axial / (faster * diameter))
+    t2 = pressure * faster * faster * coefficient(i, m.c_thrust, axial / (faster * diameter), m)
     return t, max((t2 - t) / step, 1e-3)
 
 

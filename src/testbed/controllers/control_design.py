@@ -36,13 +36,16 @@ class Loops(_Frozen):
     heading_error_max_deg: float = 20.0
     altitude_error_max_m: float = 5.0
     airspeed_error_max_m_s: float = 2.0
+    slow_descent_s: float = 2.0
+    """With a propeller lost, height given up for each m/s that airspeed is more than `protect_from_m_s` low [s]."""
+    protect_from_m_s: float = 0.7
 
 
 class RegulatorWeights(_Frozen):
     """Largest acceptable deviation of each state, integral and scaled actuator (Bryson's rule)."""
 
     states: dict[str, Positive] = {
-        "airspeed": 2.0, "alpha": 0.2, "beta": 0.2, "p": 0.6, "q": 0.5, "r": 0.5,
+        "airspeed": 1.0, "alpha": 0.2, "beta": 0.2, "p": 0.6, "q": 0.5, "r": 0.5,
         "roll": 0.4, "pitch": 0.2, "heading": 0.15, "altitude": 1.5,
     }  # fmt: skip
     integrals: dict[str, Positive] = {"airspeed": 5.0, "altitude": 5.0, "heading": 0.4}
@@ -56,10 +59,13 @@ class ControlDesign(_Frozen):
         release: axes given up when an actuator is lost; `a+b` names a combination.
         priorities: axes from the last to be given up to the first, for combinations not listed.
         condition_max: scaled condition number above which a mode is refused.
+        disturbance: what gusts do to each rate beyond the design model, as the root of a two-sided spectral density
+            [rad/s2 or m/s2 per sqrt(Hz)]; the weights of weighted estimation.
     """
 
     release: dict[str, list[str]] = {}
     priorities: list[str] = ["q_dot", "u_dot", "r_dot", "p_dot"]
     condition_max: Positive = 50.0
+    disturbance: dict[str, Positive] = {"p_dot": 2.0, "q_dot": 0.5, "r_dot": 0.15, "u_dot": 0.08}
     loops: Loops = Loops()
     regulator: RegulatorWeights = RegulatorWeights()

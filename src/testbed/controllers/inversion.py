@@ -8,10 +8,12 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.controllers.modes import Mode, NoLevelTrim, design_regulator, enumerate_modes
-from testbed.controllers.records import MAX_DEGREE, memory_dtype, mode_dtype, model_dtype, settings_dtype
+from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
-from testbed.controllers.step import adaptive_step, scratch
+from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
+
+_HEALTHY_VARIANCE = 0.01  # of the estimates at the start: whole within a tenth
 
 
 class InversionController:
@@ -37,8 +39,8 @@ class InversionController:
         self.modes = enumerate_modes(setup.model, self.scale, setup.control, released)  # type: ignore[arg-type]
         self.model = _model_record(setup, self.scale, self._limits)
         self.settings = _settings_record(setup, adapts, monitors)
-        self.mode_record = np.zeros(1, mode_dtype(n)).view(np.recarray)
-        self.memory = np.zeros(1, memory_dtype(n)).view(np.recarray)
+        self.mode_record = np.zeros(1, mode_dtype(n))
+        self.memory = np.zeros(1, memory_dtype(n))
         self._work = scratch(n)
         self._start_memory(setup)
         self.reasons: list[tuple[int, str]] = []
@@ -49,6 +51,7 @@ class InversionController:
         s, model = self.memory[0], self.model[0]
         position = np.asarray(setup.trim_positions) / self.scale
         s.lambda_hat[:] = 1.0
+        s.P[:] = np.diag(np.full(len(s.lambda_hat), _HEALTHY_VARIANCE))
         s.command[:] = setup.trim_commands
         for name in ("r", "u", "position", "servo_input", "servo_lagged"):
             s[name][:] = position
@@ -66,6 +69,10 @@ class InversionController:
             return self.mode
         k, s, n = self.mode_record[0], self.memory[0], len(self.scale)
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
+        lost = any(self.setup.model.kinds[i] == "motor" for i in failed)
+        k.protect = self.setup.control.loops.slow_descent_s if lost else 0.0
+        k.spare = float(mode.held is not None)
+        k.held_inv[:] = 0.0 if mode.held is None else mode.held
         k.alive[:] = [i not in failed for i in range(n)]
         k.regulated, k.r_trim[:] = float(bool(mode.released)), 0.0
         s.integral[:] = 0.0
@@ -83,21 +90,23 @@ class InversionController:
             s.integral[1] = 0.0
         return mode
 
-    def step(self, step: int, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> np.ndarray:
-        """Commands [n] for row `step` of the measured states and references (record arrays); fills that row of
-        telemetry."""
-        changed = adaptive_step(
-            step, states, setpoints, telemetry, self.model, self.settings, self.mode_record, self.memory, self._work
-        )
-        if changed:
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight (see `controllers.Controller`)."""
+        own = (self.model, self.settings, self.mode_record, self.memory, self._work)
+        self._parts = (states, setpoints, telemetry, *own)
+
+    def step(self, step: int) -> np.ndarray:
+        """Commands [n] for row `step`."""
+        if adaptive_step(step, self._parts):
             failed = tuple(int(i) for i in np.flatnonzero(self.memory[0].failed > 0.5))
             self.mode = self._enter(failed, step)
+            command_step(step, self._parts)
         return self.command
 
 
 def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.ndarray:
     model, n = setup.model, len(scale)
-    record = np.zeros(1, model_dtype(n)).view(np.recarray)
+    record = np.zeros(1, model_dtype(n))
     m = record[0]
     m.airspeed, m.alpha, m.density = model.airspeed_m_s, model.alpha_rad, model.density_kg_m3
     m.servo[:] = [kind == "servo" for kind in model.kinds]
@@ -105,7 +114,8 @@ def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.nda
     m.lag[:] = [a.lag_rad_s for a in setup.actuators]
     m.rate[:] = [a.rate / a.scale for a in setup.actuators]
     m.hold[:] = np.array(model.trim) / scale
-    m.bias[:] = (np.array(model.bias) + np.array(model.offset_matrix).sum(axis=1))[:4]
+    m.offset[:] = np.array(model.offset_matrix).sum(axis=1)[:4]
+    m.bias[:] = np.array(model.bias)[:4] + m.offset
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
     axial = model.airspeed_m_s * math.cos(model.alpha_rad)
@@ -114,30 +124,35 @@ def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.nda
             continue
         _, slope = p.torque_at(model.trim[i], axial, model.density_kg_m3)
         m.torque_slope[i] = slope * scale[i]
-        m.c_thrust[i, : len(p.thrust)], m.c_torque[i, : len(p.torque)] = p.thrust, p.torque
+        m.c_thrust[i], m.c_torque[i] = p.thrust, p.torque
         m.diameter[i], m.rotor_inertia[i], m.max_volts[i] = p.diameter_m, p.rotor_inertia_kg_m2, p.max_volts
+        m.advance_min[i] = p.advance[0]
+        m.advance_step[i] = (p.advance[1] - p.advance[0]) / (len(p.thrust) - 1)
         m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
         m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
-        if max(len(p.thrust), len(p.torque)) > MAX_DEGREE:
-            raise ValueError(f"propeller polynomials have at most {MAX_DEGREE} coefficients")
     return record
 
 
 def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     n, chosen, loops = len(setup.actuators), setup.settings, setup.control.loops
-    record = np.zeros(1, settings_dtype(n)).view(np.recarray)
+    record = np.zeros(1, settings_dtype(n))
     c = record[0]
     for name, value in loops.model_dump().items():
         if name.endswith("_deg"):
             c[name.removesuffix("_deg")] = math.radians(value)
-        else:
+        elif name != "slow_descent_s":
             c[name.removesuffix("_m_s").removesuffix("_m")] = value
     for name, default in (("gamma", 4.0), ("epsilon", 0.05)):
         value = chosen.get(name, default)
         c[name][:] = [value[kind] if isinstance(value, Mapping) else value for kind in setup.model.kinds]
     c.dt, c.adapts, c.monitors = setup.dt_s, float(adapts), float(monitors)
-    defaults = {"threshold": 0.1, "recovery": 0.5, "persistence_s": 0.05}
-    defaults |= {"lambda_min": 0.01, "lambda_max": 1.1, "divisor_min": 0.1, "filter_rad_s": 0.0}
+    defaults = {"threshold": 0.1, "recovery": 0.5, "persistence_s": 0.1, "recovery_s": 1.0, "walk_rts": 0.1}
+    defaults |= {"lambda_min": 0.05, "lambda_max": 1.1, "filter_rad_s": 0.0}
+    names = {"recovery_s": "recovery_time", "persistence_s": "persistence", "walk_rts": "walk"}
+    names["filter_rad_s"] = "filter"
     for name, default in defaults.items():
-        c[name.removesuffix("_s").removesuffix("_rad")] = chosen.get(name, default)
+        c[names.get(name, name)] = chosen.get(name, default)
+    c.divisor_min = 0.1
+    c.weighted = float(chosen.get("estimation") == "weighted")
+    c.noise[:] = [setup.control.disturbance[rate] for rate in RATES]
     return record

@@ -80,13 +80,43 @@ def adapt(e, pressure, m, c, s):
 
 
 @compiled
+def adapt_weighted(z, phi, c, s):
+    """(13) with its gain Phi^-1 replaced by a Kalman gain, for weather: rows that gusts disturb count for less.
+
+    lambda is a random walk, each row i of z = Phi lambda + noise is one scalar measurement whose noise has the spectral
+    density c.noise[i]^2; epsilon is no longer needed, because small commands carry little weight by themselves. The
+    covariance P is bounded by that of not knowing lambda at all, and estimates are projected as in `adapt`.
+    """
+    n = len(s.lambda_hat)
+    for i in range(n):
+        s.P[i, i] = min(s.P[i, i] + c.walk * c.walk * c.dt, 1.0)
+    for row in range(4):
+        h = phi[row]
+        variance = c.noise[row] * c.noise[row] / c.dt
+        error = z[row]
+        for i in range(n):
+            error -= h[i] * s.lambda_hat[i]
+            s.Ph[i] = 0.0
+            for j in range(n):
+                s.Ph[i] += s.P[i, j] * h[j]
+        for i in range(n):
+            variance += h[i] * s.Ph[i]
+        for i in range(n):
+            s.lambda_hat[i] += s.Ph[i] * error / variance
+            for j in range(n):
+                s.P[i, j] -= s.Ph[i] * s.Ph[j] / variance
+    for i in range(n):
+        s.lambda_hat[i] = min(max(s.lambda_hat[i], c.lambda_min), c.lambda_max)
+
+
+@compiled
 def monitor(c, s):
     """Section 2.3: an actuator has failed once its estimate stays below the threshold; returns 1 on any change."""
     changed = 0
     for i in range(len(s.lambda_hat)):
         against = s.lambda_hat[i] < c.threshold if s.failed[i] < 0.5 else s.lambda_hat[i] > c.recovery
         s.timer[i] = s.timer[i] + c.dt if against else 0.0
-        if s.timer[i] > (c.persistence if s.failed[i] < 0.5 else 10.0 * c.persistence):
+        if s.timer[i] > (c.persistence if s.failed[i] < 0.5 else c.recovery_time) + 1e-9:
             s.failed[i] = 1.0 - s.failed[i]
             s.timer[i] = 0.0
             changed = 1
@@ -102,6 +132,30 @@ def invert(wanted, pressure, m, k, s):
             s.r[i] += k.B_hat_inv[i, j] * wanted[j]
         if m.servo[i] > 0.5:
             s.r[i] /= pressure
+
+
+@compiled
+def redistribute(wanted, pressure, m, c, k, s):
+    """With an actuator to spare, one that would pass its stop stays there and the others do what it cannot
+    (redistributed pseudo-inverse; Bodson, J. Guidance 25 (2002) 703)."""
+    worst, excess = -1, 0.0
+    for i in range(len(s.r)):
+        lam = max(s.lambda_hat[i], c.divisor_min)
+        beyond = max(s.r[i] - m.high[i] * lam, m.low[i] * lam - s.r[i])
+        if k.alive[i] > 0.5 and beyond > excess:
+            worst, excess = i, beyond
+    if k.spare < 0.5 or worst < 0:
+        return
+    lam = max(s.lambda_hat[worst], c.divisor_min)
+    held = min(max(s.r[worst], m.low[worst] * lam), m.high[worst] * lam)
+    moved = held * (pressure if m.servo[worst] > 0.5 else 1.0) - k.r_trim[worst]
+    for j in range(len(s.r)):
+        s.r[j] = k.r_trim[j]
+        for i in range(4):
+            s.r[j] += k.held_inv[worst, j, i] * (wanted[i] - m.B[i, worst] * moved)
+        if m.servo[j] > 0.5:
+            s.r[j] /= pressure
+    s.r[worst] = held
 
 
 @compiled

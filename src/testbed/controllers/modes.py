@@ -17,8 +17,8 @@ import numpy as np
 from scipy.linalg import solve_continuous_are
 from scipy.optimize import root
 
-from testbed.controllers.records import INTEGRALS, OUTER
 from testbed.controllers.control_design import ControlDesign
+from testbed.controllers.records import INTEGRALS, OUTER
 from testbed.design import DesignModel
 from testbed.signals import RATES
 
@@ -34,6 +34,7 @@ class Mode:
         released: rates that are given up.
         matrix: [4, n] B_hat of (29), scaled: zeros where the paper puts them.
         inverse: [n, 4] from wanted rates to scaled actuator positions; zero rows and columns for failed and released.
+        held: [n, n, 4] the inverse to use while an actuator (first index) is held at a stop; None without a spare one.
         condition: condition number of what remains, scaled.
         refused: why the mode is not controllable, or empty.
     """
@@ -44,6 +45,7 @@ class Mode:
     inverse: np.ndarray
     condition: float
     refused: str = ""
+    held: np.ndarray | None = None
 
 
 def enumerate_modes(
@@ -59,7 +61,11 @@ def enumerate_modes(
 
 
 def _mode(
-    model: DesignModel, b: np.ndarray, failed: tuple[int, ...], control: ControlDesign, released: Sequence[str]
+    model: DesignModel,
+    b: np.ndarray,
+    failed: tuple[int, ...],
+    control: ControlDesign,
+    released: Sequence[str],
 ) -> Mode:
     names = tuple(model.actuators[i] for i in failed)
     axes = _released_axes(names, b.shape[1], control, released)
@@ -76,20 +82,29 @@ def _mode(
         )
     else:
         inverse[np.ix_(alive, kept)] = np.linalg.pinv(remaining)
-    return Mode(names, axes, modified_matrix(b, failed, axes), inverse, condition, refused)
+    held = _held_inverses(b, kept, alive) if len(alive) > len(kept) and not refused else None
+    return Mode(names, axes, modified_matrix(b, failed, axes), inverse, condition, refused, held)
+
+
+def _held_inverses(b: np.ndarray, kept: list[int], alive: list[int]) -> np.ndarray:
+    inverses = np.zeros((b.shape[1], b.shape[1], 4))
+    for i in alive:
+        others = [j for j in alive if j != i]
+        inverses[np.ix_([i], others, kept)] = np.linalg.pinv(b[np.ix_(kept, others)])
+    return inverses
 
 
 def _released_axes(
     failed: tuple[str, ...], n: int, control: ControlDesign, always: Sequence[str]
 ) -> tuple[str, ...]:
-    """Axes to give up: the aircraft's choice for the combination, else by its choice for each and its priorities."""
+    """Axes to give up: those asked for while nothing has failed; else the aircraft's choice for the combination, or by
+    its choices for each and its priorities, until no more axes are kept than actuators are left."""
+    if not failed:
+        return tuple(axis for axis in RATES if axis in always)
     listed = control.release.get("+".join(failed))
-    axes = set(always)
-    if listed is not None:
-        axes |= set(listed)
-    else:
-        for name in failed:
-            axes |= set(control.release.get(name, ()))
+    if listed is None:
+        listed = [axis for name in failed for axis in control.release.get(name, ())]
+    axes = set(listed)
     for axis in reversed(control.priorities):
         if len(RATES) - len(axes) <= n - len(failed):
             break
@@ -134,11 +149,20 @@ class Regulator:
 
 
 class NoLevelTrim(ValueError):
-    """The design model has no steady level flight with these actuators."""
+    """With these actuators the design model has no steady flight, or none that can be held."""
+
+
+def _titles(mode: Mode) -> str:
+    return f"{', '.join(mode.failed) or 'nothing'} failed, {', '.join(mode.released) or 'nothing'} released"
 
 
 def design_regulator(
-    model: DesignModel, scale: np.ndarray, mode: Mode, control: ControlDesign, limits: np.ndarray, lags: np.ndarray
+    model: DesignModel,
+    scale: np.ndarray,
+    mode: Mode,
+    control: ControlDesign,
+    limits: np.ndarray,
+    lags: np.ndarray,
 ) -> Regulator:
     """Linear-quadratic regulator for a mode, by Bryson's rule (Bryson and Ho, Applied Optimal Control, sec. 5.2).
 
@@ -170,7 +194,12 @@ def design_regulator(
     into = mode.inverse[:, kept]
     R = into.T @ np.diag(alive / control.regulator.actuator**2) @ into
     A, B = A[np.ix_(states, states)], B[np.ix_(states, kept)]
-    P = solve_continuous_are(A, B, Q, R)
+    try:
+        P = solve_continuous_are(A, B, Q, R)
+    except np.linalg.LinAlgError:
+        raise NoLevelTrim(
+            f"{_titles(mode)}: what is left cannot stabilise the aircraft about its trim"
+        ) from None
     gains = np.zeros((4, nx + n + ni))
     gains[np.ix_(kept, states)] = np.linalg.solve(R, B.T @ P)
     integral = np.zeros((4, len(INTEGRALS)))
@@ -188,7 +217,7 @@ def _level_trim(
     hold = np.array(model.trim) / scale
     free = np.flatnonzero(alive)
     if len(free) < 2:
-        raise NoLevelTrim(f"{', '.join(mode.failed)} failed: one actuator cannot hold altitude and heading")
+        raise NoLevelTrim(f"{_titles(mode)}: one actuator cannot hold altitude and heading")
     thrust = any(alive[i] and model.kinds[i] == "motor" for i in range(len(alive)))
     slack = () if len(free) >= 3 else (("airspeed",) if thrust else ("path_angle",))
     sizes = {"airspeed": model.airspeed_m_s, "path_angle": 0.0}
@@ -225,7 +254,7 @@ def _level_trim(
                 return state, a, held
         if not slack:
             break
-    raise NoLevelTrim(f"{', '.join(mode.failed)} failed: no steady level flight within the stops")
+    raise NoLevelTrim(f"{_titles(mode)}: no steady level flight within the stops")
 
 
 def _pitch_for(alpha: float, beta: float, roll: float, path_angle: float) -> float:

@@ -68,12 +68,16 @@ def pid(y, ref, m, c, k, s, f, wanted):
 def regulate(y, ref, m, c, k, s, f, wanted):
     """Hold references about the mode's own trim without cancelling what is stable: x_dc_dot = f_m(x) + v.
 
-    v = -K (x - x_trim) - K_a (a - r_trim) - K_i integral, so the bracket of (29) is v itself; the trim enters as r_trim.
+    v = -K (x - x_trim) - K_a (a - r_trim) - K_i integral, so the bracket of (29) is v itself; the trim enters as
+    r_trim.
     """
     e_speed = clip(y.airspeed - ref.airspeed, c.airspeed_error_max)
     e_height = clip(y.altitude - ref.altitude, c.altitude_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
+    e_height += k.protect * max(
+        -e_speed - c.protect_from, 0.0
+    )  # too slow to turn: height is what can be given
     if abs(e_speed) < c.airspeed_error_max:
         s.integral[0] += e_speed * c.dt
     if abs(e_height) < c.altitude_error_max:

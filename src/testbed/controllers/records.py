@@ -1,56 +1,73 @@
 """The memory of the compiled law: four numpy records, made new for each flight.
 
 A record is a fixed block of float64 with named fields, so the law reads `m.B[i, j]` as the paper writes it, whether it
-is compiled or not. Actuator quantities are in scaled units: position divided by the actuator's `scale`, so that one unit
-means the same authority for a tail as for a propeller and a single epsilon serves all (14).
+is compiled or not. Actuator quantities are in scaled units: position divided by the actuator's `scale`, so that one
+unit means the same authority for a tail as for a propeller and a single epsilon serves all (14).
 """
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
+
+from testbed.design import PROPELLER_POINTS
 
 OUTER = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
 """State that the degraded modes' regulator feeds back, as deviations from the mode's trim and the references."""
 INTEGRALS = ("airspeed", "altitude", "heading")
-MAX_DEGREE = 5  # coefficients of the propeller polynomials
 
 
 def _dtype(fields: list[tuple[str, tuple[int, ...]]]) -> np.dtype:
-    return np.dtype([(name, np.float64, shape) if shape else (name, np.float64) for name, shape in fields])
+    return np.dtype((np.record, [(name, np.float64, shape) for name, shape in fields]))
 
 
+@cache
 def model_dtype(n: int) -> np.dtype:
     """Design model f_m, B_m and the actuators' own dynamics, for n actuators."""
     scalars = ("airspeed", "alpha", "density")
     per_actuator = (
         "servo", "scale", "low", "high", "lag", "rate", "hold", "torque_slope",
-        "diameter", "rotor_inertia", "max_volts", "k_v", "k_t", "resistance", "no_load_current",
+        "diameter", "advance_min", "advance_step", "rotor_inertia", "max_volts", "k_v", "k_t", "resistance",
+        "no_load_current",
     )  # fmt: skip
     fields: list[tuple[str, tuple[int, ...]]] = [(name, ()) for name in scalars]
     fields += [(name, (n,)) for name in per_actuator]
-    fields += [("bias", (4,)), ("A", (4, 5)), ("B", (4, n)), ("B_inv", (n, 4)), ("B_torque", (4, n))]
-    fields += [("c_thrust", (n, MAX_DEGREE)), ("c_torque", (n, MAX_DEGREE))]
+    fields += [
+        ("bias", (4,)),
+        ("offset", (4,)),
+        ("A", (4, 5)),
+        ("B", (4, n)),
+        ("B_inv", (n, 4)),
+        ("B_torque", (4, n)),
+    ]
+    fields += [("c_thrust", (n, PROPELLER_POINTS)), ("c_torque", (n, PROPELLER_POINTS))]
     return _dtype(fields)
 
 
+@cache
 def settings_dtype(n: int) -> np.dtype:
     """What the control designer chooses."""
     scalars = (
-        "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "adapts", "monitors",
-        "divisor_min", "filter",
+        "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "recovery_time", "adapts", "monitors",
+        "divisor_min", "filter", "weighted", "walk", "protect_from",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
     )  # fmt: skip
-    return _dtype([(name, ()) for name in scalars] + [("gamma", (n,)), ("epsilon", (n,))])
+    return _dtype([(name, ()) for name in scalars] + [("gamma", (n,)), ("epsilon", (n,)), ("noise", (4,))])
 
 
+@cache
 def mode_dtype(n: int) -> np.dtype:
     """One control mode: which actuators are left, and the modified inverse of equation (29)."""
     return _dtype(
         [
             ("regulated", ()),
             ("B_hat_inv", (n, 4)),
+            ("spare", ()),
+            ("protect", ()),
+            ("held_inv", (n, n, 4)),
             ("alive", (n,)),
             ("released", (4,)),
             ("r_trim", (n,)),
@@ -62,6 +79,7 @@ def mode_dtype(n: int) -> np.dtype:
     )
 
 
+@cache
 def memory_dtype(n: int) -> np.dtype:
     """What the law remembers from step to step, and what it says to the log."""
     return _dtype(
@@ -79,6 +97,8 @@ def memory_dtype(n: int) -> np.dtype:
             ("timer", (n,)),
             ("integral", (4,)),
             ("x_dot_desired", (4,)),
+            ("P", (n, n)),
+            ("Ph", (n,)),
             ("filtered", (2, 4)),
             ("filtered_phi", (2, 4, n)),
         ]

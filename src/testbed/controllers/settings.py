@@ -40,21 +40,55 @@ class ControllerSettings(Settings):
     model_error: dict[str, Number] = {}  # noqa: RUF012  (pydantic copies it)
 
 
+_WEIGHTED = {
+    "threshold": 0.15,
+    "persistence_s": 0.2,
+    "recovery_s": 0.3,
+    "filter_rad_s": 20.0,
+    "lambda_max": 1.0,
+}
+
+
 class AdaptiveInversionSettings(ControllerSettings):
     """The paper's controller: inversion (6), adaptation (13), monitor (29)."""
 
     type: Literal["adaptive_inversion"] = "adaptive_inversion"
+    estimation: Literal["newton", "weighted"] = "newton"
+    """`newton` is the paper's (13); `weighted` gives rows that gusts disturb less weight, for weather and real sensors.
+    It has other defaults: threshold 0.15, persistence_s 0.2, recovery_s 0.3, filter_rad_s 20, lambda_max 1."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
     """Adaptation rate of (13) [1/s]."""
     epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
     """Half-width of g in (14), in units of the actuator's `scale`."""
     threshold: Fraction = 0.1
     """An actuator with a lower estimate counts as failed."""
+    recovery: Fraction = Field(default=0.6, validate_default=True)
+    """A failed one with a higher estimate counts as sound again."""
     persistence_s: NonNegative = 0.1
     """How long the estimate must stay below the threshold [s]."""
+    recovery_s: NonNegative = 1.0
+    """How long it must stay above `recovery` [s]."""
+    walk_rts: Positive = 0.1
+    """How fast effectiveness may drift, for `weighted` [1/sqrt(s)]."""
+    filter_rad_s: NonNegative = 0.0
+    """Two equal lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
     lambda_min: Positive = 0.05
     lambda_max: Positive = 1.1
     """Estimates are kept between these."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _defaults_for_weather(cls, value: Any) -> Any:
+        if isinstance(value, dict) and value.get("estimation") == "weighted":
+            return {**_WEIGHTED, **value}
+        return value
+
+    @field_validator("recovery")
+    @classmethod
+    def _above_threshold(cls, recovery: float, info: ValidationInfo) -> float:
+        if recovery <= info.data.get("threshold", 0.0):
+            raise refuse(f"{recovery:g} is not above threshold", f"more than {info.data['threshold']:g}")
+        return recovery
 
     @field_validator("lambda_max")
     @classmethod

@@ -10,11 +10,13 @@ from testbed.compiled import compiled
 from testbed.controllers.actuators import advance, throttle_for
 from testbed.controllers.law import (
     adapt,
+    adapt_weighted,
     compensate,
     give_up_speed,
     invert,
     measured_error,
     monitor,
+    redistribute,
     regressor,
     state_function,
 )
@@ -33,36 +35,66 @@ def low_pass(x, memory, a):
 
 
 @compiled
-def adaptive_step(step, states, setpoints, telemetry, models, settings, modes, memories, work):
-    """Estimate, monitor, invert and command for one measured state; returns 1 when the set of failures changed.
+def adaptive_step(step, parts):
+    """Estimate, monitor, invert and command for one measured state; returns 1 when the set of failures changed, and
+    then has not commanded: the mode must be put in force first (`command_step`).
 
     Args:
-        step: index of the row of `states` and `setpoints` (record arrays, see `signals`) and of `telemetry`.
-        models, settings, modes, memories: record arrays of one record (see `records`).
-        work: [4, 6 + n] scratch, so that nothing is allocated.
+        step: row of the channels.
+        parts: states, setpoints, telemetry (see `Controller.bind`), then model, settings, mode and memory (record
+            arrays of one, see `records`), then working memory [4, 6 + n], so that nothing is allocated. One tuple,
+            because numba takes it in a third of the time.
     """
-    y, ref = states[step], setpoints[step]
-    m, c, k, s = models[0], settings[0], modes[0], memories[0]
-    f, z, e, wanted, phi = work[:, 0], work[:, 1], work[:, 2], work[:, 3], work[:, 6:]
+    states, _, _, models, settings, _, memories, work = parts
+    y, m, c, s = states[step], models[0], settings[0], memories[0]
+    f, z, e, phi = work[:, 0], work[:, 1], work[:, 2], work[:, 6:]
     pressure = (y.airspeed / m.airspeed) ** 2
     axial = y.airspeed * math.cos(y.alpha) * math.cos(y.beta)
 
     advance(c.dt, axial, m, s)
     state_function(y, m, f)
-    z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
-    regressor(pressure, m, s, phi)
-    low_pass(z, s.filtered, c.filter * c.dt)
-    for i in range(4):
-        low_pass(phi[i], s.filtered_phi[:, i], c.filter * c.dt)
-    changed = 0
     if c.adapts > 0.5:
-        measured_error(z, phi, s, e)
-        adapt(e, pressure, m, c, s)
-        if c.monitors > 0.5:
-            changed = monitor(c, s)
-    control(y, ref, axial, pressure, m, c, k, s, f, wanted)
+        z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
+        for i in range(4):
+            z[i] += m.offset[i] * pressure  # in f_m as if all propellers were whole; Phi has it for each
+        regressor(pressure, m, s, phi)
+        low_pass(z, s.filtered, c.filter * c.dt)
+        for i in range(4):
+            low_pass(phi[i], s.filtered_phi[:, i], c.filter * c.dt)
+        if c.weighted > 0.5:
+            adapt_weighted(z, phi, c, s)
+        else:
+            measured_error(z, phi, s, e)
+            adapt(e, pressure, m, c, s)
+        if c.monitors > 0.5 and monitor(c, s):
+            return 1
+    command_step(step, parts)
+    return 0
+
+
+@compiled
+def command_step(step, parts):
+    """Outer loops, inversion and commands with the mode in force."""
+    states, setpoints, telemetry, models, settings, modes, memories, work = parts
+    y, ref = states[step], setpoints[step]
+    m, c, k, s = models[0], settings[0], modes[0], memories[0]
+    f, wanted = work[:, 0], work[:, 3]
+    pressure = (y.airspeed / m.airspeed) ** 2
+    axial = y.airspeed * math.cos(y.alpha) * math.cos(y.beta)
+    if k.regulated > 0.5:
+        regulate(y, ref, m, c, k, s, f, wanted)
+    else:
+        pid(y, ref, m, c, k, s, f, wanted)
+    invert(wanted, pressure, m, k, s)
+    redistribute(wanted, pressure, m, c, k, s)
+    give_up_speed(m, c, k, s)
+    compensate(m, c, k, s)
+    for i in range(len(s.u)):
+        if m.servo[i] > 0.5:
+            s.command[i] = s.u[i] * m.scale[i]
+        else:
+            s.command[i] = throttle_for(i, s.u[i] * m.scale[i], axial, m, s)
     tell(telemetry[step], k, s)
-    return changed
 
 
 @compiled
@@ -77,23 +109,6 @@ def tell(row, k, s):
     for i in range(4):
         row[4 * n + i] = s.x_dot_desired[i]
         row[4 * n + 4 + i] = k.released[i]
-
-
-@compiled
-def control(y, ref, axial, pressure, m, c, k, s, f, wanted):
-    """Outer loops, inversion and commands with the mode in force."""
-    if k.regulated > 0.5:
-        regulate(y, ref, m, c, k, s, f, wanted)
-    else:
-        pid(y, ref, m, c, k, s, f, wanted)
-    invert(wanted, pressure, m, k, s)
-    give_up_speed(m, c, k, s)
-    compensate(m, c, k, s)
-    for i in range(len(s.u)):
-        if m.servo[i] > 0.5:
-            s.command[i] = s.u[i] * m.scale[i]
-        else:
-            s.command[i] = throttle_for(i, s.u[i] * m.scale[i], axial, m, s)
 
 
 def scratch(n: int) -> np.ndarray:

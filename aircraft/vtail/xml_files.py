@@ -1,0 +1,348 @@
+"""Write the JSBSim files of the v-tail from derived numbers. Text only: no number is made here.
+
+Left and right always come from one number printed once: mirror images agree to the last digit.
+"""
+
+# ruff: noqa: E501 - lines of XML stay whole
+
+import math
+
+Q, S, B, C = "aero/qbar-psf", "metrics/Sw-sqft", "metrics/bw-ft", "metrics/cbarw-ft"
+ALPHA, BETA, ALPHADOT = "aero/alpha-rad", "aero/beta-rad", "aero/alphadot-rad_sec"
+P, Q_RATE, R = "velocities/p-aero-rad_sec", "velocities/q-aero-rad_sec", "velocities/r-aero-rad_sec"
+B2V, C2V = "aero/bi2vel", "aero/ci2vel"
+SIDES = (("left", -1), ("right", 1))
+LATTICE = "vortex lattice (AeroSandbox)"
+
+
+def number(x):
+    """Six digits; rounding residue and negative zero are zero."""
+    return f"{x:.6g}" if abs(x) > 1e-12 else "0"
+
+
+def function(name, text, *factors):
+    inside = "".join(f if f.startswith("<") else f"<property>{f}</property>" for f in factors)
+    return (
+        f'      <function name="aero/coefficient/{name}">\n        <description>{text}</description>\n'
+        f"        <product>{inside}</product>\n      </function>\n"
+    )
+
+
+def value(x):
+    return f"<value>{number(x)}</value>"
+
+
+def alpha_table(rows, column):
+    data = "\n".join(f"            {row[0]:.6f} {number(row[column])}" for row in rows)
+    return (
+        f'<table>\n          <independentVar lookup="row">{ALPHA}</independentVar>\n          <tableData>\n{data}\n'
+        "          </tableData></table>"
+    )
+
+
+def ruddervators(axis, c, area, *lengths):
+    """Both surfaces' share of one axis. Longitudinal terms are equal, lateral ones opposite."""
+    text = f"one ruddervator, trailing edge down positive; {LATTICE} x viscous factor"
+    out = ""
+    for side, _ in SIDES:
+        lateral = -1 if axis in ("CY", "Cl", "Cn") and side == "right" else 1
+        out += function(
+            f"{axis}_{side}",
+            text,
+            Q,
+            S,
+            *lengths,
+            f"fcs/{side}-ruddervator/effective-rad",
+            value(lateral * c[f"{axis}_left"]),
+        )
+    return out
+
+
+def flap_drag(c):
+    out = ""
+    for side, _ in SIDES:
+        angle = f"fcs/{side}-ruddervator/effective-rad"
+        square = f"<pow><sin><property>{angle}</property></sin><value>2</value></pow>"
+        text = "profile drag of one deflected ruddervator; hand-book (plain flap, sine squared)"
+        out += function(f"CD_{side}_profile", text, Q, S, square, value(c["CD_left2"]))
+    return out
+
+
+def rates(axis, c):
+    """Roll- and yaw-rate terms of a lateral axis."""
+    lengths = () if axis == "CY" else (B,)
+    extra = {"Cn_r": " + profile drag of the wing (strip theory)"}
+    return "".join(
+        function(
+            f"{axis}_{k}",
+            f"{word} rate; {LATTICE}{extra.get(f'{axis}_{k}', '')}",
+            Q,
+            S,
+            *lengths,
+            prop,
+            B2V,
+            value(c[f"{axis}_{k}"]),
+        )
+        for k, word, prop in (("p", "roll", P), ("r", "yaw", R))
+    )
+
+
+def aerodynamics(c):
+    stall = "straight line to the stall, flat plate beyond"
+    both = f"{LATTICE} + propellers' normal force (DeYoung)"
+    axes = {
+        "LIFT": function("CL_alpha", f"lift; {both}; {stall}", Q, S, alpha_table(c["angles"], 1))
+        + function("CL_q", f"pitch rate; {LATTICE}", Q, S, Q_RATE, C2V, value(c["CL_q"]))
+        + function("CL_alphadot", "lag of downwash; lattice's tail and downwash gradient", "aero/qbarUW-psf", S, ALPHADOT, C2V, value(c["CL_alphadot"]))
+        + ruddervators("CL", c, S),
+        "DRAG": function("CD_alpha", f"parasite build-up (hand-book) + induced ({LATTICE}); {stall}", Q, S, alpha_table(c["angles"], 2))
+        + ruddervators("CD", c, S)
+        + flap_drag(c),
+        "SIDE": function("CY_beta", f"sideslip; {LATTICE} + pod (slender body) + propellers", Q, S, BETA, value(c["CY_beta"]))
+        + rates("CY", c)
+        + ruddervators("CY", c, S),
+        "ROLL": function("Cl_beta", f"dihedral effect; {LATTICE} + high wing on pod (DATCOM)", Q, S, B, BETA, value(c["Cl_beta"]))
+        + rates("Cl", c)
+        + ruddervators("Cl", c, S, B),
+        "PITCH": function("Cm_alpha", f"pitch; {LATTICE} + pod (Munk) + propellers + drag arms; {stall}", Q, S, C, alpha_table(c["angles"], 3))
+        + function("Cm_q", f"pitch damping; {LATTICE}", Q, S, C, Q_RATE, C2V, value(c["Cm_q"]))
+        + function("Cm_alphadot", "lag of downwash; lattice's tail and downwash gradient", "aero/qbarUW-psf", S, C, ALPHADOT, C2V, value(c["Cm_alphadot"]))
+        + ruddervators("Cm", c, S, C),
+        "YAW": function("Cn_beta", f"weathercock; {LATTICE} - pod (Munk) - propellers", Q, S, B, BETA, value(c["Cn_beta"]))
+        + rates("Cn", c)
+        + ruddervators("Cn", c, S, B),
+    }  # fmt: skip
+    return "".join(f'    <axis name="{name}">\n{text}    </axis>\n' for name, text in axes.items())
+
+
+def location(x, y, z, name=""):
+    label = f' name="{name}"' if name else ""
+    return f'<location{label} unit="M"><x>{number(x)}</x><y>{number(y)}</y><z>{number(z)}</z></location>'
+
+
+def metrics(g, m, reference):
+    area, span, chord = reference
+    t = g["tail"]
+    panels = t["panel_span_m"] * (t["root_chord_m"] + t["tip_chord_m"])
+    level, upright = (
+        math.cos(math.radians(t["dihedral_deg"])) ** 2,
+        math.sin(math.radians(t["dihedral_deg"])) ** 2,
+    )
+    arm = t["quarter_chord_x_m"] - m["cg_m"][0]
+    return f"""    <wingarea unit="M2">{number(area)}</wingarea><wingspan unit="M">{number(span)}</wingspan><chord unit="M">{number(chord)}</chord>
+    <htailarea unit="M2">{number(panels * level)}</htailarea><htailarm unit="M">{number(arm)}</htailarm>
+    <vtailarea unit="M2">{number(panels * upright)}</vtailarea><vtailarm unit="M">{number(arm)}</vtailarm>
+    {location(*m["cg_m"], "AERORP")}{location(*m["cg_m"], "EYEPOINT")}{location(*m["cg_m"], "VRP")}
+"""
+
+
+def mass_balance(m):
+    ixx, iyy, izz, ixz = m["empty_inertia"]
+    # JSBSim expects minus the integral of x z (default negated_crossproduct_inertia)
+    text = f"""    <ixx unit="KG*M2">{number(ixx)}</ixx><iyy unit="KG*M2">{number(iyy)}</iyy><izz unit="KG*M2">{number(izz)}</izz>
+    <ixz unit="KG*M2">{number(-ixz)}</ixz>
+    <emptywt unit="KG">{number(m["empty_kg"])}</emptywt>
+    {location(*m["empty_cg_m"], "CG")}
+    <!-- inertia/pointmass-weight-lbs[0] left, [1] right: set to zero when the surface is lost -->
+"""
+    for p in m["points"]:
+        text += f'    <pointmass name="{p["name"]}"><weight unit="KG">{number(p["mass_kg"])}</weight>{location(*p["at_m"], "POINTMASS")}</pointmass>\n'
+    return text
+
+
+def contact(kind, name, at, spring, damping, friction):
+    rolling = (
+        '<rolling_friction>0.05</rolling_friction><max_steer unit="DEG">0</max_steer><brake_group>NONE</brake_group><retractable>0</retractable>'
+        if kind == "BOGEY"
+        else ""
+    )
+    return (
+        f'    <contact type="{kind}" name="{name}">{location(*at)}<static_friction>{friction}</static_friction>'
+        f"<dynamic_friction>{friction}</dynamic_friction>{rolling}"
+        f'<spring_coeff unit="N/M">{spring}</spring_coeff><damping_coeff unit="N/M/SEC">{damping}</damping_coeff></contact>\n'
+    )
+
+
+def ground_reactions(g):
+    """Wheels, and what touches when the wheels do not. 5 kg on three wheels of 1500 N/m sink 1 cm."""
+    half, tail, pod = 0.5 * g["wing"]["span_m"], g["tail"], g["pod"]
+    dihedral = math.radians(tail["dihedral_deg"])
+    tip = (
+        tail["quarter_chord_x_m"],
+        tail["panel_span_m"] * math.cos(dihedral),
+        tail["root_z_m"] + tail["panel_span_m"] * math.sin(dihedral),
+    )
+    bottom = pod["z_m"] - 0.5 * pod["height_m"]
+    out = contact("BOGEY", "NOSE_WHEEL", (-0.25, 0, -0.40), 1500, 60, 0.7)
+    for side, sign in SIDES:
+        out += contact("BOGEY", f"{side.upper()}_WHEEL", (0.16, sign * 0.18, -0.40), 1500, 60, 0.7)
+    out += contact("STRUCTURE", "BELLY", (0.10, 0, bottom), 4000, 80, 0.5)
+    out += contact("STRUCTURE", "NOSE", (pod["nose_x_m"], 0, pod["z_m"]), 4000, 80, 0.5)
+    for side, sign in SIDES:
+        out += contact(
+            "STRUCTURE",
+            f"{side.upper()}_WING_TIP",
+            (0.10, sign * half, half * math.tan(math.radians(g["wing"]["dihedral_deg"]))),
+            2000,
+            40,
+            0.5,
+        )
+    out += contact("STRUCTURE", "TAIL_ROOT", (tail["quarter_chord_x_m"], 0, tail["root_z_m"]), 2000, 40, 0.5)
+    for side, sign in SIDES:
+        out += contact(
+            "STRUCTURE", f"{side.upper()}_TAIL_TIP", (tip[0], sign * tip[1], tip[2]), 1000, 20, 0.5
+        )
+    return out
+
+
+def hub(g, sign):
+    p = g["propulsion"]
+    return location(p["x_m"], sign * p["y_m"], p["z_m"])
+
+
+def propulsion(g):
+    return "".join(
+        f"""    <engine file="vtail_motor"><thruster file="vtail_prop"><sense>{g["propulsion"][f"{side}_sense"]}</sense>
+      {hub(g, sign)}<orient unit="DEG"><roll>0</roll><pitch>0</pitch><yaw>0</yaw></orient></thruster></engine>
+"""
+        for side, sign in SIDES
+    )
+
+
+def properties(block, values):
+    return "".join(
+        f'    <property value="{number(v)}">fcs/{block}/{k}</property>\n' for k, v in values.items()
+    )
+
+
+def ruddervator_channel(g, side, sign, gradient, zero):
+    n, dihedral = f"fcs/{side}-ruddervator", math.radians(g["tail"]["dihedral_deg"])
+    along_alpha, along_beta = (1 - gradient) * math.cos(dihedral), sign * math.sin(dihedral)
+    return f'''    <channel name="{side} ruddervator">
+      <fcs_function name="{n}/demand-rad"><function><ifthen><property>{n}/override-active</property><property>{n}/override-rad</property>
+        <sum><product><property>{n}/command-rad</property><property>{n}/command-scale</property></product><property>{n}/command-bias-rad</property></sum></ifthen></function></fcs_function>
+      <actuator name="{n}/servo"><input>{n}/demand-rad</input><lag>{n}/servo-lag-rad_sec</lag><rate_limit>{n}/servo-rate-rad_sec</rate_limit>
+        <clipto><min>{n}/servo-min-rad</min><max>{n}/servo-max-rad</max></clipto><output>{n}/servo-rad</output></actuator>
+      <!-- incidence of the air at this panel: what a free surface aligns with -->
+      <fcs_function name="{n}/incidence-rad"><function><sum><value>{number(zero)}</value>
+        <product><property>{ALPHA}</property>{value(along_alpha)}</product><product><property>{BETA}</property>{value(along_beta)}</product></sum></function></fcs_function>
+      <fcs_function name="{n}/position-rad"><function><ifthen><property>{n}/float-active</property>
+        <product><value>-1</value><property>{n}/float-gain</property><property>{n}/incidence-rad</property></product>
+        <sum><property>{n}/servo-rad</property><property>{n}/linkage-bias-rad</property></sum></ifthen></function></fcs_function>
+      <fcs_function name="{n}/effective-rad"><function><product><property>{n}/effectiveness</property><property>{n}/position-rad</property></product></function></fcs_function>
+    </channel>
+'''
+
+
+def propeller_channel(g, index, side):
+    n, motor = f"fcs/{side}-propeller", g["propulsion"]["motor"]
+    volts_per_rpm = 1 / (motor["velocity_constant_rpm_v"] * motor["max_volts"])
+    return f'''    <channel name="{side} propeller">
+      <!-- without power no current flows: the motor is held at the voltage that it generates, and windmills -->
+      <fcs_function name="{n}/throttle-norm"><function><ifthen><property>{n}/power-lost</property>
+        <product><property>propulsion/engine[{index}]/propeller-rpm</property>{value(volts_per_rpm)}</product>
+        <max><property>{n}/throttle-min-norm</property><min><property>{n}/throttle-max-norm</property>
+        <ifthen><property>{n}/override-active</property><property>{n}/override-norm</property>
+        <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></ifthen></function>
+        <output>fcs/throttle-pos-norm[{index}]</output></fcs_function>
+    </channel>
+'''
+
+
+def flight_control(g, c):
+    servo, limit = g["servo"], math.radians(g["servo"]["limit_deg"])
+    surface = {
+        "command-rad": 0, "command-scale": 1, "command-bias-rad": 0, "override-active": 0, "override-rad": 0,
+        "servo-lag-rad_sec": servo["lag_rad_s"], "servo-rate-rad_sec": servo["rate_rad_s"], "servo-min-rad": -limit,
+        "servo-max-rad": limit, "linkage-bias-rad": 0, "float-active": 0, "float-gain": servo["float_gain"], "effectiveness": 1,
+    }  # fmt: skip
+    motor = {
+        "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
+        "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
+    }  # fmt: skip
+    # downwash vanishes with lift
+    zero = math.cos(math.radians(g["tail"]["dihedral_deg"])) * (
+        math.radians(g["tail"]["incidence_deg"]) - c["downwash"] * c["CL0"] / c["CL_alpha"]
+    )
+    text = "".join(properties(f"{side}-ruddervator", surface) for side, _ in SIDES)
+    text += "".join(properties(f"{side}-propeller", motor) for side, _ in SIDES)
+    text += "".join(ruddervator_channel(g, side, sign, c["downwash"], zero) for side, sign in SIDES)
+    return text + "".join(propeller_channel(g, i, side) for i, (side, _) in enumerate(SIDES))
+
+
+def external_reactions(g):
+    """A propeller's loss takes (1 - effectiveness) of its thrust and torque away, in the same step."""
+    out = ""
+    for i, (side, sign) in enumerate(SIDES):
+        loss = f"<difference><property>fcs/{side}-propeller/effectiveness</property><value>1</value></difference>"
+        out += f"""    <force name="{side}-propeller-loss" frame="BODY"><function name="fcs/{side}-propeller/lost-thrust-lbs"><product>{loss}<property>propulsion/engine[{i}]/thrust-lbs</property></product></function>
+      {hub(g, sign)}<direction><x>1</x><y>0</y><z>0</z></direction></force>
+    <moment name="{side}-propeller-loss-torque" frame="BODY"><function><product>{loss}<property>propulsion/engine[{i}]/propeller-torque-ftlb</property></product></function>
+      <direction><x>1</x><y>0</y><z>0</z></direction></moment>
+"""
+    return out
+
+
+def aircraft(g, m, c, reference):
+    return f"""<?xml version="1.0"?>
+<!-- Written by derive.py from geometry.yaml: change those, not this. -->
+<fdm_config name="vtail" version="2.0" release="BETA">
+  <fileheader><author>testbed</author><filecreationdate>2026-11-21</filecreationdate><version>2</version><description>Small v-tail UAV</description></fileheader>
+  <metrics>
+{metrics(g, m, reference)}  </metrics>
+  <mass_balance>
+{mass_balance(m)}  </mass_balance>
+  <ground_reactions>
+{ground_reactions(g)}  </ground_reactions>
+  <propulsion>
+{propulsion(g)}  </propulsion>
+  <flight_control name="vtail">
+{flight_control(g, c)}  </flight_control>
+  <aerodynamics>
+{aerodynamics(c)}  </aerodynamics>
+  <external_reactions>
+{external_reactions(g)}  </external_reactions>
+</fdm_config>
+"""
+
+
+def propeller_file(g, table):
+    p, motor = g["propulsion"]["propeller"], g["propulsion"]["motor"]
+    inertia = p["mass_kg"] * (p["gyration_ratio"] * 0.5 * p["diameter_m"]) ** 2 + motor["can_inertia_kg_m2"]
+
+    def rows(column):
+        return "\n".join(f"      {row[0]:.3f} {row[column]:.6f}" for row in table)
+
+    return f"""<?xml version="1.0"?>
+<!-- Written by derive.py: blade-element momentum theory (propeller.py) on the blade of geometry.yaml. Inertia: propeller and motor bell.
+     Rows past J = 2 are the windmilling and standing rotor; table in J, so their values grow with J squared. -->
+<propeller name="vtail_prop" version="1.1">
+  <ixx unit="KG*M2">{number(inertia)}</ixx><diameter unit="M">{number(p["diameter_m"])}</diameter><numblades>{p["blades"]}</numblades><gearratio>1</gearratio><constspeed>0</constspeed>
+  <table name="C_THRUST" type="internal"><tableData>
+{rows(1)}
+  </tableData></table>
+  <table name="C_POWER" type="internal"><tableData>
+{rows(2)}
+  </tableData></table>
+</propeller>
+"""
+
+
+def motor_file(g):
+    motor = g["propulsion"]["motor"]
+    return f"""<?xml version="1.0"?>
+<!-- Written by derive.py. Resistance is motor, speed controller, wires and battery. -->
+<brushless_dc_motor name="vtail_motor">
+  <maxvolts unit="VOLTS">{number(motor["max_volts"])}</maxvolts><velocityconstant>{number(motor["velocity_constant_rpm_v"])}</velocityconstant>
+  <coilresistance unit="OHMS">{number(motor["resistance_ohm"])}</coilresistance><noloadcurrent unit="AMPERES">{number(motor["no_load_current_a"])}</noloadcurrent>
+</brushless_dc_motor>
+"""
+
+
+def write(g, m, c, table, reference):
+    """Text of each file by its name."""
+    return {
+        "vtail.xml": aircraft(g, m, c, reference),
+        "Engines/vtail_prop.xml": propeller_file(g, table),
+        "Engines/vtail_motor.xml": motor_file(g),
+    }

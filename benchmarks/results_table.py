@@ -1,0 +1,50 @@
+"""The README's results: the shipped scenarios' requirements, measured now, with and without adaptation.
+
+python benchmarks/results_table.py
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from testbed import fly
+from testbed.flight import Flight
+from testbed.scenario import load_scenario
+
+SCENARIOS = ("left_tail_fail", "left_propeller_fail")
+CONTROLLERS = ("adaptive_inversion", "fixed_inversion")
+
+
+def main() -> None:
+    for name in SCENARIOS:
+        flights = [
+            fly(load_scenario(f"scenarios/{name}.yaml", [f"controller.type={controller}"]))
+            for controller in CONTROLLERS
+        ]
+        print(f"\n| `{name}` | asked | adaptive | fixed |\n| --- | --- | --- | --- |")
+        print(f"| flown | 60 s | {' | '.join(map(ending, flights))} |")
+        print(f"| flagged failed | | {' | '.join(map(flags, flights))} |")
+        for rows in zip(*(flight.requirements for flight in flights), strict=True):
+            if "within" in rows[0]["limit"]:
+                what = rows[0]["name"].replace(rows[0]["limit"], "").replace(" ,", ",")
+                print(f"| {what} | {rows[0]['limit']} | {' | '.join(map(value, rows))} |")
+
+
+def value(row: Mapping[str, Any]) -> str:
+    return "not reached" if math.isnan(row["value"]) else f"{row['value']:.2g}"
+
+
+def ending(flight: Flight) -> str:
+    return f"{flight.end_time_s:g} s" if flight.outcome == "completed" else f"lost at {flight.end_time_s:g} s"
+
+
+def flags(flight: Flight) -> str:
+    kinds = ("detection", "false_alarm")
+    found = [f"{e['actuator']} at {e['time_s']:.2f} s" for e in flight.events if e["kind"] in kinds]
+    return ", ".join(found) or "none"
+
+
+if __name__ == "__main__":
+    main()

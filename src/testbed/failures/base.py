@@ -1,0 +1,159 @@
+"""What every failure has: when it begins and ends, and which properties of the plant it holds.
+
+Units: a field whose name ends in a unit is in that unit. A field that does not (`value`, `low`, `high`, `amplitude`,
+`rate`) is a factor, or is in the actuator's own unit: the aircraft YAML's (degrees) for a servo, throttle from 0 to 1
+for a motor; `rate` is that per second.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from pydantic import ValidationInfo, field_validator, model_validator
+
+from testbed.aircraft import Aircraft, MotorActuator, Servo
+from testbed.settings import NonNegative, Number, Positive, Settings, Text, refuse
+
+Examples = Mapping[str, Mapping[str, Any]]
+"""Fields of a failure, per kind of actuator."""
+Course = Callable[[float, float], float]
+"""Value of a held property from the time since the failure's start [s] and the property's value at the start."""
+
+
+@dataclass(frozen=True)
+class Capture:
+    """Held at the value that another property (or the property itself) has when the failure starts."""
+
+    source: str
+
+
+def both(servo: Mapping[str, Any], motor: Mapping[str, Any] | None = None) -> Examples:
+    """Fields for a servo and for a motor; the same ones where `motor` is not given."""
+    return {"servo": servo, "motor": servo if motor is None else motor}
+
+
+class Fault(NamedTuple):
+    """Why a failure does not fit the aircraft or the scenario: the field, what is wrong, what was expected."""
+
+    field: str
+    what: str
+    expected: str = ""
+
+
+class When(Settings):
+    """A failure that starts when a logged signal first goes above or below a value."""
+
+    signal: Text
+    above: Number | None = None
+    below: Number | None = None
+
+    @model_validator(mode="after")
+    def _one_limit(self) -> When:
+        if (self.above is None) == (self.below is None):
+            raise refuse("needs one limit", "either above or below")
+        return self
+
+    def met(self, value: float) -> bool:
+        """Whether the signal is beyond the limit."""
+        return value > self.above if self.above is not None else value < (self.below or 0.0)
+
+    def __str__(self) -> str:
+        side, limit = ("above", self.above) if self.above is not None else ("below", self.below)
+        return f"{self.signal} {side} {limit:g}"
+
+
+class Failure(Settings):
+    """What all failures share: a beginning (`at_s` or `when`), perhaps an end, and usually an actuator."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("servo", "motor")
+    """Kinds of actuator that can fail in this way."""
+    undone: ClassVar[bool] = True
+    """Whether it ends at `until_s`; what has fallen off does not come back."""
+    examples: ClassVar[Examples] = {}
+    """Per kind, fields of one failure that shows; flown by the tests and for the catalogue's figures."""
+
+    type: str
+    actuator: Text | None = None
+    at_s: NonNegative | None = None
+    until_s: Positive | None = None
+    when: When | None = None
+
+    @field_validator("until_s")
+    @classmethod
+    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
+        start = info.data.get("at_s")
+        if until_s is not None and not cls.undone:
+            raise refuse("is an end, and this failure cannot be undone", "no until_s")
+        if until_s is not None and start is not None and until_s <= start:
+            raise refuse(f"{until_s:g} s is not after at_s", f"more than {start:g}")
+        return until_s
+
+    @model_validator(mode="after")
+    def _one_start(self) -> Failure:
+        if (self.at_s is None) == (self.when is None):
+            raise refuse("has no start" if self.at_s is None else "has two starts", "either at_s or when")
+        return self
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any] | None:
+        """Fields with which the failure changes nothing of this actuator; None where there are none."""
+        return None
+
+    def properties(self, aircraft: Aircraft) -> Mapping[str, float | Capture]:
+        """JSBSim properties that are held while the failure lasts, and their values when it starts."""
+        raise NotImplementedError
+
+    def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course] | None:
+        """The held property that changes while the failure lasts, and how; None when nothing does."""
+        return None
+
+    def delay_steps(self, rate_hz: float) -> int | None:
+        """Control steps by which the actuator's commands come late; None when commands are left alone."""
+        return None
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        """What does not fit the aircraft (its actuator exists and is of the right kind)."""
+        return iter(())
+
+    @property
+    def window_s(self) -> tuple[float, float]:
+        """Earliest start and latest end [s]; one that waits for a signal may start at any time."""
+        return self.at_s or 0.0, math.inf if self.until_s is None else self.until_s
+
+
+class ActuatorFailure(Failure):
+    """A failure of one named actuator."""
+
+    actuator: Text
+
+    def is_servo(self, aircraft: Aircraft) -> bool:
+        return aircraft.actuators[self.actuator].kind == "servo"
+
+    def name(self, aircraft: Aircraft, servo: str, motor: str | None = None) -> str:
+        """Full name of a property in this actuator's block; `motor` where a motor's is called differently."""
+        tail = servo if motor is None or self.is_servo(aircraft) else motor
+        return f"{aircraft.actuators[self.actuator].prefix}/{tail}"
+
+    def inside(self, aircraft: Aircraft, value: float) -> float:
+        """A value in the actuator's unit as the plant has it: radians, or throttle."""
+        return math.radians(value) if self.is_servo(aircraft) else value
+
+    def travel(self, aircraft: Aircraft) -> tuple[float, float]:
+        """Lowest and highest command, in the actuator's unit."""
+        return aircraft.actuators[self.actuator].limits if self.is_servo(aircraft) else (0.0, 1.0)
+
+    def unit(self, aircraft: Aircraft) -> str:
+        return aircraft.actuators[self.actuator].unit if self.is_servo(aircraft) else "throttle"
+
+    def outside(
+        self, aircraft: Aircraft, field: str, low: float, high: float, per: str = ""
+    ) -> Iterator[Fault]:
+        """A fault when this field's value is not from `low` to `high`."""
+        value = getattr(self, field)
+        if value is not None and not low <= value <= high:
+            unit = self.unit(aircraft) + per
+            yield Fault(field, f"{value:g} {unit} is outside {self.actuator}'s range", f"{low:g} to {high:g}")

@@ -1,0 +1,210 @@
+"""Failures of the way from command to position: properties held at fixed values from start to end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from testbed.aircraft import Aircraft, MotorActuator, Servo
+from testbed.failures.base import ActuatorFailure, Capture, Examples, Failure, Fault, both
+from testbed.settings import Number, Positive, refuse
+
+
+class CommandScale(ActuatorFailure):
+    """Commands are scaled by `value`, before the servo: 0 is no command, 1 is healthy."""
+
+    type: Literal["command_scale"] = "command_scale"
+    value: Annotated[Number, Field(ge=0, le=2)]
+    examples: ClassVar[Examples] = both({"value": 0.5})
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"value": 1.0}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "command-scale"): self.value}
+
+
+class Reversal(ActuatorFailure):
+    """Commands act with the opposite sign, about zero deflection (not about trim): a crossed linkage or wire."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    type: Literal["reversal"] = "reversal"
+    examples: ClassVar[Examples] = {"servo": {}}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "command-scale"): -1.0}
+
+
+class Stuck(ActuatorFailure):
+    """A surface stays where it is when the failure starts; a motor keeps the throttle that it has then."""
+
+    type: Literal["stuck"] = "stuck"
+    examples: ClassVar[Examples] = both({})
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        if self.is_servo(
+            aircraft
+        ):  # JSBSim's own: the output freezes, with nothing of the lag left to play out
+            return {self.name(aircraft, "servo/malfunction/fail_stuck"): 1.0}
+        held = Capture(self.name(aircraft, "throttle-norm"))
+        return {self.name(aircraft, "override-active"): 1.0, self.name(aircraft, "override-norm"): held}
+
+
+class StuckAt(ActuatorFailure):
+    """The servo goes to `value` (with its lag and rate) and stays; a motor runs at throttle `value`."""
+
+    type: Literal["stuck_at"] = "stuck_at"
+    value: Number
+    examples: ClassVar[Examples] = both({"value": 5.0}, {"value": 0.3})
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        value = self.inside(aircraft, self.value)
+        override = self.name(aircraft, "override-rad", "override-norm")
+        return {self.name(aircraft, "override-active"): 1.0, override: value}
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        return self.outside(aircraft, "value", *self.travel(aircraft))
+
+
+class Hardover(ActuatorFailure):
+    """The servo drives to its stop, the highest (`to: max`) or the lowest (`min`); a motor to full or no throttle."""
+
+    type: Literal["hardover"] = "hardover"
+    to: Literal["max", "min"] = "max"
+    examples: ClassVar[Examples] = both({"to": "max"})
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        stop = self.inside(aircraft, self.travel(aircraft)[self.to == "max"])
+        override = self.name(aircraft, "override-rad", "override-norm")
+        return {self.name(aircraft, "override-active"): 1.0, override: stop}
+
+
+class Float(ActuatorFailure):
+    """The surface is free and trails with the local flow: minus `gain` (default: the aircraft's) of the incidence."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    type: Literal["float"] = "float"
+    gain: Annotated[Number, Field(ge=0, le=1)] | None = None
+    examples: ClassVar[Examples] = {"servo": {}}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        gain = {} if self.gain is None else {self.name(aircraft, "float-gain"): self.gain}
+        return {self.name(aircraft, "float-active"): 1.0, **gain}
+
+
+class Bias(ActuatorFailure):
+    """The surface is off by `value` behind the servo (bent linkage); a motor's throttle command is off by `value`."""
+
+    type: Literal["bias"] = "bias"
+    value: Number
+    examples: ClassVar[Examples] = both({"value": 5.0}, {"value": -0.2})
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"value": 0.0}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        name = self.name(aircraft, "linkage-bias-rad", "command-bias-norm")
+        return {name: self.inside(aircraft, self.value)}
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        low, high = self.travel(aircraft)
+        return self.outside(aircraft, "value", low - high, high - low)
+
+
+class PositionLimit(ActuatorFailure):
+    """Travel is cut to `low` .. `high` (one may be left out); what is beyond is moved to the new stop at once."""
+
+    type: Literal["position_limit"] = "position_limit"
+    low: Number | None = None
+    high: Number | None = None
+    examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.4})
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return dict(
+            zip(("low", "high"), actuator.limits if actuator.kind == "servo" else (0.0, 1.0), strict=True)
+        )
+
+    @model_validator(mode="after")
+    def _some_travel(self) -> PositionLimit:
+        if self.low is None and self.high is None:
+            raise refuse("has no limit", "low, high or both")
+        if self.low is not None and self.high is not None and self.low >= self.high:
+            raise refuse(f"from {self.low:g} to {self.high:g} leaves no travel", "low below high")
+        return self
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        limits = (("min", self.low), ("max", self.high))
+        return {
+            self.name(aircraft, f"servo-{end}-rad", f"throttle-{end}-norm"): self.inside(aircraft, value)
+            for end, value in limits
+            if value is not None
+        }
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        for field in ("low", "high"):
+            yield from self.outside(aircraft, field, *self.travel(aircraft))
+
+
+class RateLimit(ActuatorFailure):
+    """The servo is no faster than `value` per second."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    type: Literal["rate_limit"] = "rate_limit"
+    value: Positive
+    examples: ClassVar[Examples] = {"servo": {"value": 2.0}}
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"value": actuator.rate_limit}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "servo-rate-rad_sec"): self.inside(aircraft, self.value)}
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        return self.outside(aircraft, "value", 0.0, aircraft.actuators[self.actuator].rate_limit, "/s")
+
+
+class Lag(ActuatorFailure):
+    """The servo's first-order lag becomes `lag_rad_s`: slower than it was."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    type: Literal["lag"] = "lag"
+    lag_rad_s: Positive
+    examples: ClassVar[Examples] = {"servo": {"lag_rad_s": 3.0}}
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"lag_rad_s": actuator.lag_rad_s}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "servo-lag-rad_sec"): self.lag_rad_s}
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        healthy = aircraft.actuators[self.actuator].lag_rad_s
+        if self.lag_rad_s > healthy:
+            what = f"{self.lag_rad_s:g} rad/s is faster than {self.actuator} is"
+            yield Fault("lag_rad_s", what, f"at most {healthy:g}")
+
+
+class Property(Failure):
+    """Any writable JSBSim properties are held at given values."""
+
+    type: Literal["property"] = "property"
+    actuator: None = None
+    set: dict[str, Number] = Field(min_length=1)
+
+    @field_validator("set")
+    @classmethod
+    def _once(cls, held: dict[str, float]) -> dict[str, float]:
+        for name in held:
+            if "[0]" in name and name.replace("[0]", "") in held:
+                raise refuse(f"holds {name} twice", "one spelling of it")
+        return held
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return dict(self.set)

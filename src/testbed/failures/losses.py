@@ -1,0 +1,79 @@
+"""Failures of what an actuator does to the aircraft: its force, its torque, its mass."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import Field, StrictBool
+
+from testbed.aircraft import Aircraft, MotorActuator, Servo
+from testbed.failures.base import ActuatorFailure, Capture, Examples, Fault, both
+from testbed.settings import Number
+
+Gain = Annotated[Number, Field(ge=0, le=1.5)]
+
+
+class Effectiveness(ActuatorFailure):
+    """The actuator's force (and torque) is scaled by `value`, after the servo: 0 is lost, 1 is healthy."""
+
+    type: Literal["effectiveness"] = "effectiveness"
+    value: Gain
+    examples: ClassVar[Examples] = both({"value": 0.2})
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"value": 1.0}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "effectiveness"): self.value}
+
+
+class PropLoss(ActuatorFailure):
+    """The propeller is gone: no thrust and no torque, while the motor still tracks its commands."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("motor",)
+    undone: ClassVar[bool] = False
+    type: Literal["prop_loss"] = "prop_loss"
+    examples: ClassVar[Examples] = {"motor": {}}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "effectiveness"): 0.0}
+
+
+class MotorStop(ActuatorFailure):
+    """The motor has no power and its propeller windmills; with `braked: true` its windings are shorted: more drag."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("motor",)
+    type: Literal["motor_stop"] = "motor_stop"
+    braked: StrictBool = False
+    examples: ClassVar[Examples] = {"motor": {}}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        if self.braked:  # no voltage at all: the motor brakes as a generator on a short circuit
+            return {
+                self.name(aircraft, "throttle-max-norm"): 0.0,
+                self.name(aircraft, "throttle-min-norm"): 0.0,
+            }
+        return {self.name(aircraft, "power-lost"): 1.0}
+
+
+class SurfaceLost(ActuatorFailure):
+    """The surface is gone, and with it its force and its share of mass, centre of gravity and inertia."""
+
+    kinds: ClassVar[tuple[str, ...]] = ("servo",)
+    undone: ClassVar[bool] = False
+    type: Literal["surface_lost"] = "surface_lost"
+    examples: ClassVar[Examples] = {"servo": {}}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        servo = aircraft.actuators[self.actuator]
+        held: dict[str, float | Capture] = {self.name(aircraft, "effectiveness"): 0.0}
+        if isinstance(servo, Servo) and servo.pointmass is not None:
+            held[f"inertia/pointmass-weight-lbs[{servo.pointmass}]"] = 0.0
+        return held
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        if len(self.properties(aircraft)) == 1:
+            what = f"{aircraft.name} gives {self.actuator} no mass that could be lost"
+            yield Fault("actuator", what, f"effectiveness: 0, or pointmass in {aircraft.name}.yaml")

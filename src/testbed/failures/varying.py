@@ -1,0 +1,154 @@
+"""Failures whose held value changes while they last, or which act on the command's path."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import Field
+
+from testbed.aircraft import Aircraft, MotorActuator, Servo
+from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both
+from testbed.failures.losses import Gain
+from testbed.settings import NonNegative, Number, Positive
+
+MAX_DELAY_S = 5.0
+
+
+class Delay(ActuatorFailure):
+    """Commands arrive `delay_s` late (to the nearest control step); until the first one does, the last is held."""
+
+    type: Literal["delay"] = "delay"
+    delay_s: Annotated[Number, Field(ge=0, le=MAX_DELAY_S)]
+    examples: ClassVar[Examples] = both({"delay_s": 0.15})
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"delay_s": 0.0}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        command = self.name(aircraft, "command-rad", "command-norm")
+        return {command: Capture(command)}
+
+    def delay_steps(self, rate_hz: float) -> int:
+        return math.floor(self.delay_s * rate_hz + 0.5)
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        if self.delay_s > 0 and not self.delay_steps(rate_hz):
+            what = f"{self.delay_s:g} s is less than half a control step: nothing would be late"
+            yield Fault("delay_s", what, f"0 or at least {0.5 / rate_hz:g}")
+
+
+class Oscillation(ActuatorFailure):
+    """A sine of `amplitude` and `frequency_hz` is added to the commands, before the servo."""
+
+    type: Literal["oscillation"] = "oscillation"
+    amplitude: NonNegative
+    frequency_hz: Positive
+    examples: ClassVar[Examples] = both(
+        {"amplitude": 4.0, "frequency_hz": 3.0}, {"amplitude": 0.15, "frequency_hz": 3.0}
+    )
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"amplitude": 0.0, "frequency_hz": 3.0}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "command-bias-rad", "command-bias-norm"): 0.0}
+
+    def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course]:
+        amplitude, omega = self.inside(aircraft, self.amplitude), 2.0 * math.pi * self.frequency_hz
+        (name,) = self.properties(aircraft)
+        return name, lambda t, start: amplitude * math.sin(omega * t)
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        low, high = self.travel(aircraft)
+        yield from self.outside(aircraft, "amplitude", 0.0, high - low)
+        if self.frequency_hz > 0.25 * rate_hz:
+            what = f"{self.frequency_hz:g} Hz cannot be made of steps at {rate_hz:g} Hz"
+            yield Fault("frequency_hz", what, f"at most a quarter of rate_hz, {0.25 * rate_hz:g}")
+
+
+class Runaway(ActuatorFailure):
+    """The servo leaves where it is and ramps at `rate` per second to its stop (`to: max` or `min`); or the throttle."""
+
+    type: Literal["runaway"] = "runaway"
+    rate: Positive
+    to: Literal["max", "min"] = "max"
+    examples: ClassVar[Examples] = both({"rate": 10.0}, {"rate": 0.3})
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        override = self.name(aircraft, "override-rad", "override-norm")
+        here = Capture(self.name(aircraft, "servo-rad", "throttle-norm"))
+        return {self.name(aircraft, "override-active"): 1.0, override: here}
+
+    def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course]:
+        name = self.name(aircraft, "override-rad", "override-norm")
+        rate, (low, high) = self.inside(aircraft, self.rate), self.travel(aircraft)
+        if self.to == "max":
+            stop = self.inside(aircraft, high)
+            return name, lambda t, start: max(start, min(start + rate * t, stop))
+        stop = self.inside(aircraft, low)
+        return name, lambda t, start: min(start, max(start - rate * t, stop))
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        if self.is_servo(aircraft):
+            yield from self.outside(aircraft, "rate", 0.0, aircraft.actuators[self.actuator].rate_limit, "/s")
+
+
+class Intermittent(ActuatorFailure):
+    """Effectiveness drops to `value` and returns, at random: broken for `off_s`, then well for `on_s`, on average."""
+
+    type: Literal["intermittent"] = "intermittent"
+    value: Annotated[Number, Field(ge=0, le=1)] = 0.0
+    off_s: Positive
+    on_s: Positive
+    examples: ClassVar[Examples] = both({"value": 0.0, "off_s": 0.2, "on_s": 0.3})
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"value": 1.0, "off_s": 0.2, "on_s": 0.3}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        return {self.name(aircraft, "effectiveness"): self.value}
+
+    def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course]:
+        """Spells are exponentially distributed and drawn as time goes on; the first is broken."""
+        healthy = 1.0
+        spell_end, broken = random.exponential(self.off_s), True
+
+        def value_at(t: float, start: float) -> float:
+            nonlocal spell_end, broken
+            while t >= spell_end:
+                broken = not broken
+                spell_end += random.exponential(self.off_s if broken else self.on_s)
+            return self.value if broken else healthy
+
+        return self.name(aircraft, "effectiveness"), value_at
+
+
+class Decay(ActuatorFailure):
+    """Effectiveness fades to `value`: in `over_s` (`shape: linear`) or with that time constant (`exponential`)."""
+
+    type: Literal["decay"] = "decay"
+    value: Gain
+    over_s: Positive
+    shape: Literal["linear", "exponential"] = "linear"
+    examples: ClassVar[Examples] = both({"value": 0.2, "over_s": 0.8})
+
+    @classmethod
+    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+        return {"value": 1.0, "over_s": 0.8}
+
+    def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
+        name = self.name(aircraft, "effectiveness")
+        return {name: Capture(name)}
+
+    def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course]:
+        value, over = self.value, self.over_s
+        (name,) = self.properties(aircraft)
+        if self.shape == "linear":
+            return name, lambda t, start: value if t >= over else start + (value - start) * (t / over)
+        return name, lambda t, start: value + (start - value) * math.exp(-t / over)

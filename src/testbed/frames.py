@@ -1,0 +1,26 @@
+"""Rotations between the frames of `signals`: north-east-down, body and wind axes."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+
+def body_from_ned(roll: float, pitch: float, heading: float) -> np.ndarray:
+    """[3, 3] turns north-east-down components into body components; yaw, pitch, roll in this order."""
+    cr, sr, cp, sp = math.cos(roll), math.sin(roll), math.cos(pitch), math.sin(pitch)
+    ch, sh = math.cos(heading), math.sin(heading)
+    return np.array(
+        [
+            [cp * ch, cp * sh, -sp],
+            [sr * sp * ch - cr * sh, sr * sp * sh + cr * ch, sr * cp],
+            [cr * sp * ch + sr * sh, cr * sp * sh - sr * ch, cr * cp],
+        ]
+    )
+
+
+def body_from_wind(alpha: float, beta: float) -> np.ndarray:
+    """[3, 3] turns components in wind axes (x along the velocity through the air) into body components."""
+    ca, sa, cb, sb = math.cos(alpha), math.sin(alpha), math.cos(beta), math.sin(beta)
+    return np.array([[ca * cb, -ca * sb, -sa], [sb, cb, 0.0], [sa * cb, -sa * sb, ca]])

@@ -1,0 +1,43 @@
+"""What it cost: how hard the actuators were worked, and how long they had no more to give."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from testbed.metrics.readings import Readings
+
+_AT_STOP = 1e-3  # of its travel: this near to a stop a command is at it
+
+
+def control_effort_per_s(readings: Readings) -> float:
+    """Integral of the squared rates of all commands, each in units of its actuator's scale [1/s].
+
+    Sum over actuators and rows of (change of command / scale)^2 / (time between rows), so that a jump counts
+    for more the shorter the control step. NaN where no scale is known.
+    """
+    total = 0.0
+    for name, facts in readings.actuators.items():
+        change = np.diff(readings.log[f"{name}_command"])
+        total += float(np.square(change).sum()) / float(facts.get("scale", math.nan)) ** 2
+    return total / readings.step_s if readings.step_s else math.nan
+
+
+def saturated_time_s(readings: Readings) -> float:
+    """Time with a command at its stop (0.1 % of its travel from it), of any actuator not flagged failed [s].
+
+    NaN where no stops are known.
+    """
+    saturated = np.zeros(len(readings.time_s), dtype=bool)
+    for name, facts in readings.actuators.items():
+        if "limits" not in facts:
+            return math.nan
+        low, high = facts["limits"]
+        command, margin = readings.log[f"{name}_command"], _AT_STOP * (high - low)
+        at_stop = (command <= low + margin) | (command >= high - margin)
+        saturated |= at_stop & (readings.log[f"{name}_failed"] < 0.5)
+    return float(np.count_nonzero(saturated) * readings.step_s)
+
+
+TABLE = (control_effort_per_s, saturated_time_s)

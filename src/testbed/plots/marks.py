@@ -1,0 +1,89 @@
+"""What happened in a flight, as vertical lines that can be told apart in grey."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+_MOST_LABELS = 12
+_MOST_LINES = 60
+_CHARACTER = 0.0685  # inches, the mean width of a character of a label
+
+STYLES: dict[str, dict[str, Any]] = {
+    "injection": {"color": "black", "linestyle": "-", "linewidth": 1.6},
+    "detection": {"color": "#0072B2", "linestyle": (0, (6, 2)), "linewidth": 1.4},
+    "false_alarm": {"color": "#B22222", "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6},
+    "release": {"color": "0.35", "linestyle": (0, (1, 1.5)), "linewidth": 1.6},
+}
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A vertical line at a time, and the words for it; no words for one of too many."""
+
+    time_s: float
+    label: str
+    style: dict[str, Any]
+
+
+def marks(events: Sequence[Mapping[str, Any]], actuators: Collection[str] = ()) -> list[Mark]:
+    """A mark for each event, in order of time; what happens at one time in one way shares a mark."""
+    texts: dict[tuple[float, str], list[str]] = {}
+    for event in events:
+        if event["kind"] in STYLES:
+            texts.setdefault((event["time_s"], event["kind"]), []).append(describe(event))
+    found = [Mark(time, ", ".join(labels), STYLES[kind]) for (time, kind), labels in sorted(texts.items())]
+    shown = found[:_MOST_LINES]
+    if len(found) > _MOST_LABELS:
+        more = f"and {len(found) - _MOST_LABELS} more events"
+        last = shown[_MOST_LABELS]
+        rest = [Mark(m.time_s, more if m is last else "", m.style) for m in shown[_MOST_LABELS:]]
+        shown[_MOST_LABELS:] = rest
+    return shown
+
+
+def describe(event: Mapping[str, Any]) -> str:
+    """An event in words: `left ruddervator: effectiveness 0.2`."""
+    kind = event["kind"]
+    if kind == "release":
+        return f"{event['axis']} released"
+    what = str(event.get("actuator") or "").replace("_", " ")
+    if kind == "detection":
+        return f"{what} flagged after {event['delay_s']:.2f} s"
+    if kind == "false_alarm":
+        return f"FALSE ALARM: {what}"
+    if kind != "injection":
+        return f"{kind} {what}".strip()
+    return f"{what}: {_broken(event)}" if what else _broken(event)
+
+
+def _broken(event: Mapping[str, Any]) -> str:
+    values = event.get("properties", {})
+    if not event.get("active", True):
+        text = f"{event['type']} ends"
+    elif event["type"] == "property":
+        text = ", ".join(f"{name} = {value:g}" for name, value in values.items())
+    else:
+        number = f" {next(iter(values.values())):g}" if len(values) == 1 else ""
+        text = f"{event['type'].replace('_', ' ')}{number}"
+    return text if event.get("verified", True) else f"{text} (HAD NO EFFECT)"
+
+
+def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
+    """(mark, row of its label, side of its text that is at the line), so that no two labels touch.
+
+    Later labels of a crowd go into lower rows, so that no line crosses the words of another.
+    """
+    inch = width / (span[1] - span[0])
+    placed: list[tuple[float, float, int]] = []
+    rows: list[tuple[Mark, int, str]] = []
+    for mark in reversed([m for m in shown if m.label]):
+        x, long = (mark.time_s - span[0]) * inch, len(mark.label) * _CHARACTER + 0.12
+        side = "left" if x + long < width or x < 0.5 * width else "right"
+        low, high = (x, x + long) if side == "left" else (x - long, x)
+        meets = [row for a, b, row in placed if a < high + 0.05 and low < b + 0.05]
+        row = max(meets, default=-1) + 1
+        placed.append((low, high, row))
+        rows.append((mark, row, side))
+    return rows[::-1]

@@ -1,0 +1,75 @@
+"""What is random or timed in the sensors, drawn for the whole flight before it begins."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from testbed.compiled import compiled
+from testbed.sensors.channels import CHANNELS, channels_of
+from testbed.sensors.faults import Bias, Drift, Dropout, Noise, SensorFault, Stuck
+from testbed.sensors.settings import SensorModel
+from testbed.streams import generator
+
+READS, HOLDS, REPLACED = 0.0, 1.0, 2.0
+"""What a channel does in a step: reads the sensor, repeats its last reading, or gives `offset`."""
+
+
+def drawn(index: int, model: SensorModel, steps: int, rate_hz: float, seed: int) -> tuple[float, np.ndarray]:
+    """Scale factor of one channel, and [steps] its bias, drift, wander and noise together [SI].
+
+    Every part has its own stream, so that setting one leaves the others' numbers as they were, and a longer
+    flight begins like a shorter one.
+    """
+
+    def normal(part: str, size: int) -> np.ndarray:
+        return generator(seed, f"sensors.{CHANNELS[index].name}.{part}").standard_normal(size)
+
+    scale, error = 1.0 + model.scale_error, np.full(steps, model.si("bias"))
+    if model.scale_error_sigma:
+        scale += model.scale_error_sigma * float(normal("scale", 1)[0])
+    if sigma := model.si("bias_sigma"):
+        error += sigma * normal("bias", 1)
+    if density := model.si("drift"):
+        walk = np.cumsum(normal("drift", steps)) * density / math.sqrt(rate_hz)
+        error[1:] += walk[:-1]
+    if sigma := model.si("wander"):
+        error += sigma * wandering(normal("wander", steps), math.exp(-1.0 / (rate_hz * model.wander_time_s)))
+    if density := model.si("noise"):
+        error += density * math.sqrt(rate_hz / 2.0) * normal("noise", steps)
+    return scale, error
+
+
+@compiled
+def wandering(noise, kept):
+    """Stationary first-order Gauss-Markov sequence of variance one, of which a step keeps this fraction."""
+    x = noise.copy()
+    fresh = math.sqrt(1.0 - kept * kept)
+    for k in range(1, len(x)):
+        x[k] = kept * x[k - 1] + fresh * noise[k]
+    return x
+
+
+def timed(
+    fault: SensorFault, index: int, rate_hz: float, seed: int, offset: np.ndarray, state: np.ndarray
+) -> None:
+    """Enter one fault, the scenario's `index`th, into `offset` and `state` [steps, channels]."""
+    start, end = fault.window(rate_hz)
+    window = slice(int(start), int(min(end, len(offset))))
+    count = max(window.stop - window.start, 0)
+    for channel in channels_of(fault.sensor):
+        stream = generator(seed, f"sensors.fault.{index}.{CHANNELS[channel].name}")
+        value = fault.value or 0.0
+        if isinstance(fault, Stuck):
+            state[window, channel] = HOLDS if fault.value is None else REPLACED
+            offset[window, channel] = value
+        elif isinstance(fault, Dropout):
+            lost = stream.random(count) < fault.fraction
+            state[window, channel] = np.where(lost, HOLDS if fault.reads == "last" else REPLACED, READS)
+        elif isinstance(fault, Bias):
+            offset[window, channel] += value
+        elif isinstance(fault, Drift):
+            offset[window, channel] += value * (np.arange(count) + start - fault.at_s * rate_hz) / rate_hz
+        elif isinstance(fault, Noise):
+            offset[window, channel] += value * math.sqrt(rate_hz / 2.0) * stream.standard_normal(count)

@@ -1,0 +1,149 @@
+"""How a sensor can fail, from when to when. A new type is one class here and one line in TYPES.
+
+A value ends in the unit of the sensor that it is for: `value_deg_s` for a gyro, `value_m` for the altimeter.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Union
+
+from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
+
+from testbed.problems import did_you_mean, one_of
+from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of, names, unit_of
+from testbed.settings import NonNegative, Number, Positive, Settings, refuse
+
+Fault = TypeVar("Fault", bound="SensorFault")
+
+
+class SensorFault(Settings):
+    """What all share: one channel (`gyro_q`) or a whole sensor (`gyro`), a beginning and perhaps an end."""
+
+    key: ClassVar[str] = ""
+    """The value's name, {} for the unit; "" for a fault that has none."""
+    needs_value: ClassVar[bool] = True
+    replaces: ClassVar[bool] = False
+    """Whether it decides what is read; else it adds to it."""
+
+    type: str
+    sensor: str
+    at_s: NonNegative
+    until_s: Positive | None = None
+
+    @field_validator("sensor")
+    @classmethod
+    def _known(cls, sensor: str) -> str:
+        if not channels_of(sensor):
+            close = did_you_mean(sensor, names())
+            raise refuse(f"unknown sensor {sensor!r}", "" if close else one_of(names()), close)
+        return sensor
+
+    @field_validator("until_s")
+    @classmethod
+    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
+        start = info.data.get("at_s")
+        if until_s is not None and start is not None and until_s <= start:
+            raise refuse(f"{until_s:g} s is not after at_s", f"more than {start:g}")
+        return until_s
+
+    @model_validator(mode="after")
+    def _right_unit(self) -> SensorFault:
+        if not self.key:
+            return self
+        wanted = _name(self.key, unit_of(self.sensor))
+        given = [name for u in SI if getattr(self, name := _name(self.key, u)) is not None]
+        if any(name != wanted for name in given):
+            raise refuse(f"{self.sensor} does not take {given[0]}", wanted)
+        if self.needs_value and not given:
+            raise refuse("has no value", wanted)
+        return self
+
+    @property
+    def value(self) -> float | None:
+        """Its value in SI, if it has one."""
+        if not self.key:
+            return None
+        unit = unit_of(self.sensor)
+        value = getattr(self, _name(self.key, unit))
+        return None if value is None else float(value) * SI[unit]
+
+    def window(self, rate_hz: float) -> tuple[float, float]:
+        """First control step of the fault, and first after it; a step belongs to it from its time on."""
+        end = math.inf if self.until_s is None else math.ceil(self.until_s * rate_hz - 1e-9)
+        return math.ceil(self.at_s * rate_hz - 1e-9), end
+
+
+def _name(key: str, unit: str) -> str:
+    return key.format(unit, per_second=PER_SECOND[unit])
+
+
+def _valued(fault: type[Fault]) -> type[Fault]:
+    """The fault with one optional field for each unit that its value can have."""
+    kind = NonNegative if fault.key.startswith("noise") else Number
+    fields: dict[str, Any] = {_name(fault.key, u): (kind | None, None) for u in SI}
+    return create_model(fault.__name__, __base__=fault, __module__=__name__, __doc__=fault.__doc__, **fields)
+
+
+@_valued
+class Stuck(SensorFault):
+    """The reading stays at `value_<unit>`, or where it is when none is given."""
+
+    key, needs_value, replaces = "value_{}", False, True
+    type: Literal["stuck"] = "stuck"
+
+
+class Dropout(SensorFault):
+    """Samples are lost, each with probability `fraction` (default all); they read zero, or the last one."""
+
+    replaces = True
+    type: Literal["dropout"] = "dropout"
+    fraction: Annotated[Number, Field(gt=0, le=1)] = 1.0
+    reads: Literal["zero", "last"] = "zero"
+
+
+@_valued
+class Bias(SensorFault):
+    """`value_<unit>` is added."""
+
+    key = "value_{}"
+    type: Literal["bias"] = "bias"
+
+
+@_valued
+class Drift(SensorFault):
+    """An offset that grows by `rate_<unit per second>` from `at_s` on, and is gone at `until_s`."""
+
+    key = "rate_{per_second}"
+    type: Literal["drift"] = "drift"
+
+
+@_valued
+class Noise(SensorFault):
+    """White noise of one-sided density `noise_<unit>_rthz` is added to that of the sensor."""
+
+    key = "noise_{}_rthz"
+    type: Literal["noise"] = "noise"
+
+
+TYPES: dict[str, type[SensorFault]] = {
+    "stuck": Stuck,
+    "dropout": Dropout,
+    "bias": Bias,
+    "drift": Drift,
+    "noise": Noise,
+}
+
+if TYPE_CHECKING:
+    AnyFault = SensorFault
+else:
+    AnyFault = Annotated[Union[tuple(TYPES.values())], Field(discriminator="type")]  # noqa: UP007
+
+
+def clash(one: SensorFault, other: SensorFault) -> str:
+    """Name of the channel that two faults fight over, or "": what adds, adds up; what replaces, does not."""
+    shared = set(channels_of(one.sensor)) & set(channels_of(other.sensor))
+    ends = [math.inf if f.until_s is None else f.until_s for f in (one, other)]
+    meet = max(one.at_s, other.at_s) < min(ends)
+    fights = one.replaces or other.replaces
+    return CHANNELS[min(shared)].name if shared and meet and fights else ""

@@ -1,0 +1,143 @@
+"""The `sensors` block of a scenario: `ideal`, `mems`, or one of them with what differs, and faults.
+
+White noise is one-sided spectral density N, per root hertz: sampled at `rate_hz` its standard deviation is
+N sqrt(rate_hz / 2) (THEORY B0; a two-sided intensity S is N^2 / 2).
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
+
+from pydantic import Field, create_model, model_serializer, model_validator
+
+from testbed.problems import did_you_mean, one_of
+from testbed.sensors.channels import CHANNELS, SI
+from testbed.sensors.faults import AnyFault, clash
+from testbed.sensors.mems import MEMS
+from testbed.settings import NonNegative, Number, Positive, Settings, refuse
+
+Scale = Annotated[Number, Field(gt=-1, lt=1)]
+
+
+class SensorModel(Settings):
+    """Errors of one sensor, in the order in which they act; all are zero unless said.
+
+    reading(t) = [(1 + scale error) low_pass(truth) + bias + drift + wander + noise] delayed, then quantised.
+    """
+
+    unit: ClassVar[str]
+
+    low_pass_rad_s: NonNegative = 0.0
+    """Bandwidth of the first-order lag with which the sensor follows the truth; 0 is none."""
+    delay_s: NonNegative = 0.0
+    """Age of the reading, to the nearest whole control step."""
+    scale_error: Scale = 0.0
+    scale_error_sigma: Annotated[Number, Field(ge=0, lt=1)] = 0.0
+    """Fixed scale error, and the standard deviation of one drawn for each flight."""
+    wander_time_s: Positive = 10.0
+    """Correlation time of the wander, a stationary first-order Gauss-Markov process."""
+
+    def si(self, name: str) -> float:
+        """A setting with a unit, in SI: `noise`, `bias`, `bias_sigma`, `drift`, `wander` or `resolution`."""
+        value: float = getattr(self, name + _SUFFIX[name].format(self.unit)) * SI[self.unit]
+        return value
+
+
+# Settings that have the sensor's unit, and how it ends their name: noise is a density, in units per root
+# hertz, drift a random walk, in units per root second.
+_SUFFIX = {
+    "noise": "_{}_rthz",
+    "bias": "_{}",
+    "bias_sigma": "_{}",
+    "drift": "_{}_rts",
+    "wander": "_{}",
+    "resolution": "_{}",
+}
+
+
+def _model(name: str, unit: str) -> type[SensorModel]:
+    """The model of a sensor that reads in this unit."""
+    fields: dict[str, Any] = {
+        name + suffix.format(unit): (Number if name == "bias" else NonNegative, 0.0)
+        for name, suffix in _SUFFIX.items()
+    }
+    doc = SensorModel.__doc__
+    made = create_model(name, __base__=SensorModel, __module__=__name__, __doc__=doc, **fields)
+    made.unit = unit
+    return made
+
+
+# By their own names in this module, so that a scenario can be pickled.
+AngularRate = _model("AngularRate", "deg_s")
+Angle = _model("Angle", "deg")
+Acceleration = _model("Acceleration", "m_s2")
+Speed = _model("Speed", "m_s")
+Length = _model("Length", "m")
+_MODELS = {model.unit: model for model in (AngularRate, Angle, Acceleration, Speed, Length)}
+SENSORS: dict[str, type[SensorModel]] = {c.sensor: _MODELS[c.unit] for c in CHANNELS}
+PRESETS: dict[str, dict[str, dict[str, float]]] = {"ideal": {}, "mems": MEMS}
+
+
+class SensorSettings(Settings):
+    """All sensors of an aircraft, a block each (see SENSORS); what a block leaves out is as in `model`."""
+
+    model: Literal["ideal", "mems"] = "ideal"
+    faults: tuple[AnyFault, ...] = ()
+
+    @model_validator(mode="before")
+    @classmethod
+    def _complete(cls, value: Any) -> Any:
+        """A word is a preset; a mapping is completed from the preset that it names."""
+        if isinstance(value, SensorSettings):
+            return value
+        if isinstance(value, str):
+            if value not in PRESETS:
+                close = did_you_mean(value, PRESETS)
+                raise refuse(f"{value!r} is not known", "" if close else one_of(PRESETS), close)
+            value = {"model": value}
+        if not isinstance(value, dict):
+            raise refuse(f"is {value!r}", "ideal, mems or a mapping")
+        whole = dict(value)
+        for sensor, preset in PRESETS.get(str(value.get("model", "ideal")), {}).items():
+            said = value.get(sensor, {})
+            if isinstance(said, dict):
+                whole[sensor] = {**preset, **said}
+        return whole
+
+    @model_validator(mode="after")
+    def _consistent(self) -> SensorSettings:
+        heading = self.of("heading")
+        if heading.scale_error or heading.scale_error_sigma:
+            raise refuse("heading has a scale error, which an angle all round cannot have", "none")
+        for (i, one), (j, other) in combinations(enumerate(self.faults), 2):
+            name = clash(one, other)
+            if name:
+                raise refuse(f"faults {i} and {j} both decide what {name} reads", "windows that do not meet")
+        return self
+
+    @model_serializer(mode="wrap")
+    def _shortest(self, write: Any) -> Any:
+        return "ideal" if self.is_ideal else write(self)
+
+    def of(self, sensor: str) -> SensorModel:
+        """Model of one sensor."""
+        model: SensorModel = getattr(self, sensor)
+        return model
+
+    @property
+    def is_ideal(self) -> bool:
+        """Whether the controller is simply told the truth."""
+        return not self.faults and all(self.of(name) == model() for name, model in SENSORS.items())
+
+
+if TYPE_CHECKING:
+    Sensors = SensorSettings
+else:
+    Sensors = create_model(
+        "Sensors",
+        __base__=SensorSettings,
+        __module__=__name__,
+        __doc__=SensorSettings.__doc__,
+        **{name: (model, model()) for name, model in SENSORS.items()},
+    )

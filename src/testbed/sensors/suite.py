@@ -1,0 +1,129 @@
+"""The sensors of one flight: made before it, measuring each control step, read afterwards."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, Protocol
+
+import numpy as np
+
+from testbed.sensors.channels import CHANNELS, channels_of, logged
+from testbed.sensors.errors import drawn, timed
+from testbed.sensors.faults import SensorFault
+from testbed.sensors.measurement import (
+    DELAY,
+    DIGIT,
+    ERROR,
+    LAYERS,
+    OFFSET,
+    PARAMETERS,
+    READING,
+    SENSED,
+    STATE_OF,
+    measure,
+)  # fmt: skip
+from testbed.sensors.settings import SensorModel, SensorSettings
+from testbed.signals import STATE
+
+
+class Accelerated(Protocol):
+    """What sensors need of the plant beyond its truth row."""
+
+    def specific_force_reader(self, axis: str) -> Callable[[], float]: ...
+
+
+class IdealSensors:
+    """The controller is told the truth, bit for bit: the loop has copied it already."""
+
+    real = False
+
+    def measure(self, step: int, truth: np.ndarray, measured: np.ndarray) -> None:
+        """Nothing to add."""
+
+    def columns(self, truth: np.ndarray) -> dict[str, np.ndarray]:
+        """No columns of their own."""
+        return {}
+
+    def receipts(self, steps: int) -> list[dict[str, Any]]:
+        """No faults."""
+        return []
+
+
+class RealSensors:
+    """Sensors with errors and faults; everything random is drawn here, for the whole flight.
+
+    Attributes:
+        table: [5, steps, channels] errors, offsets and states drawn, what was sensed and read.
+    """
+
+    real = True
+
+    def __init__(
+        self, settings: SensorSettings, plant: Accelerated, rate_hz: int, steps: int, seed: int
+    ) -> None:
+        self.settings, self.rate_hz = settings, float(rate_hz)
+        self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
+        self._parameters = np.zeros((PARAMETERS, len(CHANNELS)))
+        self._lagged = np.zeros(len(CHANNELS))
+        self._force = plant.specific_force_reader("x")
+        for i, channel in enumerate(CHANNELS):
+            model = settings.of(channel.sensor)
+            scale, self.table[ERROR, :, i] = drawn(i, model, steps, rate_hz, seed)
+            self._parameters[:, i] = _parameters(i, model, scale, rate_hz)
+        for i, fault in enumerate(settings.faults):
+            timed(fault, i, rate_hz, seed, self.table[OFFSET], self.table[STATE_OF])
+
+    def measure(self, step: int, truth: np.ndarray, measured: np.ndarray) -> None:
+        """Fill all of this step's row of the measured state from its row of truth."""
+        measure(
+            step, self.rate_hz, truth, self._force(), measured, self._parameters, self._lagged, self.table
+        )
+
+    def columns(self, truth: np.ndarray) -> dict[str, np.ndarray]:
+        """Columns of the log beyond those of ideal sensors, in the rows of `truth`."""
+        return dict(logged(truth, self.table[READING, : len(truth)]))
+
+    def receipts(self, steps: int) -> list[dict[str, Any]]:
+        """Beginning and end of each fault as events; `verified` says that it changed what was read."""
+        events: list[dict[str, Any]] = []
+        for i, fault in enumerate(self.settings.faults):
+            start, end = fault.window(self.rate_hz)
+            told = {"kind": "sensor_fault", "fault": i, "type": fault.type, "sensor": fault.sensor}
+            if start < steps:
+                verified = self._changed(fault, int(start), int(min(end, steps)))
+                events.append({"time_s": start / self.rate_hz, **told, "active": True, "verified": verified})
+            if end < steps:
+                events.append({"time_s": end / self.rate_hz, **told, "active": False})
+        return events
+
+    def _changed(self, fault: SensorFault, start: int, end: int) -> bool:
+        """Whether any reading in the window is not what a sound sensor would have said, to a digit."""
+        for c in channels_of(fault.sensor):
+            delay, digit = int(self._parameters[DELAY, c]), self._parameters[DIGIT, c]
+            sound = self.table[SENSED, np.maximum(np.arange(start, end) - delay, 0), c]
+            difference = self.table[READING, start:end, c] - sound
+            if _is_circular(c):
+                difference = (difference + math.pi) % (2.0 * math.pi) - math.pi
+            if not np.all(np.abs(difference) <= max(0.5 * digit, 1e-12) * (1.0 + 1e-9)):
+                return True
+        return False
+
+
+def _parameters(i: int, model: SensorModel, scale: float, rate_hz: float) -> tuple[float, ...]:
+    """Column i of the parameters of `measurement.sense`."""
+    reads = CHANNELS[i].reads
+    source = STATE.index(reads) if reads in STATE else -1
+    lag = 1.0 - math.exp(-model.low_pass_rad_s / rate_hz) if model.low_pass_rad_s else 1.0
+    return source, lag, scale, round(model.delay_s * rate_hz), model.si("resolution"), float(_is_circular(i))
+
+
+def _is_circular(i: int) -> bool:
+    return CHANNELS[i].reads == "heading"
+
+
+def make_sensors(
+    settings: SensorSettings, plant: Accelerated, rate_hz: int, steps: int, seed: int
+) -> IdealSensors | RealSensors:
+    """The sensors that a scenario asks for."""
+    return IdealSensors() if settings.is_ideal else RealSensors(settings, plant, rate_hz, steps, seed)

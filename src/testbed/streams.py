@@ -1,0 +1,26 @@
+"""Random streams: every random part of a flight has its own, named, so that adding one moves no other."""
+
+from __future__ import annotations
+
+import zlib
+
+import numpy as np
+
+_ENGINE_SEEDS = 2**31 - 3  # JSBSim's generator counts modulo 2^31 - 1, and takes 0 and 1 for one seed
+
+
+def generator(seed: int, name: str) -> np.random.Generator:
+    """The stream of this name in the flight of this seed."""
+    return np.random.Generator(np.random.PCG64(_sequence(seed, name)))
+
+
+def engine_seed(seed: int, name: str) -> int:
+    """Seed from 2 to 2^31 - 2 for a generator inside JSBSim.
+
+    Hashed, because the first samples from neighbouring seeds of its generator are correlated.
+    """
+    return 2 + int(_sequence(seed, name).generate_state(1, np.uint64)[0]) % _ENGINE_SEEDS
+
+
+def _sequence(seed: int, name: str) -> np.random.SeedSequence:
+    return np.random.SeedSequence([seed, zlib.crc32(name.encode())])
