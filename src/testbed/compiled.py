@@ -45,3 +45,16 @@ if not os.environ.get("NUMBA_CACHE_DIR"):
 def compiled(function: F) -> F:
     """Compile at first use; no fast-math, so that results agree with the uncompiled page."""
     return numba.njit(cache=True, error_model="numpy")(function)  # type: ignore[no-any-return, return-value]
+
+
+def bound(function: F, *like: Any) -> F:
+    """A compiled function as it is for arguments of these types, compiled now if need be.
+
+    A call of it does not look at the types of its arguments again, half of what a call costs otherwise; so it must only
+    ever be given such as these: arrays of the same dtypes and layouts.
+    """
+    if not isinstance(function, numba.core.dispatcher.Dispatcher):
+        return function  # NUMBA_DISABLE_JIT: the page itself
+    types = tuple(map(numba.typeof, like))
+    function.compile(types)
+    return function.overloads[types].entry_point  # type: ignore[no-any-return]

@@ -11,7 +11,7 @@ import numpy as np
 
 from testbed import identification
 from testbed.aircraft import Aircraft, Envelope, load_aircraft
-from testbed.compiled import compiled
+from testbed.compiled import bound, compiled
 from testbed.controllers import TABLE, Controller
 from testbed.controllers.control_design import ControlDesign
 from testbed.controllers.setup import ActuatorData, Setup
@@ -108,7 +108,9 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     measured = np.zeros((steps, len(STATE)))
     telemetry = np.zeros((steps, telemetry_width(n)))
     controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
+    sensors.bind(truth, measured)
     channels = (plant.raw, plant.factors, parts.limits, truth, measured)
+    observe = bound(log_truth, 0, channels)
     injector.observe((truth, measured, parts.references, telemetry))
     ending, done = 0, steps
     for k in range(steps):
@@ -119,7 +121,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
         plant.sample()
         ending = observe(k, channels)
         if sensors.real:
-            sensors.measure(k, truth, measured)
+            sensors.measure(k)
         plant.command(controller.step(k))
         for delay in injector.filters:
             delay()
@@ -131,7 +133,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
 
 
 @compiled
-def observe(k, channels):  # type: ignore[no-untyped-def]
+def log_truth(k, channels):  # type: ignore[no-untyped-def]
     """Log the truth in SI, measure it ideally, and say whether the flight goes on: 0, or the index of its outcome."""
     raw, factors, limits, truth, measured = channels
     row = truth[k]
