@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.compiled import bound
-from testbed.controllers.modes import Mode, NoLevelTrim, design_regulator, enumerate_modes
+from testbed.controllers.modes import Mode, NoLevelTrim, regulator_for, enumerate_modes
 from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
@@ -81,7 +81,7 @@ class InversionController:
         s.integral[1] = self.setup.trim_pitch
         if mode.released:
             try:
-                regulator = design_regulator(
+                regulator = regulator_for(
                     self.setup.model, self.scale, mode, self.setup.control, self._limits, self._lags
                 )
             except NoLevelTrim as reason:

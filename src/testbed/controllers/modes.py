@@ -152,6 +152,35 @@ class NoLevelTrim(ValueError):
     """With these actuators the design model has no steady flight, or none that can be held."""
 
 
+_designed: dict[tuple[object, ...], Regulator | NoLevelTrim] = {}
+_KEPT = 256  # designs
+
+
+def regulator_for(
+    model: DesignModel,
+    scale: np.ndarray,
+    mode: Mode,
+    control: ControlDesign,
+    limits: np.ndarray,
+    lags: np.ndarray,
+) -> Regulator:
+    """As `design_regulator`, kept: it takes longer than a second of flight, and is the same in flight after flight."""
+    arrays = (scale, mode.inverse, limits, lags)
+    key = (model, mode.failed, mode.released, control.model_dump_json(), *(a.tobytes() for a in arrays))
+    found = _designed.get(key)
+    if found is None:
+        try:
+            found = design_regulator(model, scale, mode, control, limits, lags)
+        except NoLevelTrim as reason:
+            found = reason.with_traceback(None)
+        if len(_designed) >= _KEPT:
+            _designed.clear()
+        _designed[key] = found
+    if isinstance(found, NoLevelTrim):
+        raise found
+    return found
+
+
 def _titles(mode: Mode) -> str:
     return f"{', '.join(mode.failed) or 'nothing'} failed, {', '.join(mode.released) or 'nothing'} released"
 
