@@ -1,7 +1,7 @@
 """What a flight costs, as multiples of what JSBSim alone costs: python benchmarks/closed_loop.py
 
-Prints one line of JSON. Times are the least of all rounds, in which bare stepping and flights take turns, because
-other work on the machine only ever adds.
+Prints one line of JSON. Times are of the thread that flies, on the processor, and the least of all rounds, in which
+bare stepping and flights take turns: other work on the machine only ever adds. Of processes it is the clock's time.
 
 - `bare_us`: one control step of the plant alone: `run()` of the flown aircraft in the scenario's air, from its trim,
   commands as they are, nothing read or written.
@@ -74,23 +74,23 @@ def bare(scenario: Scenario) -> float:
     best = math.inf
     for _ in range(max(1, scenario.steps // count)):
         step = assemble(scenario).plant.step
-        begin = time.perf_counter()
+        begin = time.thread_time()
         for _ in range(count):
             step()
-        best = min(best, (time.perf_counter() - begin) / count)
+        best = min(best, (time.thread_time() - begin) / count)
     return best
 
 
 def closed(scenario: Scenario, outside: dict[str, list[float]]) -> float:
     """Seconds for each control step of a flight; notes what the rest of it took."""
-    begin = time.perf_counter()
+    begin = time.thread_time()
     parts: Assembly = assemble(scenario)
-    ready = time.perf_counter()
+    ready = time.thread_time()
     outcome, recorded = lockstep(parts)
-    flown = time.perf_counter()
+    flown = time.thread_time()
     conclude(parts, outcome, recorded)
     outside["assemble"].append(ready - begin)
-    outside["conclude"].append(time.perf_counter() - flown)
+    outside["conclude"].append(time.thread_time() - flown)
     return (flown - ready) / len(recorded[0])
 
 
@@ -101,11 +101,11 @@ def watched(spent: dict[str, float]) -> Iterator[None]:
 
     def timed(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
         def call(*args: Any, **more: Any) -> Any:
-            begin = time.perf_counter()
+            begin = time.thread_time()
             try:
                 return function(*args, **more)
             finally:
-                spent[name.lstrip("_")] += time.perf_counter() - begin
+                spent[name.lstrip("_")] += time.thread_time() - begin
 
         return call
 
@@ -136,9 +136,9 @@ def checking(options: argparse.Namespace, scenario: Scenario) -> float:
     apply(source, settings(options))
     builder, task = Builder(source, (Variant("", {}),)), Task(0, 0, scenario.seed, {})
     builder.scenario(task)
-    begin = time.perf_counter()
+    begin = time.thread_time()
     builder.scenario(task)
-    return time.perf_counter() - begin
+    return time.thread_time() - begin
 
 
 def measured(options: argparse.Namespace) -> dict[str, Any]:

@@ -10,6 +10,7 @@ import math
 import struct
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
 from operator import call
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -157,8 +158,7 @@ class Plant:
 
     def catalog(self) -> dict[str, bool]:
         """Name of each property of the loaded model, and whether it can be written."""
-        rows = (line.rpartition(" (") for line in self._fdm.get_property_catalog())
-        return {name.strip(): "W" in access for name, _, access in rows}
+        return _writable(tuple(self._fdm.get_property_catalog()))
 
     def command(self, commands: Iterable[float]) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
@@ -274,6 +274,12 @@ class Plant:
 def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
     """Name of each property of the aircraft's model, and whether it can be written."""
     return Plant(aircraft, 200).catalog()
+
+
+@lru_cache(maxsize=8)
+def _writable(catalog: tuple[str, ...]) -> dict[str, bool]:
+    rows = (line.rpartition(" (") for line in catalog)
+    return {name.strip(): "W" in access for name, _, access in rows}
 
 
 def _command(actuator: Any) -> str:

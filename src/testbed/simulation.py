@@ -160,8 +160,8 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     scenario, aircraft = parts.scenario, parts.aircraft
     names = all_columns(aircraft, scenario)
     more = {**parts.sensors.columns(recorded[0]), **parts.weather.columns(len(recorded[0]))}
-    rows = np.column_stack([table(aircraft, scenario.rate_hz, recorded), *more.values()])
-    log = dict(zip(names, np.ascontiguousarray(rows.T), strict=True))
+    data = table(aircraft, scenario.rate_hz, recorded, more.values())
+    log, every = dict(zip(names, data, strict=True)), scenario.rate_hz // scenario.log_hz
     actuators = {
         name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
         for name, actuator in aircraft.actuators.items()
@@ -170,7 +170,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     injections = parts.injector.receipts
     events = [
         *injections,
-        *parts.sensors.receipts(len(rows)),
+        *parts.sensors.receipts(len(recorded[0])),
         *controller_events(log, tuple(actuators), injections),
     ]
     events.sort(key=lambda event: event["time_s"])
@@ -179,9 +179,9 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     return Flight(
         scenario=scenario,
         outcome=outcome,
-        end_time_s=len(rows) / scenario.rate_hz,
+        end_time_s=len(recorded[0]) / scenario.rate_hz,
         columns=names,
-        data=rows[:: scenario.rate_hz // scenario.log_hz],
+        data=np.ascontiguousarray(data[:, ::every]).T,
         events=events,
         metrics=metrics,
         requirements=judge(scenario.requirements, log, metrics),
