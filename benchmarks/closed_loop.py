@@ -198,7 +198,9 @@ def speed_up(options: argparse.Namespace) -> float:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("scenario", nargs="?", default=SCENARIO, help=f"scenario file ({SCENARIO})")
     parser.add_argument("--sensors", choices=("ideal", "mems"), default="ideal")
     parser.add_argument("--turbulence", type=float, default=0.0, metavar="W20", help="wind at 20 ft [m/s]")

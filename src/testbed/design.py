@@ -154,9 +154,7 @@ class DesignModel:
         speed = x["airspeed"] / self.airspeed_m_s
         pressure = speed * speed
         bias, a, inputs, offsets, servo = self._arrays
-        aero = pressure * (
-            bias + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"]
-        )
+        aero = pressure * (bias + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
         aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
         scale = np.where(servo, pressure, 1.0)
         lam = np.asarray(alive, dtype=float)

@@ -130,7 +130,7 @@ class Plant:
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
         if substeps == 1:
-            self.step = self._run  # type: ignore[method-assign]
+            self.step = self._run  # type: ignore[method-assign, assignment]
         reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
         reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
         self._getters = [self.getter(name) for name, _ in reads]

@@ -97,13 +97,14 @@ class InversionController:
         own = (self.model, self.settings, self.mode_record, self.memory, self._work)
         self._parts = (states, setpoints, telemetry, *own)
         self._step = bound(adaptive_step, 0, self._parts)
+        self._command = bound(command_step, 0, self._parts)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
         if self._step(step, self._parts):
             failed = tuple(int(i) for i in np.flatnonzero(self.memory[0].failed > 0.5))
             self.mode = self._enter(failed, step)
-            command_step(step, self._parts)
+            self._command(step, self._parts)
         return self._told
 
 
