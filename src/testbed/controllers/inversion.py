@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.compiled import bound
-from testbed.controllers.modes import Mode, NoLevelTrim, regulator_for, enumerate_modes
+from testbed.controllers.modes import Mode, NoLevelTrim, enumerate_modes, regulator_for
 from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
