@@ -104,9 +104,49 @@ class FixedInversionSettings(ControllerSettings):
     type: Literal["fixed_inversion"] = "fixed_inversion"
 
 
+class PidSettings(ControllerSettings):
+    """A conventional autopilot: ruddervator mixer, one throttle, cascaded loops scheduled with dynamic pressure.
+
+    It has no axes to give up: `released` changes nothing. Gains are [1/s] unless the name says otherwise.
+    """
+
+    type: Literal["pid"] = "pid"
+    airspeed_kp: NonNegative = 0.5
+    airspeed_ki: NonNegative = 0.05
+    u_dot_max: Positive = 0.7
+    """Most acceleration that airspeed may ask for [m/s2]."""
+    altitude_kp: NonNegative = 0.7
+    altitude_ki: NonNegative = 0.01
+    """[rad/(m s)]"""
+    climb_max: Positive = 2.0
+    """[m/s]"""
+    pitch_kp: NonNegative = 3.0
+    q_kp: NonNegative = 8.0
+    heading_kp: NonNegative = 0.5
+    heading_ki: NonNegative = 0.02
+    """[1/s2]"""
+    roll_kp: NonNegative = 1.5
+    p_kp: Number = 0.2
+    """Yaw rate against roll rate [-]."""
+    roll_max_deg: Positive = 30.0
+    skid: Fraction = 0.5
+    """How much of a wanted turn the rudder yaws at once, before the bank is there [0 to 1]."""
+    r_kp: NonNegative = 4.0
+
+
+class IndiSettings(ControllerSettings):
+    """Incremental nonlinear dynamic inversion: measured rates stand in for the model's; no estimates, no monitor."""
+
+    type: Literal["indi"] = "indi"
+    filter_rad_s: NonNegative = 20.0
+    """Two equal lags on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
+
+
 SETTINGS: dict[str, type[ControllerSettings]] = {
     "adaptive_inversion": AdaptiveInversionSettings,
     "fixed_inversion": FixedInversionSettings,
+    "pid": PidSettings,
+    "indi": IndiSettings,
 }
 
 if TYPE_CHECKING:
