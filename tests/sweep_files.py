@@ -6,6 +6,10 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pandas as pd
+
+import testbed
+
 SWEEP = """\
 name: small
 scenario: scenarios/left_tail_fail.yaml
@@ -29,6 +33,13 @@ def written(folder: Path, text: str = SWEEP, name: str = "small.yaml") -> Path:
     file = folder / name
     file.write_text(text)
     return file
+
+
+def table(folder: Path) -> pd.DataFrame:
+    """A sweep folder's table, by the function that users call."""
+    frame = testbed.load(folder)
+    assert isinstance(frame, pd.DataFrame)
+    return frame
 
 
 def command(*arguments: object) -> list[str]:

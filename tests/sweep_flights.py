@@ -1,4 +1,6 @@
-"""Functions that fly in the simulator's place, given to a sweep by its own interface: quick ones, and bad ones."""
+"""Functions that fly in the simulator's place, given to a sweep by its own interface: quick ones, and bad
+ones.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ COLUMNS = (
 
 
 def quick(scenario: Scenario) -> Flight:
-    """A flight made up from the scenario and nothing else: it passes when more than half of an actuator is left."""
+    """A flight made up from the scenario and nothing else: it passes when more than half of an actuator is
+    left.
+    """
     value, rows = scenario.failures[0].value, 50  # type: ignore[attr-defined]
     time_s = np.arange(rows) * (scenario.duration_s / rows)
     data = np.column_stack([time_s, 300 + value * time_s, *[np.full(rows, 300.0)] * 5])

@@ -15,7 +15,7 @@ import pandas as pd
 import pytest
 
 import testbed
-from sweep_files import SWEEP, command, run, written
+from sweep_files import SWEEP, command, run, table, written
 from sweep_flights import bad, quick
 from testbed.flight import load as load_flight
 from testbed.problems import BadInput
@@ -49,7 +49,7 @@ def test_any_number_of_workers_gives_the_same_bytes(reference: Path, tmp_path: P
 
 
 def test_variants_meet_the_same_failures(reference: Path) -> None:
-    frame = testbed.load(reference)
+    frame = table(reference)
     assert list(frame["run"]) == [i for i in range(12) for _ in range(2)]
     drawn = ["seed", "failures.0.at_s", "failures.0.value", "failures.0.actuator"]
     pairs = frame.groupby("run")[drawn].nunique()
@@ -75,7 +75,7 @@ def test_killed_at_random_instants_and_resumed(reference: Path, tmp_path: Path) 
     sweep = written(tmp_path)
     arguments = command("sweep", sweep, "--out", "out", "--jobs", 2, "--resume", "--no-plots")
     instants = random.Random(5)
-    kept = []
+    kept: list[int] = []
     for _ in range(4):
         process = subprocess.Popen(arguments, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         began = len(kept)
@@ -85,7 +85,7 @@ def test_killed_at_random_instants_and_resumed(reference: Path, tmp_path: Path) 
         process.kill()
         process.communicate()
         kept.append(journal_lines(tmp_path / "out"))
-        assert len(testbed.load(tmp_path / "out")) <= 24 and len(kept) == began + 1  # readable as it is
+        assert len(table(tmp_path / "out")) <= 24 and len(kept) == began + 1  # readable as it is
     assert kept == sorted(kept)
     done = subprocess.run(arguments, cwd=tmp_path, capture_output=True, check=False)
     assert done.returncode == 1, done.stderr
@@ -152,7 +152,7 @@ def test_a_changed_sweep_is_not_resumed(tmp_path: Path, change: list[str], words
     with pytest.raises(BadInput) as refused:
         testbed.sweep(sweep, tmp_path / "out", settings=["runs=4", *change], resume=True, fly=quick)
     assert str(refused.value).endswith(words)
-    with pytest.raises(BadInput, match="sweep.yaml: runs: has 4 already, expected at least as many"):
+    with pytest.raises(BadInput, match=r"sweep\.yaml: runs: has 4 already, expected at least as many"):
         testbed.sweep(sweep, tmp_path / "out", runs=3, resume=True, fly=quick)
     assert before == {f: f.read_bytes() for f in (tmp_path / "out").rglob("*") if f.is_file()}
 
@@ -170,7 +170,7 @@ def test_a_latin_hypercube_cannot_be_made_longer(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     settings = ["sampling=latin_hypercube"]
     testbed.sweep(sweep, tmp_path / "out", runs=6, settings=settings, fly=quick, figures=False)
-    values = testbed.load(tmp_path / "out")["failures.0.value"].to_numpy()[::2]
+    values = table(tmp_path / "out")["failures.0.value"].to_numpy()[::2]
     assert sorted((values * 6).astype(int)) == list(range(6))  # one in each stratum
     with pytest.raises(BadInput, match="a latin hypercube of 6 runs cannot be made longer"):
         testbed.sweep(sweep, tmp_path / "out", runs=8, settings=settings, fly=quick, resume=True)
@@ -253,7 +253,7 @@ def test_a_rare_invalid_draw_is_a_row_with_its_reason(tmp_path: Path) -> None:
 
 
 def test_the_table_loads_with_dtypes_and_units(reference: Path) -> None:
-    frame = testbed.load(reference)
+    frame = table(reference)
     assert str(frame["outcome"].dtype) == str(frame["controller.type"].dtype) == "category"
     assert frame["passed"].dtype == bool and frame["run"].dtype == np.int64
     assert frame.attrs["units"]["altitude_error_max_m"] == "m"

@@ -93,7 +93,7 @@ def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, t
 
 def test_no_cluster_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("testbed.sweeps.cluster._CONNECT_S", 1)
-    with pytest.raises(Exception, match="no cluster answers at tcp://127.0.0.1:9") as stopped:
+    with pytest.raises(Exception, match=r"no cluster answers at tcp://127\.0\.0\.1:9") as stopped:
         testbed.sweep(written(tmp_path), tmp_path / "out", cluster="tcp://127.0.0.1:9")
     assert "0 of 24 flights are kept" in str(stopped.value)
 

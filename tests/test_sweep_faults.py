@@ -1,4 +1,4 @@
-"""What can happen to a sweep from outside: Ctrl-C, a full disk, a second process, a killed worker, many runs."""
+"""What can happen to a sweep from outside: Ctrl-C, a full disk, a second process, dead workers, many runs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 import testbed
-from sweep_files import SWEEP, TESTS, command, run, written
+from sweep_files import SWEEP, TESTS, command, run, table, written
 from sweep_flights import quick
 from test_sweep import journal_lines, same_rows
 from testbed.problems import BadInput
@@ -35,6 +35,11 @@ def script(text: str) -> list[str]:
         "-c",
         f"import sys; sys.path.insert(0, {str(TESTS)!r})\nimport sweep_flights, testbed\n{text}",
     ]
+
+
+def flown(sweep: Path, out: Path, options: str) -> str:
+    """The line of a program that flies a sweep of slow made-up flights."""
+    return f"testbed.sweep({str(sweep)!r}, {str(out)!r}, {options}, fly=sweep_flights.slow, figures=False)"
 
 
 def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
@@ -57,7 +62,7 @@ def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
     assert "interrupted" in err and "of 800 flights are kept, --resume flies the rest" in err
     assert "Traceback" not in err and out == ""
     kept = journal_lines(tmp_path / "out") - 1
-    assert 9 <= kept == len(testbed.load(tmp_path / "out"))
+    assert 9 <= kept == len(table(tmp_path / "out"))
     report = run(tmp_path, "report", "out")  # of what there is
     assert report.returncode == 1 and "adaptive_inversion" in report.stdout
 
@@ -81,7 +86,7 @@ except Stopped as stopped:
     assert "cannot write: File too large;" in result.stdout, result.stderr
     assert "of 200 flights are kept, --resume flies the rest" in result.stdout
     assert (tmp_path / "out/journal.jsonl").read_bytes().endswith(b"}\n")  # no half line
-    kept = len(testbed.load(tmp_path / "out"))
+    kept = len(table(tmp_path / "out"))
     assert 0 < kept < 200
     testbed.sweep(sweep, tmp_path / "out", runs=100, resume=True, fly=quick, figures=False, save_logs="none")
     testbed.sweep(sweep, tmp_path / "whole", runs=100, fly=quick, figures=False, save_logs="none")
@@ -101,7 +106,7 @@ def test_a_worker_killed_from_outside_is_replaced(tmp_path: Path) -> None:
     """Its flight is tried once more, and gives the same row."""
     sweep = written(tmp_path)
     flying = "import sweep_flights\n"
-    flying += f"testbed.sweep({str(sweep)!r}, {str(tmp_path / 'out')!r}, runs=60, jobs=2, fly=sweep_flights.slow, figures=False)"
+    flying += flown(sweep, tmp_path / "out", "runs=60, jobs=2")
     process = subprocess.Popen(script(flying), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     for lines in (10, 40):
         while journal_lines(tmp_path / "out") < lines:
@@ -110,7 +115,7 @@ def test_a_worker_killed_from_outside_is_replaced(tmp_path: Path) -> None:
         os.kill(children(process.pid)[0], signal.SIGKILL)
     _, err = process.communicate()
     assert process.returncode == 0, err
-    one = f"testbed.sweep({str(sweep)!r}, {str(tmp_path / 'one')!r}, runs=60, jobs=1, fly=sweep_flights.slow, figures=False)"
+    one = flown(sweep, tmp_path / "one", "runs=60, jobs=1")
     subprocess.run(script(one), check=True)
     same_rows(tmp_path / "out", tmp_path / "one")
 
@@ -126,7 +131,7 @@ def children(pid: int) -> list[int]:
 
 
 def test_workers_do_not_outlive_a_killed_parent(tmp_path: Path) -> None:
-    flying = f"testbed.sweep({str(written(tmp_path))!r}, {str(tmp_path / 'out')!r}, runs=900, jobs=2, fly=sweep_flights.slow)"
+    flying = flown(written(tmp_path), tmp_path / "out", "runs=900, jobs=2")
     process = subprocess.Popen(script(flying))
     while journal_lines(tmp_path / "out") < 5:
         time.sleep(0.01)
@@ -151,7 +156,9 @@ def plan(tmp_path: Path) -> Plan:
 
 
 def test_rows_are_neither_held_nor_rewritten(tmp_path: Path, plan: Plan) -> None:
-    """The parent's memory for a flight is its offset; the journal grows by each flight's line and by nothing else."""
+    """The parent's memory for a flight is its offset; the journal grows by each flight's line and by nothing
+    else.
+    """
     store = Store(tmp_path / "out", plan, "sweep_flights:quick", resume=False)
     flown = fly_task(Job(plan.builder, "sweep_flights:quick", "none"), plan.task(0))
     identity = os.stat(tmp_path / "out/journal.jsonl").st_ino
@@ -196,7 +203,7 @@ def test_a_worker_does_not_grow(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("terminal", [True, False])
 def test_progress_on_a_terminal_only(tmp_path: Path, terminal: bool) -> None:
-    flying = f"testbed.sweep({str(written(tmp_path))!r}, {str(tmp_path / 'out')!r}, runs=60, fly=sweep_flights.slow, figures=False)"
+    flying = flown(written(tmp_path), tmp_path / "out", "runs=60")
     ours, theirs = pty.openpty()
     environment = {**os.environ, "TERM": "xterm", "COLUMNS": "150"}
     errors = theirs if terminal else subprocess.PIPE

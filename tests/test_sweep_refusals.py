@@ -1,5 +1,8 @@
-"""Bad sweeps are refused like bad scenarios: every problem, its place, what was expected and meant; nothing flies."""
+"""Bad sweeps are refused like bad scenarios: every problem, its place, what was expected and meant; nothing
+flies.
+"""
 
+# ruff: noqa: E501  (messages stand here as they are printed)
 from __future__ import annotations
 
 from pathlib import Path
@@ -42,7 +45,7 @@ REFUSED: list[tuple[str, str, list[str]]] = [
      [":12: vary.failures.0.actuator: weights are [1.0, -3.0], expected none below 0, and one above"]),
     ("right_ruddervator]", "right_rudervator]",
      [":12: failures.0.actuator: vtail has no actuator 'right_rudervator', did you mean right_ruddervator?"]),
-    ("Cm_alpha", "Cm_alhpa", [":13: controller.model_error.Cm_alhpa: unknown coefficient, did you mean Cm_alpha?"]),
+    ("Cm_alpha", "Cm_alhpa", [":13: controller.model_error.Cm_alhpa: unknown coefficient 'Cm_alhpa', did you mean Cm_alpha?"]),
     ("[adaptive_inversion,", "[adaptive_inversoin,",
      [":14: controller.type: unknown type 'adaptive_inversoin', did you mean adaptive_inversion?"]),
     ("controller.type:", "controler.type:", [":14: controler: unknown key, did you mean controller?"]),

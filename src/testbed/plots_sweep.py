@@ -123,7 +123,8 @@ def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 def _band(folder: Path, flights: np.ndarray, channel: int) -> tuple[Any, ...] | None:
     """(5 %, median, 95 % of the flights still flying; the flight with the largest error; its number).
 
-    The largest is sought among all, a chunk at a time; of very many flights, every so many-th makes the quantiles.
+    The largest is sought among all, a chunk at a time; of very many flights, every so many-th makes the
+    quantiles.
     """
     file, every = folder / "histories.f32", -(-len(flights) // _MOST)
     sampled, largest, worst, number = [], -1.0, None, -1

@@ -1,7 +1,8 @@
-"""What counted flights say, with their uncertainty. Each function cites its method; docs/sweeps.md says which is used.
+"""What counted flights say, with their uncertainty. Each function cites its method; docs/sweeps.md says which
+is used.
 
-Runs are taken as independent. Latin hypercubes and scrambled Sobol points cover the inputs more evenly than independent
-draws do, so for these the intervals are, if anything, wider than need be.
+Runs are taken as independent. Latin hypercubes and scrambled Sobol points cover the inputs more evenly than
+independent draws do, so for these the intervals are, if anything, wider than need be.
 """
 
 from __future__ import annotations
@@ -72,8 +73,8 @@ class Paired:
 def paired(first: Sequence[bool], second: Sequence[bool], confidence: float = CONFIDENCE) -> Paired:
     """Difference of two pass probabilities from the same runs.
 
-    The test is McNemar's, exact: of the runs in which just one passed, is it as often the first as the second?
-    (binomial with 1/2). The interval is Newcombe's (1998, Statistics in Medicine 17:2635, method 10).
+    The test is McNemar's, exact: of the runs in which just one passed, is it as often the first as the
+    second? (binomial with 1/2). The interval is Newcombe's (1998, Statistics in Medicine 17:2635, method 10).
     """
     a, b = np.asarray(first, dtype=bool), np.asarray(second, dtype=bool)
     both, only_a = int(np.sum(a & b)), int(np.sum(a & ~b))
@@ -107,9 +108,9 @@ def _newcombe(both: int, only_a: int, only_b: int, neither: int, confidence: flo
 def tolerance_bound(values: Sequence[float], coverage: float, confidence: float = CONFIDENCE) -> float | None:
     """Upper bound that, with this confidence, at least this share of all flights stays below.
 
-    The least order statistic that serves, whatever the distribution (Wilks 1941): the r-th smallest of n does when
-    P(Binomial(n, coverage) <= r - 1) >= confidence. None when even the largest value of so few runs is not enough.
-    A flight that was lost counts as infinite: a bound that needs one is infinite.
+    The least order statistic that serves, whatever the distribution (Wilks 1941): the r-th smallest of n does
+    when P(Binomial(n, coverage) <= r - 1) >= confidence. None when even the largest value of so few runs is
+    not enough. A flight that was lost counts as infinite: a bound that needs one is infinite.
     """
     n = len(values)
     rank = int(stats.binom.ppf(confidence, n, coverage)) + 1 if n else 1
@@ -126,8 +127,8 @@ def runs_for_tolerance(coverage: float, confidence: float = CONFIDENCE) -> int:
 def runs_needed(claim: float, failures: int = 0, confidence: float = CONFIDENCE) -> int:
     """Runs, so many of them failed, from which P(pass) >= claim can be said with this confidence.
 
-    One-sided Clopper-Pearson: P(at most `failures` fail | P(pass) = claim) <= 1 - confidence. Without a failure that
-    is ln(1 - confidence) / ln(claim): 299 runs for 0.99, 2995 for 0.999.
+    One-sided Clopper-Pearson: P(at most `failures` fail | P(pass) = claim) <= 1 - confidence. Without a
+    failure that is ln(1 - confidence) / ln(claim): 299 runs for 0.99, 2995 for 0.999.
     """
     low, high = failures + 1, failures + 2
     while stats.binom.cdf(failures, high, 1.0 - claim) > 1.0 - confidence:

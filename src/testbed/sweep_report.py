@@ -10,27 +10,31 @@ from pathlib import Path
 from typing import Any
 
 _STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222 }
+body { font: 15px/1.45 system-ui, sans-serif; max-width: 60rem;
+       margin: 2rem auto; padding: 0 1rem; color: #222 }
 table { border-collapse: collapse; margin: .6rem 0 1.4rem }
-th, td { border-bottom: 1px solid #ddd; padding: .25rem .8rem .25rem 0; text-align: left; vertical-align: top }
+th, td { border-bottom: 1px solid #ddd; padding: .25rem .8rem .25rem 0;
+         text-align: left; vertical-align: top }
 th { font-weight: 600 } td.n { text-align: right; font-variant-numeric: tabular-nums }
 code { background: #f3f3f3; padding: .1rem .3rem } img { max-width: 100% } .note { color: #666 }
 """
 _CAPTIONS = {
     "probabilities": "Probability that each requirement is met, with 95 % intervals (Wilson).",
-    "survival": "Share of flights that pass, by what the failure leaves; bands are 95 % intervals of each tenth.",
-    "envelope": "Errors against time: median, 5 to 95 % of the flights still flying, and the flight with the largest.",
+    "survival": "Share of flights that pass, by what the failure leaves; 95 % intervals of each tenth.",
+    "envelope": "Errors against time: median, 5 to 95 % of those still flying, and the largest.",
     "detection_delay": "Delay of detections, over the flights that had one.",
     "drivers": "What drives passing: PAWN index of each varied value (Pianosi and Wagener 2018).",
 }
 
 
 def write_sweep_report(folder: str | Path) -> Path:
-    """Write report.html from summary.json and figures/ of a sweep folder; raises OSError when they are missing."""
+    """Write report.html from summary.json and figures/ of a sweep folder; raises OSError when they are
+    missing.
+    """
     folder = Path(folder)
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    body = "\n".join([*_head(summary), *_probabilities(summary), *_pairs(summary), *_figures(folder),
-                      *_excursions(summary), *_sensitivity(summary), *_worst(summary, folder), *_needed(summary)])  # fmt: skip
+    parts = (_head, _probabilities, _pairs, _figures, _excursions, _sensitivity, _worst, _needed)
+    body = "\n".join(line for part in parts for line in part(summary, folder))
     title = html.escape(summary["sweep"])
     page = (
         f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>\n'
@@ -41,7 +45,7 @@ def write_sweep_report(folder: str | Path) -> Path:
     return partial.replace(folder / "report.html")
 
 
-def _head(summary: dict[str, Any]) -> Iterable[str]:
+def _head(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     asked = summary["runs_asked"]
     state = "" if summary["complete"] else f" (of {asked} asked for)"
     many = (
@@ -49,12 +53,13 @@ def _head(summary: dict[str, Any]) -> Iterable[str]:
         if summary["pairs"]
         else ""
     )
-    yield f"<p>{summary['runs']} runs{state}{many}; sampling {html.escape(summary['sampling'])}, seed {summary['seed']}.</p>"
+    drawn = f"sampling {html.escape(summary['sampling'])}, seed {summary['seed']}"
+    yield f"<p>{summary['runs']} runs{state}{many}; {drawn}.</p>"
     if not summary["probabilistic"]:
-        yield "<p class=note>These runs are no random sample: shares are of the cases flown, not probabilities.</p>"
+        yield "<p class=note>No random sample: shares are of the cases flown, not probabilities.</p>"
 
 
-def _probabilities(summary: dict[str, Any]) -> Iterable[str]:
+def _probabilities(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     variants = summary["variants"]
     yield "<h2>How often the requirements are met</h2>"
     rows = [["<b>all requirements</b>", *(_share(v["all_requirements"]) for v in variants)]]
@@ -62,8 +67,10 @@ def _probabilities(summary: dict[str, Any]) -> Iterable[str]:
         rows.append([html.escape(requirement["name"]), *(_share(v["requirements"][j]) for v in variants)])
     rows.append(["how flights ended", *(_outcomes(v["outcomes"]) for v in variants)])
     yield _table(["", *(html.escape(v["label"]) or "probability" for v in variants)], rows)
-    yield ("<p class=note>Estimate and 95 % interval by Wilson; Clopper-Pearson in summary.json. A flight without a "
-           "result counts as having met nothing.</p>")  # fmt: skip
+    yield (
+        "<p class=note>Estimate and 95 % interval by Wilson; Clopper-Pearson in summary.json. A flight "
+        "without a result counts as having met nothing.</p>"
+    )
 
 
 def _share(known: dict[str, Any]) -> str:
@@ -76,12 +83,13 @@ def _outcomes(outcomes: dict[str, int]) -> str:
     return "<br>".join(f"{count} {html.escape(name.replace('_', ' '))}" for name, count in outcomes.items())
 
 
-def _pairs(summary: dict[str, Any]) -> Iterable[str]:
+def _pairs(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     if not summary["pairs"]:
         return
     yield "<h2>Compared, run by run</h2>"
     rows = [
-        [f"{html.escape(p['first'])} minus {html.escape(p['second'])}", f"{p['difference']:+.3f} ({p['low']:+.3f} to {p['high']:+.3f})",
+        [f"{html.escape(p['first'])} minus {html.escape(p['second'])}",
+         f"{p['difference']:+.3f} ({p['low']:+.3f} to {p['high']:+.3f})",
          str(p["only_first"]), str(p["only_second"]), f"{p['p_value']:.2g}"]
         for p in summary["pairs"] if p["difference"] is not None
     ]  # fmt: skip
@@ -91,7 +99,7 @@ def _pairs(summary: dict[str, Any]) -> Iterable[str]:
     )
 
 
-def _figures(folder: Path) -> Iterable[str]:
+def _figures(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     for name, caption in _CAPTIONS.items():
         file = folder / "figures" / f"{name}.png"
         if file.is_file():
@@ -100,7 +108,7 @@ def _figures(folder: Path) -> Iterable[str]:
             yield f"<figcaption class=note>{html.escape(caption)}</figcaption></figure>"
 
 
-def _excursions(summary: dict[str, Any]) -> Iterable[str]:
+def _excursions(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     yield "<h2>How far it went</h2>"
     rows = []
     for variant in summary["variants"]:
@@ -116,11 +124,14 @@ def _excursions(summary: dict[str, Any]) -> Iterable[str]:
         ["", "metric", "median", "95 %", "largest", *(f"{100 * float(s):g} % stay within" for s in shares)],
         rows,
     )
-    yield ("<p class=note>The last columns hold with 95 % confidence, whatever the distribution (order statistics, Wilks "
-           "1941); a lost flight counts as infinitely far. 'too few' means that even the largest of so few runs says less.</p>")  # fmt: skip
+    yield (
+        "<p class=note>The last columns hold with 95 % confidence, whatever the distribution (order "
+        "statistics, Wilks 1941); a lost flight counts as infinitely far. 'too few': even the largest of so "
+        "few runs says less.</p>"
+    )
 
 
-def _sensitivity(summary: dict[str, Any]) -> Iterable[str]:
+def _sensitivity(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     yield "<h2>What drives it</h2>"
     rows = []
     for variant in summary["variants"]:
@@ -153,7 +164,7 @@ def _worst(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     )
 
 
-def _needed(summary: dict[str, Any]) -> Iterable[str]:
+def _needed(summary: dict[str, Any], folder: Path) -> Iterable[str]:
     yield "<h2>How many runs a claim needs</h2>"
     rows = []
     for variant in summary["variants"]:

@@ -7,12 +7,13 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from testbed.controllers.modes import Mode, NoLevelTrim, design_regulator, enumerate_modes
+from testbed.controllers.modes import Mode, NoLevelTrim, Regulator, design_regulator, enumerate_modes
 from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
 
+_JAM_SIGMA = 10.0  # losses and 20 % of model error stay below 9, a jam or 5 deg of offset shows 11 and more
 _HEALTHY_VARIANCE = 0.01  # of the estimates at the start: whole within a tenth
 
 
@@ -26,7 +27,7 @@ class InversionController:
 
     Attributes:
         command: [n] last commands, servos in rad and motors as throttle.
-        reasons: what happened to the modes, as (step, text).
+        reasons: what it has to say of failures that it cannot hold or explain, as (step, text).
     """
 
     def __init__(self, setup: Setup, adapts: bool = True, monitors: bool = True) -> None:
@@ -62,11 +63,52 @@ class InversionController:
 
     def _enter(self, failed: tuple[int, ...], step: int) -> Mode:
         """Put the mode for these failures in force; one that is refused leaves the last mode in force."""
-        mode = self.modes.get(failed)
+        s, mode = self.memory[0], self.modes.get(failed)
+        jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i] > 0.5}
+        for i, position in jammed.items():
+            s.designed_for[i] = position
+            name = self.setup.model.actuators[i]
+            self._say(
+                step,
+                f"{name}: not a loss of effectiveness, it acts against its command (jammed, offset or reversed)",
+            )
         if mode is None or mode.refused:
-            why = mode.refused if mode else f"{len(failed)} actuators failed: nothing left to control with"
-            self.reasons.append((step, why))
+            self._say(
+                step,
+                mode.refused if mode else f"{len(failed)} actuators failed: nothing left to control with",
+            )
             return self.mode
+        regulator = None
+        if mode.released:
+            try:
+                regulator = self._regulator(mode, jammed)
+            except NoLevelTrim as reason:
+                self._say(step, str(reason))
+                return self.mode
+            if "altitude" not in regulator.held:
+                slope = math.degrees(regulator.x_trim[7] - regulator.x_trim[1])
+                self._say(
+                    step,
+                    f"{', '.join(mode.failed)} failed: altitude cannot be held, there is no level trim within the stops at "
+                    f"any airspeed (condition number {mode.condition:.3g}); descends at about {slope:.1f} deg",
+                )
+        self._put(mode, regulator, failed)
+        return mode
+
+    def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
+        """The mode's regulator; about a trim without the jammed actuators' forces where there is none with them."""
+        setup = self.setup
+        for stuck in (jammed, {}):
+            try:
+                return design_regulator(
+                    setup.model, self.scale, mode, setup.control, self._limits, self._lags, stuck
+                )
+            except NoLevelTrim:
+                if not stuck:
+                    raise
+        raise AssertionError("unreachable")
+
+    def _put(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         k, s, n = self.mode_record[0], self.memory[0], len(self.scale)
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
         lost = any(self.setup.model.kinds[i] == "motor" for i in failed)
@@ -74,21 +116,17 @@ class InversionController:
         k.spare = float(mode.held is not None)
         k.held_inv[:] = 0.0 if mode.held is None else mode.held
         k.alive[:] = [i not in failed for i in range(n)]
-        k.regulated, k.r_trim[:] = float(bool(mode.released)), 0.0
+        k.regulated, k.r_trim[:] = float(regulator is not None), 0.0
         s.integral[:] = 0.0
         s.integral[1] = self.setup.trim_pitch
-        if mode.released:
-            try:
-                regulator = design_regulator(
-                    self.setup.model, self.scale, mode, self.setup.control, self._limits, self._lags
-                )
-            except NoLevelTrim as reason:
-                self.reasons.append((step, str(reason)))
-                return self.mode
+        if regulator is not None:
             k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
             s.integral[1] = 0.0
-        return mode
+
+    def _say(self, step: int, text: str) -> None:
+        if not any(text == said for _, said in self.reasons):
+            self.reasons.append((step, text))
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
@@ -153,6 +191,7 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     for name, default in defaults.items():
         c[names.get(name, name)] = chosen.get(name, default)
     c.divisor_min = 0.1
+    c.jam_sigma, c.jam_time, c.jam_walk, c.residual_time = _JAM_SIGMA, 1.0, 1.0, 1.0
     c.weighted = float(chosen.get("estimation") == "weighted")
     c.noise[:] = [setup.control.disturbance[rate] for rate in RATES]
     return record

@@ -13,6 +13,8 @@ import math
 from testbed.compiled import compiled
 from testbed.units import GRAVITY_M_S2
 
+JAM_MOVED = 0.3  # scaled units that a jammed actuator may move before its mode is designed again
+
 
 @compiled
 def state_function(y, m, f):
@@ -40,13 +42,18 @@ def modified_inverse(alpha, epsilon):
 def regressor(pressure, m, s, phi):
     """Phi = B_m diag(a): what each modelled actuator position a does to x_c while it is fully effective.
 
-    Surfaces act in proportion to dynamic pressure; propellers by thrust, and by the motor's torque at once.
+    Surfaces act in proportion to dynamic pressure; propellers by thrust, and by the motor's torque at once. A jammed
+    actuator does not act by its command at all: its column is that of one unit, and what is estimated is its position.
     """
     for j in range(len(s.position)):
         q = pressure if m.servo[j] > 0.5 else 1.0
-        transient = 0.0 if m.servo[j] > 0.5 else s.torque[j] - m.torque_slope[j] * s.position[j]
+        a, transient = s.position[j], 0.0
+        if s.jammed[j] > 0.5:
+            a = 1.0
+        elif m.servo[j] < 0.5:
+            transient = s.torque[j] - m.torque_slope[j] * s.position[j]
         for i in range(4):
-            phi[i, j] = m.B[i, j] * q * s.position[j] + m.B_torque[i, j] * transient
+            phi[i, j] = m.B[i, j] * q * a + m.B_torque[i, j] * transient
 
 
 @compiled
@@ -74,13 +81,16 @@ def adapt(e, pressure, m, c, s):
             x += m.B_inv[i, j] * e[j]
         if m.servo[i] > 0.5:
             x /= pressure
+        if s.jammed[i] > 0.5:
+            s.lambda_hat[i] = min(max(s.lambda_hat[i] + c.dt * c.gamma[i] * x, m.low[i]), m.high[i])
+            continue
         rate = c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon[i])
         estimate = s.lambda_hat[i] * math.exp(c.dt * rate / s.lambda_hat[i])
         s.lambda_hat[i] = min(max(estimate, c.lambda_min), c.lambda_max)
 
 
 @compiled
-def adapt_weighted(z, phi, c, s):
+def adapt_weighted(z, phi, m, c, s):
     """(13) with its gain Phi^-1 replaced by a Kalman gain, for weather: rows that gusts disturb count for less.
 
     lambda is a random walk, each row i of z = Phi lambda + noise is one scalar measurement whose noise has the spectral
@@ -89,7 +99,8 @@ def adapt_weighted(z, phi, c, s):
     """
     n = len(s.lambda_hat)
     for i in range(n):
-        s.P[i, i] = min(s.P[i, i] + c.walk * c.walk * c.dt, 1.0)
+        walk = c.jam_walk if s.jammed[i] > 0.5 else c.walk
+        s.P[i, i] = min(s.P[i, i] + walk * walk * c.dt, 1.0)
     for row in range(4):
         h = phi[row]
         variance = c.noise[row] * c.noise[row] / c.dt
@@ -106,7 +117,48 @@ def adapt_weighted(z, phi, c, s):
             for j in range(n):
                 s.P[i, j] -= s.Ph[i] * s.Ph[j] / variance
     for i in range(n):
-        s.lambda_hat[i] = min(max(s.lambda_hat[i], c.lambda_min), c.lambda_max)
+        low = m.low[i] if s.jammed[i] > 0.5 else c.lambda_min
+        high = m.high[i] if s.jammed[i] > 0.5 else c.lambda_max
+        s.lambda_hat[i] = min(max(s.lambda_hat[i], low), high)
+
+
+@compiled
+def suspect(e, pressure, m, c, s):
+    """Past the paper: what is left of e once the estimates have moved, when no effectiveness explains it.
+
+    An actuator that is jammed, offset or reversed adds a force of its own, B_i b. The generalised likelihood ratio of
+    one such b (Willsky and Jones, IEEE TAC 21 (1976) 108) is compared for all actuators, rows weighted by what gusts do
+    to them; the best, if it stays beyond `jam_sigma` standard deviations for `jam_time`, is called jammed: not a loss of
+    effectiveness. From then on its position is estimated instead. Returns 1 when a mode must be designed (again).
+    """
+    best, most, offset = -1, c.jam_sigma * c.jam_sigma, 0.0
+    for row in range(4):
+        s.residual[row] += c.dt / c.residual_time * (e[row] - s.residual[row])
+    for i in range(len(s.lambda_hat)):
+        along, size = 0.0, 0.0
+        for row in range(4):
+            b = m.B[row, i] * (pressure if m.servo[i] > 0.5 else 1.0)
+            weight = 1.0 / (c.noise[row] * c.noise[row])
+            along += b * weight * s.residual[row]
+            size += b * weight * b
+        ratio = along * along / size * 2.0 * c.residual_time
+        if s.jammed[i] < 0.5 and ratio > most:
+            best, most, offset = i, ratio, along / size
+    changed = 0
+    for i in range(len(s.lambda_hat)):
+        s.suspicion[i] = max(s.suspicion[i] + (c.dt if i == best else -c.dt), 0.0)
+        if s.suspicion[i] > c.jam_time:
+            s.jammed[i], s.failed[i], s.suspicion[i] = 1.0, 1.0, 0.0
+            s.lambda_hat[i] = min(max(s.lambda_hat[i] * s.position[i] + offset, m.low[i]), m.high[i])
+            for row in range(4):
+                s.residual[row] = 0.0
+            for j in range(len(s.lambda_hat)):
+                s.P[i, j], s.P[j, i] = 0.0, 0.0
+            s.P[i, i] = 1.0
+            changed = 1
+        if s.jammed[i] > 0.5 and abs(s.lambda_hat[i] - s.designed_for[i]) > JAM_MOVED:
+            changed = 1
+    return changed
 
 
 @compiled
@@ -114,6 +166,8 @@ def monitor(c, s):
     """Section 2.3: an actuator has failed once its estimate stays below the threshold; returns 1 on any change."""
     changed = 0
     for i in range(len(s.lambda_hat)):
+        if s.jammed[i] > 0.5:
+            continue
         against = s.lambda_hat[i] < c.threshold if s.failed[i] < 0.5 else s.lambda_hat[i] > c.recovery
         s.timer[i] = s.timer[i] + c.dt if against else 0.0
         if s.timer[i] > (c.persistence if s.failed[i] < 0.5 else c.recovery_time) + 1e-9:

@@ -138,6 +138,7 @@ class Regulator:
         r_trim: [n] scaled actuator positions at that trim, as if fully effective.
         K, K_actuator, K_integral: gains on state, modelled actuators and integrals.
         eigenvalues: of the designed loop, rad/s.
+        held: outputs that are held: airspeed, altitude, heading or fewer.
     """
 
     x_trim: np.ndarray
@@ -146,6 +147,7 @@ class Regulator:
     K_actuator: np.ndarray
     K_integral: np.ndarray
     eigenvalues: np.ndarray
+    held: tuple[str, ...]
 
 
 class NoLevelTrim(ValueError):
@@ -163,24 +165,29 @@ def design_regulator(
     control: ControlDesign,
     limits: np.ndarray,
     lags: np.ndarray,
+    jammed: Mapping[int, float] | None = None,
 ) -> Regulator:
     """Linear-quadratic regulator for a mode, by Bryson's rule (Bryson and Ho, Applied Optimal Control, sec. 5.2).
 
     Args:
         limits: [n, 2] scaled stops; lags: [n] rad/s of servos and rotors.
+        jammed: scaled positions of failed actuators that stand somewhere and act from there.
 
     Raises:
         NoLevelTrim: nothing steady within the stops, at the reference airspeed or any other.
     """
     n = len(model.actuators)
     alive = np.array([float(name not in mode.failed) for name in model.actuators])
-    x0, a0, regulated = _level_trim(model, scale, alive, mode, limits)
+    acting, hold = alive.copy(), np.array(model.trim) / scale
+    for i, position in (jammed or {}).items():
+        acting[i], hold[i] = 1.0, position
+    x0, a0, regulated = _level_trim(model, scale, alive, acting, hold, mode, limits)
     nx, ni = len(OUTER), len(regulated)
 
     def plant(z: np.ndarray, r: np.ndarray) -> np.ndarray:
         x, a = z[:nx], z[nx : nx + n]
         outputs = [x[OUTER.index(name)] - x0[OUTER.index(name)] for name in regulated]
-        return np.concatenate([_motion(model, x, a * scale, alive), lags * (r - a), outputs])
+        return np.concatenate([_motion(model, x, a * scale, acting), lags * (r - a), outputs])
 
     z0 = np.concatenate([x0, a0, np.zeros(ni)])
     A = _jacobian(lambda z: plant(z, a0), z0)
@@ -206,11 +213,17 @@ def design_regulator(
     for k, name in enumerate(regulated):
         integral[:, INTEGRALS.index(name)] = gains[:, nx + n + k]
     closed = np.linalg.eigvals(A - B @ gains[np.ix_(kept, states)])
-    return Regulator(x0, a0, gains[:, :nx], gains[:, nx : nx + n], integral, closed)
+    return Regulator(x0, a0, gains[:, :nx], gains[:, nx : nx + n], integral, closed, regulated)
 
 
 def _level_trim(
-    model: DesignModel, scale: np.ndarray, alive: np.ndarray, mode: Mode, limits: np.ndarray
+    model: DesignModel,
+    scale: np.ndarray,
+    alive: np.ndarray,
+    acting: np.ndarray,
+    hold: np.ndarray,
+    mode: Mode,
+    limits: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
     """Steady flight with what is left: level at the reference airspeed if three actuators are, else level at any
     airspeed, else descending. Returns state [10], scaled positions [n] and the outputs that can be held."""
@@ -224,18 +237,24 @@ def _level_trim(
         ways = [("airspeed", ("altitude", "heading"))] if thrust else []
         ways += [("path_angle", ("airspeed", "heading"))]  # down, as energy is what is left
     for slack, held in ways:
-        found = _steady(model, scale, alive, limits, slack)
+        found = _steady(model, scale, alive, acting, hold, limits, slack)
         if found is not None:
             return *found, held
     raise NoLevelTrim(f"{_titles(mode)}: no steady flight within the stops, level or descending")
 
 
 def _steady(
-    model: DesignModel, scale: np.ndarray, alive: np.ndarray, limits: np.ndarray, slack: str
+    model: DesignModel,
+    scale: np.ndarray,
+    alive: np.ndarray,
+    acting: np.ndarray,
+    hold: np.ndarray,
+    limits: np.ndarray,
+    slack: str,
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Steady flight on the design model, with airspeed or path angle unknown too if `slack` says so: state [10] and
     scaled positions [n] of the trim that is nearest to the reference, or None."""
-    hold, free = np.array(model.trim) / scale, np.flatnonzero(alive)
+    free = np.flatnonzero(alive)
     used = free[-3:]
 
     def unpack(x: np.ndarray, speed: float) -> tuple[np.ndarray, np.ndarray]:
@@ -256,7 +275,7 @@ def _steady(
 
         def residual(x: np.ndarray) -> np.ndarray:
             state, a = unpack(x, speed)
-            return _model_rates(model, state, a * scale, alive)
+            return _model_rates(model, state, a * scale, acting)
 
         found = root(residual, np.array([*start, *hold[used]]), method="hybr")
         state, a = unpack(found.x, speed)

@@ -19,6 +19,7 @@ from testbed.controllers.law import (
     redistribute,
     regressor,
     state_function,
+    suspect,
 )
 from testbed.controllers.outer import pid, regulate
 
@@ -61,12 +62,12 @@ def adaptive_step(step, parts):
         low_pass(z, s.filtered, c.filter * c.dt)
         for i in range(4):
             low_pass(phi[i], s.filtered_phi[:, i], c.filter * c.dt)
+        measured_error(z, phi, s, e)
         if c.weighted > 0.5:
-            adapt_weighted(z, phi, c, s)
+            adapt_weighted(z, phi, m, c, s)
         else:
-            measured_error(z, phi, s, e)
             adapt(e, pressure, m, c, s)
-        if c.monitors > 0.5 and monitor(c, s):
+        if c.monitors > 0.5 and (monitor(c, s) or suspect(e, pressure, m, c, s)):
             return 1
     command_step(step, parts)
     return 0
@@ -104,7 +105,7 @@ def tell(row, k, s):
     for i in range(n):
         row[i] = s.r[i]
         row[n + i] = s.u[i]
-        row[2 * n + i] = s.lambda_hat[i]
+        row[2 * n + i] = 0.0 if s.jammed[i] > 0.5 else s.lambda_hat[i]
         row[3 * n + i] = s.failed[i]
     for i in range(4):
         row[4 * n + i] = s.x_dot_desired[i]

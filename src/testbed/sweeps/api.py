@@ -35,9 +35,10 @@ def sweep(
 ) -> pd.DataFrame:
     """Fly a sweep file into a folder and return its table; see `testbed.load` for the table.
 
-    `out` is runs/<name> by default; `settings` are KEY=VALUE as of --set; `jobs` processes (default: one a core), or
-    the `cluster` at an address; `save_logs` none, failed or all. `fly(scenario) -> Flight`, a function at the top of a
-    module, replaces the simulator. Raises BadInput when nothing can be flown, Stopped when it ended before its time.
+    `out` is runs/<name> by default; `settings` are KEY=VALUE as of --set; `jobs` processes (default: one a
+    core), or the `cluster` at an address; `save_logs` none, failed or all. `fly(scenario) -> Flight`, a
+    function at the top of a module, replaces the simulator. Raises BadInput when nothing can be flown,
+    Stopped when it ended before its time.
     """
     plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume)
     fly_sweep(plan, folder, options(jobs, cluster, save_logs, fly), resume=resume)
@@ -71,7 +72,9 @@ def prepare(
     seed: int | None = None,
     resume: bool = False,
 ) -> tuple[Plan, Path]:
-    """Read and check a sweep; it and its folder. One that is resumed without a number of runs is as long as before."""
+    """Read and check a sweep; it and its folder. One that is resumed without a number of runs is as long as
+    before.
+    """
     given = [f"{name}={value}" for name, value in (("runs", runs), ("seed", seed)) if value is not None]
     plan = load_sweep(file, [*settings, *given])
     folder = Path(out) if out is not None else default_folder(plan)

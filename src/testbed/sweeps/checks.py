@@ -6,11 +6,11 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from testbed.aircraft import load_aircraft
-from testbed.logbook import columns
+from testbed.aircraft import Aircraft, load_aircraft
+from testbed.logbook import all_columns
 from testbed.metrics import TABLE as METRICS
-from testbed.problems import BadInput, Problem, did_you_mean
-from testbed.scenario import Scenario, check_names, check_properties
+from testbed.problems import BadInput, Problem
+from testbed.scenario import check_names, check_properties
 from testbed.sweeps.builder import Task
 from testbed.sweeps.plan import Plan
 
@@ -35,7 +35,7 @@ def check(plan: Plan) -> None:
 class _Checker:
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
-        self._known: dict[str, tuple[Mapping[str, bool], list[str], list[str]]] = {}
+        self._catalogs: dict[str, Mapping[str, bool]] = {}
 
     def draws(self) -> Iterator[Problem]:
         """Problems of the first runs; of a table of cases, of all."""
@@ -75,30 +75,17 @@ class _Checker:
         """Everything wrong with one flight's scenario."""
         try:
             scenario = self._plan.builder.scenario(task)
-            catalog, coefficients, names = self._knowledge(scenario)
+            aircraft = load_aircraft(scenario.aircraft)
         except BadInput as error:
             return list(error.problems)
-        found = check_names(scenario, names, METRICS)
-        found += check_properties(scenario, catalog)
-        for name in scenario.controller.model_error:
-            if name not in coefficients:
-                path = ("controller", "model_error", name)
-                found.append(
-                    scenario.source.problem(path, "unknown coefficient", "", did_you_mean(name, coefficients))
-                )
-        return found
+        found = check_names(scenario, all_columns(aircraft, scenario), METRICS)
+        return found + check_properties(scenario, self._catalog(aircraft))
 
-    def _knowledge(self, scenario: Scenario) -> tuple[Mapping[str, bool], list[str], list[str]]:
-        """Properties of the loaded model, coefficients of the design model, columns of the log: kept, as slow."""
-        if scenario.aircraft not in self._known:
-            from testbed import identification
+    def _catalog(self, aircraft: Aircraft) -> Mapping[str, bool]:
+        """Properties of the loaded model: kept, as loading is slow."""
+        key = str(aircraft.folder)
+        if key not in self._catalogs:
             from testbed.plant import property_catalog
 
-            aircraft = load_aircraft(scenario.aircraft)
-            coefficients = identification.stored(aircraft).coefficient_names()
-            self._known[scenario.aircraft] = (
-                property_catalog(aircraft),
-                coefficients,
-                list(columns(aircraft)),
-            )
-        return self._known[scenario.aircraft]
+            self._catalogs[key] = property_catalog(aircraft)
+        return self._catalogs[key]

@@ -1,7 +1,7 @@
 """A worker process: takes tasks from one pipe, answers on another, and can die without taking anyone along.
 
-`python -m testbed.sweeps.child READ WRITE` is the process; `Child` is its handle. Not multiprocessing's own pool: the
-processes of that wait for ever for one that was killed, and a Dask worker may not start them.
+`python -m testbed.sweeps.child READ WRITE` is the process; `Child` is its handle. Not multiprocessing's own
+pool: the processes of that wait for ever for one that was killed, and a Dask worker may not start them.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The same flights on a Dask cluster: whatever a flight needs travels with it, workers have only the package.
 
-Every flight runs in a child process of the Dask worker, so that crashes and hangs end in the same rows as at home.
-A Dask worker that dies takes no flight along: the scheduler gives its tasks to another.
+Every flight runs in a child process of the Dask worker, so that crashes and hangs end in the same rows as at
+home. A Dask worker that dies takes no flight along: the scheduler gives its tasks to another.
 """
 
 from __future__ import annotations

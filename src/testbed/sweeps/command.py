@@ -1,4 +1,4 @@
-"""What `testbed sweep` does and prints. Exit status: 0 all passed, 1 not all, 3 ended early (130 by Ctrl-C)."""
+"""What `testbed sweep` does and prints. Exit: 0 all passed, 1 not all, 3 ended early, 130 Ctrl-C."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a varied value may be drawn from: each distribution by its inverse, so that every sampler can use it."""
+"""What a varied value may be drawn from: each law by its inverse, so that every sampler can use it."""
 
 from __future__ import annotations
 
@@ -26,8 +26,9 @@ _OWN = {
 
 
 class Distribution(Settings):
-    """`{uniform: [low, high]}`, `{normal: [mean, sd]}`, `{log_uniform: [low, high]}`, `{integers: [first, last]}`,
-    `{choice: [...], weights: [...]}`, or a name of scipy.stats with its parameters, as a list or by name."""
+    """`{uniform: [low, high]}`, `{normal: [mean, sd]}`, `{log_uniform: [low, high]}`, `{integers: [first,
+    last]}`, `{choice: [...], weights: [...]}`, or a name of scipy.stats with its parameters, as a list or by
+    name."""
 
     name: str
     parameters: Any
@@ -85,7 +86,7 @@ class Distribution(Settings):
         return [kind(low), kind(high)] if math.isfinite(low) and math.isfinite(high) else []
 
     def grid(self, levels: int) -> np.ndarray:
-        """Probabilities of a grid's levels: each option or whole number once; both ends where there are ends."""
+        """Probabilities of a grid's levels: each option or whole number once; both ends if there are."""
         if self.name == "choice":
             ends = np.concatenate([[0.0], np.cumsum(self._weights) / self._weights.sum()])
             return (ends[:-1] + ends[1:]) / 2.0

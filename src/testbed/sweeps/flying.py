@@ -47,7 +47,9 @@ class Flown:
 
 
 def fly_reference(fly: Fly | None) -> str:
-    """A function as `module:name`, so that worker processes can import it; raises BadInput when they could not."""
+    """A function as `module:name`, so that worker processes can import it; raises BadInput when they could
+    not.
+    """
     if fly is None:
         return FLY
     module, name = getattr(fly, "__module__", ""), getattr(fly, "__qualname__", "<")

@@ -1,7 +1,7 @@
 """Time histories of every flight, thinned to 200 points: one fixed-size slot a flight in one file.
 
-A slot is written where it belongs, so the file is never rewritten, grows with what is flown, can be mapped into
-memory a part at a time, and is the same whatever order flights finish in.
+A slot is written where it belongs, so the file is never rewritten, grows with what is flown, can be mapped
+into memory a part at a time, and is the same whatever order flights finish in.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """What has finished, kept at once: one JSON line a flight, only ever appended to.
 
-Each line carries a checksum of itself. A line torn by kill -9 or a full disk, or damaged later, is no record: that
-flight is flown again. A lock keeps a second process out; the system drops it when its holder dies, however.
+Each line carries a checksum of itself. A line torn by kill -9 or a full disk, or damaged later, is no record:
+that flight is flown again. A lock keeps a second process out; the system drops it when its holder dies,
+however.
 """
 
 from __future__ import annotations
@@ -52,7 +53,7 @@ class Journal:
     """The file, open for appending by this process alone."""
 
     def __init__(self, file: Path) -> None:
-        """Open or make it; raises BadInput when another process has it open, OSError when it cannot be had."""
+        """Open or make it; BadInput when another process has it open, OSError when it cannot be had."""
         self.file = file
         self._handle = os.open(file, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o666)
         try:
@@ -64,7 +65,7 @@ class Journal:
         self._synced = time.monotonic()
 
     def append(self, record: Mapping[str, Any]) -> int:
-        """Write one record, whole or not at all, and return its offset; raises OSError when the disk is full."""
+        """Write one record, whole or not at all, and return its offset; OSError when the disk is full."""
         line, offset = encode(record), self._end
         try:
             written = os.write(self._handle, line)

@@ -20,7 +20,9 @@ def default_jobs() -> int:
 
 
 def fly_locally(job: Job, tasks: Iterable[Task], jobs: int | None = None) -> Generator[Done, None, None]:
-    """Fly every task in `jobs` processes; yields each as it finishes, in no order. Closing it ends the processes."""
+    """Fly every task in `jobs` processes; yields each as it finishes, in no order. Closing it ends the
+    processes.
+    """
     feed = _Feed(tasks)
     done: queue.Queue[Done | BaseException | None] = queue.Queue(maxsize=64)
     children = [Child(job) for _ in range(jobs or default_jobs())]

@@ -1,4 +1,4 @@
-"""A sweep's folder as a DataFrame; needs no simulator, and takes a folder whose sweep has not finished too."""
+"""A sweep's folder as a DataFrame; needs no simulator, and reads unfinished ones too."""
 
 from __future__ import annotations
 

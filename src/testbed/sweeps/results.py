@@ -42,7 +42,7 @@ def _requirements(record: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]:
-    """Name and type of every column; found by reading all records once, as a flight may have a metric more."""
+    """Name and type of every column; all records are read for it, as a flight may have a metric more."""
     kinds: dict[str, set[type]] = {}
     middle: dict[str, None] = {}
     verdicts: dict[str, None] = {}
@@ -60,7 +60,7 @@ def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]
 
 
 def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
-    """Write both files of a folder, whole or not at all; `records()` yields them in order, and is read twice."""
+    """Write both files of a folder, whole or not at all; `records()` yields in order, and is read twice."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 

@@ -55,7 +55,8 @@ class Options:
 def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
     """Fly what a folder is missing of a sweep, and write its table.
 
-    Raises BadInput when it cannot begin, Stopped when it could not finish: interrupted, disk full, cluster gone.
+    Raises BadInput when it cannot begin, Stopped when it could not finish: interrupted, disk full, cluster
+    gone.
     """
     job = options.job(plan)
     store = Store(folder, plan, job.fly, resume=resume)

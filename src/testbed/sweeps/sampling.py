@@ -19,7 +19,7 @@ BLOCK = 1024
 
 
 def hashed(*words: object) -> int:
-    """31 bits from any words, never 0 or 1: JSBSim takes these for no seed, and neighbouring seeds correlate."""
+    """31 bits from any words, never 0 or 1: JSBSim takes these for no seed; neighbouring ones correlate."""
     digest = hashlib.sha256("\0".join(map(str, words)).encode()).digest()
     return 2 + int.from_bytes(digest[:8], "big") % (2**31 - 3)
 

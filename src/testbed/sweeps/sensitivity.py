@@ -1,9 +1,9 @@
 """Which inputs drive the result: given-data sensitivity, from the flights that were flown anyway (SALib).
 
-PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves, in Kolmogorov-Smirnov distance, when one
-input is known to lie in one tenth of its range; the median over the tenths. Made-up inputs that cannot matter show how
-large it gets by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010): the share of the variance of the
-result that one input explains alone.
+PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves, in Kolmogorov-Smirnov distance,
+when one input is known to lie in one tenth of its range; the median over the tenths. Made-up inputs that
+cannot matter show how large it gets by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010):
+the share of the variance of the result that one input explains alone.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ _DUMMIES = 20
 
 
 def sensitivity(frame: pd.DataFrame, inputs: Sequence[str], outputs: Sequence[str]) -> dict[str, Any]:
-    """{output: {"inputs": {input: {pawn, pawn_by_chance, matters, s1, s1_half_width}}}} of one variant's rows.
+    """{output: {"inputs": {input: {pawn, pawn_by_chance, matters, s1, s1_half_width}}}} of one variant's
+    rows.
 
     An output about which nothing can be said is {"reason": why}.
     """
@@ -76,7 +77,7 @@ def _too_few(y: np.ndarray, output: str, varied: Sequence[str]) -> str:
 
 
 def _ranks(values: pd.Series, rng: np.random.Generator) -> np.ndarray:
-    """Ranks in (0, 1), ties in random order: equal values then share their tenths, and names become numbers."""
+    """Ranks in (0, 1), ties in random order: equal values then share their tenths; names become numbers."""
     codes = (
         values.factorize(sort=True)[0] if values.dtype.kind not in "fiub" else values.to_numpy(dtype=float)
     )

@@ -1,4 +1,6 @@
-"""When a sweep knows enough: judged in run order on what is complete, so that it never depends on who was first."""
+"""When a sweep knows enough: judged in run order on what is complete, so that it never depends on who was
+first.
+"""
 
 from __future__ import annotations
 
@@ -9,10 +11,12 @@ from testbed.sweeps.model import StopWhen
 
 
 class Stopping:
-    """Feed it each completed run's verdicts in run order; `stopped_at` is then the number of runs that suffice.
+    """Feed it each completed run's verdicts in run order; `stopped_at` is then the number of runs that
+    suffice.
 
-    Judged after every run up to 100, then after every further percent: often enough, and little work. Intervals are
-    exact (Clopper-Pearson), as looking repeatedly makes any interval optimistic and these err on the safe side.
+    Judged after every run up to 100, then after every further percent: often enough, and little work.
+    Intervals are exact (Clopper-Pearson), as looking repeatedly makes any interval optimistic and these err
+    on the safe side.
     """
 
     def __init__(self, rule: StopWhen | None, variants: int) -> None:

@@ -1,4 +1,5 @@
-"""A sweep's folder while it is flown: what it is a sweep of, and what has finished. Nothing is ever rewritten.
+"""A sweep's folder while it is flown: what it is a sweep of, and what has finished. Nothing is ever
+rewritten.
 
 sweep.yaml       the resolved sweep, scenario inside; written first, flies again as it is
 journal.jsonl    first line: the versions and aircraft it is flown with; then a line a finished flight
@@ -37,7 +38,9 @@ class Store:
     """The folder, open for one process. `missing()` are the flights still to be flown."""
 
     def __init__(self, folder: Path, plan: Plan, fly: str, *, resume: bool) -> None:
-        """Make the folder, or go on with it; raises BadInput when it is another sweep's, or there and not resumed."""
+        """Make the folder, or go on with it; raises BadInput when it is another sweep's, or there and not
+        resumed.
+        """
         self.folder, self.plan = folder, plan
         _refuse_other(folder, plan, resume)
         folder.mkdir(parents=True, exist_ok=True)
@@ -62,7 +65,9 @@ class Store:
         return int(np.count_nonzero(self._offsets >= 0))
 
     def add(self, k: int, flown: Flown) -> None:
-        """Keep a finished flight; the journal's line comes last and makes it count. Raises OSError on a full disk."""
+        """Keep a finished flight; the journal's line comes last and makes it count. Raises OSError on a full
+        disk.
+        """
         if k in self:
             return
         if flown.log:
@@ -76,7 +81,7 @@ class Store:
         return self.journal.read(int(self._offsets[k]))
 
     def records(self, runs: int) -> Iterator[tuple[int, dict[str, Any]]]:
-        """(k, record) of the finished flights of the first so many runs, in the order of runs, one at a time."""
+        """(k, record) of the finished flights of the first so many runs, in order, one at a time."""
         for k in range(runs * len(self.plan.variants)):
             if k in self:
                 yield k, self.record(k)

@@ -1,0 +1,36 @@
+"""Flights per second of the shipped sweep with one and with two processes; run on an otherwise idle machine.
+
+    python benchmarks/sweep_speed.py [RUNS]
+
+Start-up (imports, a first compile) is shared by all flights, so few runs show a ratio that is too small.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from pathlib import Path
+
+from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.run import Options, fly_sweep
+
+
+def main(runs: int) -> None:
+    """Print the rate of each, and their ratio."""
+    plan = load_sweep("scenarios/sweeps/left_tail_monte_carlo.yaml", [f"runs={runs}"])
+    rates = []
+    with tempfile.TemporaryDirectory() as folder:
+        fly_sweep(
+            load_sweep("scenarios/sweeps/left_tail_monte_carlo.yaml", ["runs=1"]),
+            Path(folder, "warm"),
+            Options(),
+        )
+        for jobs in (1, 2):
+            flights = fly_sweep(plan, Path(folder, str(jobs)), Options(jobs=jobs, save_logs="none"))
+            rates.append(flights.count / flights.wall_s)
+            print(f"{jobs} process{'es' if jobs > 1 else ''}: {flights}")
+    print(f"two against one: {rates[1] / rates[0]:.2f}")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 100)
