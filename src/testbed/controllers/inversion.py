@@ -89,8 +89,9 @@ class InversionController:
                 slope = math.degrees(regulator.x_trim[7] - regulator.x_trim[1])
                 self._say(
                     step,
-                    f"{', '.join(mode.failed)} failed: altitude cannot be held, there is no level trim within the stops at "
-                    f"any airspeed (condition number {mode.condition:.3g}); descends at about {slope:.1f} deg",
+                    f"{', '.join(mode.failed)} failed: altitude cannot be held, there is no level trim within the "
+                    f"stops at any airspeed (condition number {mode.condition:.3g}, so it is authority that lacks, "
+                    f"not rank); flies at about {slope:.1f} deg",
                 )
         self._put(mode, regulator, failed)
         return mode

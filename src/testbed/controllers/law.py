@@ -70,8 +70,10 @@ def measured_error(z, phi, s, e):
 
 @compiled
 def adapt(e, pressure, m, c, s):
-    """(13): lambda_hat' = gamma (B_m^-1 e) lambda_hat g(r, epsilon), with lambda_hat g(r) = g(a) for r = lambda_hat a.
+    """(13), lambda_hat' = gamma (B_m^-1 e) lambda_hat g(r, epsilon), by the modelled position a instead of r.
 
+    Beyond epsilon lambda_hat g(r) = g(a) for r = lambda_hat a, so it is (13) to the letter; within, kappa of (17) is
+    that of a: faster than the paper's by 1 / lambda_hat^2, because what excites an actuator is its deflection.
     Integrated in log lambda_hat, which keeps the estimates positive and unbiased under differentiated noise, and
     projected onto [lambda_min, lambda_max], without which they can diverge however good B_m is.
     """
@@ -126,10 +128,10 @@ def adapt_weighted(z, phi, m, c, s):
 def suspect(e, pressure, m, c, s):
     """Past the paper: what is left of e once the estimates have moved, when no effectiveness explains it.
 
-    An actuator that is jammed, offset or reversed adds a force of its own, B_i b. The generalised likelihood ratio of
-    one such b (Willsky and Jones, IEEE TAC 21 (1976) 108) is compared for all actuators, rows weighted by what gusts do
-    to them; the best, if it stays beyond `jam_sigma` standard deviations for `jam_time`, is called jammed: not a loss of
-    effectiveness. From then on its position is estimated instead. Returns 1 when a mode must be designed (again).
+    An actuator that is jammed, offset or reversed adds a force of its own, B_i b. The generalised likelihood ratio
+    of one such b (Willsky and Jones, IEEE TAC 21 (1976) 108) is compared for all actuators, rows weighted by what
+    gusts do to them; the best, if it stays beyond `jam_sigma` standard deviations for `jam_time`, is called jammed: not
+    a loss of effectiveness. From then on its position is estimated. Returns 1 when a mode must be designed (again).
     """
     best, most, offset = -1, c.jam_sigma * c.jam_sigma, 0.0
     for row in range(4):

@@ -32,7 +32,8 @@ class Mode:
     Attributes:
         failed: names of the failed actuators.
         released: rates that are given up.
-        matrix: [4, n] B_hat of (29), scaled: zeros where the paper puts them.
+        matrix: [4, n] B_hat of (29), scaled: zeros where the paper puts them. It is square and regular when as many
+            axes are released as actuators failed; `inverse` is what flies, and is defined for the other cases too.
         inverse: [n, 4] from wanted rates to scaled actuator positions; zero rows and columns for failed and released.
         held: [n, n, 4] the inverse to use while an actuator (first index) is held at a stop; None without a spare one.
         condition: condition number of what remains, scaled.
@@ -74,11 +75,14 @@ def _mode(
     remaining = b[np.ix_(kept, alive)]
     condition = float(np.linalg.cond(remaining)) if kept else math.inf
     inverse = np.zeros((b.shape[1], 4))
+    what = f"{', '.join(names) or 'nothing'} failed, {', '.join(axes) or 'nothing'} released"
     refused = ""
-    if condition > control.condition_max:
+    if not kept or len(kept) > len(alive):
+        refused = f"{what}: {len(kept)} axes to keep with {len(alive)} actuators"
+    elif condition > control.condition_max:
         refused = (
-            f"{', '.join(names)} failed, {', '.join(axes)} released: condition number {condition:.3g} of the remaining "
-            f"input matrix is above {control.condition_max:g}"
+            f"{what}: condition number {condition:.3g} of the remaining input matrix is above "
+            f"{control.condition_max:g}"
         )
     else:
         inverse[np.ix_(alive, kept)] = np.linalg.pinv(remaining)
@@ -232,7 +236,7 @@ def _level_trim(
         raise NoLevelTrim(f"{_titles(mode)}: one actuator cannot hold altitude and heading")
     thrust = any(alive[i] and model.kinds[i] == "motor" for i in range(len(alive)))
     if len(free) >= 3:
-        ways = [("", ("airspeed", "altitude", "heading"))]
+        ways: list[tuple[str, tuple[str, ...]]] = [("", ("airspeed", "altitude", "heading"))]
     else:
         ways = [("airspeed", ("altitude", "heading"))] if thrust else []
         ways += [("path_angle", ("airspeed", "heading"))]  # down, as energy is what is left

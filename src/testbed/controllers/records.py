@@ -50,7 +50,8 @@ def settings_dtype(n: int) -> np.dtype:
     """What the control designer chooses."""
     scalars = (
         "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "recovery_time", "adapts", "monitors",
-        "divisor_min", "filter", "weighted", "walk", "jam_sigma", "jam_time", "jam_walk", "residual_time", "protect_from",
+        "divisor_min", "filter", "weighted", "walk", "jam_sigma", "jam_time", "jam_walk", "residual_time",
+        "protect_from",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
