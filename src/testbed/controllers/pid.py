@@ -27,7 +27,7 @@ from testbed.units import GRAVITY_M_S2
 
 GAINS = (
     "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
-    "heading_kp", "heading_ki", "roll_kp", "p_kp", "roll_max", "skid", "r_kp",
+    "heading_kp", "heading_ki", "roll_kp", "roll_max", "r_kp",
 )  # fmt: skip
 """Fields of the gains' record; those of `PidSettings`, angles in radians."""
 
@@ -56,8 +56,7 @@ def lateral(y, ref, dt, g, s, wanted):
     s.integral[0] = clip(s.integral[0] + g.heading_ki * e_heading * dt, 0.3)
     rate = g.heading_kp * e_heading + ref.heading_rate + s.integral[0]
     bank = clip(math.atan(v / GRAVITY_M_S2 * rate), g.roll_max)
-    coordinated = GRAVITY_M_S2 / v * math.sin(y.roll)
-    r = coordinated + g.skid * (rate - coordinated) + g.roll_kp * (bank - y.roll) - g.p_kp * y.p
+    r = GRAVITY_M_S2 / v * math.sin(y.roll) + g.roll_kp * (bank - y.roll)
     wanted[2] = g.r_kp * (r - y.r)
 
 
