@@ -75,9 +75,10 @@ def _verdict(flight: Flight) -> str:
     scenario = flight.scenario
     about = f"{flight.controller}, aircraft {scenario.aircraft}, seed {scenario.seed}"
     about += f", {scenario.duration_s:g} s asked for"
+    warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
     return (
         f"<h1>{escape(scenario.name)}</h1>\n<p>{escape(about)}</p>\n"
-        f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>'
+        f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>{warnings}'
     )
 
 

@@ -48,6 +48,8 @@ def describe(event: Mapping[str, Any]) -> str:
     kind = event["kind"]
     if kind == "release":
         return f"{event['axis']} released"
+    if kind == "diagnosis":
+        return str(event["text"])
     what = str(event.get("actuator") or "").replace("_", " ")
     if kind == "detection":
         return f"{what} flagged after {event['delay_s']:.2f} s"
@@ -67,7 +69,8 @@ def _broken(event: Mapping[str, Any]) -> str:
     else:
         number = f" {next(iter(values.values())):g}" if len(values) == 1 else ""
         text = f"{event['type'].replace('_', ' ')}{number}"
-    return text if event.get("verified", True) else f"{text} (HAD NO EFFECT)"
+    remarks = {True: "", False: " (HAD NO EFFECT)", None: " (nothing to be seen of it)"}
+    return text + remarks[event.get("verified", True)]
 
 
 def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
