@@ -22,6 +22,9 @@ from flights import Record, Values, fly_all
 from testbed.aircraft import load_aircraft
 from testbed.design import DESIGN_MODEL, load_design_model
 from testbed.flight import Outcome
+from testbed.simulation import fly
+from testbed.sweeps.builder import Builder, Task, Variant
+from testbed.yamlfile import parse
 
 CONTROLLER = "{type: adaptive_inversion, estimation: weighted, released: [p_dot]}"
 BASE = """\
@@ -257,7 +260,21 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
         )
         lines.append("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
         lines += [cell_row(result) for result in results if result.cell.group == group]
-    return "\n".join([*lines, *lost_flights(results)]) + "\n"
+    return "\n".join([*lines, *diagnoses(results, controller), *lost_flights(results)]) + "\n"
+
+
+def diagnoses(results: Sequence[Result], controller: str) -> list[str]:
+    """What the controller itself says of the pairs, in the worst flight of each: which axis is given up, and why."""
+    lines = ["", "## What the controller says of the pairs", "", "| failure | W20 | seed | said |", "| --- | --- | --- | --- |"]
+    for result in results:
+        if result.cell.group != PAIRS:
+            continue
+        source = Builder(parse(BASE.format(controller=controller)), (Variant("", {}),))
+        flight = fly(source.scenario(Task(0, 0, result.worst_seed, result.cell.values(result.worst_seed))))
+        said = [f"{e['time_s']:.1f} s: {e['text']}" for e in flight.events if e["kind"] == "diagnosis"]
+        about = (result.cell.title, f"{result.cell.w20_ft_s:g}", str(result.worst_seed), "; ".join(said) or "nothing")
+        lines.append(f"| {' | '.join(about)} |")
+    return lines if len(lines) > 5 else []
 
 
 def lost_flights(results: Sequence[Result]) -> list[str]:

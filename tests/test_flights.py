@@ -374,7 +374,7 @@ def test_a_lost_aircraft_is_an_outcome(
     assert 5.0 < summary["end_time_s"] < 60.0
     assert np.all(np.isfinite(log.iloc[:-1].to_numpy()))
     if outcome is Outcome.ground_contact:
-        assert log.altitude_m.iloc[-1] < 6.0 < log.altitude_m.iloc[-200]
+        assert log.altitude_m.iloc[-1] < 0.5 < log.altitude_m.iloc[-200]
 
 
 def test_no_steady_flight_to_begin_from_is_bad_input(tmp_path: Path) -> None:

@@ -47,8 +47,9 @@ def measured(settings: object, truth: np.ndarray, seed: int = 1) -> tuple[RealSe
     """The sensors after a flight, and [steps, state] what the controller was told."""
     sensors = RealSensors(Sensors.model_validate(settings), Still(), RATE, len(truth), seed)
     told = np.full((len(truth), len(STATE)), np.nan)  # so that what is not written shows
+    sensors.bind(truth, told)
     for k in range(len(truth)):
-        sensors.measure(k, truth, told)
+        sensors.measure(k)
     return sensors, told
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -11,7 +12,7 @@ from pydantic import Field, PrivateAttr, field_validator
 from testbed.problems import BadInput, Problem, did_you_mean, one_of
 from testbed.settings import NonNegative, Number, Positive, Settings, Text, Whole, refuse
 from testbed.validation import validated
-from testbed.yamlfile import read
+from testbed.yamlfile import parsed, read_text
 
 Axis = Literal["p_dot", "q_dot", "r_dot", "u_dot"]
 
@@ -151,7 +152,13 @@ def find_aircraft(name: str) -> Path:
 def load_aircraft(name: str) -> Aircraft:
     """Load an aircraft by name or folder; raises BadInput with everything wrong in its YAML."""
     file = find_aircraft(name)
-    aircraft = validated(Aircraft, read(file))
+    return _checked(file, read_text(file))
+
+
+@lru_cache(maxsize=16)
+def _checked(file: Path, text: str) -> Aircraft:
+    """The aircraft of a YAML file that says this; kept, as a sweep's worker asks for it again and again."""
+    aircraft = validated(Aircraft, parsed(text, str(file)))
     aircraft._folder = file.parent
     return aircraft
 

@@ -17,7 +17,7 @@ import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -153,17 +153,19 @@ class DesignModel:
         effectiveness [n]."""
         speed = x["airspeed"] / self.airspeed_m_s
         pressure = speed * speed
-        a = np.array(self.derivatives)
-        aero = pressure * (
-            np.array(self.bias) + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"]
-        )
+        bias, a, inputs, offsets, servo = self._arrays
+        aero = pressure * (bias + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
         aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
-        scale = np.array([pressure if kind == "servo" else 1.0 for kind in self.kinds])
+        scale = np.where(servo, pressure, 1.0)
         lam = np.asarray(alive, dtype=float)
-        actuators = (
-            np.array(self.input_matrix) @ (scale * lam * np.asarray(u)) + np.array(self.offset_matrix) @ lam
-        )
+        actuators = inputs @ (scale * lam * np.asarray(u)) + offsets @ lam
         return aero + kinematics(x) + actuators
+
+    @cached_property
+    def _arrays(self) -> tuple[np.ndarray, ...]:
+        """bias, derivatives, input and offset matrix, and which actuators are servos, as arrays made once."""
+        fields = (self.bias, self.derivatives, self.input_matrix, self.offset_matrix)
+        return (*map(np.array, fields), np.array([kind == "servo" for kind in self.kinds]))
 
     def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
         """The same, but for the last digits of numbers (relative to each, and absolute near zero)."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -43,6 +43,7 @@ class _Column(NamedTuple):
     wrapped: bool = False
 
 
+_BLOCK = 1024  # steps of which the recorded rows stay in the processor's cache while their columns are taken
 _TIME = _Column("time_s", -1, 0)
 _TRUTH_ROWS, _MEASURED, _REFERENCE_ROWS, _TELEMETRY = range(4)
 
@@ -58,10 +59,20 @@ def all_columns(aircraft: Aircraft, scenario: Scenario) -> tuple[str, ...]:
     return (*columns(aircraft), *sensors, *(() if scenario.atmosphere.is_calm else WIND))
 
 
-def table(aircraft: Aircraft, rate_hz: float, recorded: Recorded, every: int = 1) -> np.ndarray:
-    """[rows, columns] the log of every so many steps."""
-    rows = slice(0, len(recorded[0]))
-    return np.column_stack([_values(c, rate_hz, recorded, rows) for c in _columns(aircraft)])[::every]
+def table(
+    aircraft: Aircraft, rate_hz: float, recorded: Recorded, more: Iterable[np.ndarray] = ()
+) -> np.ndarray:
+    """[columns, rows] the log: what every log has, then `more` [rows] each. Columns are contiguous: they are what is
+    read, judged, drawn and written."""
+    steps, usual, others = len(recorded[0]), tuple(_columns(aircraft)), tuple(more)
+    data = np.empty((len(usual) + len(others), steps))
+    for start in range(0, steps, _BLOCK):
+        rows = slice(start, min(start + _BLOCK, steps))
+        for place, column in enumerate(usual):
+            data[place, rows] = _values(column, rate_hz, recorded, rows)
+    for place, values in enumerate(others, len(usual)):
+        data[place] = values
+    return data
 
 
 def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) -> Callable[[int], float]:

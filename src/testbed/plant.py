@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Callable, Mapping, Sequence
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
 from operator import call
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -72,6 +74,8 @@ _INTEGRATORS = tuple(
     for of in ("rotational", "translational")
 )
 
+_exhaust = deque[bool](maxlen=0).extend  # the quickest way to have each of an iterator's calls made
+
 
 class _Listener(jsbsim.FGLogger):
     """Keeps JSBSim's console silent and remembers what it warned about."""
@@ -125,6 +129,8 @@ class Plant:
         self.warnings = tuple(listener.warnings)
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
+        if substeps == 1:
+            self.step = self._run  # type: ignore[method-assign, assignment]
         reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
         reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
         self._getters = [self.getter(name) for name, _ in reads]
@@ -152,13 +158,11 @@ class Plant:
 
     def catalog(self) -> dict[str, bool]:
         """Name of each property of the loaded model, and whether it can be written."""
-        rows = (line.rpartition(" (") for line in self._fdm.get_property_catalog())
-        return {name.strip(): "W" in access for name, _, access in rows}
+        return _writable(tuple(self._fdm.get_property_catalog()))
 
-    def command(self, commands: Sequence[float] | np.ndarray) -> None:
+    def command(self, commands: Iterable[float]) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
-        for put, value in zip(self._commands, commands, strict=False):
-            put(value)
+        _exhaust(map(call, self._commands, commands))
 
     def step(self) -> None:
         """Advance by one control step."""
@@ -270,6 +274,12 @@ class Plant:
 def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
     """Name of each property of the aircraft's model, and whether it can be written."""
     return Plant(aircraft, 200).catalog()
+
+
+@lru_cache(maxsize=8)
+def _writable(catalog: tuple[str, ...]) -> dict[str, bool]:
+    rows = (line.rpartition(" (") for line in catalog)
+    return {name.strip(): "W" in access for name, _, access in rows}
 
 
 def _command(actuator: Any) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 
 from testbed import identification
 from testbed.aircraft import Aircraft, Envelope, load_aircraft
-from testbed.compiled import compiled
+from testbed.compiled import bound, compiled
 from testbed.controllers import TABLE, Controller, custom
 from testbed.controllers.control_design import ControlDesign
 from testbed.controllers.setup import ActuatorData, Setup
@@ -120,7 +120,9 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     measured = np.zeros((steps, len(STATE)))
     telemetry = np.zeros((steps, telemetry_width(n)))
     controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
+    sensors.bind(truth, measured)
     channels = (plant.raw, plant.factors, parts.limits, truth, measured)
+    observe = bound(log_truth, 0, channels)
     injector.observe((truth, measured, parts.references, telemetry))
     ending, done = 0, steps
     for k in range(steps):
@@ -131,7 +133,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
         plant.sample()
         ending = observe(k, channels)
         if sensors.real:
-            sensors.measure(k, truth, measured)
+            sensors.measure(k)
         plant.command(controller.step(k))
         for delay in injector.filters:
             delay()
@@ -143,7 +145,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
 
 
 @compiled
-def observe(k, channels):  # type: ignore[no-untyped-def]
+def log_truth(k, channels):  # type: ignore[no-untyped-def]
     """Log the truth in SI, measure it ideally, and say whether the flight goes on: 0, or the index of its outcome."""
     raw, factors, limits, truth, measured = channels
     row = truth[k]
@@ -158,7 +160,7 @@ def observe(k, channels):  # type: ignore[no-untyped-def]
         return 1
     if altitude < limits[0]:
         return 2
-    if airspeed < limits[1] or airspeed > limits[2]:
+    if airspeed < limits[1] or airspeed > limits[2] or altitude < limits[6]:
         return 3
     if abs(alpha) > limits[3] or abs(beta) > limits[4] or abs(roll) > limits[5]:
         return 3
@@ -170,8 +172,8 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     scenario, aircraft = parts.scenario, parts.aircraft
     names = all_columns(aircraft, scenario)
     more = {**parts.sensors.columns(recorded[0]), **parts.weather.columns(len(recorded[0]))}
-    rows = np.column_stack([table(aircraft, scenario.rate_hz, recorded), *more.values()])
-    log = dict(zip(names, np.ascontiguousarray(rows.T), strict=True))
+    data = table(aircraft, scenario.rate_hz, recorded, more.values())
+    log, every = dict(zip(names, data, strict=True)), scenario.rate_hz // scenario.log_hz
     actuators = {
         name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
         for name, actuator in aircraft.actuators.items()
@@ -180,9 +182,11 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     injections = parts.injector.receipts
     events = [
         *injections,
-        *parts.sensors.receipts(len(rows)),
+        *parts.sensors.receipts(len(recorded[0])),
         *controller_events(log, tuple(actuators), injections),
     ]
+    for step, text in getattr(parts.controller, "reasons", ()):
+        events.append({"time_s": step / scenario.rate_hz, "kind": "diagnosis", "text": text})
     events.sort(key=lambda event: event["time_s"])
     survived = outcome is Outcome.completed
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
@@ -190,9 +194,9 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     return Flight(
         scenario=scenario,
         outcome=outcome,
-        end_time_s=len(rows) / scenario.rate_hz,
+        end_time_s=len(recorded[0]) / scenario.rate_hz,
         columns=names,
-        data=rows[:: scenario.rate_hz // scenario.log_hz],
+        data=np.ascontiguousarray(data[:, ::every]).T,
         events=events,
         metrics=metrics,
         requirements=judge(scenario.requirements, log, metrics),
@@ -237,18 +241,19 @@ def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
 
 
 def _limits(envelope: Envelope) -> np.ndarray:
-    """[6] altitude, airspeed low and high, alpha, beta, roll [SI, rad] beyond which a flight ends."""
+    """[7] ground, airspeed low and high, alpha, beta, roll, altitude [SI, rad] beyond which a flight ends."""
 
     def radians(value: float | None) -> float:
         return math.inf if value is None else math.radians(value)
 
     return np.array(
         [
-            _GROUND_M if envelope.altitude_min_m is None else max(envelope.altitude_min_m, _GROUND_M),
+            _GROUND_M,
             envelope.airspeed_min_m_s or 0.0,
             math.inf if envelope.airspeed_max_m_s is None else envelope.airspeed_max_m_s,
             radians(envelope.alpha_max_deg),
             radians(envelope.beta_max_deg),
             radians(envelope.roll_max_deg),
+            -math.inf if envelope.altitude_min_m is None else envelope.altitude_min_m,
         ]
     )

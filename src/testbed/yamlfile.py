@@ -55,9 +55,14 @@ def dotted(path: TreePath) -> str:
 
 def read(path: Path | str) -> Source:
     """Read a YAML file whose top level is a mapping; raises BadInput when nothing can be made of it."""
+    return parsed(read_text(path), str(path))
+
+
+def read_text(path: Path | str) -> str:
+    """The text of a file that should be YAML; raises BadInput when there is none."""
     file = str(path)
     try:
-        text = Path(path).read_text(encoding="utf-8")
+        return Path(path).read_text(encoding="utf-8")
     except FileNotFoundError:
         raise BadInput([Problem("there is no such file", file)]) from None
     except IsADirectoryError:
@@ -66,6 +71,10 @@ def read(path: Path | str) -> Source:
         raise BadInput([Problem("is not UTF-8 text", file, expected="a YAML file")]) from None
     except OSError as error:
         raise BadInput([Problem(f"cannot be read: {error.strerror}", file)]) from None
+
+
+def parsed(text: str, file: str) -> Source:
+    """As `read`, of text that was read already."""
     source = parse(text, file)
     if not isinstance(source.tree, dict):
         what = "is empty" if source.tree is None else f"is {describe(source.tree)}"

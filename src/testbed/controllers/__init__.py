@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:  # reading a scenario needs the settings beside this file, not numba
@@ -19,7 +19,7 @@ class Controller(Protocol):
         `signals.STATE` and `signals.SETPOINT`), and the telemetry to be filled (`signals.TELEMETRY`)."""
         ...
 
-    def step(self, step: int) -> np.ndarray:
+    def step(self, step: int) -> Iterable[float]:
         """Commands [n], servos in radians and motors as throttle, for row `step` of the channels."""
         ...
 

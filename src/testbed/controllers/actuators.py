@@ -14,6 +14,12 @@ NEWTON_STEPS = 4
 
 
 @compiled
+def fourth(x):
+    """x^4 by products: compiled and uncompiled powers differ in the last bit."""
+    return (x * x) * (x * x)
+
+
+@compiled
 def advance_servo(i, dt, m, s):
     """Position of servo i one step after `s.command`: first-order lag (bilinear), rate limit, stops [scaled]."""
     x = s.command[i] / m.scale[i]
@@ -43,7 +49,7 @@ def advance_motor(i, dt, axial, m, s):
     """
     n = s.rotor[i]
     diameter = m.diameter[i]
-    pressure = m.density * n * n * diameter**4
+    pressure = m.density * n * n * fourth(diameter)
     advance = axial / max(n * diameter, 1e-3)
     current = (s.command[i] * m.max_volts[i] - n / m.k_v[i]) / m.resistance[i]
     torque = m.k_t[i] * (current - m.no_load_current[i])
@@ -63,7 +69,7 @@ def throttle_for(i, thrust, axial, m, s):
         t, slope = thrust_and_slope(i, n, axial, m)
         n = max(n - (t - thrust) / slope, slowest)
     advance = axial / (n * diameter)
-    load = m.density * n * n * diameter**5 * coefficient(i, m.c_torque, advance, m)
+    load = m.density * n * n * fourth(diameter) * diameter * coefficient(i, m.c_torque, advance, m)
     volts = n / m.k_v[i] + m.resistance[i] * (load / m.k_t[i] + m.no_load_current[i])
     return min(max(volts / m.max_volts[i], 0.0), 1.0)
 
@@ -73,7 +79,7 @@ def thrust_and_slope(i, n, axial, m):
     """Thrust [N] at rotor speed n [rev/s] and its derivative."""
     diameter = m.diameter[i]
     step = 1e-3 * n
-    pressure = m.density * diameter**4
+    pressure = m.density * fourth(diameter)
     t = pressure * n * n * coefficient(i, m.c_thrust, axial / (n * diameter), m)
     faster = n + step
     t2 = pressure * faster * faster * coefficient(i, m.c_thrust, axial / (faster * diameter), m)

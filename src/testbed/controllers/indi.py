@@ -17,7 +17,9 @@ from __future__ import annotations
 
 import math
 
-from testbed.compiled import compiled
+import numpy as np
+
+from testbed.compiled import bound, compiled
 from testbed.controllers.actuators import advance, throttle_for
 from testbed.controllers.inversion import InversionController
 from testbed.controllers.law import compensate, give_up_speed, invert, redistribute, regressor, state_function
@@ -75,7 +77,12 @@ class IndiController(InversionController):
     def __init__(self, setup: Setup) -> None:
         super().__init__(setup, adapts=False, monitors=False)
 
-    def step(self, step: int):  # type: ignore[no-untyped-def]
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight (see `controllers.Controller`)."""
+        super().bind(states, setpoints, telemetry)
+        self._step = bound(indi_step, 0, self._parts)
+
+    def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
-        indi_step(step, self._parts)
-        return self.command
+        self._step(step, self._parts)
+        return self._told

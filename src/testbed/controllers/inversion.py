@@ -7,7 +7,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from testbed.controllers.modes import Mode, NoLevelTrim, Regulator, design_regulator, enumerate_modes
+from testbed.compiled import bound
+from testbed.controllers.modes import (
+    Mode,
+    NoLevelTrim,
+    Regulator,
+    design_regulator,
+    enumerate_modes,
+    regulator_for,
+)
 from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
@@ -46,6 +54,7 @@ class InversionController:
         self._start_memory(setup)
         self.reasons: list[tuple[int, str]] = []
         self.command = self.memory[0].command
+        self._told = memoryview(self.command)  # the same numbers, quicker to go through
         self.mode = self._enter((), 0)
 
     def _start_memory(self, setup: Setup) -> None:
@@ -99,15 +108,13 @@ class InversionController:
     def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
         """The mode's regulator; about a trim without the jammed actuators' forces where there is none with them."""
         setup = self.setup
-        for stuck in (jammed, {}):
+        about = (setup.model, self.scale, mode, setup.control, self._limits, self._lags)
+        if jammed:
             try:
-                return design_regulator(
-                    setup.model, self.scale, mode, setup.control, self._limits, self._lags, stuck
-                )
+                return design_regulator(*about, jammed)
             except NoLevelTrim:
-                if not stuck:
-                    raise
-        raise AssertionError("unreachable")
+                pass
+        return regulator_for(*about)
 
     def _put(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         k, s, n = self.mode_record[0], self.memory[0], len(self.scale)
@@ -133,14 +140,16 @@ class InversionController:
         """Take the channels of a flight (see `controllers.Controller`)."""
         own = (self.model, self.settings, self.mode_record, self.memory, self._work)
         self._parts = (states, setpoints, telemetry, *own)
+        self._step = bound(adaptive_step, 0, self._parts)
+        self._command = bound(command_step, 0, self._parts)
 
-    def step(self, step: int) -> np.ndarray:
+    def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
-        if adaptive_step(step, self._parts):
+        if self._step(step, self._parts):
             failed = tuple(int(i) for i in np.flatnonzero(self.memory[0].failed > 0.5))
             self.mode = self._enter(failed, step)
-            command_step(step, self._parts)
-        return self.command
+            self._command(step, self._parts)
+        return self._told
 
 
 def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.ndarray:

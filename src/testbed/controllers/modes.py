@@ -20,6 +20,7 @@ from scipy.optimize import root
 from testbed.controllers.control_design import ControlDesign
 from testbed.controllers.records import INTEGRALS, OUTER
 from testbed.design import DesignModel
+from testbed.kept import Kept
 from testbed.signals import RATES
 
 _STEP = 1e-6
@@ -51,14 +52,24 @@ class Mode:
 
 def enumerate_modes(
     model: DesignModel, scale: np.ndarray, control: ControlDesign, released: Sequence[str] = ()
-) -> dict[tuple[int, ...], Mode]:
-    """Every combination of failed actuators, keyed by their indices; `released` axes are given up from the start."""
+) -> Mapping[tuple[int, ...], Mode]:
+    """Every combination of failed actuators, keyed by their indices; `released` axes are given up from the start.
+
+    Kept: most flights of a sweep share them. Nobody changes what is kept.
+    """
+    key = (model, scale.tobytes(), control.model_dump_json(), tuple(released))
+    return _modes.get(key, lambda: _enumerated(model, scale, control, released))
+
+
+def _enumerated(
+    model: DesignModel, scale: np.ndarray, control: ControlDesign, released: Sequence[str]
+) -> Mapping[tuple[int, ...], Mode]:
     b = np.array(model.input_matrix)[:4] * scale
-    modes = {}
-    for count in range(len(model.actuators)):
-        for failed in combinations(range(len(model.actuators)), count):
-            modes[failed] = _mode(model, b, failed, control, released)
-    return modes
+    return {
+        failed: _mode(model, b, failed, control, released)
+        for count in range(len(model.actuators))
+        for failed in combinations(range(len(model.actuators)), count)
+    }
 
 
 def _mode(
@@ -156,6 +167,34 @@ class Regulator:
 
 class NoLevelTrim(ValueError):
     """With these actuators the design model has no steady flight, or none that can be held."""
+
+
+_modes: Kept[Mapping[tuple[int, ...], Mode]] = Kept(32)
+_regulators: Kept[Regulator | str] = Kept(256)
+
+
+def regulator_for(
+    model: DesignModel,
+    scale: np.ndarray,
+    mode: Mode,
+    control: ControlDesign,
+    limits: np.ndarray,
+    lags: np.ndarray,
+) -> Regulator:
+    """As `design_regulator`, kept: it takes longer than a second of flight, and is the same in flight after flight."""
+    arrays = (scale, mode.inverse, limits, lags)
+    key = (model, mode.failed, mode.released, control.model_dump_json(), *(a.tobytes() for a in arrays))
+
+    def designed() -> Regulator | str:
+        try:
+            return design_regulator(model, scale, mode, control, limits, lags)
+        except NoLevelTrim as reason:
+            return str(reason)
+
+    found = _regulators.get(key, designed)
+    if isinstance(found, str):
+        raise NoLevelTrim(found)
+    return found
 
 
 def _titles(mode: Mode) -> str:

@@ -16,7 +16,7 @@ import math
 
 import numpy as np
 
-from testbed.compiled import compiled
+from testbed.compiled import bound, compiled
 from testbed.controllers.actuators import advance, throttle_for
 from testbed.controllers.inversion import _model_record
 from testbed.controllers.outer import clip, wrap
@@ -120,17 +120,18 @@ class PidController:
             if propulsor is not None:
                 s.rotor[i] = propulsor.speed_at(setup.trim_positions[i], axial, float(m.density))
         s.integral[1] = setup.trim_pitch
+        self._command: np.ndarray = s.command
         self._own = (self.model, self.gains, self.memory, self.mixer, np.zeros(4), setup.dt_s)
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
         self._parts = (states, setpoints, telemetry, *self._own)
+        self._step = bound(pid_step, 0, self._parts)
 
     def step(self, step: int) -> np.ndarray:
         """Commands [n] for row `step`."""
-        pid_step(step, self._parts)
-        command: np.ndarray = self.memory[0].command
-        return command
+        self._step(step, self._parts)
+        return self._command
 
 
 def mixer_of(b: np.ndarray, kinds: tuple[str, ...]) -> np.ndarray:

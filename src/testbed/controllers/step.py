@@ -49,7 +49,7 @@ def adaptive_step(step, parts):
     states, _, _, models, settings, _, memories, work = parts
     y, m, c, s = states[step], models[0], settings[0], memories[0]
     f, z, e, phi = work[:, 0], work[:, 1], work[:, 2], work[:, 6:]
-    pressure = (y.airspeed / m.airspeed) ** 2
+    pressure = (y.airspeed / m.airspeed) * (y.airspeed / m.airspeed)
     axial = y.airspeed * math.cos(y.alpha) * math.cos(y.beta)
 
     advance(c.dt, axial, m, s)
@@ -80,7 +80,7 @@ def command_step(step, parts):
     y, ref = states[step], setpoints[step]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     f, wanted = work[:, 0], work[:, 3]
-    pressure = (y.airspeed / m.airspeed) ** 2
+    pressure = (y.airspeed / m.airspeed) * (y.airspeed / m.airspeed)
     axial = y.airspeed * math.cos(y.alpha) * math.cos(y.beta)
     if k.regulated > 0.5:
         regulate(y, ref, m, c, k, s, f, wanted)

@@ -76,7 +76,8 @@ def derive(k, rate, readings, measured):
 
 
 @compiled
-def measure(k, rate, truth, force, measured, parameters, lagged, table):
+def measure(k, force, rate, parts):
     """One control step: sense, then derive; only `sense` sees the truth."""
+    truth, measured, parameters, lagged, table = parts
     sense(k, truth, force, parameters, lagged, table)
     derive(k, rate, table[READING], measured)

@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from testbed.compiled import bound
 from testbed.sensors.channels import CHANNELS, channels_of, logged
 from testbed.sensors.errors import drawn, timed
 from testbed.sensors.faults import SensorFault
@@ -38,7 +39,10 @@ class IdealSensors:
 
     real = False
 
-    def measure(self, step: int, truth: np.ndarray, measured: np.ndarray) -> None:
+    def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
+        """Nothing to remember."""
+
+    def measure(self, step: int) -> None:
         """Nothing to add."""
 
     def columns(self, truth: np.ndarray) -> dict[str, np.ndarray]:
@@ -74,11 +78,14 @@ class RealSensors:
         for i, fault in enumerate(settings.faults):
             timed(fault, i, rate_hz, seed, self.table[OFFSET], self.table[STATE_OF])
 
-    def measure(self, step: int, truth: np.ndarray, measured: np.ndarray) -> None:
+    def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
+        """Take the rows of a flight, one a step: the truth (as `Plant.read`) and the measured state to be filled."""
+        self._parts = (truth, measured, self._parameters, self._lagged, self.table)
+        self._measure = bound(measure, 0, 0.0, self.rate_hz, self._parts)
+
+    def measure(self, step: int) -> None:
         """Fill all of this step's row of the measured state from its row of truth."""
-        measure(
-            step, self.rate_hz, truth, self._force(), measured, self._parameters, self._lagged, self.table
-        )
+        self._measure(step, self._force(), self.rate_hz, self._parts)
 
     def columns(self, truth: np.ndarray) -> dict[str, np.ndarray]:
         """Columns of the log beyond those of ideal sensors, in the rows of `truth`."""

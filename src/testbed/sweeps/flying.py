@@ -115,7 +115,7 @@ def _parquet(flight: Flight) -> bytes:
     ]
     columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time keeps its last digits
     stream = io.BytesIO()
-    table = pa.table(columns, names=list(flight.columns))
+    table = pa.Table.from_arrays(columns, names=list(flight.columns))
     pq.write_table(table, stream, compression="zstd", use_byte_stream_split=True, use_dictionary=False)
     return stream.getvalue()
 
