@@ -14,6 +14,7 @@ from testbed.listing import LISTS
 from testbed.problems import BadInput, Problem
 
 if TYPE_CHECKING:
+    from testbed.controllers.setup import Setup
     from testbed.flight import Flight
     from testbed.scenario import Scenario
 
@@ -42,6 +43,9 @@ def parser() -> argparse.ArgumentParser:
     command.add_argument("scenario", help="YAML file; those shipped are found from any folder")
     command.add_argument("--out", type=Path, metavar="DIR", help="run folder to make (default: runs/<name>)")
     command.add_argument("--no-plots", action="store_true", help="draw no figures")
+    command.add_argument(
+        "--controller", metavar="FILE.py:CLASS", help="fly a class of your own in place of the scenario's"
+    )
     _add_set(command)
 
     command = _command(commands, "sweep", _sweep, "Monte Carlo: fly many variations of a scenario")
@@ -110,15 +114,25 @@ def _run(options: argparse.Namespace) -> int:
     if options.out is not None:  # refused before flying for a minute, not after
         _collect(problems, lambda: refuse_existing(options.out))
     scenario = _collect(problems, lambda: _checked(options.scenario, options.set))
+    controller = _collect(problems, lambda: _own_controller(options.controller))
     if scenario is None or problems:
         raise BadInput(problems)
     from testbed.simulation import fly
 
-    flight = fly(scenario)
+    flight = fly(scenario, controller)
     folder = _write(flight, options.out, _presentation(flight, figures=not options.no_plots))
     _print_verdict(flight)
     print(f"wrote {folder}")
     return MET if flight.passed else NOT_MET
+
+
+def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
+    """The user's class, from the file that it is in."""
+    if reference is None:
+        return None
+    from testbed.controllers.custom import load_controller
+
+    return load_controller(reference)
 
 
 def _collect(problems: list[Problem], function: Callable[[], Result]) -> Result | None:
@@ -181,6 +195,8 @@ def _write(flight: Flight, out: Path | None, add: Callable[[Path], None]) -> Pat
 
 def _print_verdict(flight: Flight) -> None:
     print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s")
+    if flight.flown_by:
+        print(f"flown by {flight.flown_by}")
     for requirement in flight.requirements:
         verdict = "met    " if requirement["passed"] else "NOT MET"
         value = requirement["value"]

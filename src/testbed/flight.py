@@ -61,6 +61,13 @@ class Flight:
     """{kind, unit, limits, scale} of each actuator, so that a log is understood without the aircraft."""
     warnings: Sequence[str] = ()
     """What makes the flight mean less than it seems: a failure that did not act, or never started."""
+    flown_by: str = ""
+    """The user's own controller that flew in place of the scenario's, as `module:Class`; else empty."""
+
+    @property
+    def controller(self) -> str:
+        """What flew it."""
+        return self.flown_by or self.scenario.controller.type
 
     @cached_property
     def log(self) -> pd.DataFrame:
@@ -89,6 +96,8 @@ class Flight:
             "actuators": [{"name": name, **facts} for name, facts in self.actuators.items()],
             "warnings": list(self.warnings),
         }
+        if self.flown_by:
+            summary["flown_by"] = self.flown_by
         plain: dict[str, Any] = _plain(summary)
         return plain
 
@@ -154,6 +163,7 @@ def load(folder: str | Path) -> Flight:
             requirements=summary["requirements"],
             actuators={facts.pop("name"): facts for facts in summary["actuators"]},
             warnings=summary.get("warnings", ()),
+            flown_by=summary.get("flown_by", ""),
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(

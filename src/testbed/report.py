@@ -73,7 +73,7 @@ def _verdict(flight: Flight) -> str:
     met = f"{total - len(missed)} of {total} requirements met."
     text += met if total else "the scenario has no requirements."
     scenario = flight.scenario
-    about = f"{scenario.controller.type}, aircraft {scenario.aircraft}, seed {scenario.seed}"
+    about = f"{flight.controller}, aircraft {scenario.aircraft}, seed {scenario.seed}"
     about += f", {scenario.duration_s:g} s asked for"
     warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
     return (

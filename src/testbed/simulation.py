@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from testbed import identification
 from testbed.aircraft import Aircraft, Envelope, load_aircraft
 from testbed.compiled import bound, compiled
-from testbed.controllers import TABLE, Controller
+from testbed.controllers import TABLE, Controller, custom
 from testbed.controllers.control_design import ControlDesign
 from testbed.controllers.setup import ActuatorData, Setup
 from testbed.design import DesignModel
@@ -50,22 +52,27 @@ class Assembly:
     sensors: IdealSensors | RealSensors
     references: np.ndarray
     limits: np.ndarray
+    flown_by: str = ""
+    """The user's controller that flew in place of the scenario's, or empty."""
 
 
-def fly(scenario: Scenario | str | Path) -> Flight:
+def fly(scenario: Scenario | str | Path, controller: Callable[[Setup], Any] | None = None) -> Flight:
     """Fly a scenario, or the file of one; a pure function of it.
 
+    Args:
+        controller: a class of the user's own that flies in place of the scenario's (see `controllers.custom`).
+
     Raises:
-        BadInput: the scenario, or a name in it, cannot be used.
+        BadInput: the scenario, a name in it, or the user's controller cannot be used.
     """
     if not isinstance(scenario, Scenario):
         scenario = load_scenario(scenario)
-    parts = assemble(scenario)
+    parts = assemble(scenario, controller)
     outcome, recorded = lockstep(parts)
     return conclude(parts, outcome, recorded)
 
 
-def assemble(scenario: Scenario) -> Assembly:
+def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
     """Make plant, controller and failures, and put the aircraft into trimmed flight."""
     aircraft = load_aircraft(scenario.aircraft)
     problems = check_names(scenario, all_columns(aircraft, scenario), METRICS)
@@ -90,13 +97,18 @@ def assemble(scenario: Scenario) -> Assembly:
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
-        controller=TABLE[scenario.controller.type](_setup(scenario, aircraft, start)),
+        controller=_controller(controller, scenario, _setup(scenario, aircraft, start)),
         injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),
         limits=_limits(aircraft.envelope),
+        flown_by=custom.name_of(controller) if controller else "",
     )
+
+
+def _controller(own: Callable[[Setup], Any] | None, scenario: Scenario, setup: Setup) -> Controller:
+    return custom.adapted(own, setup) if own else TABLE[scenario.controller.type](setup)
 
 
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
@@ -177,7 +189,8 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         events.append({"time_s": step / scenario.rate_hz, "kind": "diagnosis", "text": text})
     events.sort(key=lambda event: event["time_s"])
     survived = outcome is Outcome.completed
-    metrics = measure(Readings(log, events, actuators, adaptation_rates(scenario, actuators), survived))
+    gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
+    metrics = measure(Readings(log, events, actuators, gamma, survived))
     return Flight(
         scenario=scenario,
         outcome=outcome,
@@ -189,6 +202,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         requirements=judge(scenario.requirements, log, metrics),
         actuators=actuators,
         warnings=warnings,
+        flown_by=parts.flown_by,
     )
 
 

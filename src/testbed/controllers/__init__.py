@@ -36,7 +36,21 @@ def _fixed_inversion(setup: Setup) -> Controller:
     return InversionController(setup, adapts=False, monitors=False)
 
 
+def _pid(setup: Setup) -> Controller:
+    from testbed.controllers.pid import PidController
+
+    return PidController(setup)
+
+
+def _indi(setup: Setup) -> Controller:
+    from testbed.controllers.indi import IndiController
+
+    return IndiController(setup)
+
+
 TABLE: dict[str, Callable[[Setup], Any]] = {
     "adaptive_inversion": _adaptive_inversion,
     "fixed_inversion": _fixed_inversion,
+    "pid": _pid,
+    "indi": _indi,
 }

@@ -104,9 +104,49 @@ class FixedInversionSettings(ControllerSettings):
     type: Literal["fixed_inversion"] = "fixed_inversion"
 
 
+class PidSettings(ControllerSettings):
+    """A conventional autopilot: ruddervator mixer, one throttle, cascaded loops scheduled with dynamic pressure.
+
+    It has no axes to give up: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise. They were
+    searched for (CMA-ES, then rounded) on healthy flights alone, calm and at W20 25 ft/s, seeds 1 to 16; the inner loops
+    are held to 20 rad/s, for 60 deg of phase margin with the servos' lag, each outer one to a third of the one inside.
+    """
+
+    type: Literal["pid"] = "pid"
+    airspeed_kp: NonNegative = 0.7
+    airspeed_ki: NonNegative = 0.03
+    """[1/s2]"""
+    u_dot_max: Positive = 4.0
+    """Most acceleration that airspeed may ask for [m/s2]; with 0.7 a climb in a downdraught runs out of speed."""
+    altitude_kp: NonNegative = 1.5
+    altitude_ki: NonNegative = 0.03
+    """[rad/(m s)]"""
+    climb_max: Positive = 2.0
+    """[m/s]"""
+    pitch_kp: NonNegative = 6.0
+    q_kp: NonNegative = 20.0
+    heading_kp: NonNegative = 1.5
+    heading_ki: NonNegative = 0.15
+    """[1/s2]"""
+    roll_kp: NonNegative = 1.5
+    """Yaw rate for bank error; sideslip and dihedral make it roll."""
+    roll_max_deg: Positive = 30.0
+    r_kp: NonNegative = 20.0
+
+
+class IndiSettings(ControllerSettings):
+    """Incremental nonlinear dynamic inversion: measured rates stand in for the model's; no estimates, no monitor."""
+
+    type: Literal["indi"] = "indi"
+    filter_rad_s: NonNegative = 20.0
+    """Two equal lags on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
+
+
 SETTINGS: dict[str, type[ControllerSettings]] = {
     "adaptive_inversion": AdaptiveInversionSettings,
     "fixed_inversion": FixedInversionSettings,
+    "pid": PidSettings,
+    "indi": IndiSettings,
 }
 
 if TYPE_CHECKING:

@@ -77,7 +77,7 @@ def readings(flight: Flight) -> Readings:
         log=dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True)),
         events=flight.events,
         actuators=flight.actuators,
-        gamma=adaptation_rates(flight.scenario, flight.actuators),
+        gamma={} if flight.flown_by else adaptation_rates(flight.scenario, flight.actuators),
         survived=flight.outcome is Outcome.completed,
     )
 

@@ -12,7 +12,7 @@ from testbed.plots.page import LIMIT, REFERENCE, TRUTH, frame, page
 def effectiveness(flight: Flight) -> Figure:
     """True and estimated effectiveness of each actuator over time, the monitor's threshold, and its flag."""
     sheet = page(flight, "effectiveness of the actuators, 1 is healthy", [1.5] * len(flight.actuators))
-    threshold = flight.scenario.controller.model_dump().get("threshold")
+    threshold = None if flight.flown_by else flight.scenario.controller.model_dump().get("threshold")
     for panel, name in zip(sheet.panels, flight.actuators, strict=True):
         truth = sheet.column(f"{name}_effectiveness")
         estimate = sheet.column(f"{name}_effectiveness_estimate")

@@ -110,7 +110,7 @@ def page(flight: Flight, what: str, heights: Sequence[float]) -> Page:
 def _title(figure: Figure, flight: Flight, what: str) -> None:
     height = figure.get_figheight()
     verdict = "passed" if flight.passed else "not passed"
-    title = f"{flight.scenario.name} — {flight.scenario.controller.type}"
+    title = f"{flight.scenario.name} — {flight.controller}"
     outcome = f"{flight.outcome.sentence}, {flight.end_time_s:g} s; {verdict}"
     left, right = _LEFT / _WIDTH, 1 - _RIGHT / _WIDTH
     figure.text(left, 1 - 0.22 / height, title, fontsize=12, fontweight="bold", va="center")

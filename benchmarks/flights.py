@@ -1,0 +1,32 @@
+"""What the campaigns share: many variations of one scenario, flown in processes, each a record (see `sweeps.flying`)."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from testbed.sweeps.builder import Builder, Task, Variant
+from testbed.sweeps.flying import Job
+from testbed.sweeps.pool import fly_locally
+from testbed.yamlfile import parse
+
+Values = Mapping[str, Any]
+"""Settings by dotted paths, as of --set."""
+Record = dict[str, Any]
+
+
+def fly_all(base: str, flights: Iterable[tuple[int, Values]], jobs: int | None = None) -> list[Record]:
+    """Fly the scenario text `base` once for each (seed, values); records in the order given, counted on stderr."""
+    tasks = [Task(run, 0, seed, values) for run, (seed, values) in enumerate(flights)]
+    job = Job(Builder(parse(base, "campaign"), (Variant("", {}),)), save_logs="none", time_limit_s=600.0)
+    records: list[Record] = [{}] * len(tasks)
+    for done, (task, flown) in enumerate(fly_locally(job, tasks, jobs), 1):
+        records[task.run] = flown.record
+        if done % 100 == 0 or done == len(tasks):
+            print(f"\r{done} of {len(tasks)} flights", end="", file=sys.stderr, flush=True)
+    print(file=sys.stderr)
+    broken = [record for record in records if record["outcome"] in ("invalid", "error", "timeout", "crashed")]
+    if broken:
+        raise SystemExit(f"{len(broken)} flights could not be flown: {broken[0]['reason']}")
+    return records

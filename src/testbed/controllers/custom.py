@@ -1,0 +1,211 @@
+"""A user's own controller: a class in a file of theirs, in plain Python, flown without touching the package.
+
+    class MyController:
+        def __init__(self, setup): ...                      # a `Setup`: design model, trim, stops, time step
+        def update(self, time_s, state, reference): ...     # -> commands: servos in radians, motors as throttle 0 to 1
+
+`state` is a `State`, what the sensors measured, and `reference` a `Reference`, both in SI and radians; commands are one
+number an actuator, in the order of `setup.model.actuators`. It may also keep `effectiveness` and `failed`, one number an
+actuator each, to be logged and judged as estimates and flags; without them it is logged as taking all as whole. A class
+with `bind` and `step` (see `controllers.Controller`) is flown as it is.
+
+Whatever is wrong with it is said as bad input with the user's file and line: before the flight, or with the time in it.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from testbed.controllers import Controller
+from testbed.controllers.actuators import advance
+from testbed.controllers.inversion import _model_record
+from testbed.controllers.records import memory_dtype
+from testbed.controllers.setup import Setup
+from testbed.problems import BadInput, Problem, did_you_mean, one_of
+
+Factory = Callable[[Setup], Any]
+_PREFIX = "testbed_user_"  # so that a file called json.py does not become the module json
+_WANTED = "update(time_s, state, reference) -> commands"
+
+
+class State(NamedTuple):
+    """What is measured (`signals.STATE`): m, m/s, rad, rad/s, rad/s2; airspeed, alpha and beta relative to the air."""
+
+    north: float
+    east: float
+    altitude: float
+    airspeed: float
+    climb_rate: float
+    roll: float
+    pitch: float
+    heading: float
+    alpha: float
+    beta: float
+    p: float
+    q: float
+    r: float
+    p_dot: float
+    q_dot: float
+    r_dot: float
+    u_dot: float
+
+
+class Reference(NamedTuple):
+    """What is to be flown (`signals.SETPOINT`): rate-limited, with its rates; m, m/s, rad, per second."""
+
+    altitude: float
+    airspeed: float
+    heading: float
+    altitude_rate: float
+    airspeed_rate: float
+    heading_rate: float
+
+
+class CustomController:
+    """The adapter: gives a user's `update` its records, checks what it answers, and logs it."""
+
+    def __init__(self, setup: Setup, flown: Any, name: str) -> None:
+        n = len(setup.actuators)
+        self._dt, self._n, self._names = setup.dt_s, n, setup.model.actuators
+        self._flown, self._update, self._name = flown, flown.update, name
+        self._scale = np.array([a.scale for a in setup.actuators])
+        limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
+        self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
+        self._model, self._memory = _model_record(setup, self._scale, limits)[0], np.zeros(1, memory_dtype(n))[0]
+        self._memory.command[:] = setup.trim_commands
+        self._memory.position[:] = np.asarray(setup.trim_positions) / self._scale
+        self._memory.servo_input[:] = self._memory.servo_lagged[:] = self._memory.position
+        axial = setup.model.airspeed_m_s * math.cos(setup.model.alpha_rad)
+        for i, propulsor in enumerate(setup.model.propulsors):
+            if propulsor is not None:
+                self._memory.rotor[i] = propulsor.speed_at(
+                    setup.trim_positions[i], axial, setup.model.density_kg_m3
+                )
+
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight (see `controllers.Controller`)."""
+        self._states, self._setpoints, self._telemetry = states, setpoints, telemetry
+
+    def step(self, step: int) -> np.ndarray:
+        """Commands [n] for row `step`; raises BadInput, with the time, when the user's code fails."""
+        time_s = step * self._dt
+        state = State._make(self._states[step].tolist())
+        reference = Reference._make(self._setpoints[step].tolist())
+        try:
+            answer = self._update(time_s, state, reference)
+        except Exception as error:
+            raise BadInput([_raised(error, self._name, f"at {time_s:.3f} s")]) from error
+        commands = self._checked(answer, "commands", time_s)
+        self._tell(self._telemetry[step], commands, state, time_s)
+        return commands
+
+    def _checked(self, answer: Any, what: str, time_s: float) -> np.ndarray:
+        """[n] finite numbers, or BadInput."""
+        expected = f"{self._n} finite numbers: {', '.join(self._names)}"
+        try:
+            values = np.asarray(answer, dtype=float)
+        except (TypeError, ValueError):
+            values = np.full(0, math.nan)
+        if values.shape != (self._n,) or not np.isfinite(values).all():
+            text = repr(answer)
+            problem = f"at {time_s:.3f} s {what} are {text if len(text) < 80 else text[:77] + '...'}"
+            raise BadInput([Problem(problem, self._name, expected=expected)])
+        return values
+
+    def _tell(self, row: np.ndarray, commands: np.ndarray, state: State, time_s: float) -> None:
+        """Telemetry: servos as commanded, motors as the thrust that the modelled motor gives (a throttle has none)."""
+        n, s = self._n, self._memory
+        s.command[:] = commands
+        advance(self._dt, state.airspeed * math.cos(state.alpha) * math.cos(state.beta), self._model, s)
+        row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
+        for i, (name, default) in enumerate((("effectiveness", 1.0), ("failed", 0.0)), 2):
+            said = getattr(self._flown, name, None)
+            row[i * n : (i + 1) * n] = default if said is None else self._checked(said, name, time_s)
+
+
+def adapted(factory: Factory, setup: Setup) -> Controller:
+    """The controller that a user's class makes of a set-up; raises BadInput when it makes none."""
+    name = place_of(factory)
+    try:
+        made = factory(setup)
+    except Exception as error:
+        raise BadInput([_raised(error, name, "while being made")]) from error
+    if callable(getattr(made, "bind", None)) and callable(getattr(made, "step", None)):
+        return made  # type: ignore[no-any-return]
+    if not callable(getattr(made, "update", None)):
+        known = [word for word in dir(made) if not word.startswith("_")]
+        problem = f"{type(made).__name__} has no method update"
+        raise BadInput([Problem(problem, name, expected=_WANTED, suggestion=did_you_mean("update", known))])
+    return CustomController(setup, made, name)
+
+
+def name_of(factory: Factory) -> str:
+    """`module:Class`, the same on every machine; for a class of a file, the file's name is the module."""
+    module = getattr(factory, "__module__", "") or ""
+    name = getattr(factory, "__qualname__", type(factory).__name__)
+    return f"{module.removeprefix(_PREFIX)}:{name}"
+
+
+def place_of(factory: Factory) -> str:
+    """The user's file, as was given, where the class came from one; else its name."""
+    module = sys.modules.get(getattr(factory, "__module__", "") or "")
+    file = getattr(module, "__file__", None)
+    return str(file) if file and module and module.__name__.startswith(_PREFIX) else name_of(factory)
+
+
+def load_controller(reference: str) -> Factory:
+    """The class that `my_file.py:MyController` names; runs the file. Raises BadInput with file and line."""
+    file, colon, name = reference.rpartition(":")
+    if not colon or not name.isidentifier() or not file.endswith(".py"):
+        raise BadInput([Problem(f"is {reference!r}", "--controller", expected="FILE.py:CLASS")])
+    module = _module(Path(file))
+    made = getattr(module, name, None)
+    own = [key for key, value in vars(module).items() if getattr(value, "__module__", "") == module.__name__]
+    if made is None:
+        problem = f"has no class {name}"
+        raise BadInput([Problem(problem, file, expected=one_of(own), suggestion=did_you_mean(name, own))])
+    if not callable(made):
+        raise BadInput([Problem(f"{name} is {made!r}", file, expected="a class")])
+    return made  # type: ignore[no-any-return]
+
+
+def _module(path: Path) -> ModuleType:
+    """A Python file, run; files beside it can be imported from it."""
+    if not path.is_file():
+        problem = "is a folder" if path.is_dir() else "there is no such file"
+        near = [str(p) for p in path.parent.glob("*.py")] if path.parent.is_dir() else []
+        raise BadInput([Problem(problem, str(path), suggestion=did_you_mean(str(path), near))])
+    name = _PREFIX + path.stem
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise BadInput([Problem("cannot be read as Python", str(path))])
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    if str(path.resolve().parent) not in sys.path:
+        sys.path.insert(0, str(path.resolve().parent))
+    try:
+        spec.loader.exec_module(module)
+    except SyntaxError as error:
+        raise BadInput([Problem(f"is not Python: {error.msg}", str(path), error.lineno)]) from error
+    except Exception as error:
+        raise BadInput([_raised(error, str(path), "while being read")]) from error
+    return module
+
+
+def _raised(error: Exception, name: str, when: str) -> Problem:
+    """An exception in the user's code: file and line of the last call in their file, and the traceback's last line."""
+    frames: Sequence[traceback.FrameSummary] = traceback.extract_tb(error.__traceback__)
+    theirs = [frame for frame in frames if frame.filename in (name, str(Path(name).resolve()))]
+    frame = (theirs or frames)[-1]
+    last = traceback.format_exception_only(error)[-1].strip()
+    file = name if theirs or frame.filename == __file__ else frame.filename
+    return Problem(f"raised {when}: {last}", file, None if frame.filename == __file__ else frame.lineno)
