@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 from flights import Record, Values, fly_all
+
 from testbed.aircraft import load_aircraft
 from testbed.design import DESIGN_MODEL, load_design_model
 from testbed.flight import Outcome
@@ -265,14 +266,25 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
 
 def diagnoses(results: Sequence[Result], controller: str) -> list[str]:
     """What the controller itself says of the pairs, in the worst flight of each: which axis is given up, and why."""
-    lines = ["", "## What the controller says of the pairs", "", "| failure | W20 | seed | said |", "| --- | --- | --- | --- |"]
+    lines = [
+        "",
+        "## What the controller says of the pairs",
+        "",
+        "| failure | W20 | seed | said |",
+        "| --- | --- | --- | --- |",
+    ]
     for result in results:
         if result.cell.group != PAIRS:
             continue
         source = Builder(parse(BASE.format(controller=controller)), (Variant("", {}),))
         flight = fly(source.scenario(Task(0, 0, result.worst_seed, result.cell.values(result.worst_seed))))
         said = [f"{e['time_s']:.1f} s: {e['text']}" for e in flight.events if e["kind"] == "diagnosis"]
-        about = (result.cell.title, f"{result.cell.w20_ft_s:g}", str(result.worst_seed), "; ".join(said) or "nothing")
+        about = (
+            result.cell.title,
+            f"{result.cell.w20_ft_s:g}",
+            str(result.worst_seed),
+            "; ".join(said) or "nothing",
+        )
         lines.append(f"| {' | '.join(about)} |")
     return lines if len(lines) > 5 else []
 
@@ -292,7 +304,9 @@ def lost_flights(results: Sequence[Result]) -> list[str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--seeds", type=int, default=20, help="flights a cell")
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
     parser.add_argument("--w20", type=float, nargs="+", default=[25.0, 50.0], metavar="FT_S")

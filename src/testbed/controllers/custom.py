@@ -80,7 +80,10 @@ class CustomController:
         self._scale = np.array([a.scale for a in setup.actuators])
         limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
         self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
-        self._model, self._memory = _model_record(setup, self._scale, limits)[0], np.zeros(1, memory_dtype(n))[0]
+        self._model, self._memory = (
+            _model_record(setup, self._scale, limits)[0],
+            np.zeros(1, memory_dtype(n))[0],
+        )
         self._memory.command[:] = setup.trim_commands
         self._memory.position[:] = np.asarray(setup.trim_positions) / self._scale
         self._memory.servo_input[:] = self._memory.servo_lagged[:] = self._memory.position
