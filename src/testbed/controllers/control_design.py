@@ -39,6 +39,8 @@ class Loops(_Frozen):
     slow_descent_s: float = 2.0
     """With a propeller lost, height given up for each m/s that airspeed is more than `protect_from_m_s` low [s]."""
     protect_from_m_s: float = 0.7
+    lost_thrust_faster_m_s: float = 1.5
+    """With a propeller lost, airspeed to add to the reference: the yaw of the other grows with T/V^2 [m/s]."""
 
 
 class RegulatorWeights(_Frozen):

@@ -121,6 +121,8 @@ class InversionController:
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
         lost = any(self.setup.model.kinds[i] == "motor" for i in failed)
         k.protect = self.setup.control.loops.slow_descent_s if lost else 0.0
+        alone = sum(kind == "motor" for i, kind in enumerate(self.setup.model.kinds) if i not in failed) == 1
+        k.faster = self.setup.control.loops.lost_thrust_faster_m_s if lost and alone else 0.0
         k.spare = float(mode.held is not None)
         k.held_inv[:] = 0.0 if mode.held is None else mode.held
         k.alive[:] = [i not in failed for i in range(n)]
@@ -188,7 +190,7 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     for name, value in loops.model_dump().items():
         if name.endswith("_deg"):
             c[name.removesuffix("_deg")] = math.radians(value)
-        elif name != "slow_descent_s":
+        elif name not in ("slow_descent_s", "lost_thrust_faster_m_s"):
             c[name.removesuffix("_m_s").removesuffix("_m")] = value
     for name, default in (("gamma", 4.0), ("epsilon", 0.05)):
         value = chosen.get(name, default)

@@ -71,7 +71,7 @@ def regulate(y, ref, m, c, k, s, f, wanted):
     v = -K (x - x_trim) - K_a (a - r_trim) - K_i integral, so the bracket of (29) is v itself; the trim enters as
     r_trim.
     """
-    e_speed = clip(y.airspeed - ref.airspeed, c.airspeed_error_max)
+    e_speed = clip(y.airspeed - ref.airspeed - k.faster, c.airspeed_error_max)
     e_height = clip(y.altitude - ref.altitude, c.altitude_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)

@@ -68,6 +68,7 @@ def mode_dtype(n: int) -> np.dtype:
             ("B_hat_inv", (n, 4)),
             ("spare", ()),
             ("protect", ()),
+            ("faster", ()),
             ("held_inv", (n, n, 4)),
             ("alive", (n,)),
             ("released", (4,)),
