@@ -1,4 +1,4 @@
-"""What the campaigns share: many variations of one scenario, flown in processes, each a record (see `sweeps.flying`)."""
+"""What the campaigns share: variations of one scenario, flown in processes, each a record (see `sweeps.flying`)."""
 
 from __future__ import annotations
 

@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 from flights import Record, Values, fly_all
+
 from testbed.aircraft import load_aircraft
 from testbed.design import DESIGN_MODEL, load_design_model
 from testbed.flight import Outcome
@@ -235,10 +236,11 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
         "",
         "<!-- Written by python benchmarks/hold_it.py: change that, not this. -->",
         "",
-        f"`controller: {controller}`, `sensors: mems`, seeds {seeds[0]} to {seeds[-1]} ({len(seeds)} a cell), none of them used",
-        "for any gain. W20 is the wind at 20 ft of MIL-F-8785C [ft/s]. Headings change by 30 deg at 4 deg/s, altitudes by 10 m at",
-        "1 m/s, before the failure at 40 s and after it; errors against these references, from 60 s on (`none`: from 0 s). Worst",
-        "errors are of the flights that were flown to the end; those that left the flight envelope or hit the ground are lost.",
+        f"`controller: {controller}`, `sensors: mems`,",
+        f"seeds {seeds[0]} to {seeds[-1]} ({len(seeds)} a cell), none of them used for any gain. W20 is the wind at",
+        "20 ft of MIL-F-8785C [ft/s]. Headings change by 30 deg at 4 deg/s, altitudes by 10 m at 1 m/s, before the",
+        "failure at 40 s and after it; errors against these references, from 60 s on (`none`: from 0 s). Worst errors",
+        "are of flights flown to the end; those that left the flight envelope or hit the ground are lost.",
         "One row again: `python benchmarks/hold_it.py --group GROUP --first-seed SEED --seeds 1 --out FILE`.",
         "",
         "| failure | W20 | asked | worst altitude | worst heading | lost | false alarms | worst case | |",
@@ -256,7 +258,8 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
     for group in dict.fromkeys(result.cell.group for result in results):
         lines += ["", f"### {group.capitalize()}", ""]
         lines.append(
-            "| failure | W20 | flights | altitude m | heading deg | lost | detection s | missed | false alarms | worst seed | |"
+            "| failure | W20 | flights | altitude m | heading deg | lost | detection s | missed | false alarms "
+            "| worst seed | |"
         )
         lines.append("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
         lines += [cell_row(result) for result in results if result.cell.group == group]
@@ -265,14 +268,25 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
 
 def diagnoses(results: Sequence[Result], controller: str) -> list[str]:
     """What the controller itself says of the pairs, in the worst flight of each: which axis is given up, and why."""
-    lines = ["", "## What the controller says of the pairs", "", "| failure | W20 | seed | said |", "| --- | --- | --- | --- |"]
+    lines = [
+        "",
+        "## What the controller says of the pairs",
+        "",
+        "| failure | W20 | seed | said |",
+        "| --- | --- | --- | --- |",
+    ]
     for result in results:
         if result.cell.group != PAIRS:
             continue
         source = Builder(parse(BASE.format(controller=controller)), (Variant("", {}),))
         flight = fly(source.scenario(Task(0, 0, result.worst_seed, result.cell.values(result.worst_seed))))
         said = [f"{e['time_s']:.1f} s: {e['text']}" for e in flight.events if e["kind"] == "diagnosis"]
-        about = (result.cell.title, f"{result.cell.w20_ft_s:g}", str(result.worst_seed), "; ".join(said) or "nothing")
+        about = (
+            result.cell.title,
+            f"{result.cell.w20_ft_s:g}",
+            str(result.worst_seed),
+            "; ".join(said) or "nothing",
+        )
         lines.append(f"| {' | '.join(about)} |")
     return lines if len(lines) > 5 else []
 
@@ -292,7 +306,9 @@ def lost_flights(results: Sequence[Result]) -> list[str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--seeds", type=int, default=20, help="flights a cell")
     parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
     parser.add_argument("--w20", type=float, nargs="+", default=[25.0, 50.0], metavar="FT_S")

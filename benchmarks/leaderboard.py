@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from flights import Record, fly_all
 from hold_it import BASE, FAILURE_S, FIRST_SEED, FT_S
+
 from testbed.failures import TYPES
 from testbed.flight import Flight, Outcome
 from testbed.metrics import readings
@@ -42,7 +43,7 @@ BAND = {"altitude": 5.0, "heading": 10.0}
 
 
 def failures() -> list[tuple[str, dict[str, Any]]]:
-    """(title, failure): each type of the table with the catalogue's fields, on a servo and on a motor where it may be."""
+    """(title, failure): each type with the catalogue's fields, on a servo and on a motor where it may be."""
     found: list[tuple[str, dict[str, Any]]] = []
     for name, kind in TYPES.items():
         for of, fields in kind.examples.items():
@@ -114,12 +115,15 @@ def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Seque
         "",
         f"MEMS sensors, seeds {', '.join(map(str, seeds))}; the turns and climbs of [hold_it](hold_it.md), failure at "
         f"{FAILURE_S:g} s, end at 110 s. Baselines are tuned on healthy flights alone.",
-        f"Recovered: altitude within {BAND['altitude']:g} m and heading within {BAND['heading']:g} deg of their references to stay. "
-        "Effort: median `control_effort_per_s`, in thousands. Worst errors and effort are of the flights that survived.",
+        f"Recovered: altitude within {BAND['altitude']:g} m and heading within {BAND['heading']:g} deg of their "
+        "references to stay. Effort: median `control_effort_per_s`, in thousands.",
+        "Worst errors and effort are of those that survived.",
     ]
     for w20, records in weathers.items():
         lines += ["", f"## {title(w20)}", ""]
-        lines.append("| controller | settings | survived | recovered | worst altitude (median) | heading | effort |")
+        lines.append(
+            "| controller | settings | survived | recovered | worst altitude (median) | heading | effort |"
+        )
         lines.append("| --- | --- | --- | --- | --- | --- | --- |")
         for name, by_failure in records.items():
             settings = ", ".join(f"{key}: {value}" for key, value in CONTROLLERS[name].items())
@@ -129,9 +133,9 @@ def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Seque
         "",
         "## By failure",
         "",
-        "Each cell: flights survived; slowest recovery of these (`never` if any did not); worst excursions of altitude and",
-        "heading from the failure on; effort. With a failure that is none of effectiveness (stuck, bias, reversal, ...) the",
-        "paper's assumption does not hold.",
+        "Each cell: flights survived; slowest recovery of these (`never` if any did not); worst excursions of",
+        "altitude and heading from the failure on; effort. With a failure that is none of effectiveness (stuck, bias,",
+        "reversal, ...) the paper's assumption does not hold.",
     ]
     for w20, records in weathers.items():
         lines += ["", f"### {title(w20)}: by failure", ""]
@@ -146,11 +150,15 @@ def title(w20_ft_s: float) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--seeds", type=int, default=3, help="flights a cell")
     parser.add_argument("--quick", action="store_true", help="1 seed")
     parser.add_argument("--w20", type=float, nargs="+", default=[0.0, 25.0], metavar="FT_S")
-    parser.add_argument("--only", nargs="+", choices=TYPES, metavar="TYPE", help="only these types of failure")
+    parser.add_argument(
+        "--only", nargs="+", choices=TYPES, metavar="TYPE", help="only these types of failure"
+    )
     parser.add_argument("--jobs", type=int, help="processes (default: one a core)")
     parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "docs" / "leaderboard.md")
     options = parser.parse_args(arguments)
@@ -163,9 +171,12 @@ def main(arguments: Sequence[str] | None = None) -> None:
         for _, failure in kinds
         for seed in seeds
     ]
-    flown = iter(fly_all(BASE.format(controller="{type: pid}"), plan, options.jobs, "leaderboard:fly_and_judge"))
+    flown = iter(
+        fly_all(BASE.format(controller="{type: pid}"), plan, options.jobs, "leaderboard:fly_and_judge")
+    )
     weathers = {
-        w20: {name: [[next(flown) for _ in seeds] for _ in kinds] for name in CONTROLLERS} for w20 in options.w20
+        w20: {name: [[next(flown) for _ in seeds] for _ in kinds] for name in CONTROLLERS}
+        for w20 in options.w20
     }
     text = document([title for title, _ in kinds], weathers, seeds)
     options.out.write_text(text, encoding="utf-8")

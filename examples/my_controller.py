@@ -1,4 +1,4 @@
-"""A controller of one's own: testbed run scenarios/left_tail_fail.yaml --controller examples/my_controller.py:MyController"""
+"""A controller of one's own: testbed run SCENARIO --controller examples/my_controller.py:MyController"""
 
 import math
 
@@ -22,4 +22,4 @@ class MyController:
         rudder = 0.3 * (yaw_rate - state.r)  # positive nose right: the left surface up, the right one down
         throttle = 0.1 * (reference.airspeed - state.airspeed)
         mixed = (elevator - rudder, elevator + rudder, throttle, throttle)
-        return [trim + command for trim, command in zip(self.trim, mixed)]
+        return [trim + command for trim, command in zip(self.trim, mixed, strict=True)]
