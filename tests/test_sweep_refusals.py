@@ -2,7 +2,6 @@
 flies.
 """
 
-# ruff: noqa: E501  (messages stand here as they are printed)
 from __future__ import annotations
 
 from pathlib import Path

@@ -93,6 +93,7 @@ def bound(function: F, *like: Any) -> F:
     if not isinstance(function, numba.core.dispatcher.Dispatcher):
         return function  # NUMBA_DISABLE_JIT: the page itself
     types = tuple(map(numba.typeof, like))
-    with _one_at_a_time():
-        function.compile(types)
+    if types not in function.overloads:
+        with _one_at_a_time():
+            function.compile(types)
     return function.overloads[types].entry_point  # type: ignore[attr-defined, no-any-return]
