@@ -1,4 +1,4 @@
-"""What the campaigns share: many variations of one scenario, flown in processes, each a record (see `sweeps.flying`)."""
+"""What the campaigns share: variations of one scenario, flown in processes, each a record (see `sweeps.flying`)."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from testbed.sweeps.builder import Builder, Task, Variant
-from testbed.sweeps.flying import Job
+from testbed.sweeps.flying import FLY, Job
 from testbed.sweeps.pool import fly_locally
 from testbed.yamlfile import parse
 
@@ -16,10 +16,15 @@ Values = Mapping[str, Any]
 Record = dict[str, Any]
 
 
-def fly_all(base: str, flights: Iterable[tuple[int, Values]], jobs: int | None = None) -> list[Record]:
-    """Fly the scenario text `base` once for each (seed, values); records in the order given, counted on stderr."""
+def fly_all(
+    base: str, flights: Iterable[tuple[int, Values]], jobs: int | None = None, fly: str = FLY
+) -> list[Record]:
+    """Fly the scenario text `base` once for each (seed, values); records in the order given, counted on stderr.
+
+    `fly` is the function that flies, as `module:name`.
+    """
     tasks = [Task(run, 0, seed, values) for run, (seed, values) in enumerate(flights)]
-    job = Job(Builder(parse(base, "campaign"), (Variant("", {}),)), save_logs="none", time_limit_s=600.0)
+    job = Job(Builder(parse(base, "campaign"), (Variant("", {}),)), fly, save_logs="none", time_limit_s=600.0)
     records: list[Record] = [{}] * len(tasks)
     for done, (task, flown) in enumerate(fly_locally(job, tasks, jobs), 1):
         records[task.run] = flown.record

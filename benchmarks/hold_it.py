@@ -236,10 +236,11 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
         "",
         "<!-- Written by python benchmarks/hold_it.py: change that, not this. -->",
         "",
-        f"`controller: {controller}`, `sensors: mems`, seeds {seeds[0]} to {seeds[-1]} ({len(seeds)} a cell), none of them used",
-        "for any gain. W20 is the wind at 20 ft of MIL-F-8785C [ft/s]. Headings change by 30 deg at 4 deg/s, altitudes by 10 m at",
-        "1 m/s, before the failure at 40 s and after it; errors against these references, from 60 s on (`none`: from 0 s). Worst",
-        "errors are of the flights that were flown to the end; those that left the flight envelope or hit the ground are lost.",
+        f"`controller: {controller}`, `sensors: mems`,",
+        f"seeds {seeds[0]} to {seeds[-1]} ({len(seeds)} a cell), none of them used for any gain. W20 is the wind at",
+        "20 ft of MIL-F-8785C [ft/s]. Headings change by 30 deg at 4 deg/s, altitudes by 10 m at 1 m/s, before the",
+        "failure at 40 s and after it; errors against these references, from 60 s on (`none`: from 0 s). Worst errors",
+        "are of flights flown to the end; those that left the flight envelope or hit the ground are lost.",
         "One row again: `python benchmarks/hold_it.py --group GROUP --first-seed SEED --seeds 1 --out FILE`.",
         "",
         "| failure | W20 | asked | worst altitude | worst heading | lost | false alarms | worst case | |",
@@ -257,7 +258,8 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
     for group in dict.fromkeys(result.cell.group for result in results):
         lines += ["", f"### {group.capitalize()}", ""]
         lines.append(
-            "| failure | W20 | flights | altitude m | heading deg | lost | detection s | missed | false alarms | worst seed | |"
+            "| failure | W20 | flights | altitude m | heading deg | lost | detection s | missed | false alarms "
+            "| worst seed | |"
         )
         lines.append("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |")
         lines += [cell_row(result) for result in results if result.cell.group == group]

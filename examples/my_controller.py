@@ -1,4 +1,4 @@
-"""A controller of one's own: testbed run scenarios/left_tail_fail.yaml --controller examples/my_controller.py:MyController"""
+"""A controller of one's own: testbed run SCENARIO --controller examples/my_controller.py:MyController"""
 
 import math
 

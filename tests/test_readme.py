@@ -44,7 +44,7 @@ def test_its_commands_are_the_programs(capsys: pytest.CaptureFixture[str]) -> No
 
 def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The block as it is written, in a folder where its run folder does not exist yet."""
-    (block,) = re.findall(r"```python\n(.*?)```", README, flags=re.DOTALL)
+    (block,) = re.findall(r"```python\n(import testbed\n.*?)```", README, flags=re.DOTALL)
     *lines, last = [line for line in block.splitlines() if line]
     assert "load" in last
     monkeypatch.chdir(tmp_path)

@@ -4,9 +4,9 @@
         def __init__(self, setup): ...                      # a `Setup`: design model, trim, stops, time step
         def update(self, time_s, state, reference): ...     # -> commands: servos in radians, motors as throttle 0 to 1
 
-`state` is a `State`, what the sensors measured, and `reference` a `Reference`, both in SI and radians; commands are one
-number an actuator, in the order of `setup.model.actuators`. It may also keep `effectiveness` and `failed`, one number an
-actuator each, to be logged and judged as estimates and flags; without them it is logged as taking all as whole. A class
+`state` is a `State`, as measured, and `reference` a `Reference`, both in SI and radians; commands are one
+number an actuator, in the order of `setup.model.actuators`. It may keep `effectiveness` and `failed`, one number an
+actuator each, logged and judged as estimates and flags; without them it is logged as taking all as whole. A class
 with `bind` and `step` (see `controllers.Controller`) is flown as it is.
 
 Whatever is wrong with it is said as bad input with the user's file and line: before the flight, or with the time in it.
@@ -34,6 +34,7 @@ from testbed.problems import BadInput, Problem, did_you_mean, one_of
 
 Factory = Callable[[Setup], Any]
 _PREFIX = "testbed_user_"  # so that a file called json.py does not become the module json
+_PLACE = "_testbed_place"  # in the user's module: its file as it was given
 _WANTED = "update(time_s, state, reference) -> commands"
 
 
@@ -161,8 +162,7 @@ def name_of(factory: Factory) -> str:
 def place_of(factory: Factory) -> str:
     """The user's file, as was given, where the class came from one; else its name."""
     module = sys.modules.get(getattr(factory, "__module__", "") or "")
-    file = getattr(module, "__file__", None)
-    return str(file) if file and module and module.__name__.startswith(_PREFIX) else name_of(factory)
+    return getattr(module, _PLACE, "") or name_of(factory)
 
 
 def load_controller(reference: str) -> Factory:
@@ -192,6 +192,7 @@ def _module(path: Path) -> ModuleType:
     if spec is None or spec.loader is None:
         raise BadInput([Problem("cannot be read as Python", str(path))])
     module = importlib.util.module_from_spec(spec)
+    setattr(module, _PLACE, str(path))
     sys.modules[name] = module
     if str(path.resolve().parent) not in sys.path:
         sys.path.insert(0, str(path.resolve().parent))

@@ -1,13 +1,13 @@
 """Incremental nonlinear dynamic inversion: what the model does not know is measured, not modelled.
 
-u = u_f + B^-1 (nu - x_c_dot_f) (Sieberling, Chu and Mulder, J. Guidance 33 (2010) 1732, eq. 16; Smeur, Chu and de Croon,
+u = u_f + B^-1 (nu - x_c_dot_f) (Sieberling, Chu and Mulder, J. Guidance 33 (2010) 1732; Smeur, Chu and de Croon,
 J. Guidance 39 (2016) 450): the position that the modelled actuators have reached, plus what the difference between the
 rates wanted and the rates measured asks for. Rates are noisy and must be filtered; the actuators' positions go through
 the same filter, or the increments would be of another moment than the rates (Smeur's synchronisation).
 
 Positions enter as their effect, Phi 1 (`law.regressor`), so that dynamic pressure and motor torque are those of the
 moment: B u_f = (Phi 1)_f. With all axes controlled, nu is what the paper's outer loops want. With an axis released the
-outer loop is the regulator of the adaptive law, which asks for f_m(x) + v and so keeps what is stable; then nu - x_c_dot
+outer loop is the adaptive law's regulator, which asks for f_m(x) + v and so keeps what is stable; nu - x_c_dot then
 is v less the residual x_c_dot - f_m - Phi 1, and all of the residual is filtered alike.
 
 It neither estimates nor monitors; a lost actuator is one more error that the next increment is to make up for.

@@ -107,9 +107,9 @@ class FixedInversionSettings(ControllerSettings):
 class PidSettings(ControllerSettings):
     """A conventional autopilot: ruddervator mixer, one throttle, cascaded loops scheduled with dynamic pressure.
 
-    It has no axes to give up: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise. They were
-    searched for (CMA-ES, then rounded) on healthy flights alone, calm and at W20 25 ft/s, seeds 1 to 16; the inner loops
-    are held to 20 rad/s, for 60 deg of phase margin with the servos' lag, each outer one to a third of the one inside.
+    It has no axes to give up: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise, and were
+    searched for (CMA-ES, rounded) on healthy flights alone, calm and at W20 25 ft/s, seeds 1 to 16; the inner loops
+    are held to 20 rad/s, 60 deg of phase margin with the servos' lag, each outer one to a third of the one inside.
     """
 
     type: Literal["pid"] = "pid"

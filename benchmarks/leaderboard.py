@@ -1,0 +1,188 @@
+"""Every controller against every type of failure, the same seeds. Writes docs/leaderboard.md.
+
+python benchmarks/leaderboard.py            # 3 seeds, calm and W20 25 ft/s, some 1000 flights
+python benchmarks/leaderboard.py --quick    # 1 seed
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+from flights import Record, fly_all
+from hold_it import BASE, FAILURE_S, FIRST_SEED, FT_S
+
+from testbed.failures import TYPES
+from testbed.flight import Flight, Outcome
+from testbed.metrics import readings
+from testbed.metrics.readings import settled_after
+from testbed.scenario import Scenario
+from testbed.simulation import fly
+
+CONTROLLERS: Mapping[str, Mapping[str, Any]] = {
+    "adaptive_inversion": {"type": "adaptive_inversion", "filter_rad_s": 20.0},
+    "adaptive_inversion, weather": {
+        "type": "adaptive_inversion",
+        "estimation": "weighted",
+        "released": ["p_dot"],
+    },
+    "fixed_inversion": {"type": "fixed_inversion", "released": ["p_dot"]},
+    "pid": {"type": "pid"},
+    "indi": {"type": "indi", "released": ["p_dot"]},
+}
+ACTUATOR = {"servo": "left_ruddervator", "motor": "right_propeller"}
+PROPERTY = {"set": {"fcs/left-ruddervator/effectiveness": 0.5, "fcs/right-propeller/effectiveness": 0.5}}
+BAND = {"altitude": 5.0, "heading": 10.0}
+"""Recovered is within this of both references, to stay [m, deg]."""
+
+
+def failures() -> list[tuple[str, dict[str, Any]]]:
+    """(title, failure): each type with the catalogue's fields, on a servo and on a motor where it may be."""
+    found: list[tuple[str, dict[str, Any]]] = []
+    for name, kind in TYPES.items():
+        for of, fields in kind.examples.items():
+            failure = {"type": name, "actuator": ACTUATOR[of], "at_s": FAILURE_S, **fields}
+            words = ", ".join(f"{key} {value}" for key, value in fields.items())
+            found.append((f"{name} {words}".strip() + f", {ACTUATOR[of]}", failure))
+        if not kind.examples:
+            found.append(
+                (f"{name}: both at 0.5 by their properties", {"type": name, "at_s": FAILURE_S, **PROPERTY})
+            )
+    return found
+
+
+def fly_and_judge(scenario: Scenario) -> Flight:
+    """Fly, and add recovery as this table means it."""
+    flight = fly(scenario)
+    log = readings(flight)
+    errors = {name: np.abs(log.error(name)) for name in BAND}
+    start = log.row_at(FAILURE_S)
+    outside = ~((errors["altitude"] <= BAND["altitude"]) & (errors["heading"] <= BAND["heading"]))
+    row = settled_after(outside, start) if flight.outcome is Outcome.completed else None
+    found = {"recovery_s": math.nan if row is None else float(log.time_s[row]) - FAILURE_S}
+    return replace(flight, metrics={**flight.metrics, **found})
+
+
+def cell(records: Sequence[Record]) -> str:
+    """survived, recovery, worst excursion of altitude and heading, effort."""
+    flown = [record["metrics"] for record in records if record["outcome"] == "completed"]
+    if not flown:
+        return f"**0/{len(records)}**"
+    share = f"{len(flown)}/{len(records)}"
+    recoveries = [m["recovery_s"] for m in flown]
+    recovered = "never" if any(map(math.isnan, recoveries)) else f"{max(recoveries):.1f} s"
+    altitude, heading = (
+        max(m[f"{name}_excursion_failed_{unit}"] for m in flown)
+        for name, unit in (("altitude", "m"), ("heading", "deg"))
+    )
+    effort = median(m["control_effort_per_s"] for m in flown) / 1e3
+    shown = share if len(flown) == len(records) else f"**{share}**"
+    return f"{shown}; {recovered}; {altitude:.1f} m, {heading:.0f} deg; {effort:.0f}"
+
+
+def totals(records: Sequence[Record]) -> list[str]:
+    """Of all flights of a controller: survived, recovered, median excursions of the survivors, median effort."""
+    flown = [record["metrics"] for record in records if record["outcome"] == "completed"]
+    recovered = [m for m in flown if not math.isnan(m["recovery_s"])]
+    n = len(records)
+
+    def middle(metric: str) -> float:
+        return median(m[metric] for m in flown) if flown else math.nan
+
+    return [
+        f"{len(flown)} of {n}", f"{len(recovered)} of {n}",
+        f"{middle('altitude_excursion_failed_m'):.1f} m", f"{middle('heading_excursion_failed_deg'):.1f} deg",
+        f"{middle('control_effort_per_s') / 1e3:.0f}",
+    ]  # fmt: skip
+
+
+Flown = Mapping[str, Sequence[Sequence[Record]]]
+"""Records by controller, then by failure, then by seed."""
+
+
+def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Sequence[int]) -> str:
+    """The Markdown of docs/leaderboard.md; what was flown by W20 [ft/s]."""
+    lines = [
+        "# Leaderboard: every controller against every type of failure",
+        "",
+        "<!-- Written by python benchmarks/leaderboard.py: change that, not this. -->",
+        "",
+        f"MEMS sensors, seeds {', '.join(map(str, seeds))}; the turns and climbs of [hold_it](hold_it.md), failure at "
+        f"{FAILURE_S:g} s, end at 110 s. Baselines are tuned on healthy flights alone.",
+        f"Recovered: altitude within {BAND['altitude']:g} m and heading within {BAND['heading']:g} deg of their "
+        "references to stay. Effort: median `control_effort_per_s`, in thousands.",
+        "Worst errors and effort are of those that survived.",
+    ]
+    for w20, records in weathers.items():
+        lines += ["", f"## {title(w20)}", ""]
+        lines.append(
+            "| controller | settings | survived | recovered | worst altitude (median) | heading | effort |"
+        )
+        lines.append("| --- | --- | --- | --- | --- | --- | --- |")
+        for name, by_failure in records.items():
+            settings = ", ".join(f"{key}: {value}" for key, value in CONTROLLERS[name].items())
+            every = [record for cases in by_failure for record in cases]
+            lines.append(f"| {name} | `{settings}` | {' | '.join(totals(every))} |")
+    lines += [
+        "",
+        "## By failure",
+        "",
+        "Each cell: flights survived; slowest recovery of these (`never` if any did not); worst excursions of",
+        "altitude and heading from the failure on; effort. With a failure that is none of effectiveness (stuck, bias,",
+        "reversal, ...) the paper's assumption does not hold.",
+    ]
+    for w20, records in weathers.items():
+        lines += ["", f"### {title(w20)}: by failure", ""]
+        lines += [f"| failure | {' | '.join(records)} |", f"| --- |{' --- |' * len(records)}"]
+        for i, kind in enumerate(kinds):
+            lines.append(f"| {kind} | {' | '.join(cell(by_failure[i]) for by_failure in records.values())} |")
+    return "\n".join(lines) + "\n"
+
+
+def title(w20_ft_s: float) -> str:
+    return f"W20 = {w20_ft_s:g} ft/s" if w20_ft_s else "Calm air"
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--seeds", type=int, default=3, help="flights a cell")
+    parser.add_argument("--quick", action="store_true", help="1 seed")
+    parser.add_argument("--w20", type=float, nargs="+", default=[0.0, 25.0], metavar="FT_S")
+    parser.add_argument(
+        "--only", nargs="+", choices=TYPES, metavar="TYPE", help="only these types of failure"
+    )
+    parser.add_argument("--jobs", type=int, help="processes (default: one a core)")
+    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "docs" / "leaderboard.md")
+    options = parser.parse_args(arguments)
+    seeds = range(FIRST_SEED, FIRST_SEED + (1 if options.quick else options.seeds))
+    kinds = [(t, f) for t, f in failures() if not options.only or f["type"] in options.only]
+    plan = [
+        (seed, {"controller": settings, "failures": [failure], "atmosphere.turbulence_w20_m_s": w20 * FT_S})
+        for w20 in options.w20
+        for settings in CONTROLLERS.values()
+        for _, failure in kinds
+        for seed in seeds
+    ]
+    flown = iter(
+        fly_all(BASE.format(controller="{type: pid}"), plan, options.jobs, "leaderboard:fly_and_judge")
+    )
+    weathers = {
+        w20: {name: [[next(flown) for _ in seeds] for _ in kinds] for name in CONTROLLERS}
+        for w20 in options.w20
+    }
+    text = document([title for title, _ in kinds], weathers, seeds)
+    options.out.write_text(text, encoding="utf-8")
+    print(text.split("## By failure")[0])
+    print(f"wrote {options.out}")
+
+
+if __name__ == "__main__":
+    main()
