@@ -97,3 +97,5 @@ def regulate(y, ref, m, c, k, s, f, wanted):
             v -= k.K_integral[i, j] * s.integral[j]
         wanted[i] = v
         s.x_dot_desired[i] = f[i] + v
+        for j in range(len(s.position)):
+            s.x_dot_desired[i] += m.B[i, j] * k.r_trim[j] * k.alive[j]
