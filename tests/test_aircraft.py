@@ -205,7 +205,7 @@ def test_static_stability(body: Body) -> None:
 
 
 def test_the_input_matrix_is_well_conditioned(body: Body, stored_model: DesignModel) -> None:
-    """B_m of (2) with columns scaled by 0.2 rad and 2 N: 18 is what FEASIBILITY.md's best aircraft has, 25 is asked."""
+    """B_m of (2) with columns scaled by 0.2 rad and 2 N: 25 is asked."""
     b = body.B[[P, Q, R, 0]]
     scaled = float(np.linalg.cond(b * [0.2, 0.2, 2.0, 2.0]))
     print(f"condition number of the input matrix: {np.linalg.cond(b):.1f}, scaled {scaled:.2f}")
@@ -253,7 +253,7 @@ def test_every_single_failure_has_a_trim_with_room(vtail: Aircraft, broken_trims
 
 @pytest.mark.parametrize("lost", [LEFT_TAIL, RIGHT_TAIL])
 def test_both_propellers_pull_after_a_tail_loss(broken_trims: dict[int, Trim], lost: int) -> None:
-    """At least a third of their mean each: an aircraft that needs one idle limit-cycles (FEASIBILITY rule 1)."""
+    """At least a third of their mean each: an aircraft that needs one idle limit-cycles."""
     thrusts = broken_trims[lost].positions[LEFT_PROPELLER:]
     share = min(thrusts) / (sum(thrusts) / 2.0)
     print(f"least thrust over mean: {share:.3f}")
@@ -261,7 +261,7 @@ def test_both_propellers_pull_after_a_tail_loss(broken_trims: dict[int, Trim], l
 
 
 def test_one_motor_has_thrust_to_spare(vtail: Aircraft, body: Body) -> None:
-    """2.3 times the total drag (FEASIBILITY rule 8), also within the limit that the controller is given."""
+    """2.3 times the total drag, also within the limit that the controller is given."""
     plant = Plant(vtail, HZ)
     accelerations(plant, body.trim.state, [*body.trim.commands[:2], 1.0, body.trim.commands[3]])
     drag = sum(body.trim.positions[LEFT_PROPELLER:])

@@ -92,7 +92,7 @@ def test_an_unknown_setting_is_refused(tmp_path: Path, name: str) -> None:
 
 @pytest.mark.parametrize("name", ["pid", "indi"])
 def test_rivals_hold_light_turbulence_with_real_sensors(tmp_path: Path, name: str) -> None:
-    """Not straw men: within what issue 4 asks of the healthy aircraft. Seed 2: one that the gains were chosen with."""
+    """Not straw men: within 4 m and 6 deg, what is asked of the healthy aircraft. Seed 2: one that the gains were chosen with."""
     weather = ("sensors=mems", "atmosphere.turbulence_w20_m_s=7.62", "seed=2", "controller.released=[p_dot]")
     altitude, heading, _ = errors(fly(scenario(tmp_path, name, 40, *weather)))
     assert altitude < 4.0

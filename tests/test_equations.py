@@ -639,10 +639,10 @@ def test_eq_32_every_step(seed: int, n: int) -> None:
 @pytest.mark.parametrize("ratio", [-5.0, -0.5, 0.5])
 def test_eq_32_37_constant_disturbance_biases(gamma: float, epsilon: float, ratio: float) -> None:
     """(32), and (37) with an error of f: lambda_hat goes to lambda/(1 - n/r), whatever gamma and epsilon
-    (THEORY B3).
+    .
 
-    A fixed point, so exact once settled: the slowest case pulls with gamma (1 - n/r) kappa(a) = 2 * 0.5 *
-    (0.05/0.4)^2, and 2000 s of that leave exp(-31) = 3e-14. Its own rounding is that of x over r.
+     A fixed point, so exact once settled: the slowest case pulls with gamma (1 - n/r) kappa(a) = 2 * 0.5 *
+     (0.05/0.4)^2, and 2000 s of that leave exp(-31) = 3e-14. Its own rounding is that of x over r.
     """
     plant = random_plant(np.random.default_rng(3), airspeed=1.0)
     r, truth = np.array([0.1, -0.2, 0.3, 1.0]), np.array([1.0, 0.5, 0.2, 1.5])
@@ -660,7 +660,7 @@ def test_eq_32_37_constant_disturbance_biases(gamma: float, epsilon: float, rati
 @pytest.mark.parametrize("epsilon", [0.05, 0.4])
 def test_eq_32_disturbance_is_additive_for_an_actuator_that_stands_still(epsilon: float) -> None:
     """(32) takes u = r/lambda_hat for granted. At a stop, or held after a failure, a is given: lambda_hat
-    goes to lambda + n/a (THEORY E), without the 1/(1 - n/r) that keeps it positive; negative means the lower
+    goes to lambda + n/a, without the 1/(1 - n/r) that keeps it positive; negative means the lower
     bound."""
     a, truth = 0.2, np.array([0.3, 0.3, 0.3, 0.0])
     n = np.array([0.0, 0.04, -0.08, 0.12])
@@ -691,7 +691,7 @@ def test_eq_32_diverges_when_the_disturbance_exceeds_r() -> None:
 
 
 def test_eq_32_white_noise_gives_the_stationary_law() -> None:
-    """(32) with white noise, exponential update (THEORY B1): theta = 1/lambda_hat ~ Gamma(nu), nu = 2
+    """(32) with white noise, exponential update: theta = 1/lambda_hat ~ Gamma(nu), nu = 2
     r^2/(gamma s).
 
     Exactly, from the stationarity of log lambda_hat: E[theta] = 1/lambda. In the limit of small gamma dt: var
@@ -729,7 +729,7 @@ def test_eq_32_white_noise_gives_the_stationary_law() -> None:
     assert 4 * standard_error(squares) * nu < 0.04
 
 
-# --- (39) to (42): error of the input matrix, projection (THEORY A) -----------------------------------------
+# --- (39) to (42): error of the input matrix, projection -----------------------------------------
 
 
 def counter_example(lambda_max: float) -> History:
@@ -740,7 +740,7 @@ def counter_example(lambda_max: float) -> History:
 
 
 def test_eq_41_counter_example_diverges_without_projection_and_is_bounded_with_it() -> None:
-    """(41), THEORY A3: M = [[1, .2], [0, 1]], r = (.1, 1) is as nice as M gets, and lambda_hat_1 grows at
+    """(41), a counter-example: M = [[1, .2], [0, 1]], r = (.1, 1) is as nice as M gets, and lambda_hat_1 grows at
     gamma for ever.
 
     Closed form: lambda_hat_1' = gamma (1 + lambda_hat_1), so 2 exp(gamma t) - 1 = 9.7e8 after 10 s, which (*)
@@ -769,7 +769,7 @@ def test_eq_41_law_slows_the_divergence_once_the_actuator_stands_still() -> None
 
 @pytest.mark.parametrize("seed", range(8))
 def test_projected_law_converges_to_one_point(seed: int) -> None:
-    """THEORY A5, theorem 2: M with positive definite symmetric part, constant r: bounded, and the same point
+    """Projection (a Goh-Takeuchi argument): M with positive definite symmetric part, constant r: bounded, and the same point
     from two starts, which solves the variational inequality of the box: rate zero inside, outward at a bound.
 
     Tolerance: settled to rounding; the tests' M D* have eigenvalues above 0.05, 1500 s of gamma = 2 leave
@@ -794,7 +794,7 @@ def test_projected_law_converges_to_one_point(seed: int) -> None:
 
 
 def test_projection_cases_include_active_bounds() -> None:
-    """The spot check above is about something: at least one of its plants ends on a bound, by THEORY A3's
+    """The spot check above is about something: at least one of its plants ends on a bound, by the counter-example's
     sign."""
     active = 0
     for seed in range(8):
@@ -807,13 +807,13 @@ def test_projection_cases_include_active_bounds() -> None:
     assert active >= 2
 
 
-# --- actuators (THEORY E), monitor --------------------------------------------------------------------------
+# --- actuators, monitor --------------------------------------------------------------------------
 
 
 @FEW
 @given(seeds)
 def test_eq_18_holds_behind_a_lagged_rate_limited_servo_that_is_modelled(seed: int) -> None:
-    """(18), THEORY E: with the servo in plant and model, (*) holds at every step of any r, rate limit
+    """(18): with the servo in plant and model, (*) holds at every step of any r, rate limit
     included, with kappa at the modelled position."""
     rng = np.random.default_rng(seed)
     plant = random_plant(rng, lag=rng.uniform(3.0, 40.0, 4), rate=rng.uniform(1.0, 10.0, 4))
@@ -839,7 +839,7 @@ def test_modelled_servo_is_the_bilinear_first_order_lag() -> None:
 @pytest.mark.parametrize("w_tau", [0.1, 0.5, 1.0, 2.0])
 @pytest.mark.parametrize("all_within_epsilon", [True, False])
 def test_unmodelled_servo_reads_re_f(w_tau: float, all_within_epsilon: bool) -> None:
-    """THEORY E: without the model, a command moving at w reads Re F = 1/(1 + w^2 tau^2): w tau = 2 looks 80 %
+    """Without the model, a command moving at w reads Re F = 1/(1 + w^2 tau^2): w tau = 2 looks 80 %
     failed.
 
     Slow adaptation: over whole periods the mean rate of log lambda_hat vanishes at lambda Re F, and pulls

@@ -1,7 +1,7 @@
 """The `sensors` block of a scenario: `ideal`, `mems`, or one of them with what differs, and faults.
 
 White noise is one-sided spectral density N, per root hertz: sampled at `rate_hz` its standard deviation is
-N sqrt(rate_hz / 2) (THEORY B0; a two-sided intensity S is N^2 / 2).
+N sqrt(rate_hz / 2) (a two-sided intensity S is N^2 / 2).
 """
 
 from __future__ import annotations
