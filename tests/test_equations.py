@@ -640,8 +640,8 @@ def test_eq_32_every_step(seed: int, n: int) -> None:
 def test_eq_32_37_constant_disturbance_biases(gamma: float, epsilon: float, ratio: float) -> None:
     """(32), and (37) with an error of f: lambda_hat goes to lambda/(1 - n/r), whatever gamma, epsilon.
 
-     A fixed point, so exact once settled: the slowest case pulls with gamma (1 - n/r) kappa(a) = 2 * 0.5 *
-     (0.05/0.4)^2, and 2000 s of that leave exp(-31) = 3e-14. Its own rounding is that of x over r.
+    A fixed point, so exact once settled: the slowest case pulls with gamma (1 - n/r) kappa(a) = 2 * 0.5 *
+    (0.05/0.4)^2, and 2000 s of that leave exp(-31) = 3e-14. Its own rounding is that of x over r.
     """
     plant = random_plant(np.random.default_rng(3), airspeed=1.0)
     r, truth = np.array([0.1, -0.2, 0.3, 1.0]), np.array([1.0, 0.5, 0.2, 1.5])
