@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from annotated_types import Gt
+from annotated_types import Ge, Gt
 from pydantic import BaseModel, ConfigDict
 
 Positive = Annotated[float, Gt(0)]
@@ -37,10 +37,12 @@ class Loops(_Frozen):
     altitude_error_max_m: float = 5.0
     airspeed_error_max_m_s: float = 2.0
     slow_descent_s: float = 2.0
-    """With a propeller lost, height given up for each m/s that airspeed is more than `protect_from_m_s` low [s]."""
-    protect_from_m_s: float = 0.7
+    """Height that a regulator gives up for each m/s that airspeed is more than `protect_from_m_s` low [s]."""
+    protect_from_m_s: float = 2.0
+    lost_thrust_protect_from_m_s: float = 0.7
+    """The same with a propeller lost [m/s]."""
     lost_thrust_faster_m_s: float = 1.5
-    """With a propeller lost, airspeed to add to the reference: the yaw of the other grows with T/V^2 [m/s]."""
+    """Airspeed to add to the reference with one propeller left: the yaw of it grows with T/V^2 [m/s]."""
 
 
 class RegulatorWeights(_Frozen):
@@ -63,11 +65,17 @@ class ControlDesign(_Frozen):
         condition_max: scaled condition number above which a mode is refused.
         disturbance: what gusts do to each rate beyond the design model, as the root of a two-sided spectral density
             [rad/s2 or m/s2 per sqrt(Hz)]; the weights of weighted estimation.
+        doubt: standard deviation of what the design model leaves out of each rate even at its trim [rad/s2 or m/s2].
+        doubt_s: how long that stays about the same [s].
+        model_doubt: relative error to expect of each of the design model's coefficients.
     """
 
     release: dict[str, list[str]] = {}
     priorities: list[str] = ["q_dot", "u_dot", "r_dot", "p_dot"]
     condition_max: Positive = 50.0
     disturbance: dict[str, Positive] = {"p_dot": 2.0, "q_dot": 0.5, "r_dot": 0.15, "u_dot": 0.08}
+    doubt: dict[str, Positive] = {"p_dot": 0.3, "q_dot": 0.3, "r_dot": 0.1, "u_dot": 0.1}
+    doubt_s: Positive = 10.0
+    model_doubt: Annotated[float, Ge(0)] = 0.2
     loops: Loops = Loops()
     regulator: RegulatorWeights = RegulatorWeights()

@@ -21,7 +21,9 @@ from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
 
-_JAM_SIGMA = 10.0  # losses and 20 % of model error stay below 9, a jam or 5 deg of offset shows 11 and more
+_JAM_SIGMA = (
+    4.0  # losses and 20 % of model error stay below 2.8, a jam or an offset of 5 deg shows 5.5 and more
+)
 _HEALTHY_VARIANCE = 0.01  # of the estimates at the start: whole within a tenth
 
 
@@ -61,7 +63,8 @@ class InversionController:
         s, model = self.memory[0], self.model[0]
         position = np.asarray(setup.trim_positions) / self.scale
         s.lambda_hat[:] = 1.0
-        s.P[:] = np.diag(np.full(len(s.lambda_hat), _HEALTHY_VARIANCE))
+        n = len(self.scale)
+        s.P[:n, :n] = np.diag(np.full(n, _HEALTHY_VARIANCE))
         s.command[:] = setup.trim_commands
         for name in ("r", "u", "position", "servo_input", "servo_lagged"):
             s[name][:] = position
@@ -120,18 +123,19 @@ class InversionController:
         k, s, n = self.mode_record[0], self.memory[0], len(self.scale)
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
         lost = any(self.setup.model.kinds[i] == "motor" for i in failed)
-        k.protect = self.setup.control.loops.slow_descent_s if lost else 0.0
-        alone = sum(kind == "motor" for i, kind in enumerate(self.setup.model.kinds) if i not in failed) == 1
-        k.faster = self.setup.control.loops.lost_thrust_faster_m_s if lost and alone else 0.0
+        loops = self.setup.control.loops
+        k.protect = loops.slow_descent_s
+        k.protect_from = loops.lost_thrust_protect_from_m_s if lost else loops.protect_from_m_s
         k.spare = float(mode.held is not None)
         k.held_inv[:] = 0.0 if mode.held is None else mode.held
         k.alive[:] = [i not in failed for i in range(n)]
-        k.regulated, k.r_trim[:] = float(regulator is not None), 0.0
+        k.regulated, k.r_trim[:], k.faster = float(regulator is not None), 0.0, 0.0
         s.integral[:] = 0.0
         s.integral[1] = self.setup.trim_pitch
         if regulator is not None:
             k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
+            k.faster = regulator.x_trim[0] - self.setup.model.airspeed_m_s
             s.integral[1] = 0.0
 
     def _say(self, step: int, text: str) -> None:
@@ -190,7 +194,7 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     for name, value in loops.model_dump().items():
         if name.endswith("_deg"):
             c[name.removesuffix("_deg")] = math.radians(value)
-        elif name not in ("slow_descent_s", "lost_thrust_faster_m_s"):
+        elif name.removesuffix("_m_s").removesuffix("_m") in c.dtype.names:  # the rest is the modes'
             c[name.removesuffix("_m_s").removesuffix("_m")] = value
     for name, default in (("gamma", 4.0), ("epsilon", 0.05)):
         value = chosen.get(name, default)
@@ -204,6 +208,8 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
         c[names.get(name, name)] = chosen.get(name, default)
     c.divisor_min = 0.1
     c.jam_sigma, c.jam_time, c.jam_walk, c.residual_time = _JAM_SIGMA, 1.0, 1.0, 1.0
-    c.weighted = float(chosen.get("estimation") == "weighted")
+    c.weighted, c.certain = float(chosen.get("estimation") == "weighted"), chosen.get("certain", 0.15)
     c.noise[:] = [setup.control.disturbance[rate] for rate in RATES]
+    c.doubt[:] = [setup.control.doubt[rate] for rate in RATES]
+    c.doubt_rate, c.model_doubt = 1.0 / setup.control.doubt_s, setup.control.model_doubt
     return record

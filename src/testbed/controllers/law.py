@@ -57,6 +57,24 @@ def regressor(pressure, m, s, phi):
 
 
 @compiled
+def doubt(y, pressure, phi, m, c, s):
+    """Variance of what f_m and B_m leave out of each rate, were each of their terms wrong by `model_doubt` on its own.
+
+    So a rate counts for less the harder the aircraft flies away from its trim. Averaged over `residual_time`.
+    """
+    speed = y.airspeed / m.airspeed
+    for i in range(4):
+        alpha, beta = pressure * m.A[i, 0] * (y.alpha - m.alpha), pressure * m.A[i, 1] * y.beta
+        p, q, r = speed * m.A[i, 2] * y.p, speed * m.A[i, 3] * y.q, speed * m.A[i, 4] * y.r
+        squares = alpha * alpha + beta * beta + p * p + q * q + r * r
+        for j in range(len(s.lambda_hat)):
+            force = phi[i, j] * s.lambda_hat[j]
+            squares += force * force
+        variance = c.doubt[i] * c.doubt[i] + c.model_doubt * c.model_doubt * squares
+        s.doubt[i] += c.dt / c.residual_time * (variance - s.doubt[i])
+
+
+@compiled
 def measured_error(z, phi, s, e):
     """(10) with the modelled actuators: e = x_c_dot - f_m(x) - Phi lambda_hat, where z = x_c_dot - f_m(x).
 
@@ -95,28 +113,41 @@ def adapt(e, pressure, m, c, s):
 def adapt_weighted(z, phi, m, c, s):
     """(13) with its gain Phi^-1 replaced by a Kalman gain, for weather: rows that gusts disturb count for less.
 
-    lambda is a random walk, each row i of z = Phi lambda + noise is one scalar measurement whose noise has the spectral
-    density c.noise[i]^2; epsilon is no longer needed, because small commands carry little weight by themselves. The
-    covariance P is bounded by that of not knowing lambda at all, and estimates are projected as in `adapt`.
+    Each row of z = Phi lambda + b + noise is one scalar measurement. lambda is a random walk; b is what f_m leaves out,
+    slow (a first-order Markov process of `doubt_rate` and of the variance that `doubt` gives): without it the error of
+    the model reads as lost effectiveness, and surely, of an actuator that hardly acts. The noise has the spectral
+    density c.noise^2; epsilon is no longer needed, because small commands carry little weight by themselves.
+    P is the covariance of (lambda, b), bounded by that of not knowing lambda at all; estimates are projected as in
+    `adapt`.
     """
     n = len(s.lambda_hat)
     for i in range(n):
         walk = c.jam_walk if s.jammed[i] > 0.5 else c.walk
         s.P[i, i] = min(s.P[i, i] + walk * walk * c.dt, 1.0)
+    fade = 1.0 - c.doubt_rate * c.dt
+    for row in range(4):
+        s.b[row] *= fade
+        for i in range(n + 4):
+            s.P[n + row, i] *= fade
+            s.P[i, n + row] *= fade
+        s.P[n + row, n + row] += 2.0 * c.doubt_rate * c.dt * s.doubt[row]
     for row in range(4):
         h = phi[row]
-        variance = c.noise[row] * c.noise[row] / c.dt
-        error = z[row]
-        for i in range(n):
-            error -= h[i] * s.lambda_hat[i]
-            s.Ph[i] = 0.0
+        error = z[row] - s.b[row]
+        for i in range(n + 4):
+            s.Ph[i] = s.P[i, n + row]
             for j in range(n):
                 s.Ph[i] += s.P[i, j] * h[j]
+        variance = c.noise[row] * c.noise[row] / c.dt + s.Ph[n + row]
         for i in range(n):
+            error -= h[i] * s.lambda_hat[i]
             variance += h[i] * s.Ph[i]
         for i in range(n):
             s.lambda_hat[i] += s.Ph[i] * error / variance
-            for j in range(n):
+        for i in range(4):
+            s.b[i] += s.Ph[n + i] * error / variance
+        for i in range(n + 4):
+            for j in range(n + 4):
                 s.P[i, j] -= s.Ph[i] * s.Ph[j] / variance
     for i in range(n):
         low = m.low[i] if s.jammed[i] > 0.5 else c.lambda_min
@@ -130,8 +161,9 @@ def suspect(e, pressure, m, c, s):
 
     An actuator that is jammed, offset or reversed adds a force of its own, B_i b. The generalised likelihood ratio
     of one such b (Willsky and Jones, IEEE TAC 21 (1976) 108) is compared for all actuators, rows weighted by what
-    gusts do to them; the best, if it stays beyond `jam_sigma` standard deviations for `jam_time`, is called jammed: not
-    a loss of effectiveness. From then on its position is estimated. Returns 1 when a mode must be designed (again).
+    gusts and the model's own error do to them; the best, if it stays beyond `jam_sigma` standard deviations for
+    `jam_time`, is called jammed: not a loss of effectiveness. From then on its position is estimated. Returns 1 when a
+    mode must be designed (again).
     """
     best, most, offset = -1, c.jam_sigma * c.jam_sigma, 0.0
     for row in range(4):
@@ -140,10 +172,10 @@ def suspect(e, pressure, m, c, s):
         along, size = 0.0, 0.0
         for row in range(4):
             b = m.B[row, i] * (pressure if m.servo[i] > 0.5 else 1.0)
-            weight = 1.0 / (c.noise[row] * c.noise[row])
+            weight = 1.0 / (0.5 * c.noise[row] * c.noise[row] / c.residual_time + s.doubt[row])
             along += b * weight * s.residual[row]
             size += b * weight * b
-        ratio = along * along / size * 2.0 * c.residual_time
+        ratio = along * along / size
         if s.jammed[i] < 0.5 and ratio > most:
             best, most, offset = i, ratio, along / size
     changed = 0
@@ -154,7 +186,7 @@ def suspect(e, pressure, m, c, s):
             s.lambda_hat[i] = min(max(s.lambda_hat[i] * s.position[i] + offset, m.low[i]), m.high[i])
             for row in range(4):
                 s.residual[row] = 0.0
-            for j in range(len(s.lambda_hat)):
+            for j in range(len(s.Ph)):
                 s.P[i, j], s.P[j, i] = 0.0, 0.0
             s.P[i, i] = 1.0
             changed = 1
@@ -165,12 +197,18 @@ def suspect(e, pressure, m, c, s):
 
 @compiled
 def monitor(c, s):
-    """Section 2.3: an actuator has failed once its estimate stays below the threshold; returns 1 on any change."""
+    """Section 2.3: an actuator has failed once its estimate stays below the threshold; returns 1 on any change.
+
+    It must be a sure estimate: one that `P` calls uncertain is that of an actuator that hardly acts, not of a lost one.
+    """
     changed = 0
     for i in range(len(s.lambda_hat)):
         if s.jammed[i] > 0.5:
             continue
-        against = s.lambda_hat[i] < c.threshold if s.failed[i] < 0.5 else s.lambda_hat[i] > c.recovery
+        if s.failed[i] < 0.5:
+            against = s.lambda_hat[i] < c.threshold and s.P[i, i] <= c.certain * c.certain
+        else:
+            against = s.lambda_hat[i] > c.recovery
         s.timer[i] = s.timer[i] + c.dt if against else 0.0
         if s.timer[i] > (c.persistence if s.failed[i] < 0.5 else c.recovery_time) + 1e-9:
             s.failed[i] = 1.0 - s.failed[i]

@@ -24,6 +24,9 @@ from testbed.kept import Kept
 from testbed.signals import RATES
 
 _STEP = 1e-6
+_BEYOND_STOPS = (
+    1.3  # a model 20 % wrong misplaces a trim by as much: better one just beyond the stops than none
+)
 
 
 @dataclass(frozen=True)
@@ -224,7 +227,9 @@ def design_regulator(
     acting, hold = alive.copy(), np.array(model.trim) / scale
     for i, position in (jammed or {}).items():
         acting[i], hold[i] = 1.0, position
-    x0, a0, regulated = _level_trim(model, scale, alive, acting, hold, mode, limits)
+    motors = sum(alive[i] for i, kind in enumerate(model.kinds) if kind == "motor")
+    faster = control.loops.lost_thrust_faster_m_s if motors == 1 else 0.0
+    x0, a0, regulated = _level_trim(model, scale, alive, acting, hold, mode, limits, faster)
     nx, ni = len(OUTER), len(regulated)
 
     def plant(z: np.ndarray, r: np.ndarray) -> np.ndarray:
@@ -267,20 +272,25 @@ def _level_trim(
     hold: np.ndarray,
     mode: Mode,
     limits: np.ndarray,
+    faster: float,
 ) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
-    """Steady flight with what is left: level at the reference airspeed if three actuators are, else level at any
-    airspeed, else descending. Returns state [10], scaled positions [n] and the outputs that can be held."""
+    """Steady flight with what is left: level, `faster` than the reference or faster still, if three actuators are left;
+    else level at any airspeed, else descending. Returns state [10], scaled positions [n] and the outputs that can be
+    held."""
     free = np.flatnonzero(alive)
     if len(free) < 2:
         raise NoLevelTrim(f"{_titles(mode)}: one actuator cannot hold altitude and heading")
-    thrust = any(alive[i] and model.kinds[i] == "motor" for i in range(len(alive)))
+    anywhere = (0.0, -2.0, 2.0, -4.0, 4.0, 8.0)
+    ways: list[tuple[str, tuple[str, ...], float, tuple[float, ...]]] = []
     if len(free) >= 3:
-        ways: list[tuple[str, tuple[str, ...]]] = [("", ("airspeed", "altitude", "heading"))]
+        speeds = (faster, faster + 1.0, faster + 2.0, faster + 4.0)
+        ways += [("", ("airspeed", "altitude", "heading"), beyond, speeds) for beyond in (1.0, _BEYOND_STOPS)]
     else:
-        ways = [("airspeed", ("altitude", "heading"))] if thrust else []
-        ways += [("path_angle", ("airspeed", "heading"))]  # down, as energy is what is left
-    for slack, held in ways:
-        found = _steady(model, scale, alive, acting, hold, limits, slack)
+        if any(alive[i] and model.kinds[i] == "motor" for i in range(len(alive))):
+            ways += [("airspeed", ("altitude", "heading"), 1.0, anywhere)]
+        ways += [("path_angle", ("airspeed", "heading"), 1.0, anywhere)]  # down, as energy is what is left
+    for slack, held, beyond, changes in ways:
+        found = _steady(model, scale, alive, acting, hold, beyond * limits, slack, changes)
         if found is not None:
             return *found, held
     raise NoLevelTrim(f"{_titles(mode)}: no steady flight within the stops, level or descending")
@@ -294,9 +304,10 @@ def _steady(
     hold: np.ndarray,
     limits: np.ndarray,
     slack: str,
+    changes: Sequence[float],
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Steady flight on the design model, with airspeed or path angle unknown too if `slack` says so: state [10] and
-    scaled positions [n] of the trim that is nearest to the reference, or None."""
+    scaled positions [n] of the first trim found with these changes of airspeed (to start from, if it is unknown)."""
     free = np.flatnonzero(alive)
     used = free[-3:]
 
@@ -326,7 +337,7 @@ def _steady(
         plausible = abs(state[1]) < 0.25 and abs(state[2]) < 0.4 and state[0] > 0.5 * model.airspeed_m_s
         return (state, a) if found.success and inside and plausible else None
 
-    for change in (0.0, -2.0, 2.0, -4.0, 4.0, 8.0) if slack else (0.0,):
+    for change in changes:
         for beta in (0.0, 0.08, -0.08):
             found = attempt(change, beta)
             if found is not None:

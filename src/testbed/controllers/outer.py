@@ -75,9 +75,8 @@ def regulate(y, ref, m, c, k, s, f, wanted):
     e_height = clip(y.altitude - ref.altitude, c.altitude_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
-    e_height += k.protect * max(
-        -e_speed - c.protect_from, 0.0
-    )  # too slow to turn: height is what can be given
+    slow = ref.airspeed + k.faster - y.airspeed  # too slow to climb or to turn: height is what can be given
+    e_height += k.protect * max(slow - k.protect_from, 0.0)
     if abs(e_speed) < c.airspeed_error_max:
         s.integral[0] += e_speed * c.dt
     if abs(e_height) < c.altitude_error_max:

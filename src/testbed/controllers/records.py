@@ -51,12 +51,13 @@ def settings_dtype(n: int) -> np.dtype:
     scalars = (
         "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "recovery_time", "adapts", "monitors",
         "divisor_min", "filter", "weighted", "walk", "jam_sigma", "jam_time", "jam_walk", "residual_time",
-        "protect_from",
+        "doubt_rate", "model_doubt", "certain",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
     )  # fmt: skip
-    return _dtype([(name, ()) for name in scalars] + [("gamma", (n,)), ("epsilon", (n,)), ("noise", (4,))])
+    vectors = [("gamma", (n,)), ("epsilon", (n,)), ("noise", (4,)), ("doubt", (4,))]
+    return _dtype([(name, ()) for name in scalars] + vectors)
 
 
 @cache
@@ -68,6 +69,7 @@ def mode_dtype(n: int) -> np.dtype:
             ("B_hat_inv", (n, 4)),
             ("spare", ()),
             ("protect", ()),
+            ("protect_from", ()),
             ("faster", ()),
             ("held_inv", (n, n, 4)),
             ("alive", (n,)),
@@ -103,8 +105,10 @@ def memory_dtype(n: int) -> np.dtype:
             ("designed_for", (n,)),
             ("suspicion", (n,)),
             ("residual", (4,)),
-            ("P", (n, n)),
-            ("Ph", (n,)),
+            ("P", (n + 4, n + 4)),
+            ("Ph", (n + 4,)),
+            ("b", (4,)),
+            ("doubt", (4,)),
             ("filtered", (2, 4)),
             ("filtered_phi", (2, 4, n)),
         ]

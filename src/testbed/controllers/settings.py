@@ -43,9 +43,9 @@ class ControllerSettings(Settings):
 _WEIGHTED = {
     "threshold": 0.15,
     "persistence_s": 0.2,
-    "recovery_s": 0.3,
+    "recovery": 0.8,
     "filter_rad_s": 20.0,
-    "lambda_max": 1.0,
+    "lambda_max": 1.2,
 }
 
 
@@ -55,7 +55,7 @@ class AdaptiveInversionSettings(ControllerSettings):
     type: Literal["adaptive_inversion"] = "adaptive_inversion"
     estimation: Literal["newton", "weighted"] = "newton"
     """`newton` is the paper's (13); `weighted` gives rows that gusts disturb less weight, for weather and real sensors.
-    It has other defaults: threshold 0.15, persistence_s 0.2, recovery_s 0.3, filter_rad_s 20, lambda_max 1."""
+    It has other defaults: threshold 0.15, persistence_s 0.2, recovery 0.8, filter_rad_s 20, lambda_max 1.2."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
     """Adaptation rate of (13) [1/s]."""
     epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
@@ -68,6 +68,8 @@ class AdaptiveInversionSettings(ControllerSettings):
     """How long the estimate must stay below the threshold [s]."""
     recovery_s: NonNegative = 1.0
     """How long it must stay above `recovery` [s]."""
+    certain: Positive = 0.15
+    """Standard deviation of an estimate beyond which it is too uncertain to call its actuator failed, for `weighted`."""
     walk_rts: Positive = 0.1
     """How fast effectiveness may drift, for `weighted` [1/sqrt(s)]."""
     filter_rad_s: NonNegative = 0.0

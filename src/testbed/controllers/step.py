@@ -12,6 +12,7 @@ from testbed.controllers.law import (
     adapt,
     adapt_weighted,
     compensate,
+    doubt,
     give_up_speed,
     invert,
     measured_error,
@@ -62,6 +63,7 @@ def adaptive_step(step, parts):
         low_pass(z, s.filtered, c.filter * c.dt)
         for i in range(4):
             low_pass(phi[i], s.filtered_phi[:, i], c.filter * c.dt)
+        doubt(y, pressure, phi, m, c, s)
         measured_error(z, phi, s, e)
         if c.weighted > 0.5:
             adapt_weighted(z, phi, m, c, s)
