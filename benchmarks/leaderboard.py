@@ -154,6 +154,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--seeds", type=int, default=3, help="flights a cell")
+    parser.add_argument("--first-seed", type=int, default=FIRST_SEED)
     parser.add_argument("--quick", action="store_true", help="1 seed")
     parser.add_argument("--w20", type=float, nargs="+", default=[0.0, 25.0], metavar="FT_S")
     parser.add_argument(
@@ -162,7 +163,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--jobs", type=int, help="processes (default: one a core)")
     parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "docs" / "leaderboard.md")
     options = parser.parse_args(arguments)
-    seeds = range(FIRST_SEED, FIRST_SEED + (1 if options.quick else options.seeds))
+    seeds = range(options.first_seed, options.first_seed + (1 if options.quick else options.seeds))
     kinds = [(t, f) for t, f in failures() if not options.only or f["type"] in options.only]
     plan = [
         (seed, {"controller": settings, "failures": [failure], "atmosphere.turbulence_w20_m_s": w20 * FT_S})

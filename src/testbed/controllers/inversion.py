@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.compiled import bound
+from testbed.controllers.law import HEALTHY_VARIANCE
 from testbed.controllers.modes import (
     Mode,
     NoLevelTrim,
@@ -24,7 +25,6 @@ from testbed.signals import RATES
 _JAM_SIGMA = (
     4.0  # losses and 20 % of model error stay below 2.8, a jam or an offset of 5 deg shows 5.5 and more
 )
-_HEALTHY_VARIANCE = 0.01  # of the estimates at the start: whole within a tenth
 
 
 class InversionController:
@@ -55,6 +55,7 @@ class InversionController:
         self._work = scratch(n)
         self._start_memory(setup)
         self.reasons: list[tuple[int, str]] = []
+        self._said: set[object] = set()
         self.command = self.memory[0].command
         self._told = memoryview(self.command)  # the same numbers, quicker to go through
         self.mode = self._enter((), 0)
@@ -64,7 +65,7 @@ class InversionController:
         position = np.asarray(setup.trim_positions) / self.scale
         s.lambda_hat[:] = 1.0
         n = len(self.scale)
-        s.P[:n, :n] = np.diag(np.full(n, _HEALTHY_VARIANCE))
+        s.P[:n, :n] = np.diag(np.full(n, HEALTHY_VARIANCE))
         s.command[:] = setup.trim_commands
         for name in ("r", "u", "position", "servo_input", "servo_lagged"):
             s[name][:] = position
@@ -104,6 +105,7 @@ class InversionController:
                     f"{', '.join(mode.failed)} failed: altitude cannot be held, there is no level trim within the "
                     f"stops at any airspeed (condition number {mode.condition:.3g}, so it is authority that lacks, "
                     f"not rank); flies at about {slope:.1f} deg",
+                    about=mode.failed,
                 )
         self._put(mode, regulator, failed)
         return mode
@@ -138,8 +140,10 @@ class InversionController:
             k.faster = regulator.x_trim[0] - self.setup.model.airspeed_m_s
             s.integral[1] = 0.0
 
-    def _say(self, step: int, text: str) -> None:
-        if not any(text == said for _, said in self.reasons):
+    def _say(self, step: int, text: str, about: object = None) -> None:
+        """Once of each: a jammed actuator's mode is designed again and again."""
+        if (about or text) not in self._said:
+            self._said.add(about or text)
             self.reasons.append((step, text))
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
@@ -206,7 +210,11 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     names["filter_rad_s"] = "filter"
     for name, default in defaults.items():
         c[names.get(name, name)] = chosen.get(name, default)
-    c.divisor_min = 0.1
+    import os
+
+    c.divisor_min, c.reversed = 0.1, -float(os.environ.get("H_REV", "0.5"))
+    if chosen.get("estimation") == "weighted":
+        c.lambda_min = -float(os.environ.get("H_NEG", "1.2"))
     c.jam_sigma, c.jam_time, c.jam_walk, c.residual_time = _JAM_SIGMA, 1.0, 1.0, 1.0
     c.weighted, c.certain = float(chosen.get("estimation") == "weighted"), chosen.get("certain", 0.15)
     c.noise[:] = [setup.control.disturbance[rate] for rate in RATES]

@@ -13,6 +13,8 @@ import math
 from testbed.compiled import compiled
 from testbed.units import GRAVITY_M_S2
 
+HEALTHY_VARIANCE = 0.01  # of an estimate to begin with: whole within a tenth
+JAM_VARIANCE = 16.0  # of a jammed actuator's position to begin with, in scaled units
 JAM_MOVED = 0.3  # scaled units that a jammed actuator may move before its mode is designed again
 
 
@@ -123,7 +125,7 @@ def adapt_weighted(z, phi, m, c, s):
     n = len(s.lambda_hat)
     for i in range(n):
         walk = c.jam_walk if s.jammed[i] > 0.5 else c.walk
-        s.P[i, i] = min(s.P[i, i] + walk * walk * c.dt, 1.0)
+        s.P[i, i] = min(s.P[i, i] + walk * walk * c.dt, JAM_VARIANCE if s.jammed[i] > 0.5 else 1.0)
     fade = 1.0 - c.doubt_rate * c.dt
     for row in range(4):
         s.b[row] *= fade
@@ -156,6 +158,27 @@ def adapt_weighted(z, phi, m, c, s):
 
 
 @compiled
+def jam(i, position, m, s):
+    """Take actuator i for jammed at about this position, which is estimated from now on.
+
+    What its force did to the estimates of the others was not theirs: those that have not failed begin again.
+    """
+    s.jammed[i], s.failed[i], s.suspicion[i] = 1.0, 1.0, 0.0
+    s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
+    for j in range(len(s.Ph)):
+        whole = j < len(s.failed) and s.failed[j] < 0.5
+        if j == i or whole or j >= len(s.failed):
+            for row in range(len(s.Ph)):
+                s.P[j, row], s.P[row, j] = 0.0, 0.0
+        if whole:
+            s.lambda_hat[j], s.P[j, j] = 1.0, HEALTHY_VARIANCE
+    s.P[i, i] = JAM_VARIANCE
+    for row in range(4):
+        s.residual[row], s.b[row] = 0.0, 0.0
+        s.P[len(s.failed) + row, len(s.failed) + row] = s.doubt[row]
+
+
+@compiled
 def suspect(e, pressure, m, c, s):
     """Past the paper: what is left of e once the estimates have moved, when no effectiveness explains it.
 
@@ -182,13 +205,7 @@ def suspect(e, pressure, m, c, s):
     for i in range(len(s.lambda_hat)):
         s.suspicion[i] = max(s.suspicion[i] + (c.dt if i == best else -c.dt), 0.0)
         if s.suspicion[i] > c.jam_time:
-            s.jammed[i], s.failed[i], s.suspicion[i] = 1.0, 1.0, 0.0
-            s.lambda_hat[i] = min(max(s.lambda_hat[i] * s.position[i] + offset, m.low[i]), m.high[i])
-            for row in range(4):
-                s.residual[row] = 0.0
-            for j in range(len(s.Ph)):
-                s.P[i, j], s.P[j, i] = 0.0, 0.0
-            s.P[i, i] = 1.0
+            jam(i, s.lambda_hat[i] * s.position[i] + offset, m, s)
             changed = 1
         if s.jammed[i] > 0.5 and abs(s.lambda_hat[i] - s.designed_for[i]) > JAM_MOVED:
             changed = 1
@@ -196,7 +213,7 @@ def suspect(e, pressure, m, c, s):
 
 
 @compiled
-def monitor(c, s):
+def monitor(m, c, s):
     """Section 2.3: an actuator has failed once its estimate stays below the threshold; returns 1 on any change.
 
     It must be a sure estimate: one that `P` calls uncertain is that of an actuator that hardly acts, not of a lost one.
@@ -205,8 +222,17 @@ def monitor(c, s):
     for i in range(len(s.lambda_hat)):
         if s.jammed[i] > 0.5:
             continue
+        sure = s.P[i, i] <= c.certain * c.certain
+        if sure and s.lambda_hat[i] < c.reversed:
+            s.reversed[i] += c.dt
+            if s.reversed[i] > c.persistence:
+                jam(i, s.lambda_hat[i] * s.position[i], m, s)
+                changed = 1
+                continue
+        else:
+            s.reversed[i] = 0.0
         if s.failed[i] < 0.5:
-            against = s.lambda_hat[i] < c.threshold and s.P[i, i] <= c.certain * c.certain
+            against = s.lambda_hat[i] < c.threshold and sure
         else:
             against = s.lambda_hat[i] > c.recovery
         s.timer[i] = s.timer[i] + c.dt if against else 0.0

@@ -283,7 +283,7 @@ def _level_trim(
     anywhere = (0.0, -2.0, 2.0, -4.0, 4.0, 8.0)
     ways: list[tuple[str, tuple[str, ...], float, tuple[float, ...]]] = []
     if len(free) >= 3:
-        speeds = (faster, faster + 1.0, faster + 2.0, faster + 4.0)
+        speeds = (faster, faster + 1.0, faster + 2.0, faster + 4.0, faster + 8.0)
         ways += [("", ("airspeed", "altitude", "heading"), beyond, speeds) for beyond in (1.0, _BEYOND_STOPS)]
     else:
         if any(alive[i] and model.kinds[i] == "motor" for i in range(len(alive))):

@@ -69,7 +69,7 @@ def adaptive_step(step, parts):
             adapt_weighted(z, phi, m, c, s)
         else:
             adapt(e, pressure, m, c, s)
-        if c.monitors > 0.5 and (monitor(c, s) or suspect(e, pressure, m, c, s)):
+        if c.monitors > 0.5 and (monitor(m, c, s) or suspect(e, pressure, m, c, s)):
             return 1
     command_step(step, parts)
     return 0
