@@ -62,6 +62,7 @@ REFUSED = [
         "did you mean motor?",
     ),
     ("gamma: 4.0", "lambda_max: 0.01", 8, "controller.lambda_max", "not above lambda_min"),
+    ("gamma: 4.0", "lambda_min: 0", 8, "controller.lambda_min", "newton integrates the logarithm"),
     ("gamma: 4.0", "threshold: 2", 8, "controller.threshold", "less than or equal to 1"),
     ("gamma: 4.0", "released: [r_dott]", 8, "controller.released.0", "did you mean r_dot?"),
     ("adaptive_inversion", "adaptive_invertion", 8, "controller.type", "did you mean adaptive_inversion?"),

@@ -63,7 +63,7 @@ class InversionController:
     def _start_memory(self, setup: Setup) -> None:
         s, model = self.memory[0], self.model[0]
         position = np.asarray(setup.trim_positions) / self.scale
-        s.lambda_hat[:] = 1.0
+        s.lambda_hat[:], s.since[:] = 1.0, math.inf
         n = len(self.scale)
         s.P[:n, :n] = np.diag(np.full(n, HEALTHY_VARIANCE))
         s.command[:] = setup.trim_commands
@@ -210,11 +210,7 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
     names["filter_rad_s"] = "filter"
     for name, default in defaults.items():
         c[names.get(name, name)] = chosen.get(name, default)
-    import os
-
-    c.divisor_min, c.reversed = 0.1, -float(os.environ.get("H_REV", "0.5"))
-    if chosen.get("estimation") == "weighted":
-        c.lambda_min = -float(os.environ.get("H_NEG", "1.2"))
+    c.divisor_min = 0.1
     c.jam_sigma, c.jam_time, c.jam_walk, c.residual_time = _JAM_SIGMA, 1.0, 1.0, 1.0
     c.weighted, c.certain = float(chosen.get("estimation") == "weighted"), chosen.get("certain", 0.15)
     c.noise[:] = [setup.control.disturbance[rate] for rate in RATES]

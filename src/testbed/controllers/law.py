@@ -15,6 +15,8 @@ from testbed.units import GRAVITY_M_S2
 
 HEALTHY_VARIANCE = 0.01  # of an estimate to begin with: whole within a tenth
 JAM_VARIANCE = 16.0  # of a jammed actuator's position to begin with, in scaled units
+REVERSED = -0.5  # an estimate below this is no loss of effectiveness
+JUST_NOW_S = 2.0  # a jam takes about as long to be told from a loss
 JAM_MOVED = 0.3  # scaled units that a jammed actuator may move before its mode is designed again
 
 
@@ -161,9 +163,13 @@ def adapt_weighted(z, phi, m, c, s):
 def jam(i, position, m, s):
     """Take actuator i for jammed at about this position, which is estimated from now on.
 
-    What its force did to the estimates of the others was not theirs: those that have not failed begin again.
+    What its force did to the estimates of the others was not theirs: those that have not failed, or were called failed
+    just now, begin again.
     """
     s.jammed[i], s.failed[i], s.suspicion[i] = 1.0, 1.0, 0.0
+    for j in range(len(s.failed)):
+        if s.jammed[j] < 0.5 and s.since[j] < JUST_NOW_S:
+            s.failed[j] = 0.0
     s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
     for j in range(len(s.Ph)):
         whole = j < len(s.failed) and s.failed[j] < 0.5
@@ -217,28 +223,23 @@ def monitor(m, c, s):
     """Section 2.3: an actuator has failed once its estimate stays below the threshold; returns 1 on any change.
 
     It must be a sure estimate: one that `P` calls uncertain is that of an actuator that hardly acts, not of a lost one.
+    A sure estimate that is negative is of an actuator that acts against its command: it is taken for jammed.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
         if s.jammed[i] > 0.5:
             continue
         sure = s.P[i, i] <= c.certain * c.certain
-        if sure and s.lambda_hat[i] < c.reversed:
-            s.reversed[i] += c.dt
-            if s.reversed[i] > c.persistence:
-                jam(i, s.lambda_hat[i] * s.position[i], m, s)
-                changed = 1
-                continue
-        else:
-            s.reversed[i] = 0.0
-        if s.failed[i] < 0.5:
-            against = s.lambda_hat[i] < c.threshold and sure
-        else:
-            against = s.lambda_hat[i] > c.recovery
-        s.timer[i] = s.timer[i] + c.dt if against else 0.0
-        if s.timer[i] > (c.persistence if s.failed[i] < 0.5 else c.recovery_time) + 1e-9:
+        low, high = s.lambda_hat[i] < c.threshold and sure, s.lambda_hat[i] > c.recovery
+        s.timer[i] = s.timer[i] + c.dt if (low if s.failed[i] < 0.5 else high) else 0.0
+        s.reversed[i] = s.reversed[i] + c.dt if sure and s.lambda_hat[i] < REVERSED else 0.0
+        s.since[i] += c.dt
+        if s.reversed[i] > c.persistence:
+            jam(i, s.lambda_hat[i] * s.position[i], m, s)
+            changed = 1
+        elif s.timer[i] > (c.persistence if s.failed[i] < 0.5 else c.recovery_time) + 1e-9:
             s.failed[i] = 1.0 - s.failed[i]
-            s.timer[i] = 0.0
+            s.timer[i], s.since[i] = 0.0, 0.0
             changed = 1
     return changed
 

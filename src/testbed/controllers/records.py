@@ -51,7 +51,7 @@ def settings_dtype(n: int) -> np.dtype:
     scalars = (
         "dt", "lambda_min", "lambda_max", "threshold", "recovery", "persistence", "recovery_time", "adapts", "monitors",
         "divisor_min", "filter", "weighted", "walk", "jam_sigma", "jam_time", "jam_walk", "residual_time",
-        "doubt_rate", "model_doubt", "certain", "reversed",
+        "doubt_rate", "model_doubt", "certain",
         "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
         "heading_kp", "heading_ki", "roll_max", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
         "heading_error_max", "altitude_error_max", "airspeed_error_max",
@@ -106,6 +106,7 @@ def memory_dtype(n: int) -> np.dtype:
             ("designed_for", (n,)),
             ("suspicion", (n,)),
             ("reversed", (n,)),
+            ("since", (n,)),
             ("residual", (4,)),
             ("P", (n + 4, n + 4)),
             ("Ph", (n + 4,)),

@@ -45,6 +45,7 @@ _WEIGHTED = {
     "persistence_s": 0.2,
     "recovery": 0.8,
     "filter_rad_s": 20.0,
+    "lambda_min": -1.2,
     "lambda_max": 1.2,
 }
 
@@ -55,7 +56,8 @@ class AdaptiveInversionSettings(ControllerSettings):
     type: Literal["adaptive_inversion"] = "adaptive_inversion"
     estimation: Literal["newton", "weighted"] = "newton"
     """`newton` is the paper's (13); `weighted` gives rows that gusts disturb less weight, for weather and real sensors.
-    It has other defaults: threshold 0.15, persistence_s 0.2, recovery 0.8, filter_rad_s 20, lambda_max 1.2."""
+    It has other defaults: threshold 0.15, persistence_s 0.2, recovery 0.8, filter_rad_s 20, lambda_min -1.2,
+    lambda_max 1.2."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
     """Adaptation rate of (13) [1/s]."""
     epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
@@ -74,9 +76,9 @@ class AdaptiveInversionSettings(ControllerSettings):
     """How fast effectiveness may drift, for `weighted` [1/sqrt(s)]."""
     filter_rad_s: NonNegative = 0.0
     """Two equal lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
-    lambda_min: Positive = 0.05
+    lambda_min: Number = 0.05
     lambda_max: Positive = 1.1
-    """Estimates are kept between these."""
+    """Estimates are kept between these; for `newton`, which integrates their logarithm, above zero."""
 
     @model_validator(mode="before")
     @classmethod
@@ -91,6 +93,13 @@ class AdaptiveInversionSettings(ControllerSettings):
         if recovery <= info.data.get("threshold", 0.0):
             raise refuse(f"{recovery:g} is not above threshold", f"more than {info.data['threshold']:g}")
         return recovery
+
+    @field_validator("lambda_min")
+    @classmethod
+    def _positive_for_newton(cls, lambda_min: float, info: ValidationInfo) -> float:
+        if lambda_min <= 0.0 and info.data.get("estimation") == "newton":
+            raise refuse(f"{lambda_min:g} is not above 0, and newton integrates the logarithm", "more than 0")
+        return lambda_min
 
     @field_validator("lambda_max")
     @classmethod
