@@ -22,9 +22,8 @@ from testbed.controllers.setup import Setup
 from testbed.controllers.step import adaptive_step, command_step, scratch
 from testbed.signals import RATES
 
-_JAM_SIGMA = (
-    4.0  # losses and 20 % of model error stay below 2.8, a jam or an offset of 5 deg shows 5.5 and more
-)
+# Losses and 20 % of model error leave at most 2.6 standard deviations for a second, 5 deg of offset 4.2 and more.
+_JAM_SIGMA = 4.0
 
 
 class InversionController:

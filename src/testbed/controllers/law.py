@@ -62,9 +62,10 @@ def regressor(pressure, m, s, phi):
 
 @compiled
 def doubt(y, pressure, phi, m, c, s):
-    """Variance of what f_m and B_m leave out of each rate, were each of their terms wrong by `model_doubt` on its own.
+    """Variance of what f_m and B_m leave out of each rate, were each of their slopes wrong by `model_doubt` on its own.
 
-    So a rate counts for less the harder the aircraft flies away from its trim. Averaged over `residual_time`.
+    The trim itself is known, so it is what has changed since that counts: a rate is trusted the less the further state
+    and actuators' forces are from those of the trim. Averaged over `residual_time`.
     """
     speed = y.airspeed / m.airspeed
     for i in range(4):
@@ -72,8 +73,8 @@ def doubt(y, pressure, phi, m, c, s):
         p, q, r = speed * m.A[i, 2] * y.p, speed * m.A[i, 3] * y.q, speed * m.A[i, 4] * y.r
         squares = alpha * alpha + beta * beta + p * p + q * q + r * r
         for j in range(len(s.lambda_hat)):
-            force = phi[i, j] * s.lambda_hat[j]
-            squares += force * force
+            change = phi[i, j] * s.lambda_hat[j] - pressure * m.B[i, j] * m.hold[j]
+            squares += change * change
         variance = c.doubt[i] * c.doubt[i] + c.model_doubt * c.model_doubt * squares
         s.doubt[i] += c.dt / c.residual_time * (variance - s.doubt[i])
 
