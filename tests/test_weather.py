@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from testbed.controllers.law import adapt_weighted, doubt, jam, monitor, regressor
+from testbed.controllers.diagnosis import adapt_weighted, doubt, jam, suspect
+from testbed.controllers.law import monitor, regressor
 from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
 from testbed.flight import Flight, Outcome
 from testbed.signals import STATE
@@ -199,11 +200,11 @@ def test_the_model_is_doubted_as_its_terms_are_large() -> None:
 
 
 def test_only_a_sure_estimate_condemns() -> None:
-    c, m, s = records()
+    c, _, s = records()
     s.lambda_hat[0] = 0.05
     for variance, failed in ((0.16**2, 0.0), (0.14**2, 1.0)):
         s.P[0, 0] = variance
-        changed = [monitor(m, c, s) for _ in range(41)]
+        changed = [monitor(c, s) for _ in range(41)]
         assert s.failed[0] == failed and sum(changed) == failed
     assert s.jammed[0] == 0.0
 
@@ -211,7 +212,9 @@ def test_only_a_sure_estimate_condemns() -> None:
 def test_a_sure_negative_estimate_is_a_reversal() -> None:
     c, m, s = records()
     s.lambda_hat[1], s.position[1] = -0.9, 0.5
-    assert sum(monitor(m, c, s) for _ in range(41)) == 1
+    c.jam_sigma, c.jam_time = 4.0, 1.0
+    assert not any(suspect(np.zeros(4), 1.0, m, c, s) for _ in range(40))
+    assert suspect(np.zeros(4), 1.0, m, c, s) == 1
     assert s.jammed[1] == 1.0 and s.failed[1] == 1.0
     assert s.lambda_hat[1] == pytest.approx(-0.45), "from now on its position"
 

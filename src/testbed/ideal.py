@@ -141,7 +141,7 @@ def ideal_loop(
         regressor(pressure, m, s, phi)
         measured_error(z, phi, s, e)
         adapt(e, pressure, m, c, s)
-        monitor(m, c, s)
+        monitor(c, s)
         y.p += c.dt * work[0, 5]
         y.q += c.dt * work[1, 5]
         y.r += c.dt * work[2, 5]

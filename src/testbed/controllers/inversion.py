@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.compiled import bound
-from testbed.controllers.law import HEALTHY_VARIANCE
+from testbed.controllers.diagnosis import HEALTHY_VARIANCE
 from testbed.controllers.modes import (
     Mode,
     NoLevelTrim,

@@ -8,11 +8,10 @@ import numpy as np
 
 from testbed.compiled import compiled
 from testbed.controllers.actuators import advance, throttle_for
+from testbed.controllers.diagnosis import adapt_weighted, doubt, suspect
 from testbed.controllers.law import (
     adapt,
-    adapt_weighted,
     compensate,
-    doubt,
     give_up_speed,
     invert,
     measured_error,
@@ -20,7 +19,6 @@ from testbed.controllers.law import (
     redistribute,
     regressor,
     state_function,
-    suspect,
 )
 from testbed.controllers.outer import pid, regulate
 
@@ -69,7 +67,7 @@ def adaptive_step(step, parts):
             adapt_weighted(z, phi, m, c, s)
         else:
             adapt(e, pressure, m, c, s)
-        if c.monitors > 0.5 and (monitor(m, c, s) or suspect(e, pressure, m, c, s)):
+        if c.monitors > 0.5 and (monitor(c, s) or suspect(e, pressure, m, c, s)):
             return 1
     command_step(step, parts)
     return 0
