@@ -4,7 +4,7 @@
     python benchmarks/hold_it.py --quick    # 2 seeds
 
 Each flight turns by 30 deg and climbs by 10 m before the failure at 40 s, and back after it; errors are against the
-rate-limited references, from 20 s after the failure on. Seeds begin at 1001: no gain was chosen on any of them.
+rate-limited references, from 20 s after the failure on. Seeds begin at 4001: no gain was chosen on any of them (1 to 240 are for tuning; 1001 to 3020 have been looked at).
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ requirements:
   - {{signal: heading_deg, from_s: 60, within: 10, of: heading_command_deg}}
 """
 FAILURE_S = 40.0
-FIRST_SEED = 1001
+FIRST_SEED = 4001
 MODEL_ERROR = 0.2
 LONG_S = 600
 FT_S = 0.3048

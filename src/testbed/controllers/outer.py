@@ -65,6 +65,14 @@ def pid(y, ref, m, c, k, s, f, wanted):
 
 
 @compiled
+def accumulate(integral, error, most, dt):
+    """The integral one step later; an error at its limit may only unwind it, so it neither winds up nor latches."""
+    if abs(error) < most or error * integral < 0.0:
+        return integral + clip(error, most) * dt
+    return integral
+
+
+@compiled
 def regulate(y, ref, m, c, k, s, f, wanted):
     """Hold references about the mode's own trim without cancelling what is stable: x_dc_dot = f_m(x) + v.
 
@@ -77,12 +85,9 @@ def regulate(y, ref, m, c, k, s, f, wanted):
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
     slow = ref.airspeed + k.faster - y.airspeed  # too slow to climb or to turn: height is what can be given
     e_height += k.protect * max(slow - k.protect_from, 0.0)
-    if abs(e_speed) < c.airspeed_error_max:
-        s.integral[0] += e_speed * c.dt
-    if abs(e_height) < c.altitude_error_max:
-        s.integral[1] += e_height * c.dt
-    if abs(e_heading) < c.heading_error_max:
-        s.integral[2] += e_heading * c.dt
+    s.integral[0] = accumulate(s.integral[0], e_speed, c.airspeed_error_max, c.dt)
+    s.integral[1] = accumulate(s.integral[1], e_height, c.altitude_error_max, c.dt)
+    s.integral[2] = accumulate(s.integral[2], e_heading, c.heading_error_max, c.dt)
     for i in range(4):
         v = -k.K[i, 0] * e_speed - k.K[i, 1] * (y.alpha - k.x_trim[1]) - k.K[i, 2] * (y.beta - k.x_trim[2])
         v -= k.K[i, 3] * y.p + k.K[i, 4] * (y.q - ref.heading_rate * math.sin(bank))
