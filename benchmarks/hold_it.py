@@ -4,7 +4,8 @@
     python benchmarks/hold_it.py --quick    # 2 seeds
 
 Each flight turns by 30 deg and climbs by 10 m before the failure at 40 s, and back after it; errors are against the
-rate-limited references, from 20 s after the failure on. Seeds begin at 4001: no gain was chosen on any of them (1 to 240 are for tuning; 1001 to 3020 have been looked at).
+rate-limited references, from 20 s after the failure on. Seeds begin at 4001: no gain was chosen on any of them (1 to 240
+are for tuning; 1001 to 3020 have been looked at).
 """
 
 from __future__ import annotations

@@ -13,6 +13,7 @@ import pytest
 
 from testbed.controllers.diagnosis import adapt_weighted, doubt, jam, suspect
 from testbed.controllers.law import monitor, regressor
+from testbed.controllers.outer import accumulate
 from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
 from testbed.flight import Flight, Outcome
 from testbed.signals import STATE
@@ -229,3 +230,11 @@ def test_a_jam_takes_back_what_it_did_to_the_others() -> None:
     assert s.failed.tolist() == [0.0, 0.0, 1.0, 1.0] and s.jammed.tolist() == [0.0, 0.0, 0.0, 1.0]
     assert s.lambda_hat.tolist() == [1.0, 1.0, 0.02, 2.5]
     assert not s.b.any() and np.allclose(np.diag(s.P)[N:], s.doubt)
+
+
+def test_an_integral_neither_winds_up_nor_latches() -> None:
+    """Within its limit an error integrates; at it, only back towards zero, and no faster than at the limit."""
+    assert accumulate(3.0, 1.5, 2.0, 0.1) == pytest.approx(3.15)
+    assert accumulate(3.0, 2.0, 2.0, 0.1) == 3.0
+    assert accumulate(0.0, -2.0, 2.0, 0.1) == 0.0
+    assert accumulate(-45.0, 100.0, 5.0, 0.1) == pytest.approx(-44.5)
