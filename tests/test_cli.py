@@ -187,3 +187,16 @@ def test_identify_writes_what_it_then_agrees_with(tmp_path: Path) -> None:
     assert damaged.returncode == 2
     assert damaged.stderr.startswith(f"{model}: is no design model: ")
     assert testbed(tmp_path, "identify", "vtial").returncode == 2
+
+
+def test_what_the_controller_says_of_a_failure_is_printed(tmp_path: Path) -> None:
+    shipped = (Path(__file__).parents[1] / "scenarios" / "mems_turbulence.yaml").read_text()
+    lost = "{type: effectiveness, actuator: left_ruddervator, at_s: 40, value: 0.0}"
+    assert lost in shipped
+    (tmp_path / "reversed.yaml").write_text(
+        shipped.replace(lost, "{type: reversal, actuator: left_ruddervator, at_s: 40}")
+    )
+    result = testbed(tmp_path, "run", "reversed.yaml", "--no-plots", "--out", "out")
+    assert result.returncode == 0, result.stdout + result.stderr
+    said = [line for line in result.stdout.splitlines() if line.startswith("  controller at 40.")]
+    assert len(said) == 1 and "left_ruddervator: not a loss of effectiveness" in said[0]

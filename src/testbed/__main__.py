@@ -203,6 +203,9 @@ def _print_verdict(flight: Flight) -> None:
         shown = f"{value:.4g}" if isinstance(value, int | float) else value
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         print(f"  {verdict}  {requirement['name']}: {shown}{reason}")
+    for event in flight.events:
+        if event["kind"] == "diagnosis":
+            print(f"  controller at {event['time_s']:.1f} s: {event['text']}")
     print("passed" if flight.passed else "not passed")
     for warning in flight.warnings:
         print(f"WARNING: {warning}", file=sys.stderr)

@@ -27,7 +27,7 @@ import numpy as np
 
 from testbed.controllers import Controller
 from testbed.controllers.actuators import advance
-from testbed.controllers.inversion import _model_record
+from testbed.controllers.inversion import model_record
 from testbed.controllers.records import memory_dtype
 from testbed.controllers.setup import Setup
 from testbed.problems import BadInput, Problem, did_you_mean, one_of
@@ -82,7 +82,7 @@ class CustomController:
         limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
         self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
         self._model, self._memory = (
-            _model_record(setup, self._scale, limits)[0],
+            model_record(setup, self._scale, limits)[0],
             np.zeros(1, memory_dtype(n))[0],
         )
         self._memory.command[:] = setup.trim_commands

@@ -47,7 +47,7 @@ class InversionController:
         self._lags = np.array([a.lag_rad_s for a in setup.actuators])
         released = setup.settings.get("released", ())
         self.modes = enumerate_modes(setup.model, self.scale, setup.control, released)  # type: ignore[arg-type]
-        self.model = _model_record(setup, self.scale, self._limits)
+        self.model = model_record(setup, self.scale, self._limits)
         self.settings = _settings_record(setup, adapts, monitors)
         self.mode_record = np.zeros(1, mode_dtype(n))
         self.memory = np.zeros(1, memory_dtype(n))
@@ -161,7 +161,8 @@ class InversionController:
         return self._told
 
 
-def _model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.ndarray:
+def model_record(setup: Setup, scale: np.ndarray, limits: np.ndarray) -> np.ndarray:
+    """The design model as the compiled pages read it: a record of `model_dtype`, in scaled units [n] and stops [n, 2]."""
     model, n = setup.model, len(scale)
     record = np.zeros(1, model_dtype(n))
     m = record[0]

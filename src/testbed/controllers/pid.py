@@ -18,7 +18,7 @@ import numpy as np
 
 from testbed.compiled import bound, compiled
 from testbed.controllers.actuators import advance, throttle_for
-from testbed.controllers.inversion import _model_record
+from testbed.controllers.inversion import model_record
 from testbed.controllers.outer import clip, wrap
 from testbed.controllers.records import memory_dtype
 from testbed.controllers.setup import Setup
@@ -104,7 +104,7 @@ class PidController:
         n = len(setup.actuators)
         scale = np.array([a.scale for a in setup.actuators])
         limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
-        self.model = _model_record(setup, scale, limits)
+        self.model = model_record(setup, scale, limits)
         self.gains = np.zeros(1, np.dtype((np.record, [(name, np.float64) for name in GAINS])))
         for name in GAINS:
             given = setup.settings
