@@ -160,6 +160,12 @@ def test_tail_is_flagged_and_nothing_else_ever(tail: Run) -> None:
         assert np.all(log[f"{axis}_released"] == 0), axis
 
 
+def test_how_certain_the_weighted_estimate_must_be_is_nothing_to_the_papers_law() -> None:
+    """(13) has no covariance to be certain by."""
+    flight = flown(TAIL, "controller.certain=0.001")
+    assert "left_ruddervator" in {e.get("actuator") for e in flight.events if e["kind"] == "detection"}
+
+
 def test_propeller_is_flagged_and_nothing_else_ever(propeller: Run) -> None:
     log = propeller.log
     at = {name: flagged_at(log, name) for name in ACTUATORS}

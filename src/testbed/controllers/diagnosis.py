@@ -80,28 +80,33 @@ def adapt_weighted(z, phi, m, c, s):
 
 
 @compiled
+def begin_again(j, variance, s):
+    """Forget what P has of its row j: this variance, correlated with nothing."""
+    for i in range(len(s.Ph)):
+        s.P[j, i], s.P[i, j] = 0.0, 0.0
+    s.P[j, j] = variance
+
+
+@compiled
 def jam(i, position, m, s):
     """Take actuator i for jammed at about this position, which is estimated from now on.
 
     What its force did to the estimates of the others was not theirs: those that have not failed, or were called failed
     just now, begin again.
     """
+    n = len(s.failed)
     s.jammed[i], s.failed[i], s.suspicion[i], s.reversed[i] = 1.0, 1.0, 0.0, 0.0
-    for j in range(len(s.failed)):
+    for j in range(n):
         if s.jammed[j] < 0.5 and s.since[j] < JUST_NOW_S:
             s.failed[j] = 0.0
+        if s.failed[j] < 0.5:
+            s.lambda_hat[j] = 1.0
+            begin_again(j, HEALTHY_VARIANCE, s)
     s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
-    for j in range(len(s.Ph)):
-        whole = j < len(s.failed) and s.failed[j] < 0.5
-        if j == i or whole or j >= len(s.failed):
-            for row in range(len(s.Ph)):
-                s.P[j, row], s.P[row, j] = 0.0, 0.0
-        if whole:
-            s.lambda_hat[j], s.P[j, j] = 1.0, HEALTHY_VARIANCE
-    s.P[i, i] = JAM_VARIANCE
+    begin_again(i, JAM_VARIANCE, s)
     for row in range(4):
         s.residual[row], s.b[row] = 0.0, 0.0
-        s.P[len(s.failed) + row, len(s.failed) + row] = s.doubt[row]
+        begin_again(n + row, s.doubt[row], s)
 
 
 @compiled

@@ -212,7 +212,8 @@ def _settings_record(setup: Setup, adapts: bool, monitors: bool) -> np.ndarray:
         c[names.get(name, name)] = chosen.get(name, default)
     c.divisor_min = 0.1
     c.jam_sigma, c.jam_time, c.jam_walk, c.residual_time = _JAM_SIGMA, 1.0, 1.0, 1.0
-    c.weighted, c.certain = float(chosen.get("estimation") == "weighted"), chosen.get("certain", 0.15)
+    weighted = chosen.get("estimation") == "weighted"
+    c.weighted, c.certain = float(weighted), chosen.get("certain", 0.15) if weighted else math.inf
     c.noise[:] = [setup.control.disturbance[rate] for rate in RATES]
     c.doubt[:] = [setup.control.doubt[rate] for rate in RATES]
     c.doubt_rate, c.model_doubt = 1.0 / setup.control.doubt_s, setup.control.model_doubt

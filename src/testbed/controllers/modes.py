@@ -24,9 +24,8 @@ from testbed.kept import Kept
 from testbed.signals import RATES
 
 _STEP = 1e-6
-_BEYOND_STOPS = (
-    1.3  # a model 20 % wrong misplaces a trim by as much: better one just beyond the stops than none
-)
+# A model that is 20 % wrong misplaces a trim by as much: better one just beyond the stops than none.
+_BEYOND_STOPS = 1.3
 
 
 @dataclass(frozen=True)
@@ -227,8 +226,9 @@ def design_regulator(
     acting, hold = alive.copy(), np.array(model.trim) / scale
     for i, position in (jammed or {}).items():
         acting[i], hold[i] = 1.0, position
-    motors = sum(alive[i] for i, kind in enumerate(model.kinds) if kind == "motor")
-    faster = control.loops.lost_thrust_faster_m_s if motors == 1 else 0.0
+    motors = [bool(alive[i]) for i, kind in enumerate(model.kinds) if kind == "motor"]
+    alone = len(motors) > 1 and sum(motors) == 1  # an aircraft that has only one motor has lost none
+    faster = control.loops.lost_thrust_faster_m_s if alone else 0.0
     x0, a0, regulated = _level_trim(model, scale, alive, acting, hold, mode, limits, faster)
     nx, ni = len(OUTER), len(regulated)
 
