@@ -31,13 +31,14 @@ from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from typing import Any
 
-from testbed import simulation, yamlfile
-from testbed.aircraft import find_scenario
-from testbed.overrides import apply
-from testbed.plant import Plant
-from testbed.scenario import Scenario, load_scenario
+from testbed import simulation
+from testbed.aircraft.shipped import find_scenario
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.overrides import apply
+from testbed.plant.jsbsim import Plant
+from testbed.scenario.load import Scenario, load_scenario
 from testbed.simulation import Assembly, assemble, conclude, fly, lockstep
-from testbed.sweeps.builder import Builder, Task, Variant
+from testbed.sweeps.drawing.builder import Builder, Task, Variant
 
 SCENARIO = "scenarios/left_tail_fail.yaml"
 _clock = time.thread_time

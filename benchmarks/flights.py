@@ -6,10 +6,10 @@ import sys
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from testbed.sweeps.builder import Builder, Task, Variant
-from testbed.sweeps.flying import FLY, Job
-from testbed.sweeps.pool import fly_locally
-from testbed.yamlfile import parse
+from testbed.inputs.yaml_source import parse
+from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.sweeps.workers.flying import FLY, Job
+from testbed.sweeps.workers.pool import fly_locally
 
 Values = Mapping[str, Any]
 """Settings by dotted paths, as of --set."""

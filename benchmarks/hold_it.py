@@ -21,12 +21,12 @@ from typing import Any
 import numpy as np
 from flights import Record, Values, fly_all
 
-from testbed.aircraft import load_aircraft
-from testbed.design import DESIGN_MODEL, load_design_model
-from testbed.flight import Outcome
+from testbed.aircraft.description import load_aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
+from testbed.flight.flight import Outcome
+from testbed.inputs.yaml_source import parse
 from testbed.simulation import fly
-from testbed.sweeps.builder import Builder, Task, Variant
-from testbed.yamlfile import parse
+from testbed.sweeps.drawing.builder import Builder, Task, Variant
 
 CONTROLLER = "{type: adaptive_inversion, estimation: weighted, released: [p_dot]}"
 BASE = """\

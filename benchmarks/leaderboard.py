@@ -19,10 +19,10 @@ from flights import Record, fly_all
 from hold_it import BASE, FAILURE_S, FIRST_SEED, FT_S
 
 from testbed.failures import TYPES
-from testbed.flight import Flight, Outcome
+from testbed.flight.flight import Flight, Outcome
 from testbed.metrics import readings
-from testbed.metrics.readings import settled_after
-from testbed.scenario import Scenario
+from testbed.metrics.flight_view import settled_after
+from testbed.scenario.load import Scenario
 from testbed.simulation import fly
 
 CONTROLLERS: Mapping[str, Mapping[str, Any]] = {

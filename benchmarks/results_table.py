@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from testbed import fly
-from testbed.flight import Flight
-from testbed.scenario import load_scenario
+from testbed.flight.flight import Flight
+from testbed.scenario.load import load_scenario
 
 SCENARIOS = ("left_tail_fail", "left_propeller_fail")
 CONTROLLERS = ("adaptive_inversion", "fixed_inversion")

@@ -6,12 +6,12 @@ import re
 from pathlib import Path
 
 import pytest
+from command_line import ROOT
 
-from testbed.__main__ import parser
+from testbed.cli.commands import parser
 from testbed.controllers import TABLE as CONTROLLERS
-from testbed.controllers.settings import SETTINGS
+from testbed.controllers.config import SETTINGS
 
-ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
@@ -51,7 +51,7 @@ def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setenv("MPLBACKEND", "agg")
     names: dict[str, object] = {}
     exec("\n".join(lines), names)
-    from testbed.flight import write_run_folder
+    from testbed.flight.folder import write_run_folder
 
     write_run_folder(names["flight"], "runs/left-tail-failure")  # type: ignore[arg-type]
     exec(last, names)

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from testbed.loading import load as load
+    from testbed.monte_carlo import sweep as sweep
     from testbed.simulation import fly as fly
-    from testbed.sweeps.api import sweep as sweep
 
 __all__ = ["fly", "load", "sweep"]
 
@@ -23,7 +23,7 @@ def __getattr__(name: str) -> Any:
 
         return load
     if name == "sweep":
-        from testbed.sweeps.api import sweep
+        from testbed.monte_carlo import sweep
 
         return sweep
     raise AttributeError(f"module 'testbed' has no attribute {name!r}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import pandas as pd
 
-    from testbed.flight import Flight
+    from testbed.flight.flight import Flight
 
 
 def load(folder: str | Path) -> Flight | pd.DataFrame:
@@ -17,9 +17,9 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
     Needs neither the simulator nor the aircraft of a run. Raises BadInput when the folder is neither.
     """
     if (Path(folder) / "sweep.yaml").is_file():
-        from testbed.sweeps import reading
+        from testbed.sweeps.folder import reading
 
         return reading.load(folder)
-    from testbed import flight
+    from testbed.flight import folder as run_folder
 
-    return flight.load(folder)
+    return run_folder.load(folder)

@@ -11,28 +11,30 @@ from typing import Any
 
 import numpy as np
 
-from testbed import identification
-from testbed.aircraft import Aircraft, Envelope, load_aircraft
-from testbed.compiled import bound, compiled
-from testbed.controllers import TABLE, Controller, custom
-from testbed.controllers.control_design import ControlDesign
+from testbed.air.wind import Weather
+from testbed.aircraft.description import Aircraft, Envelope, load_aircraft
+from testbed.aircraft.design_model import DesignModel
+from testbed.common.jit import bound, compiled
+from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
+from testbed.controllers import TABLE, Controller
+from testbed.controllers.gains import ControlDesign
 from testbed.controllers.setup import ActuatorData, Setup
-from testbed.design import DesignModel
-from testbed.events import controller_events
-from testbed.flight import Flight, Outcome
-from testbed.injection import Injector
-from testbed.logbook import Recorded, all_columns, table
+from testbed.controllers.user.adapter import adapted
+from testbed.controllers.user.loader import name_of
+from testbed.flight.columns import Recorded, all_columns, table
+from testbed.flight.events import controller_events
+from testbed.flight.flight import Flight, Outcome
+from testbed.flight.verdict import judge
+from testbed.injection.injector import Injector
+from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE as METRICS
 from testbed.metrics import Readings, adaptation_rates, measure
-from testbed.plant import Plant
-from testbed.problems import BadInput
-from testbed.references import references
-from testbed.scenario import Scenario, check_names, check_properties, load_scenario
+from testbed.plant import identification
+from testbed.plant.jsbsim import Plant
+from testbed.plant.trim import Trim, trim
+from testbed.scenario.load import Scenario, check_names, check_properties, load_scenario
+from testbed.scenario.references import references
 from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
-from testbed.signals import SETPOINT, STATE, as_records, telemetry_width
-from testbed.trim import Trim, trim
-from testbed.verdict import judge
-from testbed.weather import Weather
 
 _SETTLE_S = 1.5  # rotors and servos steady before the flight begins
 _GROUND_M = 0.5  # altitude of the centre of gravity at which the aircraft is on the ground
@@ -103,12 +105,12 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),
         limits=_limits(aircraft.envelope),
-        flown_by=custom.name_of(controller) if controller else "",
+        flown_by=name_of(controller) if controller else "",
     )
 
 
 def _controller(own: Callable[[Setup], Any] | None, scenario: Scenario, setup: Setup) -> Controller:
-    return custom.adapted(own, setup) if own else TABLE[scenario.controller.type](setup)
+    return adapted(own, setup) if own else TABLE[scenario.controller.type](setup)
 
 
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:

@@ -25,13 +25,13 @@ class Controller(Protocol):
 
 
 def _adaptive_inversion(setup: Setup) -> Controller:
-    from testbed.controllers.inversion import InversionController
+    from testbed.controllers.inversion.controller import InversionController
 
     return InversionController(setup)
 
 
 def _fixed_inversion(setup: Setup) -> Controller:
-    from testbed.controllers.inversion import InversionController
+    from testbed.controllers.inversion.controller import InversionController
 
     return InversionController(setup, adapts=False, monitors=False)
 

@@ -19,13 +19,20 @@ import math
 
 import numpy as np
 
-from testbed.compiled import bound, compiled
-from testbed.controllers.actuators import advance, throttle_for
-from testbed.controllers.inversion import InversionController
-from testbed.controllers.law import compensate, give_up_speed, invert, redistribute, regressor, state_function
-from testbed.controllers.outer import pid, regulate
+from testbed.common.jit import bound, compiled
+from testbed.controllers.actuator_model import advance, throttle_for
+from testbed.controllers.inversion.controller import InversionController
+from testbed.controllers.inversion.law import (
+    compensate,
+    give_up_speed,
+    invert,
+    redistribute,
+    regressor,
+    state_function,
+)
+from testbed.controllers.inversion.step import low_pass, tell
+from testbed.controllers.outer_loops import pid, regulate
 from testbed.controllers.setup import Setup
-from testbed.controllers.step import low_pass, tell
 
 
 @compiled

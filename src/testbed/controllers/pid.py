@@ -16,14 +16,14 @@ import math
 
 import numpy as np
 
-from testbed.compiled import bound, compiled
-from testbed.controllers.actuators import advance, throttle_for
-from testbed.controllers.inversion import model_record
-from testbed.controllers.outer import clip, wrap
+from testbed.common.jit import bound, compiled
+from testbed.common.signals import RATES
+from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.actuator_model import advance, throttle_for
+from testbed.controllers.inversion.controller import model_record
+from testbed.controllers.outer_loops import clip, wrap
 from testbed.controllers.records import memory_dtype
 from testbed.controllers.setup import Setup
-from testbed.signals import RATES
-from testbed.units import GRAVITY_M_S2
 
 GAINS = (
     "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",

@@ -11,7 +11,7 @@ from functools import cache
 
 import numpy as np
 
-from testbed.design import PROPELLER_POINTS
+from testbed.aircraft.design_model import PROPELLER_POINTS
 
 OUTER = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
 """State that the degraded modes' regulator feeds back, as deviations from the mode's trim and the references."""

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from testbed.controllers.control_design import ControlDesign
-from testbed.design import DesignModel
+from testbed.aircraft.design_model import DesignModel
+from testbed.controllers.gains import ControlDesign
 
 
 @dataclass(frozen=True)

@@ -26,8 +26,8 @@ from testbed.failures.held import (
     StuckAt,
 )
 from testbed.failures.losses import Effectiveness, MotorStop, PropLoss, SurfaceLost
+from testbed.failures.overlaps import overlaps, same_property
 from testbed.failures.varying import Decay, Delay, Intermittent, Oscillation, Runaway
-from testbed.failures.windows import overlaps, same_property
 
 __all__ = [
     "TYPES", "ActuatorFailure", "AnyFailure", "Capture", "Course", "Failure", "Fault", "When",

@@ -15,8 +15,8 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from pydantic import ValidationInfo, field_validator, model_validator
 
-from testbed.aircraft import Aircraft, MotorActuator, Servo
-from testbed.settings import NonNegative, Number, Positive, Settings, Text, refuse
+from testbed.aircraft.description import Aircraft, MotorActuator, Servo
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
 
 Examples = Mapping[str, Mapping[str, Any]]
 """Fields of a failure, per kind of actuator."""

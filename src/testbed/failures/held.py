@@ -7,9 +7,9 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from testbed.aircraft import Aircraft, MotorActuator, Servo
+from testbed.aircraft.description import Aircraft, MotorActuator, Servo
 from testbed.failures.base import ActuatorFailure, Capture, Examples, Failure, Fault, both
-from testbed.settings import Number, Positive, refuse
+from testbed.inputs.base import Number, Positive, refuse
 
 
 class CommandScale(ActuatorFailure):

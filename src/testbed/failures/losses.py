@@ -7,9 +7,9 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, StrictBool
 
-from testbed.aircraft import Aircraft, MotorActuator, Servo
+from testbed.aircraft.description import Aircraft, MotorActuator, Servo
 from testbed.failures.base import ActuatorFailure, Capture, Examples, Fault, both
-from testbed.settings import Number
+from testbed.inputs.base import Number
 
 Gain = Annotated[Number, Field(ge=0, le=1.5)]
 

@@ -9,10 +9,10 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from testbed.aircraft import Aircraft, MotorActuator, Servo
+from testbed.aircraft.description import Aircraft, MotorActuator, Servo
 from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both
 from testbed.failures.losses import Gain
-from testbed.settings import NonNegative, Number, Positive
+from testbed.inputs.base import NonNegative, Number, Positive
 
 MAX_DELAY_S = 5.0
 

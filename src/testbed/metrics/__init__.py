@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from testbed.metrics import effort, estimation, monitoring, tracking
-from testbed.metrics.readings import Readings, adaptation_rates, readings
+from testbed.metrics.flight_view import Readings, adaptation_rates, readings
 
 __all__ = ["TABLE", "Metric", "Readings", "adaptation_rates", "measure", "readings"]
 

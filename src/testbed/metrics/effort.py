@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from testbed.metrics.readings import Readings
+from testbed.metrics.flight_view import Readings
 
 _AT_STOP = 1e-3  # of its travel: this near to a stop a command is at it
 

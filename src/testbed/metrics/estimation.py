@@ -8,7 +8,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from testbed.metrics.readings import TRULY_LOST, Readings, settled_after
+from testbed.metrics.flight_view import TRULY_LOST, Readings, settled_after
 
 BAND = 0.05
 """An estimate has settled within this fraction of the step that the truth made."""

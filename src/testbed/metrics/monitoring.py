@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from testbed.metrics.readings import TRULY_LOST, Readings
+from testbed.metrics.flight_view import TRULY_LOST, Readings
 
 NOTICEABLE_S = 2.0
 """A loss that lasts longer than this ought to be flagged."""

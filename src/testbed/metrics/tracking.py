@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from testbed.metrics.readings import Readings, settled_after
+from testbed.metrics.flight_view import Readings, settled_after
 
 RECOVERED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
 """Within this of its reference a quantity counts as recovered [m, deg, m/s]."""

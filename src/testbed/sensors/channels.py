@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from testbed.signals import RATES, STATE
+from testbed.common.signals import RATES, STATE
 
 
 class Channel(NamedTuple):

@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from testbed.compiled import compiled
+from testbed.common.jit import compiled
+from testbed.common.random_streams import generator
 from testbed.sensors.channels import CHANNELS, channels_of
 from testbed.sensors.faults import Bias, Drift, Dropout, Noise, SensorFault, Stuck
 from testbed.sensors.settings import SensorModel
-from testbed.streams import generator
 
 READS, HOLDS, REPLACED = 0.0, 1.0, 2.0
 """What a channel does in a step: reads the sensor, repeats its last reading, or gives `offset`."""

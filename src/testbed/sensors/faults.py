@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Un
 
 from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
 
-from testbed.problems import did_you_mean, one_of
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
+from testbed.inputs.problems import did_you_mean, one_of
 from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of, names, unit_of
-from testbed.settings import NonNegative, Number, Positive, Settings, refuse
 
 Fault = TypeVar("Fault", bound="SensorFault")
 

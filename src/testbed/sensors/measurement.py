@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from testbed.compiled import compiled
-from testbed.units import GRAVITY_M_S2
+from testbed.common.jit import compiled
+from testbed.common.units import GRAVITY_M_S2
 
 # Layers of the table [layers, steps, channels]: what was drawn before the flight, and what it fills.
 ERROR, OFFSET, STATE_OF, SENSED, READING, LAYERS = 0, 1, 2, 3, 4, 5

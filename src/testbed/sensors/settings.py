@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, create_model, model_serializer, model_validator
 
-from testbed.problems import did_you_mean, one_of
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
+from testbed.inputs.problems import did_you_mean, one_of
 from testbed.sensors.channels import CHANNELS, SI
 from testbed.sensors.faults import AnyFault, clash
 from testbed.sensors.mems import MEMS
-from testbed.settings import NonNegative, Number, Positive, Settings, refuse
 
 Scale = Annotated[Number, Field(gt=-1, lt=1)]
 

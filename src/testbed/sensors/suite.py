@@ -8,7 +8,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from testbed.compiled import bound
+from testbed.common.jit import bound
+from testbed.common.signals import STATE
 from testbed.sensors.channels import CHANNELS, channels_of, logged
 from testbed.sensors.errors import drawn, timed
 from testbed.sensors.faults import SensorFault
@@ -25,7 +26,6 @@ from testbed.sensors.measurement import (
     measure,
 )  # fmt: skip
 from testbed.sensors.settings import SensorModel, SensorSettings
-from testbed.signals import STATE
 
 
 class Accelerated(Protocol):

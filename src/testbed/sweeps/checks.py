@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from testbed.aircraft import Aircraft, load_aircraft
-from testbed.logbook import all_columns
+from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.flight.columns import all_columns
+from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
-from testbed.problems import BadInput, Problem
-from testbed.scenario import check_names, check_properties
-from testbed.sweeps.builder import Task
+from testbed.scenario.load import check_names, check_properties
+from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.plan import Plan
 
 _DRAWS = 16
@@ -85,7 +85,7 @@ class _Checker:
         """Properties of the loaded model: kept, as loading is slow."""
         key = str(aircraft.folder)
         if key not in self._catalogs:
-            from testbed.plant import property_catalog
+            from testbed.plant.jsbsim import property_catalog
 
             self._catalogs[key] = property_catalog(aircraft)
         return self._catalogs[key]

@@ -6,8 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from testbed.settings import Number, Positive, Settings, Text, Whole, refuse
-from testbed.sweeps.distributions import Distribution
+from testbed.inputs.base import Number, Positive, Settings, Text, Whole, refuse
+from testbed.sweeps.drawing.distributions import Distribution
 
 
 class StopWhen(Settings):

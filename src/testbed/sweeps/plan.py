@@ -13,15 +13,16 @@ from typing import Any
 
 import numpy as np
 
-from testbed import overrides, yamlfile
-from testbed.aircraft import find_scenario
-from testbed.problems import BadInput
-from testbed.sweeps import sampling
-from testbed.sweeps.builder import Builder, Task, Variant
-from testbed.sweeps.cases import read_cases
+from testbed.aircraft.shipped import find_scenario
+from testbed.inputs import overrides
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput
+from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source, TreePath, describe
+from testbed.sweeps.drawing import sampling
+from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.sweeps.drawing.cases import read_cases
 from testbed.sweeps.model import Sweep
-from testbed.validation import validated
-from testbed.yamlfile import Source, TreePath, describe
 
 DEFAULT_RUNS = 1000
 _MAPPINGS = ("set", "vary", "compare")

@@ -9,14 +9,15 @@ from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from testbed.problems import BadInput, Problem
-from testbed.sweeps import cluster, pool, results
-from testbed.sweeps.builder import Task
-from testbed.sweeps.flying import Fly, Job, fly_reference
+from testbed.inputs.problems import BadInput, Problem
+from testbed.sweeps.drawing.builder import Task
+from testbed.sweeps.folder import results
+from testbed.sweeps.folder.store import Store
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.progress import Progress
 from testbed.sweeps.stopping import Stopping
-from testbed.sweeps.store import Store
+from testbed.sweeps.workers import cluster, pool
+from testbed.sweeps.workers.flying import Fly, Job, fly_reference
 
 
 class Stopped(Exception):

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from testbed.statistics import proportion
 from testbed.sweeps.model import StopWhen
+from testbed.sweeps.statistics import proportion
 
 
 class Stopping:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from testbed import statistics
+from testbed.sweeps import statistics
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.sensitivity import sensitivity
 

@@ -1,0 +1,83 @@
+"""The air, as a scenario says it: steady wind, 1-cosine gusts and Dryden turbulence.
+
+Wind and gusts are velocities of the air over the ground, north, east, down: a wind of [5, 0, 0] blows towards
+the north. `weather` makes them blow.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field, ValidationInfo, field_validator, model_validator
+
+from testbed.common.units import METRES_PER_SECOND_PER_KNOT
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
+
+# Wind at 20 ft of MIL-F-8785C's words for turbulence, in knots (3.7.3.1, figure of low-altitude intensities).
+_WORDS_KT = {"light": 15.0, "moderate": 30.0, "severe": 45.0}
+# JSBSim's index of probability of exceedance for each, which sets the intensity above 2000 ft.
+_SEVERITY = {"light": 3, "moderate": 4, "severe": 6}
+
+Vector = tuple[Number, Number, Number]
+COLUMNS = ("wind_north_m_s", "wind_east_m_s", "wind_down_m_s")
+
+
+class Gust(Settings):
+    """A 1-cosine gust: rises to `magnitude_m_s` over a length or a time, holds it, and falls in the same way.
+
+    v = V/2 (1 - cos(pi x / d)), MIL-F-8785C 3.7.1.3; without a hold it is the bump of CS-25.341 with gradient
+    distance d. The length is flown through at the airspeed that the aircraft has when the gust begins. The
+    direction is that of the frame at this moment: it stays with the air and does not turn with the aircraft.
+    """
+
+    at_s: NonNegative
+    magnitude_m_s: Vector
+    """Velocity of the air along x, y, z: forward, right, down of the body or the flight path (wind)."""
+    frame: Literal["body", "wind", "ned"] = "body"
+    length_m: Positive | None = None
+    duration_s: Positive | None = None
+    """Distance, or time, of the rise; the whole gust takes twice this and `hold_s`."""
+    hold_s: NonNegative = 0.0
+
+    @model_validator(mode="after")
+    def _one_size(self) -> Gust:
+        if (self.length_m is None) == (self.duration_s is None):
+            what = "has no size" if self.length_m is None else "has two sizes"
+            raise refuse(what, "either length_m or duration_s")
+        return self
+
+    def rise_s(self, airspeed_m_s: float) -> float:
+        """Time of the rise [s] at this airspeed."""
+        return self.duration_s or float(self.length_m or 0.0) / airspeed_m_s
+
+
+class Atmosphere(Settings):
+    """Steady wind, blowing towards north, east, down; gusts; turbulence by MIL-F-8785C's wind at 20 ft."""
+
+    wind_m_s: Vector = (0.0, 0.0, 0.0)
+    turbulence: Literal["light", "moderate", "severe"] | None = None
+    """MIL-F-8785C's words for W20 = 15, 30 and 45 kt; instead of `turbulence_w20_m_s`."""
+    turbulence_w20_m_s: NonNegative = Field(default=0.0, validate_default=True)
+    gusts: tuple[Gust, ...] = ()
+
+    @field_validator("turbulence_w20_m_s")
+    @classmethod
+    def _of_word(cls, w20: float, info: ValidationInfo) -> float:
+        word = info.data.get("turbulence")
+        if word is None:
+            return w20
+        meant = _WORDS_KT[word] * METRES_PER_SECOND_PER_KNOT
+        if w20 not in (0.0, meant):
+            raise refuse(f"is {w20:g}, and turbulence is {word}, which is {meant:.4g}", "one of the two")
+        return meant
+
+    @property
+    def is_calm(self) -> bool:
+        """Whether the air does not move at all."""
+        return not (any(self.wind_m_s) or self.turbulence_w20_m_s or self.gusts)
+
+
+def severity(w20_m_s: float) -> int:
+    """JSBSim's index of the word that is nearest to a wind at 20 ft."""
+    knots = w20_m_s / METRES_PER_SECOND_PER_KNOT
+    return _SEVERITY[min(_WORDS_KT, key=lambda word: abs(_WORDS_KT[word] - knots))]

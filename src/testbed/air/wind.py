@@ -1,0 +1,104 @@
+"""The air of one flight: steady wind, gusts set by the loop, and JSBSim's turbulence.
+
+Turbulence has the intensities and lengths of MIL-F-8785C and the filters of MIL-STD-1797A; it is seeded from
+the flight's own stream and switched on once the aircraft is placed.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Protocol
+
+import numpy as np
+
+from testbed.air.config import COLUMNS, Atmosphere, Gust, severity
+from testbed.common.frames import body_from_ned, body_from_wind
+from testbed.common.random_streams import engine_seed
+
+
+class Air(Protocol):
+    """What weather needs of the plant."""
+
+    def set_wind(self, ned_m_s: np.ndarray) -> None: ...
+    def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None: ...
+    def total_wind(self) -> tuple[float, float, float]: ...
+    def air_data(self) -> tuple[float, float, float, float, float, float]: ...
+
+
+class Weather:
+    """The air of one flight.
+
+    Made before the aircraft is placed, so that it is placed in the steady wind; `begin` once it is; then
+    `apply` each control step from `next_step` on.
+
+    Attributes:
+        next_step: next control step at which there is something to do; infinite in calm air.
+        wind: [steps, 3] the air's velocity in each step, turbulence included [m/s, north, east, down].
+    """
+
+    def __init__(self, settings: Atmosphere, plant: Air, rate_hz: int, steps: int, seed: int) -> None:
+        self.settings, self.plant, self.rate_hz, self.seed = settings, plant, rate_hz, seed
+        self.next_step = math.inf if settings.is_calm else 0
+        self.wind = np.zeros((0 if settings.is_calm else steps, 3))
+        self._steady = np.array(settings.wind_m_s)
+        self._gusty = False
+        self._starts = [math.ceil(gust.at_s * rate_hz - 1e-9) for gust in settings.gusts]
+        self._gusts: list[tuple[float, float, np.ndarray] | None] = [None] * len(settings.gusts)
+        if not settings.is_calm:
+            plant.set_wind(self._steady)
+
+    def begin(self) -> None:
+        """Turbulence on: only now, because it disturbs JSBSim's initialisation."""
+        w20 = self.settings.turbulence_w20_m_s
+        if w20 > 0.0:
+            self.plant.set_turbulence(w20, severity(w20), engine_seed(self.seed, "turbulence"))
+
+    def apply(self, step: int) -> None:
+        """Note the wind of this step and set that of the next."""
+        self.wind[step] = self.plant.total_wind()
+        gusty = self._blowing(step)
+        if gusty or self._gusty:
+            self.plant.set_wind(self._steady + self._gust(step))
+        self._gusty = gusty
+
+    def _blowing(self, step: int) -> bool:
+        """Whether any gust has begun and is not over."""
+        for start, begun in zip(self._starts, self._gusts, strict=True):
+            if step >= start and (begun is None or step < start + (2.0 * begun[0] + begun[1]) * self.rate_hz):
+                return True
+        return False
+
+    def columns(self, steps: int) -> dict[str, np.ndarray]:
+        """Columns of the log that this weather adds."""
+        return {} if self.settings.is_calm else dict(zip(COLUMNS, self.wind[:steps].T, strict=True))
+
+    def _gust(self, step: int) -> np.ndarray:
+        """Sum of all gusts once the step is taken; one begins with the first step at or after `at_s`."""
+        total = np.zeros(3)
+        for i, gust in enumerate(self.settings.gusts):
+            if step < self._starts[i]:
+                continue
+            begun = self._gusts[i] or self._begin(i, gust)
+            total += profile((step + 1) / self.rate_hz - gust.at_s, begun[0], begun[1]) * begun[2]
+        return total
+
+    def _begin(self, i: int, gust: Gust) -> tuple[float, float, np.ndarray]:
+        """Rise and hold [s] and velocity north-east-down, fixed from now on."""
+        airspeed, alpha, beta, *attitude = self.plant.air_data()
+        velocity = np.array(gust.magnitude_m_s)
+        if gust.frame == "wind":
+            velocity = body_from_wind(alpha, beta) @ velocity
+        if gust.frame != "ned":
+            velocity = body_from_ned(*attitude).T @ velocity
+        begun = (gust.rise_s(airspeed), gust.hold_s, velocity)
+        self._gusts[i] = begun
+        return begun
+
+
+def profile(time_s: float, rise_s: float, hold_s: float) -> float:
+    """Fraction of its magnitude that a gust has this long after its beginning."""
+    if time_s <= 0.0 or time_s >= 2.0 * rise_s + hold_s:
+        return 0.0
+    if time_s > rise_s:
+        time_s = max(rise_s, time_s - hold_s)
+    return 0.5 * (1.0 - math.cos(math.pi * time_s / rise_s))

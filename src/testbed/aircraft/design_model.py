@@ -1,0 +1,226 @@
+"""The design model: what the controller believes of the aircraft, f_m and B_m of equation (2).
+
+It is identified before flight (`testbed.plant.identification`), stored beside the aircraft as JSON where anybody can read
+it, and never reads the truth in flight. Its error is a scenario setting: section 4 of the paper is about that error.
+
+The state function is built up from the usual derivatives about one level trim (alpha_0, V_0):
+
+    x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta) + (V/V_0) (A_p p + A_q q + A_r r) + k(x) + B u
+
+with s = (V/V_0)^2 for dynamic pressure, k(x) gravity and the rotation of the body axes, and rows
+p_dot, q_dot, r_dot, u_dot (x_c, controlled) followed by v_dot, w_dot (x_u, not controlled).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property, partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from testbed.common.units import GRAVITY_M_S2
+from testbed.inputs.problems import BadInput, Problem
+
+ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
+DESIGN_MODEL = "design_model.json"
+"""Where the model is stored, in the aircraft's folder."""
+PROPELLER_POINTS = 41  # of a propeller's tables
+COLUMNS = ("alpha", "beta", "p", "q", "r")
+_SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
+
+Vector = Sequence[float] | np.ndarray
+
+
+@dataclass(frozen=True)
+class Propulsor:
+    """One motor with its propeller as the design model knows it.
+
+    Coefficients are tables over equal steps of advance ratio J, from the first to the last of `advance` (where it
+    begins to windmill): T = rho n^2 D^4 C_T(J), Q = rho n^2 D^5 C_Q(J), n in rev/s. Motor: i = (v - n/K_v)/R,
+    Q_motor = K_t (i - i_0).
+    """
+
+    advance: tuple[float, float]
+    thrust: tuple[float, ...]
+    torque: tuple[float, ...]
+    diameter_m: float
+    rotor_inertia_kg_m2: float
+    max_volts: float
+    velocity_constant_rps_v: float
+    torque_constant_n_m_a: float
+    resistance_ohm: float
+    no_load_current_a: float
+
+    def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
+        """Rotor speed [rev/s] at which the propeller gives this thrust."""
+        slowest = axial_m_s / (self.diameter_m * self.advance[1])
+        top = self.max_volts * self.velocity_constant_rps_v
+        return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
+
+    def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
+        """Steady torque [N m] at a thrust and speed, and its slope with thrust, dQ/dT [m] at constant speed."""
+        n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
+        (t0, q0), (_, q), (t1, q1) = (
+            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
+        )  # a step that spans the tables' corners
+        return q, (q1 - q0) / (t1 - t0)
+
+    def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
+        pressure = density_kg_m3 * n * n * self.diameter_m**4
+        j = axial_m_s / (n * self.diameter_m)
+        grid = np.linspace(*self.advance, len(self.thrust))
+        thrust, torque = np.interp(j, grid, self.thrust), np.interp(j, grid, self.torque)
+        return float(pressure * thrust), float(pressure * self.diameter_m * torque)
+
+
+def coefficient_names(actuators: Iterable[str]) -> list[str]:
+    """Names of the coefficients of the design model of an aircraft with these actuators."""
+    return [f"{_SYMBOLS[row]}_{name}" for row in ROWS for name in (*COLUMNS, *actuators)]
+
+
+@dataclass(frozen=True)
+class DesignModel:
+    """f_m and B_m about one level trim.
+
+    Attributes:
+        airspeed_m_s, altitude_m, alpha_rad, density_kg_m3: the reference condition.
+        actuators: names, in the order of the columns of `input_matrix`.
+        kinds: `servo` or `motor` each.
+        trim: [n] actuator positions at the reference trim [rad or N].
+        bias: [6] rates at the reference without actuators, gravity apart.
+        derivatives: [6, 5] by `COLUMNS`.
+        input_matrix: [6, n] B_m: rates per rad or N, rotors at their steady speed.
+        torque_matrix: [6, n] rates per N m of motor torque (zero for servos): the airframe feels the motor's
+            torque at once, the thrust with the rotor's lag.
+        offset_matrix: [6, n] rates that an effective propeller adds to B u, its torque being affine in thrust.
+        propulsors: [n] None for servos.
+        identified_from: fingerprint of the aircraft's files.
+    """
+
+    airspeed_m_s: float
+    altitude_m: float
+    alpha_rad: float
+    density_kg_m3: float
+    actuators: tuple[str, ...]
+    kinds: tuple[str, ...]
+    trim: tuple[float, ...]
+    bias: tuple[float, ...]
+    derivatives: tuple[tuple[float, ...], ...]
+    input_matrix: tuple[tuple[float, ...], ...]
+    torque_matrix: tuple[tuple[float, ...], ...]
+    offset_matrix: tuple[tuple[float, ...], ...]
+    propulsors: tuple[Propulsor | None, ...]
+    identified_from: str = ""
+
+    def coefficient_names(self) -> list[str]:
+        """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""
+        return coefficient_names(self.actuators)
+
+    def with_error(self, factors: Mapping[str, float]) -> DesignModel:
+        """The model with some coefficients scaled: the controller's ignorance (sections 4.2 and 4.3).
+
+        The trim is kept: scaling moves slopes, `bias` follows so that the reference stays an equilibrium.
+        """
+        slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
+        torques, offsets = np.array(self.torque_matrix), np.array(self.offset_matrix)
+        for i, row in enumerate(ROWS):
+            for j, name in enumerate(COLUMNS):
+                slopes[i, j] *= factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
+            for j, name in enumerate(self.actuators):
+                factor = factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
+                inputs[i, j] *= factor
+                torques[i, j] *= factor
+                offsets[i, j] *= factor
+        bias = np.array(self.bias) + (np.array(self.input_matrix) - inputs) @ np.array(self.trim)
+        bias += (np.array(self.offset_matrix) - offsets).sum(axis=1)
+        return replace(
+            self,
+            derivatives=_rows(slopes),
+            input_matrix=_rows(inputs),
+            torque_matrix=_rows(torques),
+            offset_matrix=_rows(offsets),
+            bias=tuple(map(float, bias)),
+        )
+
+    def rates(self, x: Mapping[str, float], u: Vector, alive: Vector) -> np.ndarray:
+        """[6] modelled rates at a state (airspeed, alpha, beta, p, q, r, roll, pitch), actuator positions [n] and
+        effectiveness [n]."""
+        speed = x["airspeed"] / self.airspeed_m_s
+        pressure = speed * speed
+        bias, a, inputs, offsets, servo = self._arrays
+        aero = pressure * (bias + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
+        aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
+        scale = np.where(servo, pressure, 1.0)
+        lam = np.asarray(alive, dtype=float)
+        actuators = inputs @ (scale * lam * np.asarray(u)) + offsets @ lam
+        return aero + kinematics(x) + actuators
+
+    @cached_property
+    def _arrays(self) -> tuple[np.ndarray, ...]:
+        """bias, derivatives, input and offset matrix, and which actuators are servos, as arrays made once."""
+        fields = (self.bias, self.derivatives, self.input_matrix, self.offset_matrix)
+        return (*map(np.array, fields), np.array([kind == "servo" for kind in self.kinds]))
+
+    def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
+        """The same, but for the last digits of numbers (relative to each, and absolute near zero)."""
+        return _close(asdict(self), asdict(other), tolerance)
+
+    def save(self, path: Path) -> None:
+        """Write as JSON."""
+        path.write_text(json.dumps(asdict(self), indent=1) + "\n")
+
+
+def load_design_model(path: Path) -> DesignModel:
+    """Read what `DesignModel.save` wrote; raises BadInput when it is anything else."""
+    try:
+        return _from_tree(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, KeyError, TypeError, AttributeError) as error:
+        what = f"is no design model: {error!r}"
+        raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+
+
+def _from_tree(data: dict[str, Any]) -> DesignModel:
+    for key in ("derivatives", "input_matrix", "torque_matrix", "offset_matrix"):
+        data[key] = tuple(map(tuple, data[key]))
+    for key in ("actuators", "kinds", "trim", "bias"):
+        data[key] = tuple(data[key])
+    data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
+    return DesignModel(**data)
+
+
+def _propulsor(data: dict[str, Any]) -> Propulsor:
+    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in data.items()}
+    return Propulsor(**fields)
+
+
+def kinematics(x: Mapping[str, float]) -> np.ndarray:
+    """[6] gravity and the rotation of the body axes, in the rows of the model."""
+    alpha, beta, speed = x["alpha"], x["beta"], x["airspeed"]
+    u = speed * math.cos(alpha) * math.cos(beta)
+    v = speed * math.sin(beta)
+    w = speed * math.sin(alpha) * math.cos(beta)
+    p, q, r = x["p"], x["q"], x["r"]
+    g_u = -GRAVITY_M_S2 * math.sin(x["pitch"])
+    g_v = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.sin(x["roll"])
+    g_w = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.cos(x["roll"])
+    return np.array([0.0, 0.0, 0.0, g_u - q * w + r * v, g_v - r * u + p * w, g_w - p * v + q * u])
+
+
+def _close(one: Any, other: Any, tolerance: float) -> bool:
+    if isinstance(one, float) and isinstance(other, int | float):
+        return math.isclose(one, other, rel_tol=tolerance, abs_tol=tolerance)
+    if isinstance(one, dict) and isinstance(other, dict):
+        return one.keys() == other.keys() and all(_close(one[k], other[k], tolerance) for k in one)
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(partial(_close, tolerance=tolerance), one, other))
+    return bool(one == other)
+
+
+def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(map(float, row)) for row in matrix)

@@ -1,0 +1,57 @@
+"""Files that come with the testbed: where its aircraft and scenarios are, found from any folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
+
+
+def data_root() -> Path:
+    """The folder of `aircraft/` and `scenarios/`: inside an installed package, else the repository's root."""
+    package = Path(__file__).resolve().parents[1]
+    return package / "data" if (package / "data").is_dir() else package.parents[1]
+
+
+def aircraft_names() -> list[str]:
+    """Names of the aircraft that come with the testbed."""
+    return sorted(
+        p.parent.name for p in (data_root() / "aircraft").glob("*/*.yaml") if p.stem == p.parent.name
+    )
+
+
+def is_folder_name(name: str) -> bool:
+    """Whether a scenario's `aircraft` is a path to a folder, not one of `aircraft_names()`."""
+    return "/" in name or "\\" in name or name in (".", "..")
+
+
+def find_aircraft(name: str) -> Path:
+    """The YAML of an aircraft given by name or by folder; raises BadInput when there is none."""
+    folder = Path(name).resolve() if is_folder_name(name) else data_root() / "aircraft" / name
+    file = folder / f"{folder.name}.yaml"
+    if file.is_file():
+        return file
+    names = aircraft_names()
+    if is_folder_name(name):
+        raise BadInput([Problem(f"there is no aircraft in {name!r}", expected=f"{file.name} in that folder")])
+    expected = f"{one_of(names)} or a folder as ./{name}"
+    raise BadInput(
+        [Problem(f"no aircraft {name!r}", expected=expected, suggestion=did_you_mean(name, names))]
+    )
+
+
+def find_scenario(path: str | Path) -> Path:
+    """A scenario file as given, else the shipped one of that path; raises BadInput when neither is there."""
+    for candidate in (Path(path), data_root() / path):
+        if candidate.exists():
+            return candidate
+    shipped = {file.stem: str(file.relative_to(data_root())) for file in scenario_files()}
+    beside = {file.stem: str(file) for file in Path(path).parent.glob("*.yaml")}
+    known = shipped | beside
+    close = known.get(did_you_mean(Path(path).stem, known), "")
+    raise BadInput([Problem("there is no such file", str(path), suggestion=close)])
+
+
+def scenario_files() -> list[Path]:
+    """Scenario files that come with the testbed."""
+    return sorted((data_root() / "scenarios").glob("*.yaml"))

@@ -1,0 +1,96 @@
+"""Servos and motors as the controller models them: what the last command has become by now.
+
+The regressor of the adaptive law uses these positions, so that lag, rate limits and stops do not read as lost
+effectiveness: with them, (18) holds for any command.
+"""
+
+from __future__ import annotations
+
+import math
+
+from testbed.common.jit import compiled
+
+NEWTON_STEPS = 4
+
+
+@compiled
+def fourth(x):
+    """x^4 by products: compiled and uncompiled powers differ in the last bit."""
+    return (x * x) * (x * x)
+
+
+@compiled
+def advance_servo(i, dt, m, s):
+    """Position of servo i one step after `s.command`: first-order lag (bilinear), rate limit, stops [scaled]."""
+    x = s.command[i] / m.scale[i]
+    a = m.lag[i] * dt
+    lagged = (a * (x + s.servo_input[i]) + (2.0 - a) * s.servo_lagged[i]) / (2.0 + a)
+    s.servo_input[i] = x
+    s.servo_lagged[i] = lagged
+    most = m.rate[i] * dt
+    step = min(max(lagged - s.position[i], -most), most)
+    s.position[i] = min(max(s.position[i] + step, m.low[i]), m.high[i])
+
+
+@compiled
+def coefficient(i, table, advance, m):
+    """C_T or C_Q of propeller i at an advance ratio: linear between its points, constant beyond them."""
+    last = table.shape[1] - 1
+    x = min(max((advance - m.advance_min[i]) / m.advance_step[i], 0.0), float(last))
+    left = min(int(x), last - 1)
+    return table[i, left] + (x - left) * (table[i, left + 1] - table[i, left])
+
+
+@compiled
+def advance_motor(i, dt, axial, m, s):
+    """Thrust [scaled], motor torque [N m] and rotor speed [rev/s] one step after `s.command` (throttle).
+
+    The airframe feels the torque of the motor, K_t (i - i_0), at once and the thrust with the rotor's lag.
+    """
+    n = s.rotor[i]
+    diameter = m.diameter[i]
+    pressure = m.density * n * n * fourth(diameter)
+    advance = axial / max(n * diameter, 1e-3)
+    current = (s.command[i] * m.max_volts[i] - n / m.k_v[i]) / m.resistance[i]
+    torque = m.k_t[i] * (current - m.no_load_current[i])
+    load = pressure * diameter * coefficient(i, m.c_torque, advance, m)
+    s.position[i] = pressure * coefficient(i, m.c_thrust, advance, m) / m.scale[i]
+    s.torque[i] = torque
+    s.rotor[i] = max(n + dt * (torque - load) / (2.0 * math.pi * m.rotor_inertia[i]), 0.0)
+
+
+@compiled
+def throttle_for(i, thrust, axial, m, s):
+    """Throttle that gives a thrust [N] once the rotor is steady, by Newton's method on the rotor speed."""
+    diameter = m.diameter[i]
+    slowest = axial / ((m.advance_min[i] + m.advance_step[i] * (m.c_thrust.shape[1] - 1)) * diameter)
+    n = max(s.rotor[i], slowest)
+    for _ in range(NEWTON_STEPS):
+        t, slope = thrust_and_slope(i, n, axial, m)
+        n = max(n - (t - thrust) / slope, slowest)
+    advance = axial / (n * diameter)
+    load = m.density * n * n * fourth(diameter) * diameter * coefficient(i, m.c_torque, advance, m)
+    volts = n / m.k_v[i] + m.resistance[i] * (load / m.k_t[i] + m.no_load_current[i])
+    return min(max(volts / m.max_volts[i], 0.0), 1.0)
+
+
+@compiled
+def thrust_and_slope(i, n, axial, m):
+    """Thrust [N] at rotor speed n [rev/s] and its derivative."""
+    diameter = m.diameter[i]
+    step = 1e-3 * n
+    pressure = m.density * fourth(diameter)
+    t = pressure * n * n * coefficient(i, m.c_thrust, axial / (n * diameter), m)
+    faster = n + step
+    t2 = pressure * faster * faster * coefficient(i, m.c_thrust, axial / (faster * diameter), m)
+    return t, max((t2 - t) / step, 1e-3)
+
+
+@compiled
+def advance(dt, axial, m, s):
+    """All actuators, one step after their commands."""
+    for i in range(len(s.command)):
+        if m.servo[i] > 0.5:
+            advance_servo(i, dt, m, s)
+        else:
+            advance_motor(i, dt, axial, m, s)

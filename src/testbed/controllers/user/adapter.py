@@ -1,0 +1,144 @@
+"""A user's own controller: a class in a file of theirs, in plain Python, flown without touching the package.
+
+    class MyController:
+        def __init__(self, setup): ...                      # a `Setup`: design model, trim, stops, time step
+        def update(self, time_s, state, reference): ...     # -> commands: servos in radians, motors as throttle 0 to 1
+
+`state` is a `State`, as measured, and `reference` a `Reference`, both in SI and radians; commands are one
+number an actuator, in the order of `setup.model.actuators`. It may keep `effectiveness` and `failed`, one number an
+actuator each, logged and judged as estimates and flags; without them it is logged as taking all as whole. A class
+with `bind` and `step` (see `controllers.Controller`) is flown as it is.
+
+Whatever is wrong with it is said as bad input with the user's file and line: before the flight, or with the time in it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from testbed.controllers import Controller
+from testbed.controllers.actuator_model import advance
+from testbed.controllers.inversion.controller import model_record
+from testbed.controllers.records import memory_dtype
+from testbed.controllers.setup import Setup
+from testbed.controllers.user.loader import Factory, place_of, raised
+from testbed.inputs.problems import BadInput, Problem, did_you_mean
+
+_WANTED = "update(time_s, state, reference) -> commands"
+
+
+class State(NamedTuple):
+    """What is measured (`signals.STATE`): m, m/s, rad, rad/s, rad/s2; airspeed, alpha and beta relative to the air."""
+
+    north: float
+    east: float
+    altitude: float
+    airspeed: float
+    climb_rate: float
+    roll: float
+    pitch: float
+    heading: float
+    alpha: float
+    beta: float
+    p: float
+    q: float
+    r: float
+    p_dot: float
+    q_dot: float
+    r_dot: float
+    u_dot: float
+
+
+class Reference(NamedTuple):
+    """What is to be flown (`signals.SETPOINT`): rate-limited, with its rates; m, m/s, rad, per second."""
+
+    altitude: float
+    airspeed: float
+    heading: float
+    altitude_rate: float
+    airspeed_rate: float
+    heading_rate: float
+
+
+class CustomController:
+    """The adapter: gives a user's `update` its records, checks what it answers, and logs it."""
+
+    def __init__(self, setup: Setup, flown: Any, name: str) -> None:
+        n = len(setup.actuators)
+        self._dt, self._n, self._names = setup.dt_s, n, setup.model.actuators
+        self._flown, self._update, self._name = flown, flown.update, name
+        self._scale = np.array([a.scale for a in setup.actuators])
+        limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
+        self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
+        self._model, self._memory = (
+            model_record(setup, self._scale, limits)[0],
+            np.zeros(1, memory_dtype(n))[0],
+        )
+        self._memory.command[:] = setup.trim_commands
+        self._memory.position[:] = np.asarray(setup.trim_positions) / self._scale
+        self._memory.servo_input[:] = self._memory.servo_lagged[:] = self._memory.position
+        axial = setup.model.airspeed_m_s * math.cos(setup.model.alpha_rad)
+        for i, propulsor in enumerate(setup.model.propulsors):
+            if propulsor is not None:
+                self._memory.rotor[i] = propulsor.speed_at(
+                    setup.trim_positions[i], axial, setup.model.density_kg_m3
+                )
+
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight (see `controllers.Controller`)."""
+        self._states, self._setpoints, self._telemetry = states, setpoints, telemetry
+
+    def step(self, step: int) -> np.ndarray:
+        """Commands [n] for row `step`; raises BadInput, with the time, when the user's code fails."""
+        time_s = step * self._dt
+        state = State._make(self._states[step].tolist())
+        reference = Reference._make(self._setpoints[step].tolist())
+        try:
+            answer = self._update(time_s, state, reference)
+        except Exception as error:
+            raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
+        commands = self._checked(answer, "commands", time_s)
+        self._tell(self._telemetry[step], commands, state, time_s)
+        return commands
+
+    def _checked(self, answer: Any, what: str, time_s: float) -> np.ndarray:
+        """[n] finite numbers, or BadInput."""
+        expected = f"{self._n} finite numbers: {', '.join(self._names)}"
+        try:
+            values = np.asarray(answer, dtype=float)
+        except (TypeError, ValueError):
+            values = np.full(0, math.nan)
+        if values.shape != (self._n,) or not np.isfinite(values).all():
+            text = repr(answer)
+            problem = f"at {time_s:.3f} s {what} are {text if len(text) < 80 else text[:77] + '...'}"
+            raise BadInput([Problem(problem, self._name, expected=expected)])
+        return values
+
+    def _tell(self, row: np.ndarray, commands: np.ndarray, state: State, time_s: float) -> None:
+        """Telemetry: servos as commanded, motors as the thrust that the modelled motor gives (a throttle has none)."""
+        n, s = self._n, self._memory
+        s.command[:] = commands
+        advance(self._dt, state.airspeed * math.cos(state.alpha) * math.cos(state.beta), self._model, s)
+        row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
+        for i, (name, default) in enumerate((("effectiveness", 1.0), ("failed", 0.0)), 2):
+            said = getattr(self._flown, name, None)
+            row[i * n : (i + 1) * n] = default if said is None else self._checked(said, name, time_s)
+
+
+def adapted(factory: Factory, setup: Setup) -> Controller:
+    """The controller that a user's class makes of a set-up; raises BadInput when it makes none."""
+    name = place_of(factory)
+    try:
+        made = factory(setup)
+    except Exception as error:
+        raise BadInput([raised(error, name, "while being made")]) from error
+    if callable(getattr(made, "bind", None)) and callable(getattr(made, "step", None)):
+        return made  # type: ignore[no-any-return]
+    if not callable(getattr(made, "update", None)):
+        known = [word for word in dir(made) if not word.startswith("_")]
+        problem = f"{type(made).__name__} has no method update"
+        raise BadInput([Problem(problem, name, expected=_WANTED, suggestion=did_you_mean("update", known))])
+    return CustomController(setup, made, name)

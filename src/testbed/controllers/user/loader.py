@@ -1,0 +1,88 @@
+"""A user's controller class out of a file of theirs; what goes wrong is said with that file and line."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+import traceback
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from testbed.controllers.setup import Setup
+from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
+
+Factory = Callable[[Setup], Any]
+
+
+_PREFIX = "testbed_user_"  # so that a file called json.py does not become the module json
+
+
+_PLACE = "_testbed_place"  # in the user's module: its file as it was given
+
+
+def name_of(factory: Factory) -> str:
+    """`module:Class`, the same on every machine; for a class of a file, the file's name is the module."""
+    module = getattr(factory, "__module__", "") or ""
+    name = getattr(factory, "__qualname__", type(factory).__name__)
+    return f"{module.removeprefix(_PREFIX)}:{name}"
+
+
+def place_of(factory: Factory) -> str:
+    """The user's file, as was given, where the class came from one; else its name."""
+    module = sys.modules.get(getattr(factory, "__module__", "") or "")
+    return getattr(module, _PLACE, "") or name_of(factory)
+
+
+def load_controller(reference: str) -> Factory:
+    """The class that `my_file.py:MyController` names; runs the file. Raises BadInput with file and line."""
+    file, colon, name = reference.rpartition(":")
+    if not colon or not name.isidentifier() or not file.endswith(".py"):
+        raise BadInput([Problem(f"is {reference!r}", "--controller", expected="FILE.py:CLASS")])
+    module = _module(Path(file))
+    made = getattr(module, name, None)
+    own = [key for key, value in vars(module).items() if getattr(value, "__module__", "") == module.__name__]
+    if made is None:
+        problem = f"has no class {name}"
+        raise BadInput([Problem(problem, file, expected=one_of(own), suggestion=did_you_mean(name, own))])
+    if not callable(made):
+        raise BadInput([Problem(f"{name} is {made!r}", file, expected="a class")])
+    return made  # type: ignore[no-any-return]
+
+
+def _module(path: Path) -> ModuleType:
+    """A Python file, run; files beside it can be imported from it."""
+    if not path.is_file():
+        problem = "is a folder" if path.is_dir() else "there is no such file"
+        near = [str(p) for p in path.parent.glob("*.py")] if path.parent.is_dir() else []
+        raise BadInput([Problem(problem, str(path), suggestion=did_you_mean(str(path), near))])
+    name = _PREFIX + path.stem
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise BadInput([Problem("cannot be read as Python", str(path))])
+    module = importlib.util.module_from_spec(spec)
+    setattr(module, _PLACE, str(path))
+    sys.modules[name] = module
+    if str(path.resolve().parent) not in sys.path:
+        sys.path.insert(0, str(path.resolve().parent))
+    try:
+        spec.loader.exec_module(module)
+    except SyntaxError as error:
+        raise BadInput([Problem(f"is not Python: {error.msg}", str(path), error.lineno)]) from error
+    except Exception as error:
+        raise BadInput([raised(error, str(path), "while being read")]) from error
+    return module
+
+
+def raised(error: Exception, name: str, when: str) -> Problem:
+    """An exception in the user's code: file and line of the last call in their file, and the traceback's last line."""
+    frames: Sequence[traceback.FrameSummary] = traceback.extract_tb(error.__traceback__)
+    theirs = [frame for frame in frames if frame.filename in (name, str(Path(name).resolve()))]
+    frame = (theirs or frames)[-1]
+    ours = (
+        Path(frame.filename).parent == Path(__file__).parent
+    )  # called wrongly, so it never got to the user's lines
+    last = traceback.format_exception_only(error)[-1].strip()
+    file = name if theirs or ours else frame.filename
+    return Problem(f"raised {when}: {last}", file, None if ours else frame.lineno)

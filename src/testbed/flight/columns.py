@@ -1,0 +1,113 @@
+"""The log of a flight: what its columns are called, and how they are made of what the loop recorded."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from testbed.air.config import COLUMNS as WIND
+from testbed.aircraft.description import Aircraft
+from testbed.common.signals import RATES, SETPOINT, STATE, TELEMETRY
+from testbed.scenario.load import Scenario
+from testbed.sensors.channels import log_columns as sensor_columns
+
+_DEG = 180.0 / math.pi
+_TRUTH = (
+    ("north_m", "north", 1.0), ("east_m", "east", 1.0), ("altitude_m", "altitude", 1.0),
+    ("airspeed_m_s", "airspeed", 1.0), ("climb_rate_m_s", "climb_rate", 1.0),
+    ("roll_deg", "roll", _DEG), ("pitch_deg", "pitch", _DEG), ("heading_deg", "heading", _DEG),
+    ("alpha_deg", "alpha", _DEG), ("beta_deg", "beta", _DEG),
+    ("p_deg_s", "p", _DEG), ("q_deg_s", "q", _DEG), ("r_deg_s", "r", _DEG),
+)  # fmt: skip
+_REFERENCES = (
+    ("altitude_command_m", "altitude", 1.0),
+    ("airspeed_command_m_s", "airspeed", 1.0),
+    ("heading_command_deg", "heading", _DEG),
+)
+_RATE_UNITS = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot": "m_s2"}
+
+Recorded = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+"""What the loop recorded, a row a step: truth (as `Plant.read`), measured state, references, telemetry."""
+
+
+class _Column(NamedTuple):
+    """A log column: which column of which recorded array it is, and its factor; angles of 0 to 360 are wrapped."""
+
+    name: str
+    array: int
+    place: int
+    factor: float = 1.0
+    wrapped: bool = False
+
+
+_BLOCK = 1024  # steps of which the recorded rows stay in the processor's cache while their columns are taken
+_TIME = _Column("time_s", -1, 0)
+_TRUTH_ROWS, _MEASURED, _REFERENCE_ROWS, _TELEMETRY = range(4)
+
+
+def columns(aircraft: Aircraft) -> tuple[str, ...]:
+    """Names of the columns that every log has."""
+    return tuple(column.name for column in _columns(aircraft))
+
+
+def all_columns(aircraft: Aircraft, scenario: Scenario) -> tuple[str, ...]:
+    """Names of the log's columns in a scenario: those of real sensors and of moving air come last."""
+    sensors = () if scenario.sensors.is_ideal else sensor_columns()
+    return (*columns(aircraft), *sensors, *(() if scenario.atmosphere.is_calm else WIND))
+
+
+def table(
+    aircraft: Aircraft, rate_hz: float, recorded: Recorded, more: Iterable[np.ndarray] = ()
+) -> np.ndarray:
+    """[columns, rows] the log: what every log has, then `more` [rows] each. Columns are contiguous: they are what is
+    read, judged, drawn and written."""
+    steps, usual, others = len(recorded[0]), tuple(_columns(aircraft)), tuple(more)
+    data = np.empty((len(usual) + len(others), steps))
+    for start in range(0, steps, _BLOCK):
+        rows = slice(start, min(start + _BLOCK, steps))
+        for place, column in enumerate(usual):
+            data[place, rows] = _values(column, rate_hz, recorded, rows)
+    for place, values in enumerate(others, len(usual)):
+        data[place] = values
+    return data
+
+
+def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) -> Callable[[int], float]:
+    """Reads one column at one step while the flight is being recorded; in the log's unit."""
+    (column,) = (column for column in _columns(aircraft) if column.name == name)
+    return lambda step: float(_values(column, rate_hz, recorded, slice(step, step + 1))[0])
+
+
+def _values(column: _Column, rate_hz: float, recorded: Recorded, rows: slice) -> np.ndarray:
+    if column is _TIME:
+        return np.arange(rows.start, rows.stop) / rate_hz
+    values: np.ndarray = recorded[column.array][rows, column.place] * column.factor
+    return np.mod(values, 360.0) if column.wrapped else values
+
+
+def _columns(aircraft: Aircraft) -> Iterator[_Column]:
+    """Each column where it is named."""
+    n = len(aircraft.actuators)
+    rates = len(TELEMETRY) * n
+    yield _TIME
+    for name, of, factor in _TRUTH:
+        yield _Column(name, _TRUTH_ROWS, STATE.index(of), factor)
+    for name, of, factor in _REFERENCES:
+        yield _Column(name, _REFERENCE_ROWS, SETPOINT.index(of), factor, wrapped=of == "heading")
+    for i, rate in enumerate(RATES):
+        unit = _RATE_UNITS[rate]
+        factor = 1.0 if rate == "u_dot" else _DEG
+        yield _Column(f"{rate}_{unit}", _MEASURED, STATE.index(rate), factor)
+        yield _Column(f"{rate}_desired_{unit}", _TELEMETRY, rates + i, factor)
+    for i, rate in enumerate(RATES):
+        yield _Column(f"{rate}_released", _TELEMETRY, rates + len(RATES) + i)
+    for i, (name, actuator) in enumerate(aircraft.actuators.items()):
+        yield _Column(f"{name}_reference", _TELEMETRY, i, actuator.scale)
+        yield _Column(f"{name}_command", _TELEMETRY, n + i, actuator.scale)
+        yield _Column(f"{name}_position", _TRUTH_ROWS, len(STATE) + i)
+        yield _Column(f"{name}_effectiveness", _TRUTH_ROWS, len(STATE) + n + i)
+        yield _Column(f"{name}_effectiveness_estimate", _TELEMETRY, 2 * n + i)
+        yield _Column(f"{name}_failed", _TELEMETRY, 3 * n + i)

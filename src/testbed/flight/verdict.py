@@ -1,0 +1,88 @@
+"""Requirements against a flight: each with the worst value, the limit, the margin and whether it was met."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from testbed.scenario.requirement import Requirement
+
+
+def judge(
+    requirements: Sequence[Requirement], log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
+) -> list[dict[str, Any]]:
+    """[{name, passed, value, limit, margin, reason}] one for each requirement, in their order.
+
+    Value is the worst seen, margin its distance from the limit: 0 or more is met, negative is not. Rows
+    of the window are from_s <= time < until_s; without `until_s` it ends with the flight, also one that ended
+    early. Not met, with a reason, no value and a margin of -inf: a window that the flight did not reach or
+    reached in part, and what is not a number in this flight (the delay of a detection that never came).
+    """
+    return [_judge(requirement, log, metrics) for requirement in requirements]
+
+
+def _judge(
+    requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
+) -> dict[str, Any]:
+    margin, value, reason = -math.inf, math.nan, ""
+    values = _values(requirement, log, metrics)
+    if not len(values):
+        reason = "the flight ended before this window did"
+    elif not np.all(np.isfinite(values)):
+        reason = "not a number in this flight"
+    else:
+        margin, value = _worst(requirement, values)
+    return {
+        "name": requirement.title,
+        "passed": bool(margin >= 0.0),
+        "value": value,
+        "limit": requirement.limit,
+        "margin": margin,
+        "reason": reason,
+    }
+
+
+def _values(
+    requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
+) -> np.ndarray:
+    """The metric, or the signal (its distance from `of`) in its window; nothing if that was not flown."""
+    if requirement.metric is not None:
+        return np.array([metrics[requirement.metric]], dtype=float)
+    window = _window(requirement, log["time_s"])
+    values = log[str(requirement.signal)][window]
+    if requirement.within is not None:
+        of = log[requirement.of][window] if isinstance(requirement.of, str) else float(requirement.of or 0.0)
+        values = values - of
+        if str(requirement.signal).startswith("heading"):
+            values = np.mod(values + 180.0, 360.0) - 180.0
+    return values
+
+
+def _window(requirement: Requirement, time: np.ndarray) -> slice:
+    """Rows with from_s <= time < until_s; none if the flight ended more than a step before `until_s`."""
+    first = int(np.searchsorted(time, (requirement.from_s or 0.0) - 1e-9))
+    if requirement.until_s is None:
+        return slice(first, len(time))
+    if not len(time) or time[-1] < requirement.until_s - 1.5 * _step(time):
+        return slice(0, 0)
+    return slice(first, int(np.searchsorted(time, requirement.until_s - 1e-9)))
+
+
+def _step(time: np.ndarray) -> float:
+    return float(time[1] - time[0]) if len(time) > 1 else 0.0
+
+
+def _worst(requirement: Requirement, values: np.ndarray) -> tuple[float, float]:
+    """(margin, value) where the margin is least."""
+    candidates = []
+    if requirement.within is not None:
+        worst = float(np.max(np.abs(values)))
+        candidates.append((requirement.within - worst, worst))
+    if requirement.at_most is not None:
+        candidates.append((requirement.at_most - float(np.max(values)), float(np.max(values))))
+    if requirement.at_least is not None:
+        candidates.append((float(np.min(values)) - requirement.at_least, float(np.min(values))))
+    return min(candidates)

@@ -1,0 +1,81 @@
+"""`--set KEY=VALUE`: put a YAML value at a dotted path into a tree that was read from a file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.yaml_source import Source, TreePath, describe, dotted, parse
+
+
+def apply(source: Source, overrides: Iterable[str]) -> None:
+    """Apply each KEY=VALUE to the tree; what cannot be applied goes to `source.problems`."""
+    for override in overrides:
+        place = f"--set {override}"
+        key, equals, text = override.partition("=")
+        parts = key.strip().split(".")
+        if not equals or not all(parts):
+            source.problems.append(
+                Problem("is not a setting", place, expected="KEY=VALUE, KEY a dotted path")
+            )
+            continue
+        try:
+            value = parse(text)
+        except BadInput as error:
+            source.problems += [Problem(p.what, place, path=key) for p in error.problems]
+            continue
+        source.problems += [
+            Problem(p.what, place, None, f"{key}.{p.path}".rstrip("."), p.expected) for p in value.problems
+        ]
+        set_value(source, parts, value.tree, place)
+
+
+def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
+    """Set one value, creating mapping keys on the way; `place` is what its problems will cite."""
+    node, path = source.tree, ()  # type: tuple[Any, TreePath]
+    for i, part in enumerate(parts):
+        last = i == len(parts) - 1
+        if isinstance(node, list):
+            index = _index(part, node)
+            if index is None:
+                expected = f"an index from 0 to {len(node) - 1}" if node else "no index, the list is empty"
+                what = f"has no entry {part}"
+                source.problems.append(Problem(what, place, path=dotted(path), expected=expected))
+                return
+            key: str | int = index
+        elif isinstance(node, dict):
+            key = part
+            if not last and node.get(part) is None:
+                node[part] = {}
+                _forget(source, (*path, part), place)
+        else:
+            what = f"is {describe(node)}"
+            source.problems.append(Problem(what, place, path=dotted(path), expected="a mapping or a list"))
+            return
+        path = (*path, key)
+        if last:
+            node[key] = value
+            _forget(source, path, place)
+        else:
+            node = node[key]
+
+
+def is_override(source: Source, path: TreePath) -> bool:
+    """Whether the value at a path came from --set, not from the file."""
+    return path in source.places and source.places[path][0] != source.file
+
+
+def _index(part: str, items: list[Any]) -> int | None:
+    return int(part) if part.isascii() and part.isdigit() and int(part) < len(items) else None
+
+
+def _forget(source: Source, path: TreePath, place: str) -> None:
+    """What was written below a path is gone, and so is what was wrong with it; its place is now the --set."""
+    text = dotted(path)
+    source.problems[:] = [
+        p for p in source.problems if p.file != source.file or not f"{p.path}.".startswith(f"{text}.")
+    ]
+    for known in [known for known in source.places if known[: len(path)] == path]:
+        del source.places[known]
+    source.places[path] = (place, None)

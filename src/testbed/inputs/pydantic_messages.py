@@ -1,0 +1,121 @@
+"""One pydantic error in the user's words, at the user's path."""
+
+from __future__ import annotations
+
+import re
+import types
+from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
+
+from pydantic import BaseModel
+from pydantic_core import ErrorDetails
+
+from testbed.inputs.problems import did_you_mean, one_of
+from testbed.inputs.yaml_source import TreePath, describe
+
+
+class Issue(NamedTuple):
+    """A problem inside a tree, before its file and line are known."""
+
+    path: TreePath
+    what: str
+    expected: str = ""
+    suggestion: str = ""
+
+
+def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
+    """What is wrong, where in the tree, what was expected and what was probably meant."""
+    path, annotation = _user_path(model, tree, error)
+    kind, context, given = error["type"], error.get("ctx", {}), error["input"]
+    if kind == "missing":
+        return Issue(path, "is missing")
+    if kind == "extra_forbidden":
+        return _unknown(path, "unknown key", str(path[-1]), _keys(annotation))
+    if kind.startswith("union_tag"):
+        here = (*path, str(context["discriminator"]).strip("'"))
+        if kind == "union_tag_not_found":
+            return Issue(here, "is missing")
+        names = [name.strip("' ") for name in context["expected_tags"].split(",")]
+        return _unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names)
+    if kind == "literal_error" and get_origin(annotation) is Literal:
+        names = [str(name) for name in get_args(annotation)]
+        return _unknown(path, f"{describe(given)} is not known", str(given), names)
+    if kind == "refused":
+        return Issue(path, context["what"], context["expected"], context["suggestion"])
+    if kind == "too_short":
+        return Issue(path, f"has {context['actual_length']} entries", f"at least {context['min_length']}")
+    if kind == "too_long":
+        return Issue(path, f"has {context['actual_length']} entries", f"at most {context['max_length']}")
+    return Issue(path, f"is {describe(given)}", _expected(error["msg"]))
+
+
+def _unknown(path: TreePath, what: str, word: str, names: list[str]) -> Issue:
+    """The likely one of the known names, or all of them when none is likely."""
+    close = did_you_mean(word, names)
+    return Issue(path, what, "" if close else one_of(names), close)
+
+
+def _expected(message: str) -> str:
+    """pydantic's "Input should be a valid dictionary or instance of X" as "a mapping"."""
+    message = re.sub(r"^(Input|String|Value) should (be )?", "", message)
+    message = re.sub(r" or (instance|an object).*", "", message).replace("valid dictionary", "mapping")
+    return message.replace("valid tuple", "list")
+
+
+def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[TreePath, Any]:
+    """pydantic's location without the union tags it mixes in, and the type expected by what is there."""
+    path: TreePath = ()
+    annotation: Any = model
+    node = tree
+    for i, part in enumerate(error["loc"]):
+        annotation = _unwrap(annotation)
+        branch = _branch(annotation, part)
+        if branch is not None:
+            annotation = branch
+            continue
+        last = i == len(error["loc"]) - 1
+        if last and error["type"] == "extra_forbidden":
+            return (*path, part), annotation
+        if not isinstance(node, dict | list):
+            break  # a scalar that a validator had spread over several keys: the scalar itself is at fault
+        annotation = _inside(annotation, part)
+        path = (*path, part)
+        here = part in (node if isinstance(node, dict) else range(len(node)))
+        node = node[part] if here else None  # type: ignore[index]
+    return path, _unwrap(annotation)
+
+
+def _unwrap(annotation: Any) -> Any:
+    """Without Annotated and `| None`."""
+    while get_origin(annotation) is Annotated:
+        annotation = get_args(annotation)[0]
+    if get_origin(annotation) in (Union, types.UnionType):
+        members = [a for a in get_args(annotation) if a is not type(None)]
+        if len(members) == 1:
+            return _unwrap(members[0])
+    return annotation
+
+
+def _branch(annotation: Any, part: str | int) -> Any:
+    """The member of a union of models that this part of a location names, else None."""
+    if get_origin(annotation) not in (Union, types.UnionType):
+        return None
+    for member in map(_unwrap, get_args(annotation)):
+        if isinstance(member, type) and issubclass(member, BaseModel):
+            tags = [get_args(field.annotation) for field in member.model_fields.values()]
+            if any(part in tag for tag in tags):
+                return member
+    return None
+
+
+def _inside(annotation: Any, part: str | int) -> Any:
+    """Type of the value at a key or index of a value of this type."""
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        field = annotation.model_fields.get(str(part))
+        return field.annotation if field else None
+    arguments = [a for a in get_args(annotation) if a is not Ellipsis]
+    return arguments[-1] if arguments else None
+
+
+def _keys(annotation: Any) -> list[str]:
+    is_model = isinstance(annotation, type) and issubclass(annotation, BaseModel)
+    return list(annotation.model_fields) if is_model else []

@@ -1,0 +1,132 @@
+"""A tree against a pydantic model: every problem at once, each with its line and what was probably meant.
+
+When the model refuses a tree, the refused parts are taken out and the rest is validated again, so that checks
+that need a whole, valid model (is there such an actuator?) still run and report on the first attempt.
+"""
+
+from __future__ import annotations
+
+import copy
+import types
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, TypeVar
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.pydantic_messages import Issue, issue_of
+from testbed.inputs.yaml_source import Source, TreePath
+
+Model = TypeVar("Model", bound=BaseModel)
+
+
+Check = Callable[[Any], Iterable[Issue]]
+
+
+def validated(
+    model: type[Model],
+    source: Source,
+    check: Check = lambda _: (),
+    stand_ins: Mapping[str, Any] = types.MappingProxyType({}),
+) -> Model:
+    """The model made of a tree, or BadInput with everything that is wrong with it.
+
+    `check` yields further issues of a valid model. `stand_ins` are harmless values for required top-level
+    keys: with one in the place of a refused value, the rest of the tree can still be checked.
+    """
+    pruned = _Pruned(copy.deepcopy(source.tree), stand_ins)
+    issues: list[Issue] = []
+    value: Model | None = None
+    while pruned.usable:
+        try:
+            value = model.model_validate(pruned.tree)
+            break
+        except ValidationError as error:
+            issues += pruned.without(model, error.errors(include_url=False))
+    if value is not None:
+        issues += [issue._replace(path=pruned.original(issue.path)) for issue in check(value)]
+    problems = _with_places(source, issues)
+    if problems:
+        raise BadInput(problems)
+    assert value is not None  # nothing refused, so the first attempt succeeded
+    return value
+
+
+def _with_places(source: Source, issues: Iterable[Issue]) -> list[Problem]:
+    """All problems in the order of the file, the first found at each path only."""
+    found = list(source.problems)
+    seen = {p.path for p in found}
+    for issue in issues:
+        problem = source.problem(*issue)
+        if problem.path not in seen or not problem.path:
+            found.append(problem)
+        seen.add(problem.path)
+    return sorted(dict.fromkeys(found), key=lambda p: (p.line is None, p.line or 0))
+
+
+class _Pruned:
+    """A tree from which refused parts are taken, and the way back to the paths of the whole tree."""
+
+    def __init__(self, tree: Any, stand_ins: Mapping[str, Any]) -> None:
+        self.tree = tree
+        self.usable = True
+        self._stand_ins = dict(stand_ins)
+        self._removed: set[TreePath] = set()
+        self._indices: dict[TreePath, list[int]] = {}
+
+    def original(self, path: TreePath) -> TreePath:
+        """Path in the whole tree of a path in what is left of it."""
+        result: TreePath = ()
+        for part in path:
+            kept = self._indices.get(result)
+            result = (*result, kept[part] if kept and isinstance(part, int) and part < len(kept) else part)
+        return result
+
+    def without(self, model: type[BaseModel], errors: list[ErrorDetails]) -> list[Issue]:
+        """Take out what these errors refuse; return as issues those that our own taking-out did not cause."""
+        issues = []
+        targets: set[TreePath] = set()
+        for error in errors:
+            issue = issue_of(model, self.tree, error)
+            whole = self.original(issue.path)
+            if not any(gone[: len(whole)] == whole for gone in self._removed):
+                issues.append(issue._replace(path=whole))
+            targets.add(self._existing(issue.path))
+        outermost = [p for p in targets if not any(p[:n] in targets for n in range(len(p)))]
+        for path in sorted(outermost, key=_removal_order, reverse=True):
+            self._remove(path)
+        return issues
+
+    def _existing(self, path: TreePath) -> TreePath:
+        """The path itself, or, of a key that is missing, that of whatever lacks it."""
+        node = self.tree
+        for i, part in enumerate(path):
+            if part not in (
+                node if isinstance(node, dict) else range(len(node) if isinstance(node, list) else 0)
+            ):
+                return path if i == 0 and part in self._stand_ins else path[:i]
+            node = node[part]
+        return path
+
+    def _remove(self, path: TreePath) -> None:
+        """Remove what is at a path; a required top-level key gets its stand-in."""
+        if not path or (len(path) == 1 and path in self._removed):
+            self.usable = False  # not even the stand-in will do
+            return
+        parent = self.tree
+        for part in path[:-1]:
+            parent = parent[part]
+        self._removed.add(self.original(path))
+        if len(path) == 1 and path[0] in self._stand_ins:
+            parent[path[0]] = self._stand_ins[str(path[0])]
+            return
+        if isinstance(parent, list):
+            whole = self.original(path[:-1])
+            del self._indices.setdefault(whole, list(range(len(parent))))[int(path[-1])]
+        del parent[path[-1]]
+
+
+def _removal_order(path: TreePath) -> list[tuple[int, str]]:
+    """Sorts a list's later entries after its earlier ones, and what is inside a thing after the thing."""
+    return [(part, "") if isinstance(part, int) else (-1, part) for part in path]

@@ -1,0 +1,232 @@
+"""Read YAML and keep where each value was written; refuse what YAML would quietly misread.
+
+Everything found wrong is collected in `Source.problems`, and reading goes on, so that one pass shows it all.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Hashable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from testbed.inputs.problems import BadInput, Problem
+
+TreePath = tuple[str | int, ...]
+
+MAX_NODES = 100_000
+"""Values in one file, aliases expanded: more is an accident (or a bomb made of aliases)."""
+
+_FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
+
+
+@dataclass
+class Source:
+    """A tree of plain values, and the place (file, line) of each dotted path in it.
+
+    No field takes part in comparison: where a thing was written is no part of what it says.
+    """
+
+    file: str = field(default="", compare=False)
+    tree: Any = field(default=None, compare=False)
+    places: dict[TreePath, tuple[str, int | None]] = field(default_factory=dict, compare=False)
+    problems: list[Problem] = field(default_factory=list, compare=False)
+
+    def place(self, path: TreePath) -> tuple[str, int | None]:
+        """File and line of the value at a path, or of the nearest thing around it."""
+        while path and path not in self.places:
+            path = path[:-1]
+        return self.places.get(path, (self.file, None))
+
+    def problem(self, path: TreePath, what: str, expected: str = "", suggestion: str = "") -> Problem:
+        """A Problem with the value at this path."""
+        file, line = self.place(path)
+        return Problem(what, file, line, dotted(path), expected, suggestion)
+
+
+def dotted(path: TreePath) -> str:
+    """The path as it is written in --set: `failures.0.value`."""
+    return ".".join(map(str, path))
+
+
+def read(path: Path | str) -> Source:
+    """Read a YAML file whose top level is a mapping; raises BadInput when nothing can be made of it."""
+    return parsed(read_text(path), str(path))
+
+
+def read_text(path: Path | str) -> str:
+    """The text of a file that should be YAML; raises BadInput when there is none."""
+    file = str(path)
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise BadInput([Problem("there is no such file", file)]) from None
+    except IsADirectoryError:
+        raise BadInput([Problem("is a folder", file, expected="a YAML file")]) from None
+    except UnicodeDecodeError:
+        raise BadInput([Problem("is not UTF-8 text", file, expected="a YAML file")]) from None
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be read: {error.strerror}", file)]) from None
+
+
+def parsed(text: str, file: str) -> Source:
+    """As `read`, of text that was read already."""
+    source = parse(text, file)
+    if not isinstance(source.tree, dict):
+        what = "is empty" if source.tree is None else f"is {describe(source.tree)}"
+        raise BadInput([*source.problems, Problem(what, file, 1, expected="keys and values (a mapping)")])
+    return source
+
+
+def parse(text: str, file: str = "") -> Source:
+    """Read YAML text; raises BadInput with the line when it is not YAML."""
+    try:
+        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        return _Reader(file).read(node)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        what = f"is not YAML: {error.problem or error.context}"
+        if "\\t" in what:
+            what = "is not YAML: a tab where spaces are needed"
+        raise BadInput([Problem(what, file, mark.line + 1 if mark else None)]) from None
+    except yaml.reader.ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        raise BadInput([Problem(f"is not YAML: {error.reason}", file, line)]) from None
+    except RecursionError:
+        raise BadInput([Problem("is nested too deeply", file)]) from None
+
+
+def dump(tree: Any) -> str:
+    """YAML text that `parse` reads back to the same values, in the order given."""
+    return yaml.dump(tree, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=110)
+
+
+def describe(value: object) -> str:
+    """A value in a message: short, and by its shape when it is large."""
+    if value is None:
+        return "empty"
+    if isinstance(value, dict | list | tuple):
+        return "a mapping" if isinstance(value, dict) else "a list"
+    if isinstance(value, bool):
+        return str(value).lower()
+    text = repr(value)
+    return text if len(text) <= 60 else text[:57] + "..."
+
+
+class _Reader:
+    """Turns composed YAML nodes into plain values; notes places and problems on the way."""
+
+    def __init__(self, file: str) -> None:
+        self._source = Source(file)
+        self._scalars = yaml.constructor.SafeConstructor()
+        self._open: set[int] = set()
+        self._count = 0
+
+    def read(self, node: yaml.Node | None) -> Source:
+        if node is not None:
+            self._source.tree = self._value(node, (), node)
+        return self._source
+
+    def _complain(self, node: yaml.Node, path: TreePath, what: str, expected: str = "") -> None:
+        line = node.start_mark.line + 1
+        self._source.problems.append(Problem(what, self._source.file, line, dotted(path), expected))
+
+    def _value(self, node: yaml.Node, path: TreePath, at: yaml.Node) -> Any:
+        """Value of a node; `at` is the node whose line the user looks for (a mapping's key)."""
+        self._source.places[path] = (self._source.file, at.start_mark.line + 1)
+        self._count += 1
+        if id(node) in self._open or self._count > MAX_NODES:
+            what = "contains itself" if id(node) in self._open else f"has more than {MAX_NODES} values"
+            raise BadInput([Problem(what, self._source.file, at.start_mark.line + 1, dotted(path))])
+        if isinstance(node, yaml.ScalarNode):
+            return self._scalar(node, path)
+        self._open.add(id(node))
+        try:
+            if isinstance(node, yaml.SequenceNode):
+                return [self._value(item, (*path, i), item) for i, item in enumerate(node.value)]
+            return self._mapping(node, path)
+        finally:
+            self._open.remove(id(node))
+
+    def _mapping(self, node: yaml.Node, path: TreePath) -> dict[str, Any]:
+        result: dict[str, Any] = {}
+        lines: dict[Hashable, int] = {}
+        for key, value in node.value:
+            if not isinstance(key, yaml.ScalarNode):
+                self._complain(key, path, "has a key that is not text")
+                continue
+            name = key.value
+            here = (*path, name)
+            if key.tag == "tag:yaml.org,2002:merge":
+                self._complain(key, here, "merging with << is not supported", "the keys written out")
+                continue
+            if name in lines:
+                self._complain(key, here, f"duplicate key, first written at line {lines[name]}")
+            lines.setdefault(name, key.start_mark.line + 1)
+            result[name] = self._value(value, here, key)
+        return result
+
+    def _scalar(self, node: yaml.ScalarNode, path: TreePath) -> Any:
+        try:
+            value = self._scalars.construct_object(node)
+        except (yaml.YAMLError, ValueError, OverflowError) as error:
+            what = getattr(error, "problem", None) or str(error)
+            self._complain(node, path, f"{node.value!r} cannot be read: {what}")
+            return None
+        if node.style is not None:
+            return value
+        return self._plain(node, path, value)
+
+    def _plain(self, node: yaml.ScalarNode, path: TreePath, value: Any) -> Any:
+        """Refuse an unquoted scalar that means something else to YAML than it does to the reader."""
+        text = node.value
+        if isinstance(value, str) and _is_number(text):
+            if math.isfinite(float(text)):
+                self._complain(node, path, f"{text} is read as text by YAML, write {as_yaml_float(text)}")
+            else:
+                self._complain(node, path, f"{text} is not a finite number")
+            return float(text)
+        if isinstance(value, float) and not math.isfinite(value):
+            self._complain(node, path, f"{text} is not a finite number")
+        elif isinstance(value, int | float) and ":" in text:
+            self._complain(node, path, f"{text} is read as the base-60 number {value} by YAML, write {value}")
+        elif isinstance(value, int) and re.match(r"[-+]?0[0-9_]", text):
+            self._complain(node, path, f"{text} is read as the octal number {value} by YAML, write {value}")
+        return value
+
+
+class _Dumper(yaml.SafeDumper):
+    """Quotes text that `parse` would refuse (it looks like a number) or YAML change; writes no anchors."""
+
+    def ignore_aliases(self, data: Any) -> bool:
+        return True
+
+
+def _represent_text(dumper: yaml.SafeDumper, text: str) -> yaml.ScalarNode:
+    plain = text.isprintable() and not _is_number(text)
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=None if plain else '"')
+
+
+_Dumper.add_representer(str, _represent_text)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def as_yaml_float(text: str) -> str:
+    """A number as YAML 1.1 wants it, with a point and a signed exponent: `1e-3` becomes `1.0e-3`."""
+    match = _FLOAT.match(text)
+    if match is None:
+        return repr(float(text))
+    sign, whole, fraction, exponent_sign, exponent = match.groups()
+    mantissa = f"{sign}{whole or '0'}{fraction if fraction and fraction != '.' else '.0'}"
+    return mantissa + (f"e{exponent_sign or '+'}{exponent}" if exponent else "")

@@ -1,0 +1,296 @@
+"""The truth: JSBSim behind one door. Nothing else imports `jsbsim`; everything here speaks SI and radians.
+
+A `Plant` is one aircraft in the air, made new for each flight and never reset (JSBSim's reset keeps failure flags,
+random generators and more). Properties are bound once to their nodes; a step reads and writes through them.
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections import deque
+from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
+from operator import call
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import jsbsim
+import numpy as np
+
+from testbed.common.frames import body_from_ned
+from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
+from testbed.inputs.problems import BadInput, Problem
+
+if TYPE_CHECKING:
+    from testbed.aircraft.description import Aircraft
+
+# Earth radii where flights start, on the equator (WGS84): of the meridian, and of the equator.
+_MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
+
+# Property and factor to SI of each of `signals.STATE`.
+_STATE_PROPERTIES = (
+    ("position/lat-geod-rad", _MERIDIAN_M),
+    ("position/long-gc-rad", _EQUATOR_M),
+    ("position/h-sl-ft", METRES_PER_FOOT),
+    ("velocities/vt-fps", METRES_PER_FOOT),
+    ("velocities/h-dot-fps", METRES_PER_FOOT),
+    ("attitude/phi-rad", 1.0),
+    ("attitude/theta-rad", 1.0),
+    ("attitude/psi-rad", 1.0),
+    ("aero/alpha-rad", 1.0),
+    ("aero/beta-rad", 1.0),
+    ("velocities/p-rad_sec", 1.0),
+    ("velocities/q-rad_sec", 1.0),
+    ("velocities/r-rad_sec", 1.0),
+    ("accelerations/pdot-rad_sec2", 1.0),
+    ("accelerations/qdot-rad_sec2", 1.0),
+    ("accelerations/rdot-rad_sec2", 1.0),
+    ("accelerations/udot-ft_sec2", METRES_PER_FOOT),
+)
+ACCELERATIONS = (
+    ("accelerations/udot-ft_sec2", METRES_PER_FOOT),
+    ("accelerations/vdot-ft_sec2", METRES_PER_FOOT),
+    ("accelerations/wdot-ft_sec2", METRES_PER_FOOT),
+    ("accelerations/pdot-rad_sec2", 1.0),
+    ("accelerations/qdot-rad_sec2", 1.0),
+    ("accelerations/rdot-rad_sec2", 1.0),
+)
+# The air's velocity is set through JSBSim's gust and not through its wind, which run_ic overwrites.
+_SET_WIND = tuple(f"atmosphere/gust-{axis}-fps" for axis in ("north", "east", "down"))
+_TOTAL_WIND = tuple(f"atmosphere/total-wind-{axis}-fps" for axis in ("north", "east", "down"))
+_AIR_DATA = (
+    ("velocities/vt-fps", METRES_PER_FOOT),
+    ("aero/alpha-rad", 1.0),
+    ("aero/beta-rad", 1.0),
+    ("attitude/phi-rad", 1.0),
+    ("attitude/theta-rad", 1.0),
+    ("attitude/psi-rad", 1.0),
+)
+_MILSPEC_TURBULENCE = 3
+_INTEGRATORS = tuple(
+    f"simulation/integrator/{kind}/{of}"
+    for kind in ("rate", "position")
+    for of in ("rotational", "translational")
+)
+
+_exhaust = deque[bool](maxlen=0).extend  # the quickest way to have each of an iterator's calls made
+
+
+class _Listener(jsbsim.FGLogger):
+    """Keeps JSBSim's console silent and remembers what it warned about."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._level = jsbsim.LogLevel.BULK
+        self.warnings: list[str] = []
+
+    def set_level(self, level: Any) -> None:
+        self._level = level
+
+    def message(self, message: str) -> None:
+        if int(self._level) >= int(jsbsim.LogLevel.WARN) and message.strip():
+            self.warnings.append(message.strip())
+
+
+class Plant:
+    """One aircraft flown by JSBSim.
+
+    Args:
+        aircraft: what to fly.
+        physics_hz: rate at which JSBSim integrates.
+        substeps: physics steps that `step` takes, so that the control rate is physics_hz / substeps.
+
+    Attributes:
+        warnings: what JSBSim warned about while loading.
+        raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
+            effective), then the effectiveness of each.
+        factors: [17 + 2 n] from `raw` to SI, positions to the aircraft's units.
+    """
+
+    def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
+        listener = _Listener()
+        jsbsim.set_logger(listener)  # thread-local, so set where the plant is made
+        jsbsim.FGJSBBase().debug_lvl = 0
+        self.aircraft = aircraft
+        self.dt_s = 1.0 / physics_hz
+        self.substeps = substeps
+        folder = Path(aircraft.folder).resolve()
+        self._fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
+        self._fdm.set_aircraft_path(str(folder.parent))
+        self._fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
+        try:
+            loaded = self._fdm.load_model(aircraft.model)
+        except jsbsim.BaseError as error:
+            raise _broken_model(folder, aircraft.model, str(error)) from None
+        if not loaded:
+            raise _broken_model(folder, aircraft.model, "; ".join(listener.warnings))
+        self._fdm.disable_output()
+        self.warnings = tuple(listener.warnings)
+        self._manager = self._fdm.get_property_manager()
+        self._run = self._fdm.run
+        if substeps == 1:
+            self.step = self._run  # type: ignore[method-assign, assignment]
+        reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
+        reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
+        self._getters = [self.getter(name) for name, _ in reads]
+        self.factors = np.array([factor for _, factor in reads])
+        self.raw = np.empty(len(reads))
+        self._bytes = memoryview(self.raw).cast("B")  # type: ignore[arg-type]
+        self._pack = struct.Struct(f"{len(reads)}d").pack_into
+        self._commands = [self.setter(_command(a)) for a in aircraft.actuators.values()]
+        self._wind = np.zeros(3)
+        self._put_wind = [self.setter(name) for name in _SET_WIND]
+        self._total_wind = [self.getter(name) for name in _TOTAL_WIND]
+
+    def getter(self, name: str) -> Callable[[], float]:
+        """Bound reader of a property; KeyError if there is none (JSBSim itself would make it up)."""
+        return self._node(name).get_double_value
+
+    def setter(self, name: str) -> Callable[[float], bool]:
+        """Bound writer of a property; KeyError if there is none."""
+        return self._node(name).set_double_value
+
+    def _node(self, name: str) -> Any:
+        if not self._manager.hasNode(name):
+            raise KeyError(name)
+        return self._manager.get_node(name)
+
+    def catalog(self) -> dict[str, bool]:
+        """Name of each property of the loaded model, and whether it can be written."""
+        return _writable(tuple(self._fdm.get_property_catalog()))
+
+    def command(self, commands: Iterable[float]) -> None:
+        """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
+        _exhaust(map(call, self._commands, commands))
+
+    def step(self) -> None:
+        """Advance by one control step."""
+        for _ in range(self.substeps):
+            self._run()
+
+    def sample(self) -> None:
+        """Read every property into `raw`, in JSBSim's units: one pass in C, as the loop does it each step."""
+        self._pack(self._bytes, 0, *map(call, self._getters))
+
+    def read(self) -> np.ndarray:
+        """The signals now, in SI: a new row [17 + 2 n], see `raw`."""
+        self.sample()
+        return self.raw * self.factors
+
+    def position(self, index: int) -> float:
+        """Position of one actuator [rad, or N as if fully effective]."""
+        value = float(self.read()[len(_STATE_PROPERTIES) + index])
+        servo = list(self.aircraft.actuators.values())[index].kind == "servo"
+        return value / DEGREES_PER_RADIAN if servo else value
+
+    # The air ------------------------------------------------------------------------------------------------
+
+    def set_wind(self, ned_m_s: np.ndarray) -> None:
+        """Velocity of the air over the ground from now on [m/s, north, east, down], turbulence apart."""
+        self._wind = np.array(ned_m_s)
+        for put, value in zip(self._put_wind, self._wind, strict=True):
+            put(float(value) / METRES_PER_FOOT)
+
+    def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
+        """Switch on Dryden turbulence, from zero. After the last `place`, whose run_ic would draw from it.
+
+        Args:
+            w20_m_s: wind at 20 ft (MIL-F-8785C), which sets the intensity up to 1000 ft above sea level.
+            severity: JSBSim's index of probability of exceedance, which sets it above 2000 ft.
+            seed: 2 or more (JSBSim takes 0 for 1).
+        """
+        self["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = w20_m_s / METRES_PER_FOOT
+        self["atmosphere/turbulence/milspec/severity"] = severity
+        self["atmosphere/turb-type"] = _MILSPEC_TURBULENCE
+        self["atmosphere/randomseed"] = seed
+
+    def total_wind(self) -> tuple[float, float, float]:
+        """Velocity of the air in the last step, turbulence included [m/s, north, east, down]."""
+        north, east, down = self._total_wind
+        return north() * METRES_PER_FOOT, east() * METRES_PER_FOOT, down() * METRES_PER_FOOT
+
+    def air_data(self) -> tuple[float, float, float, float, float, float]:
+        """Airspeed [m/s], alpha, beta, roll, pitch, heading [rad] now."""
+        airspeed, alpha, beta, roll, pitch, heading = (self[name] * factor for name, factor in _AIR_DATA)
+        return airspeed, alpha, beta, roll, pitch, heading
+
+    def specific_force_reader(self, axis: str) -> Callable[[], float]:
+        """Bound reader of what an accelerometer at the centre of gravity feels along a body axis [m/s2].
+
+        All forces but gravity over the mass, of the present state: JSBSim's `a-pilot` is a frame late.
+        """
+        force, mass = self.getter(f"forces/fb{axis}-total-lbs"), self.getter("inertia/mass-slugs")
+        return lambda: METRES_PER_FOOT * force() / mass()
+
+    # Trim and identification: the plant as a test stand -----------------------------------------------------------
+
+    def place(self, state: Mapping[str, float]) -> None:
+        """Put the aircraft into a state: airspeed, alpha, beta (relative to the air, see `set_wind`), roll, pitch,
+        heading [SI], altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
+        fdm, get = self._fdm, state.get
+        speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
+        # JSBSim's initial velocity is relative to the ground: the wind's is added.
+        attitude = get("roll", 0.0), state["pitch"], get("heading", 0.0)
+        u, v, w = map(float, body_from_ned(*attitude) @ self._wind / METRES_PER_FOOT)
+        # Order matters in JSBSim: place, then attitude, then velocity.
+        fdm["ic/lat-geod-deg"] = 0.0
+        fdm["ic/long-gc-deg"] = 0.0
+        fdm["ic/h-sl-ft"] = state["altitude"] / METRES_PER_FOOT
+        fdm["ic/psi-true-rad"] = get("heading", 0.0)
+        fdm["ic/phi-rad"] = get("roll", 0.0)
+        fdm["ic/theta-rad"] = state["pitch"]
+        fdm["ic/u-fps"] = speed * math.cos(alpha) * math.cos(beta) + u
+        fdm["ic/v-fps"] = speed * math.sin(beta) + v
+        fdm["ic/w-fps"] = speed * math.sin(alpha) * math.cos(beta) + w
+        for name in "pqr":
+            fdm[f"ic/{name}-rad_sec"] = get(name, 0.0)
+        if not fdm.run_ic():
+            raise RuntimeError("JSBSim refused the initial condition")
+
+    def settle(self, steps: int) -> None:
+        """Run servos, motors and rotors for this many physics steps while the airframe does not move."""
+        self._freeze()
+        for _ in range(steps):
+            self._run()
+        self._thaw()
+
+    def _freeze(self) -> None:
+        self._schemes = [self._fdm[name] for name in _INTEGRATORS]
+        for name in _INTEGRATORS:
+            self._fdm[name] = 0
+
+    def _thaw(self) -> None:
+        for name, scheme in zip(_INTEGRATORS, self._schemes, strict=True):
+            self._fdm[name] = scheme
+
+    def __getitem__(self, name: str) -> float:
+        return self.getter(name)()
+
+    def __setitem__(self, name: str, value: float) -> None:
+        self.setter(name)(value)
+
+
+def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
+    """Name of each property of the aircraft's model, and whether it can be written."""
+    return Plant(aircraft, 200).catalog()
+
+
+@lru_cache(maxsize=8)
+def _writable(catalog: tuple[str, ...]) -> dict[str, bool]:
+    rows = (line.rpartition(" (") for line in catalog)
+    return {name.strip(): "W" in access for name, _, access in rows}
+
+
+def _command(actuator: Any) -> str:
+    return f"{actuator.prefix}/{'command-rad' if actuator.kind == 'servo' else 'command-norm'}"
+
+
+def _position(actuator: Any) -> tuple[str, float]:
+    if actuator.kind == "servo":
+        return f"{actuator.prefix}/position-rad", DEGREES_PER_RADIAN
+    return f"propulsion/engine[{actuator.engine}]/thrust-lbs", NEWTONS_PER_POUND
+
+
+def _broken_model(folder: Path, model: str, why: str) -> BadInput:
+    return BadInput([Problem(file=str(folder / f"{model}.xml"), what=f"JSBSim cannot load it: {why}")])

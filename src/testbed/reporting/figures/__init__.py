@@ -1,0 +1,54 @@
+"""Figures of a finished flight. A new one is a function of a flight in a file here and a line in FIGURES."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from testbed.flight.flight import Flight
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def _states(flight: Flight) -> Figure:
+    from testbed.reporting.figures.states import states
+
+    return states(flight)
+
+
+def _actuators(flight: Flight) -> Figure:
+    from testbed.reporting.figures.actuators import actuators
+
+    return actuators(flight)
+
+
+def _effectiveness(flight: Flight) -> Figure:
+    from testbed.reporting.figures.effectiveness import effectiveness
+
+    return effectiveness(flight)
+
+
+def _rates(flight: Flight) -> Figure:
+    from testbed.reporting.figures.rates import rates
+
+    return rates(flight)
+
+
+FIGURES: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
+    "states": ("States against their references (the paper's figure 4)", _states),
+    "actuators": ("What each actuator is asked for and does (figure 5)", _actuators),
+    "effectiveness": ("Effectiveness: estimates against truth (figure 6)", _effectiveness),
+    "rates": ("Controlled rates: desired against measured", _rates),
+}
+"""File name without its ending: (caption, what draws it). matplotlib is imported when one is drawn."""
+
+
+def draw(flight: Flight, folder: str | Path) -> list[Path]:
+    """Write `folder/figures/<name>.png` for each of FIGURES; returns the files in that order."""
+    from testbed.reporting.figures.page import save
+
+    figures = Path(folder) / "figures"
+    figures.mkdir(parents=True, exist_ok=True)
+    return [save(make(flight), figures / f"{name}.png") for name, (_, make) in FIGURES.items()]

@@ -1,0 +1,53 @@
+"""Figure 5: what the control law asks of each actuator, what it is told, and what it does."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from testbed.flight.flight import Flight
+from testbed.reporting.figures.page import COMMAND, LIMIT, REFERENCE, WIDE, frame, page
+
+_NEAR = 0.15  # of the travel: a stop is shown once a signal comes this near to it
+
+
+def actuators(flight: Flight) -> Figure:
+    """Reference r, command u and position of each actuator, in its own unit, with the stops that matter."""
+    sheet = page(flight, "actuators", [1.7] * len(flight.actuators))
+    for panel, (name, facts) in zip(sheet.panels, flight.actuators.items(), strict=True):
+        signals = {of: sheet.column(f"{name}_{of}") for of in ("reference", "command", "position")}
+        sheet.line(panel, signals["position"], "position (as if fully effective)", WIDE)
+        sheet.line(panel, signals["command"], "command u", COMMAND)
+        sheet.line(panel, signals["reference"], "reference r", REFERENCE)
+        sheet.shade(panel, sheet.column(f"{name}_failed"), "flagged failed")
+        frame(
+            panel, 0.5 * float(facts.get("scale", 1.0)), *_near_travel(signals.values(), facts.get("limits"))
+        )
+        _stops(panel, facts.get("limits"))
+        panel.set_ylabel(f"{name.replace('_', chr(10))}\n[{facts.get('unit', '-')}]", fontsize=9.5)
+    return sheet.finish()
+
+
+def _near_travel(signals: Iterable[np.ndarray], limits: tuple[float, float] | None) -> Iterator[np.ndarray]:
+    """Signals as far as they count for the y axis: a reference may ask for far more than there is."""
+    for values in signals:
+        if limits is not None:
+            near = _NEAR * (limits[1] - limits[0])
+            values = np.clip(values, limits[0] - near, limits[1] + near)
+        yield values
+
+
+def _stops(panel: Axes, limits: tuple[float, float] | None) -> None:
+    """Draw a stop where the signals come near it."""
+    if limits is None:
+        return
+    bottom, top = panel.get_ylim()
+    near = _NEAR * (limits[1] - limits[0])
+    for stop in limits:
+        if bottom - near < stop < top + near:
+            panel.axhline(stop, label="stop", **LIMIT)
+            bottom, top = min(bottom, stop - 0.3 * near), max(top, stop + 0.3 * near)
+    panel.set_ylim(bottom, top)

@@ -1,0 +1,184 @@
+"""The page that every figure is drawn on: one column of panels over one time axis, title, key, events on top.
+
+matplotlib's objects only, no pyplot: nothing global, and no display is needed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from testbed.flight.flight import Flight
+from testbed.reporting.figures.marks import Mark, marks, rows_of
+
+DPI = 110
+_WIDTH = 10.0  # inches, as all sizes here
+_TOP, _BOTTOM, _GAP, _LEFT, _RIGHT = 0.72, 0.55, 0.16, 1.1, 0.25
+_LANE_ROW = 0.19
+_LABEL = 0.58  # from the axis to its label, with room for the numbers
+_BLOCKS = 900  # stretches of time that lines are thinned to: about the width of a panel in pixels
+
+TRUTH: dict[str, Any] = {"color": "black", "linestyle": "-", "linewidth": 1.3}
+"""What the aircraft did."""
+WIDE: dict[str, Any] = {"color": "0.62", "linestyle": "-", "linewidth": 3.4, "solid_capstyle": "butt"}
+"""What an actuator did: wide, as what it was told lies on top of it."""
+REFERENCE: dict[str, Any] = {"color": "#0072B2", "linestyle": (0, (5, 2)), "linewidth": 1.5}
+"""What it was to do, or what the controller believes."""
+COMMAND: dict[str, Any] = {"color": "#D55E00", "linestyle": "-", "linewidth": 1.0}
+"""What an actuator was told."""
+LIMIT: dict[str, Any] = {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth": 1.1}
+"""Stops and thresholds."""
+SHADE: dict[str, Any] = {"facecolor": "0.9", "edgecolor": "0.7", "hatch": "////", "linewidth": 0, "zorder": 0}
+"""While an axis is released, or an actuator flagged."""
+
+
+@dataclass
+class Page:
+    """A figure in the making: `panels` from top to bottom, all over `time_s`."""
+
+    figure: Figure
+    panels: list[Axes]
+    flight: Flight
+    time_s: np.ndarray
+
+    def column(self, name: str) -> np.ndarray:
+        """A column of the log."""
+        return self.flight.data[:, self.flight.columns.index(name)]
+
+    def line(
+        self, panel: Axes, values: np.ndarray, label: str, style: dict[str, Any], wraps: bool = False
+    ) -> None:
+        """Draw a signal, thinned to what can be seen; one that `wraps` is not joined across its jumps."""
+        time, values = thin(self.time_s, values)
+        if wraps:
+            jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
+            time, values = np.insert(time, jumps, math.nan), np.insert(values, jumps, math.nan)
+        panel.plot(time, values, label=label, **style)
+
+    def shade(self, panel: Axes, flag: np.ndarray, label: str) -> None:
+        """Hatch the times at which a flag is up."""
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], flag > 0.5, [False])).astype(np.int8)))
+        end = self.flight.end_time_s
+        for first, last in edges.reshape(-1, 2)[:200]:
+            until = self.time_s[last] if last < len(self.time_s) else end
+            panel.axvspan(self.time_s[first], until, label=label, **SHADE)
+            label = "_"  # one entry in the key
+
+    def finish(self) -> Figure:
+        """The key, from all panels together, each entry once."""
+        entries: dict[str, Any] = {}
+        for panel in self.panels:
+            for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
+                entries.setdefault(label, handle)
+        self.figure.legend(
+            entries.values(), entries, loc="upper right", ncols=max(len(entries), 1),
+            frameon=False, fontsize=9,
+            bbox_to_anchor=(1 - _RIGHT / _WIDTH, 1 - 0.33 / self.figure.get_figheight()),
+            borderaxespad=0.0, handlelength=2.8, columnspacing=1.4,
+        )  # fmt: skip
+        return self.figure
+
+
+def page(flight: Flight, what: str, heights: Sequence[float]) -> Page:
+    """A figure with a panel for each of `heights` [inches], a title, and the events marked in every panel."""
+    time = flight.data[:, flight.columns.index("time_s")]
+    span = (0.0, max(flight.end_time_s, 1e-3))
+    shown = marks(flight.events, flight.actuators)
+    lane = rows_of(shown, span, _WIDTH - _LEFT - _RIGHT)
+    lane_height = _LANE_ROW * (max((row for _, row, _ in lane), default=-1) + 1) + 0.04
+    height = _TOP + lane_height + sum(heights) + _GAP * (len(heights) - 1) + _BOTTOM
+    figure = Figure(figsize=(_WIDTH, height), dpi=DPI)
+    FigureCanvasAgg(figure)
+    _title(figure, flight, what)
+    top = height - _TOP - lane_height
+    panels = _panels(figure, top, heights, span)
+    for mark in shown:
+        for panel in panels:
+            panel.axvline(mark.time_s, **mark.style, alpha=0.75, zorder=1.5)
+    _lane(figure, panels[0], lane, lane_height)
+    return Page(figure, panels, flight, time)
+
+
+def _title(figure: Figure, flight: Flight, what: str) -> None:
+    height = figure.get_figheight()
+    verdict = "passed" if flight.passed else "not passed"
+    title = f"{flight.scenario.name} — {flight.controller}"
+    outcome = f"{flight.outcome.sentence}, {flight.end_time_s:g} s; {verdict}"
+    left, right = _LEFT / _WIDTH, 1 - _RIGHT / _WIDTH
+    figure.text(left, 1 - 0.22 / height, title, fontsize=12, fontweight="bold", va="center")
+    figure.text(right, 1 - 0.22 / height, outcome, fontsize=10, ha="right", va="center")
+    figure.text(left, 1 - 0.46 / height, what, fontsize=10, va="center", color="0.25")
+
+
+def _panels(figure: Figure, top: float, heights: Sequence[float], span: tuple[float, float]) -> list[Axes]:
+    panels: list[Axes] = []
+    width, height = (_WIDTH - _LEFT - _RIGHT) / _WIDTH, figure.get_figheight()
+    for tall in heights:
+        top -= tall
+        panel = figure.add_axes((_LEFT / _WIDTH, top / height, width, tall / height))
+        top -= _GAP
+        panel.set_xlim(*span)
+        panel.grid(True, color="0.88", linewidth=0.6)
+        panel.set_axisbelow(True)
+        panel.tick_params(labelsize=8.5, labelbottom=False)
+        panel.ticklabel_format(useOffset=False)
+        panel.locator_params(axis="y", nbins=5)
+        panel.yaxis.set_label_coords(-_LABEL / (_WIDTH - _LEFT - _RIGHT), 0.5)
+        for side in ("top", "right"):
+            panel.spines[side].set_visible(False)
+        panels.append(panel)
+    panels[-1].tick_params(labelbottom=True)
+    panels[-1].set_xlabel("time [s]", fontsize=9.5)
+    return panels
+
+
+def _lane(figure: Figure, panel: Axes, lane: Sequence[tuple[Mark, int, str]], tall: float) -> None:
+    """Each event once, in words, above the first panel; its line goes up to them."""
+    box = panel.get_position()
+    axes = figure.add_axes((box.x0, box.y1, box.width, tall / figure.get_figheight()))
+    axes.set_xlim(panel.get_xlim())
+    axes.set_ylim(0.0, tall)
+    axes.set_axis_off()
+    axes.set_label("events")
+    reach = 0.06 / (_WIDTH - _LEFT - _RIGHT) * (panel.get_xlim()[1] - panel.get_xlim()[0])
+    for mark, row, side in lane:
+        y = _LANE_ROW * (row + 0.5)
+        axes.plot([mark.time_s, mark.time_s], [0.0, y + 0.07], **mark.style)
+        x = mark.time_s + (reach if side == "left" else -reach)
+        axes.text(x, y, mark.label, fontsize=8.5, ha=side, va="center", color=mark.style["color"])
+
+
+def thin(time: np.ndarray, values: np.ndarray, blocks: int = _BLOCKS) -> tuple[np.ndarray, np.ndarray]:
+    """Fewer points that look like all: first, last, lowest and highest of each of so many stretches."""
+    each = len(values) // blocks
+    if each <= 4:
+        return time, values
+    whole = len(values) // each * each
+    stretches = values[:whole].reshape(-1, each)
+    first = np.arange(len(stretches)) * each
+    middle = [first + stretches.argmin(axis=1), first + stretches.argmax(axis=1)]
+    keep = np.unique(np.concatenate([first, *middle, first + each - 1, np.arange(whole, len(values))]))
+    return time[keep], values[keep]
+
+
+def frame(panel: Axes, least: float, *signals: np.ndarray) -> None:
+    """Limits of the y axis: all that is finite, with some air, and `least` or more, to keep noise small."""
+    values = np.concatenate(signals) if signals else np.zeros(0)
+    values = values[np.isfinite(values) & (np.abs(values) < 1e6)]
+    low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
+    half, middle = max(0.5 * (high - low) * 1.12, 0.5 * least), 0.5 * (low + high)
+    panel.set_ylim(middle - half, middle + half)
+
+
+def save(figure: Figure, file: Path) -> Path:
+    """Write a PNG; returns the file."""
+    figure.savefig(file, dpi=DPI, metadata={"Software": None}, pil_kwargs={"compress_level": 3})
+    return file

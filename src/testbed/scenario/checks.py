@@ -1,0 +1,176 @@
+"""What must hold between the parts of a scenario, and between it, its aircraft, and what can be named."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from testbed.aircraft.description import Aircraft
+from testbed.failures import Failure, overlaps, same_property
+from testbed.inputs.problems import did_you_mean, one_of
+from testbed.inputs.pydantic_messages import Issue
+from testbed.inputs.yaml_source import TreePath
+from testbed.scenario.model import Scenario
+
+
+def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
+    """Everything that can be said without the simulator."""
+    yield from _times(scenario)
+    yield from _steps(scenario)
+    if aircraft is not None:
+        yield from _initial(scenario, aircraft)
+        yield from _axes(scenario, aircraft)
+        yield from _coefficients(scenario, aircraft)
+        yield from _failures(scenario, aircraft)
+
+
+def properties(scenario: Scenario, aircraft: Aircraft, catalog: Mapping[str, bool]) -> Iterator[Issue]:
+    """Properties that do not exist in the loaded model, or that cannot be written."""
+    writable = {same_property(name): can for name, can in catalog.items()}
+    for i, failure in enumerate(scenario.failures):
+        for name in failure.properties(aircraft):
+            written = name in getattr(failure, "set", {})
+            path: TreePath = ("failures", i, "set", name) if written else ("failures", i)
+            can = writable.get(same_property(name))
+            if can is None:
+                yield Issue(path, f"unknown property {name}", suggestion=did_you_mean(name, writable))
+            elif not can:
+                yield Issue(path, f"property {name} is read-only", "a writable property")
+
+
+def names(scenario: Scenario, signals: list[str], metrics: list[str]) -> Iterator[Issue]:
+    """Signals and metrics that do not exist."""
+    for i, failure in enumerate(scenario.failures):
+        if failure.when is not None:
+            yield from _known(failure.when.signal, signals, "signal", ("failures", i, "when", "signal"))
+    for i, requirement in enumerate(scenario.requirements):
+        here = ("requirements", i)
+        if requirement.metric is not None:
+            yield from _known(requirement.metric, metrics, "metric", (*here, "metric"))
+        if requirement.signal is not None:
+            yield from _known(requirement.signal, signals, "signal", (*here, "signal"))
+        if isinstance(requirement.of, str):
+            yield from _known(requirement.of, signals, "signal", (*here, "of"))
+
+
+def _known(word: str, known: list[str], what: str, path: TreePath) -> Iterator[Issue]:
+    if word not in known:
+        close = did_you_mean(word, known)
+        yield Issue(path, f"unknown {what} {word!r}", "" if close else one_of(known), close)
+
+
+def _times(scenario: Scenario) -> Iterator[Issue]:
+    """Nothing may be asked for after the end: it would silently not happen."""
+    end = scenario.duration_s
+    starts: list[tuple[TreePath, float | None]] = []
+    ends: list[tuple[TreePath, float | None]] = []
+    for i, failure in enumerate(scenario.failures):
+        starts.append((("failures", i, "at_s"), failure.at_s))
+        ends.append((("failures", i, "until_s"), failure.until_s))
+    for i, fault in enumerate(scenario.sensors.faults):
+        starts.append((("sensors", "faults", i, "at_s"), fault.at_s))
+        ends.append((("sensors", "faults", i, "until_s"), fault.until_s))
+    for i, gust in enumerate(scenario.atmosphere.gusts):
+        starts.append((("atmosphere", "gusts", i, "at_s"), gust.at_s))
+    for i, requirement in enumerate(scenario.requirements):
+        starts.append((("requirements", i, "from_s"), requirement.from_s))
+        ends.append((("requirements", i, "until_s"), requirement.until_s))
+    last = len(scenario.commands) - 1
+    if scenario.commands and scenario.commands[-1].at_s >= end:
+        yield Issue(
+            ("commands",), f"the last of {last + 1} is at {scenario.commands[-1].at_s:g} s", _before(end)
+        )
+    for path, time in starts:
+        if time is not None and time >= end:
+            yield Issue(path, f"{time:g} s is not within the flight", _before(end))
+    for path, time in ends:
+        if time is not None and time > end:
+            yield Issue(path, f"{time:g} s is after the flight's end", f"at most duration_s {end:g}")
+
+
+def _before(end: float) -> str:
+    return f"less than duration_s {end:g}"
+
+
+MAX_STEPS = 20_000_000
+"""Control steps in a flight; the log of more would not fit into memory."""
+
+
+def _steps(scenario: Scenario) -> Iterator[Issue]:
+    steps = scenario.duration_s * scenario.rate_hz
+    if abs(steps - round(steps)) > 1e-6 or round(steps) < 1:
+        what = f"{scenario.duration_s:g} s at {scenario.rate_hz} Hz is {steps:g} steps"
+        yield Issue(("duration_s",), what, "a whole number of control steps")
+    elif steps > MAX_STEPS:
+        yield Issue(("duration_s",), f"is {steps:g} control steps", f"at most {MAX_STEPS}")
+
+
+def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
+    envelope, initial = aircraft.envelope, scenario.initial
+    limits = [
+        ("airspeed_m_s", initial.airspeed_m_s, envelope.airspeed_min_m_s, envelope.airspeed_max_m_s),
+        ("altitude_m", initial.altitude_m, envelope.altitude_min_m, None),
+    ]
+    for name, value, low, high in limits:
+        if low is not None and value < low:
+            yield Issue(
+                ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at least {low:g}"
+            )
+        if high is not None and value > high:
+            yield Issue(
+                ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at most {high:g}"
+            )
+
+
+def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
+    for i, axis in enumerate(scenario.controller.released):
+        if axis not in aircraft.axes:
+            path = ("controller", "released", i)
+            yield Issue(path, f"{aircraft.name} has no axis {axis}", one_of(aircraft.axes))
+
+
+def _coefficients(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
+    """Coefficients that the design model does not have."""
+    if scenario.controller.model_error:
+        from testbed.aircraft.design_model import (
+            coefficient_names,  # scipy is slow to import, and few scenarios need it
+        )
+
+        known = coefficient_names(aircraft.actuators)
+        for name in scenario.controller.model_error:
+            if name not in known:
+                path: TreePath = ("controller", "model_error", name)
+                close = did_you_mean(name, known)
+                expected = "" if close else f"such as {known[0]} or {known[-1]}"
+                yield Issue(path, f"unknown coefficient {name!r}", expected, close)
+
+
+def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
+    known: list[int] = []
+    for i, failure in enumerate(scenario.failures):
+        problem = _actuator(failure, aircraft, ("failures", i, "actuator"))
+        if problem is None:
+            known.append(i)
+        else:
+            yield problem
+    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # 1 stands in for a refused one: let it pass
+    for i in known:
+        for fault in scenario.failures[i].faults(aircraft, rate_hz):
+            yield Issue(("failures", i, fault.field), fault.what, fault.expected)
+    for i, j, name in overlaps([scenario.failures[i] for i in known], aircraft):
+        what = f"overlaps failures.{known[i]}: both hold {name}"
+        yield Issue(("failures", known[j]), what, "windows that do not meet")
+
+
+def _actuator(failure: Failure, aircraft: Aircraft, path: TreePath) -> Issue | None:
+    name = failure.actuator
+    if name is None:
+        return None
+    actuator = aircraft.actuators.get(name)
+    if actuator is None:
+        names = list(aircraft.actuators)
+        close = did_you_mean(name, names)
+        return Issue(path, f"{aircraft.name} has no actuator {name!r}", "" if close else one_of(names), close)
+    if actuator.kind not in failure.kinds:
+        kinds = " or ".join(failure.kinds)
+        return Issue(path, f"{name} is a {actuator.kind}, {failure.type} is for another kind", f"a {kinds}")
+    return None

@@ -1,0 +1,111 @@
+"""Scenario files: load, complete and check them, and write them so that they fly again as they are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from testbed.air.config import Atmosphere, Gust
+from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.shipped import find_scenario, is_folder_name
+from testbed.controllers.config import SETTINGS
+from testbed.inputs import overrides
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.pydantic_messages import Issue
+from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source
+from testbed.scenario import checks as scenario_checks
+from testbed.scenario.model import Command, CommandRates, Initial, Scenario
+
+__all__ = [
+    "Atmosphere", "Command", "CommandRates", "Gust", "Initial", "Scenario",
+    "check_names", "check_properties", "dump", "load_scenario", "scenario_from",
+]  # fmt: skip
+
+
+def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircraft: bool = True) -> Scenario:
+    """Load, complete and check a scenario file.
+
+    `settings` are KEY=VALUE as of --set. Without the aircraft (reading results), names of actuators are not
+    checked. Raises BadInput with every problem found.
+    """
+    source = yamlfile.read(find_scenario(path))
+    overrides.apply(source, settings)
+    return scenario_from(source, with_aircraft=with_aircraft)
+
+
+def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
+    """Complete and check a tree that was read already, overrides applied; see `load_scenario`."""
+    _drop_settings_of_other_controllers(source)
+    aircraft, problems = _aircraft(source) if with_aircraft else (None, [])
+    source.problems += problems
+    tree = source.tree
+    if aircraft is not None and (tree.get("initial") is None or isinstance(tree["initial"], dict)):
+        tree["initial"] = {**aircraft.reference.model_dump(), **(tree.get("initial") or {})}
+    stand_ins = {
+        "name": "?",
+        "aircraft": "?",
+        "duration_s": 1e9,
+        "rate_hz": 1,
+        "initial": _somewhere(aircraft),
+    }
+    scenario = validated(Scenario, source, lambda s: scenario_checks.check(s, aircraft), stand_ins)
+    scenario._source = source
+    return scenario
+
+
+def dump(scenario: Scenario) -> str:
+    """The resolved scenario as YAML: everything spelled out, so that it flies again as it is."""
+    return yamlfile.dump(scenario.model_dump(mode="json", exclude_none=True))
+
+
+def check_properties(scenario: Scenario, catalog: Mapping[str, bool]) -> list[Problem]:
+    """What is wrong with the properties that failures hold; `catalog` is {property: can it be written}."""
+    issues = scenario_checks.properties(scenario, load_aircraft(scenario.aircraft), catalog)
+    return _placed(scenario, issues)
+
+
+def check_names(scenario: Scenario, signals: Iterable[str], metrics: Iterable[str]) -> list[Problem]:
+    """Which signals and metrics, in requirements and in `when`, are none of those given."""
+    return _placed(scenario, scenario_checks.names(scenario, list(signals), list(metrics)))
+
+
+def _placed(scenario: Scenario, issues: Iterable[Issue]) -> list[Problem]:
+    return [scenario.source.problem(*issue) for issue in issues]
+
+
+def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
+    """The aircraft that a tree names, if it can be had; a folder's path is made absolute in the tree."""
+    name = source.tree.get("aircraft")
+    if not isinstance(name, str) or not name:
+        return None, []
+    if is_folder_name(name):
+        beside = Path(source.file).parent / name
+        name = str((beside if beside.is_dir() else Path(name)).resolve())
+        source.tree["aircraft"] = name
+    try:
+        return load_aircraft(name), []
+    except BadInput as error:
+        here = ("aircraft",)
+        return None, [
+            p if p.file else source.problem(here, p.what, p.expected, p.suggestion) for p in error.problems
+        ]
+
+
+def _somewhere(aircraft: Aircraft | None) -> dict[str, float]:
+    return aircraft.reference.model_dump() if aircraft else {"altitude_m": 0.0, "airspeed_m_s": 1.0}
+
+
+def _drop_settings_of_other_controllers(source: Source) -> None:
+    """With --set controller.type=..., the file's settings of its own controller do not offend the new one."""
+    controller = source.tree.get("controller")
+    if not isinstance(controller, dict) or not overrides.is_override(source, ("controller", "type")):
+        return
+    chosen = SETTINGS.get(str(controller.get("type")))
+    if chosen is None:
+        return
+    others = {name for settings in SETTINGS.values() for name in settings.model_fields}
+    for name in [n for n in controller if n in others - set(chosen.model_fields)]:
+        if not overrides.is_override(source, ("controller", name)):
+            del controller[name]

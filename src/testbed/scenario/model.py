@@ -1,0 +1,119 @@
+"""The model of a scenario: every key of its YAML, its default and its range."""
+
+from __future__ import annotations
+
+import re
+from itertools import pairwise
+
+from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
+
+from testbed.air.config import Atmosphere
+from testbed.controllers.config import AdaptiveInversionSettings, AnyController
+from testbed.failures import AnyFailure
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
+from testbed.inputs.yaml_source import Source
+from testbed.scenario.requirement import Requirement
+from testbed.sensors.settings import Sensors
+
+
+class Initial(Settings):
+    """Where the flight begins: trimmed, level, in calm air."""
+
+    altitude_m: Number
+    airspeed_m_s: Positive
+    heading_deg: Number = Field(default=0.0, ge=0, le=360)
+
+
+class Command(Settings):
+    """New values to fly to, from `at_s` on; what is not given stays as it was."""
+
+    at_s: NonNegative
+    altitude_m: Number | None = None
+    airspeed_m_s: Positive | None = None
+    heading_deg: Number | None = Field(default=None, ge=0, le=360)
+
+
+class CommandRates(Settings):
+    """How fast the references approach a new command."""
+
+    heading_deg_s: Positive = 4.0
+    altitude_m_s: Positive = 1.0
+    airspeed_m_s2: Positive = 0.5
+
+
+class Scenario(Settings):
+    """One flight, whole. A flight is a pure function of this."""
+
+    name: Text
+    aircraft: Text
+    duration_s: Positive
+    rate_hz: Whole = Field(default=200, gt=0)
+    physics_hz: Whole = Field(default=0, validate_default=True)
+    """Physics steps a second, a whole multiple of `rate_hz`; 0 is `rate_hz`."""
+    log_hz: Whole = Field(default=0, validate_default=True)
+    """Logged rows a second, `rate_hz` divided by a whole number; 0 is `rate_hz`."""
+    seed: Whole = 1
+    initial: Initial
+    controller: AnyController = AdaptiveInversionSettings()
+    commands: tuple[Command, ...] = Field(default=(), validate_default=True)
+    command_rates: CommandRates = CommandRates()
+    failures: tuple[AnyFailure, ...] = ()
+    sensors: Sensors = Sensors()
+    atmosphere: Atmosphere = Atmosphere()
+    requirements: tuple[Requirement, ...] = ()
+    _source: Source = PrivateAttr(default_factory=Source)
+
+    @field_validator("physics_hz")
+    @classmethod
+    def _multiple(cls, physics_hz: int, info: ValidationInfo) -> int:
+        rate = info.data.get("rate_hz", 1)
+        if physics_hz % rate:
+            below = max(physics_hz // rate, 1) * rate
+            raise refuse(
+                f"{physics_hz} is no whole multiple of rate_hz {rate}", f"such as {below} or {below + rate}"
+            )
+        return physics_hz or rate
+
+    @field_validator("log_hz")
+    @classmethod
+    def _divisor(cls, log_hz: int, info: ValidationInfo) -> int:
+        rate = info.data.get("rate_hz", 0)
+        if log_hz and rate % log_hz:
+            raise refuse(f"{log_hz} does not divide rate_hz {rate}", f"{rate} divided by a whole number")
+        return log_hz or rate
+
+    @field_validator("commands")
+    @classmethod
+    def _complete(cls, commands: tuple[Command, ...], info: ValidationInfo) -> tuple[Command, ...]:
+        """The first command is at 0 s and says everything: what it leaves out is the initial condition."""
+        times = [command.at_s for command in commands]
+        if any(later <= earlier for earlier, later in pairwise(times)):
+            raise refuse(f"are at {', '.join(f'{t:g}' for t in times)} s", "ascending times")
+        initial = info.data.get("initial")
+        if initial is None:
+            return commands
+        first, rest = (
+            (commands[0], commands[1:]) if times and times[0] == 0 else (Command(at_s=0.0), commands)
+        )
+        said = first.model_dump(exclude_none=True)
+        return (Command.model_validate({**initial.model_dump(), **said}), *rest)
+
+    @property
+    def physics_steps(self) -> int:
+        """Physics steps in one control step."""
+        return self.physics_hz // self.rate_hz
+
+    @property
+    def steps(self) -> int:
+        """Control steps in the whole flight."""
+        return round(self.duration_s * self.rate_hz)
+
+    @property
+    def slug(self) -> str:
+        """The name as a file name."""
+        return re.sub(r"[^a-z0-9]+", "-", self.name.lower()).strip("-") or "flight"
+
+    @property
+    def source(self) -> Source:
+        """Where each value was written; empty for a scenario made in Python."""
+        return self._source

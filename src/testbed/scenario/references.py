@@ -1,0 +1,51 @@
+"""The references that a controller follows: commands approached at a limited rate."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from testbed.common.signals import SETPOINT
+from testbed.scenario.load import Scenario
+
+_FIELDS = (
+    ("altitude", "altitude_m", 1.0),
+    ("airspeed", "airspeed_m_s", 1.0),
+    ("heading", "heading_deg", math.pi / 180),
+)
+
+
+def references(scenario: Scenario) -> np.ndarray:
+    """[steps, 6] rate-limited references by `signals.SETPOINT`, SI; heading is continuous and turns the short way."""
+    limits = scenario.command_rates
+    rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
+    rates["heading"] = math.radians(limits.heading_deg_s)
+    time = np.arange(scenario.steps) / scenario.rate_hz
+    rows = np.zeros((scenario.steps, len(SETPOINT)))
+    for name, key, factor in _FIELDS:
+        start = getattr(scenario.initial, key) * factor
+        value = np.full_like(time, start)
+        rate = np.zeros_like(time)
+        for command in scenario.commands:
+            target = getattr(command, key)
+            if target is None:
+                continue
+            after = time >= command.at_s - 1e-9
+            first = int(np.argmax(after))
+            start = value[first]
+            change = _change(start, target * factor, name)
+            elapsed = time[after] - time[first]
+            value[after] = start + math.copysign(1.0, change) * np.minimum(rates[name] * elapsed, abs(change))
+            rate[after] = np.where(
+                rates[name] * elapsed < abs(change), math.copysign(rates[name], change), 0.0
+            )
+        rows[:, SETPOINT.index(name)] = value
+        rows[:, SETPOINT.index(f"{name}_rate")] = rate
+    return rows
+
+
+def _change(now: float, target: float, name: str) -> float:
+    """How far to go: headings turn by at most half a circle."""
+    change = target - now
+    return math.remainder(change, 2.0 * math.pi) if name == "heading" else change

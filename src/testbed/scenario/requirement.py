@@ -1,0 +1,76 @@
+"""What a scenario demands of a flight: a metric, or a logged signal in a time window, within limits."""
+
+from __future__ import annotations
+
+from pydantic import ValidationInfo, field_validator, model_validator
+
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
+
+
+class Requirement(Settings):
+    """`{metric, at_most|at_least}` or `{signal, from_s, until_s, at_most|at_least|within + of}`.
+
+    `within: 0.5, of: 300` bounds the distance from a number, `of: altitude_command_m` from another signal.
+    `until_s` left out is the end of the flight.
+    """
+
+    name: Text | None = None
+    metric: Text | None = None
+    signal: Text | None = None
+    from_s: NonNegative | None = None
+    until_s: Positive | None = None
+    at_most: Number | None = None
+    at_least: Number | None = None
+    within: NonNegative | None = None
+    of: Number | Text | None = None
+
+    @field_validator("until_s")
+    @classmethod
+    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
+        start = info.data.get("from_s")
+        if until_s is not None and start is not None and until_s <= start:
+            raise refuse(f"{until_s:g} s is not after from_s", f"more than {start:g}")
+        return until_s
+
+    @field_validator("of", mode="before")
+    @classmethod
+    def _number_or_signal(cls, of: object) -> object:
+        if isinstance(of, bool) or not isinstance(of, int | float | str | None):
+            raise refuse("is neither a number nor a signal", "a number or the name of a signal")
+        return of
+
+    @model_validator(mode="after")
+    def _complete(self) -> Requirement:
+        if (self.metric is None) == (self.signal is None):
+            raise refuse(
+                "has both metric and signal" if self.metric else "has no subject", "a metric or a signal"
+            )
+        if self.at_most is None and self.at_least is None and self.within is None:
+            raise refuse("has no limit", "at_most, at_least or within")
+        if (self.within is None) != (self.of is None):
+            raise refuse("has only one of within and of", "both, as in `within: 0.5, of: altitude_command_m`")
+        if self.metric and (self.within is not None or self.from_s is not None or self.until_s is not None):
+            raise refuse("asks for a window or a distance of a metric", "at_most or at_least")
+        return self
+
+    @property
+    def limit(self) -> str:
+        """The limits in words: `within 0.5 of altitude_command_m`."""
+        of = self.of if isinstance(self.of, str) or self.of is None else f"{self.of:g}"
+        parts = [
+            f"at least {self.at_least:g}" if self.at_least is not None else "",
+            f"at most {self.at_most:g}" if self.at_most is not None else "",
+            f"within {self.within:g} of {of}" if self.within is not None else "",
+        ]
+        return " and ".join(part for part in parts if part)
+
+    @property
+    def title(self) -> str:
+        """Its own name, or what it says: `altitude_m within 0.5 of 300, 15 to 60 s`."""
+        if self.name:
+            return self.name
+        text = f"{self.metric or self.signal} {self.limit}"
+        if self.from_s is None and self.until_s is None:
+            return text
+        end = "the end" if self.until_s is None else f"{self.until_s:g} s"
+        return f"{text}, {self.from_s or 0:g} to {end}"

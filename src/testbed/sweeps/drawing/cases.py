@@ -1,0 +1,65 @@
+"""Explicit runs, one a row of a CSV table; columns are dotted paths, cells are YAML values."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Any
+
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput, Problem
+
+Cases = tuple[list[dict[str, Any]], str, dict[str, str]]
+
+
+def read_cases(file: Path, missing: Problem) -> Cases:
+    """(values of each row, the text, place of each column); an empty cell leaves the scenario as it is.
+
+    Raises BadInput: `missing` when there is no such file, else every cell that cannot be read.
+    """
+    try:
+        text = file.read_text(encoding="utf-8-sig")
+    except OSError:
+        raise BadInput([missing]) from None
+    except UnicodeDecodeError:
+        raise BadInput([Problem("is not UTF-8 text", str(file))]) from None
+    rows = list(csv.reader(text.splitlines()))
+    header = [name.strip() for name in rows[0]] if rows else []
+    problems = [
+        Problem(f"column {j + 1} has no name" if not name else f"column {name} is there twice", str(file), 1)
+        for j, name in enumerate(header)
+        if not name or name in header[:j]
+    ]
+    if len(rows) < 2:
+        problems.append(
+            Problem("has no runs", str(file), expected="a header of dotted paths and a row for each run")
+        )
+    cases = [
+        _case(header, row, str(file), line, problems) for line, row in enumerate(rows[1:], 2) if any(row)
+    ]
+    if problems:
+        raise BadInput(problems)
+    return cases, text, {name: str(file) for name in header}
+
+
+def _case(header: list[str], row: list[str], file: str, line: int, problems: list[Problem]) -> dict[str, Any]:
+    if len(row) != len(header):
+        problems.append(
+            Problem(f"has {len(row)} cells", file, line, expected=f"{len(header)}, as the header")
+        )
+        return {}
+    case = {}
+    for name, cell in zip(header, row, strict=True):
+        if not cell.strip():
+            continue
+        try:
+            value = yamlfile.parse(cell)
+        except BadInput as error:
+            problems += [Problem(p.what, file, line, name) for p in error.problems]
+            continue
+        problems += [Problem(p.what, file, line, name, p.expected) for p in value.problems]
+        case[name] = value.tree
+    seed = case.get("seed", 2)
+    if not isinstance(seed, int) or isinstance(seed, bool) or seed < 0:
+        problems.append(Problem(f"is {seed!r}", file, line, "seed", "a whole number, at least 0"))
+    return case

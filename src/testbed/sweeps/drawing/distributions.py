@@ -1,0 +1,184 @@
+"""What a varied value may be drawn from: each law by its inverse, so that every sampler can use it."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from pydantic import Field, model_validator
+from scipy import stats
+
+from testbed.inputs.base import Settings, refuse
+from testbed.inputs.problems import did_you_mean
+from testbed.inputs.yaml_source import describe
+
+_OPEN = 2.0**-53
+"""Distance kept from 0 and 1, where an unbounded distribution is infinite."""
+
+_OWN = {
+    "uniform": ("[low, high]", 2),
+    "normal": ("[mean, standard deviation]", 2),
+    "log_uniform": ("[low, high], both above 0", 2),
+    "integers": ("[first, last], both included", 2),
+}
+
+
+class Distribution(Settings):
+    """`{uniform: [low, high]}`, `{normal: [mean, sd]}`, `{log_uniform: [low, high]}`, `{integers: [first,
+    last]}`, `{choice: [...], weights: [...]}`, or a name of scipy.stats with its parameters, as a list or by
+    name."""
+
+    name: str
+    parameters: Any
+    weights: tuple[float, ...] | None = Field(default=None)
+
+    @model_validator(mode="before")
+    @classmethod
+    def _read(cls, value: Any) -> Any:
+        if isinstance(value, Distribution):
+            return value
+        if not isinstance(value, dict) or not value:
+            raise refuse(f"is {describe(value)}", "a distribution, as {uniform: [0, 1]}")
+        rest = dict(value)
+        weights = rest.pop("weights", None)
+        if len(rest) != 1:
+            raise refuse(f"names {len(rest)} distributions", "one, as {uniform: [0, 1]}")
+        name, parameters = rest.popitem()
+        if weights is not None and name != "choice":
+            raise refuse("has weights", "weights only with choice")
+        return {"name": str(name), "parameters": parameters, "weights": weights}
+
+    @model_validator(mode="after")
+    def _check(self) -> Distribution:
+        if self.name == "choice":
+            self._check_choice()
+        elif self.name in _OWN:
+            self._check_own()
+        else:
+            self._check_scipy()
+        return self
+
+    def quantiles(self, u: np.ndarray) -> list[Any]:
+        """Values at these probabilities, as plain Python values."""
+        if self.name == "choice":
+            steps = np.cumsum(self._weights)[:-1]
+            return [self.parameters[k] for k in np.searchsorted(steps / self._weights.sum(), u, side="right")]
+        if self.name == "integers":
+            first, last = self.parameters
+            return [min(first + int(p * (last - first + 1)), last) for p in u.tolist()]
+        if self.name == "uniform":
+            low, high = map(float, self.parameters)
+            return [low + p * (high - low) for p in u.tolist()]
+        values = self._frozen.ppf(np.clip(u, _OPEN, 1.0 - _OPEN))
+        return [int(v) for v in values] if self._discrete else [float(v) for v in values]
+
+    @property
+    def bounds(self) -> list[Any]:
+        """Its lowest and highest value, when it is bounded; every option of a choice."""
+        if self.name == "choice":
+            return list(self.parameters)
+        if self.name in ("uniform", "integers", "log_uniform"):
+            return list(self.parameters)
+        low, high = self._frozen.support()
+        kind = int if self._discrete else float
+        return [kind(low), kind(high)] if math.isfinite(low) and math.isfinite(high) else []
+
+    def grid(self, levels: int) -> np.ndarray:
+        """Probabilities of a grid's levels: each option or whole number once; both ends if there are."""
+        if self.name == "choice":
+            ends = np.concatenate([[0.0], np.cumsum(self._weights) / self._weights.sum()])
+            return (ends[:-1] + ends[1:]) / 2.0
+        if self.name == "integers":
+            levels = self.parameters[1] - self.parameters[0] + 1
+        elif self.bounds and not self._discrete:
+            return np.linspace(0.0, 1.0, levels)
+        return (np.arange(levels) + 0.5) / levels
+
+    @property
+    def _weights(self) -> np.ndarray:
+        return np.asarray(self.weights or [1.0] * len(self.parameters), dtype=float)
+
+    @property
+    def _discrete(self) -> bool:
+        return isinstance(getattr(stats, self.name, None), stats.rv_discrete)
+
+    @cached_property
+    def _frozen(self) -> Any:
+        if self.name == "normal":
+            return stats.norm(*self.parameters)
+        if self.name == "log_uniform":
+            return stats.loguniform(*self.parameters)
+        family = getattr(stats, self.name)
+        given = self.parameters
+        return family(**given) if isinstance(given, dict) else family(*given)
+
+    def _check_choice(self) -> None:
+        if not isinstance(self.parameters, list) or not self.parameters:
+            raise refuse(
+                f"choice is {describe(self.parameters) if self.parameters else 'empty'}", "a list of values"
+            )
+        if self.weights is None:
+            return
+        if len(self.weights) != len(self.parameters):
+            raise refuse(
+                f"has {len(self.weights)} weights for {len(self.parameters)} choices", "one weight each"
+            )
+        if min(self.weights) < 0 or not 0 < sum(self.weights) < math.inf:
+            raise refuse(f"weights are {list(self.weights)}", "none below 0, and one above")
+
+    def _check_own(self) -> None:
+        meaning, count = _OWN[self.name]
+        given = self.parameters
+        if not _numbers(given, count):
+            raise refuse(f"{self.name} has {describe(given)}", meaning)
+        low, high = given
+        if self.name == "integers" and not all(isinstance(p, int) for p in given):
+            raise refuse(f"integers has {given}", meaning)
+        if self.name == "normal":
+            if high <= 0:
+                raise refuse(f"the standard deviation is {high}", "more than 0")
+        elif (
+            low > high
+            or (low == high and self.name != "integers")
+            or (self.name == "log_uniform" and low <= 0)
+        ):
+            raise refuse(f"{self.name} is from {low} to {high}", meaning)
+
+    def _check_scipy(self) -> None:
+        family = getattr(stats, self.name, None)
+        if not isinstance(family, stats.rv_continuous | stats.rv_discrete):
+            close = did_you_mean(self.name, distribution_names())
+            raise refuse(
+                f"unknown distribution {self.name!r}",
+                "" if close else "uniform, normal, choice, integers, log_uniform or a name of scipy.stats",
+                close,
+            )
+        shapes = [s.strip() for s in family.shapes.split(",")] if family.shapes else []
+        wanted = [*shapes, "loc", *(["scale"] if isinstance(family, stats.rv_continuous) else [])]
+        given = self.parameters
+        words = f"{', '.join(wanted)}, by name or in this order"
+        values = list(given.values()) if isinstance(given, dict) else given
+        if not isinstance(values, list) or not _numbers(values, len(values)) or len(values) > len(wanted):
+            raise refuse(f"{self.name} has {describe(given)}", words)
+        if isinstance(given, dict) and (wrong := [n for n in given if n not in wanted]):
+            raise refuse(f"{self.name} has no parameter {wrong[0]!r}", words, did_you_mean(wrong[0], wanted))
+        try:
+            median = float(self._frozen.ppf(0.5))
+        except (TypeError, ValueError):
+            raise refuse(f"{self.name} has {len(values)} parameters", words) from None
+        if not math.isfinite(median):
+            raise refuse(f"{self.name} does not take {values}", f"parameters in their range: {words}")
+
+
+def distribution_names() -> list[str]:
+    """Every name that a varied value can be drawn from."""
+    kinds = (stats.rv_continuous, stats.rv_discrete)
+    return [*_OWN, "choice", *(name for name in dir(stats) if isinstance(getattr(stats, name), kinds))]
+
+
+def _numbers(values: Any, count: int) -> bool:
+    if not isinstance(values, list) or len(values) != count:
+        return False
+    return all(isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values)

@@ -1,0 +1,113 @@
+"""What has finished, kept at once: one JSON line a flight, only ever appended to.
+
+Each line carries a checksum of itself. A line torn by kill -9 or a full disk, or damaged later, is no record:
+that flight is flown again. A lock keeps a second process out; the system drops it when its holder dies,
+however.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import time
+import zlib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from testbed.inputs.problems import BadInput, Problem
+
+_MARK = b',"crc32":"'
+_SYNC_S = 1.0
+"""At most so much work is lost to a power cut; a killed process loses none."""
+
+
+def encode(record: Mapping[str, Any]) -> bytes:
+    """A record as its line."""
+    body = json.dumps(record, separators=(",", ":"), ensure_ascii=False).encode()[:-1]
+    return body + _MARK + f"{zlib.crc32(body):08x}".encode() + b'"}\n'
+
+
+def decode(line: bytes) -> dict[str, Any] | None:
+    """The record of a line, or None when the line is torn or damaged."""
+    body, mark, tail = line.rpartition(_MARK)
+    if not mark or tail != f'{zlib.crc32(body):08x}"}}\n'.encode():
+        return None
+    record: dict[str, Any] = json.loads(body + b"}")
+    return record
+
+
+def records(file: Path) -> Iterator[tuple[int, dict[str, Any]]]:
+    """(offset, record) of every whole line, one at a time."""
+    offset = 0
+    with file.open("rb") as stream:
+        for line in stream:
+            record = decode(line)
+            if record is not None:
+                yield offset, record
+            offset += len(line)
+
+
+class Journal:
+    """The file, open for appending by this process alone."""
+
+    def __init__(self, file: Path) -> None:
+        """Open or make it; BadInput when another process has it open, OSError when it cannot be had."""
+        self.file = file
+        self._handle = os.open(file, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o666)
+        try:
+            fcntl.flock(self._handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            os.close(self._handle)
+            raise BadInput([Problem("is being flown by another process", str(file.parent))]) from None
+        self._end = self._mend()
+        self._synced = time.monotonic()
+
+    def append(self, record: Mapping[str, Any]) -> int:
+        """Write one record, whole or not at all, and return its offset; OSError when the disk is full."""
+        line, offset = encode(record), self._end
+        try:
+            written = os.write(self._handle, line)
+            while written < len(line):  # a nearly full disk takes a part, and refuses the next
+                written += os.write(self._handle, line[written:])
+            if time.monotonic() - self._synced > _SYNC_S:
+                os.fsync(self._handle)
+                self._synced = time.monotonic()
+        except BaseException:
+            os.ftruncate(self._handle, offset)
+            raise
+        self._end = offset + len(line)
+        return offset
+
+    def read(self, offset: int) -> dict[str, Any]:
+        """The record at an offset."""
+        size = 4096
+        while b"\n" not in (block := os.pread(self._handle, size, offset)) and offset + size < self._end:
+            size *= 4
+        record = decode(block[: block.index(b"\n") + 1])
+        if record is None:
+            raise BadInput([Problem("was changed while it was read", str(self.file))])
+        return record
+
+    def close(self) -> None:
+        """Have it all on disk, and let others in."""
+        try:
+            os.fsync(self._handle)
+        finally:
+            os.close(self._handle)
+
+    def _mend(self) -> int:
+        """Cut off what a kill left of a last line; the end of the file then."""
+        size = os.fstat(self._handle).st_size
+        end, chunk = size, 1 << 16
+        while end:
+            start = max(0, end - chunk)
+            newline = os.pread(self._handle, end - start, start).rfind(b"\n")
+            if newline >= 0:
+                end = start + newline + 1
+                break
+            end = start
+        if end < size:
+            os.ftruncate(self._handle, end)
+        return end

@@ -1,0 +1,172 @@
+"""A worker process: takes tasks from one pipe, answers on another, and can die without taking anyone along.
+
+`python -m testbed.sweeps.workers.child READ WRITE` is the process; `Child` is its handle. Not multiprocessing's own
+pool: the processes of that wait for ever for one that was killed, and a Dask worker may not start them.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+from multiprocessing.connection import Connection
+from pathlib import Path
+
+from testbed.inputs.problems import BadInput, Problem
+from testbed.sweeps.drawing.builder import Task
+from testbed.sweeps.workers.flying import Flown, Job, fly_task, not_flown
+
+_START_S = 300.0
+"""A process that has not started by then never will; a first compile takes some seconds."""
+_GRACE_S = 10.0
+_ATTEMPTS = 2
+"""A process may be killed from outside, for memory say: its flight is tried once more before it counts."""
+
+
+class Child:
+    """One worker process, made when first needed and again when it died."""
+
+    def __init__(self, job: Job) -> None:
+        self._job = job
+        self._process: subprocess.Popen[bytes] | None = None
+        self._closed = threading.Event()
+
+    def fly(self, task: Task) -> Flown:
+        """Fly one task. One that hangs or kills the process is a record with its reason.
+
+        Raises BadInput when no process can be started, InterruptedError when closed meanwhile.
+        """
+        died = 0
+        for _ in range(_ATTEMPTS):
+            self._start()
+            flown = self._attempt(task)
+            if flown is not None:
+                return flown
+            died = self.kill()
+            if self._closed.is_set():
+                raise InterruptedError("closed while flying")
+        return not_flown(task, "crashed", f"the process was ended by {_cause(died)}")
+
+    def close(self) -> None:
+        """End the process, whatever it does; a flight under way raises InterruptedError in its thread."""
+        self._closed.set()
+        if self._process is not None:
+            self._process.kill()
+
+    def kill(self) -> int:
+        """End the process and return its status as subprocess does."""
+        process, self._process = self._process, None
+        if process is None:
+            return 0
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(
+                1.0
+            )  # it has closed its pipe and is about to be gone: its own status is the true one
+        process.kill()
+        self._to.close()
+        self._from.close()
+        return process.wait()
+
+    def _attempt(self, task: Task) -> Flown | None:
+        limit = self._job.time_limit_s
+        try:
+            self._to.send(task)
+            if self._from.poll(limit):
+                flown: Flown = self._from.recv()
+                return flown
+        except (EOFError, OSError):
+            return None
+        if self._process is not None:
+            self._process.kill()
+        self.kill()
+        return not_flown(task, "timeout", f"no result within {limit:g} s")
+
+    def _start(self) -> None:
+        if self._closed.is_set():
+            raise InterruptedError("closed")
+        if self._process is not None and self._process.poll() is None:
+            return
+        if self._process is not None:
+            self.kill()
+        theirs_in, ours_out = os.pipe()
+        ours_in, theirs_out = os.pipe()
+        self._to, self._from = Connection(ours_out, readable=False), Connection(ours_in, writable=False)
+        command = [sys.executable, "-m", "testbed.sweeps.workers.child", str(theirs_in), str(theirs_out)]
+        with tempfile.TemporaryFile() as words:
+            self._process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,
+                pass_fds=(theirs_in, theirs_out), env=_environment(self._job), close_fds=True,
+            )  # fmt: skip
+            os.close(theirs_in)
+            os.close(theirs_out)
+            if self._closed.is_set():  # meanwhile
+                self._process.kill()
+            try:
+                self._to.send_bytes(pickle.dumps(self._job))
+                ready = self._from.poll(_START_S) and self._from.recv()
+            except (EOFError, OSError):
+                ready = False
+            if not ready:
+                words.seek(0)
+                self._fail(words.read())
+
+    def _fail(self, words: bytes) -> None:
+        self.kill()
+        if self._closed.is_set():
+            raise InterruptedError("closed")
+        lines = words.decode(errors="replace").strip().splitlines()
+        raise BadInput(
+            [Problem(f"a worker process does not start: {lines[-1] if lines else 'no reason given'}")]
+        )
+
+
+def _cause(status: int) -> str:
+    if status >= 0:
+        return f"exit status {status}"
+    try:
+        return f"signal {-status} ({signal.Signals(-status).name})"
+    except ValueError:
+        return f"signal {-status}"
+
+
+def _environment(job: Job) -> dict[str, str]:
+    """One thread for each process: two that share the cores by threads are slower than one."""
+    single = dict.fromkeys(
+        ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"
+    )
+    package = str(Path(__file__).resolve().parents[3])
+    path = os.pathsep.join(
+        dict.fromkeys([package, *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))])
+    )
+    return {**os.environ, **single, "PYTHONPATH": path}
+
+
+def main(read: int, write: int) -> None:
+    """The process: one task after the other, until the pipe closes."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent, which closes the pipe
+    tasks, answers = Connection(read, writable=False), Connection(write, readable=False)
+    job: Job = pickle.loads(tasks.recv_bytes())
+    sys.path += [entry for entry in job.search_path if entry not in sys.path]
+    answers.send(True)
+    while True:
+        try:
+            task = tasks.recv()
+        except EOFError:
+            return
+        # The kernel's own alarm: it ends a hung process even when the parent is no more.
+        signal.setitimer(signal.ITIMER_REAL, job.time_limit_s + _GRACE_S)
+        flown = fly_task(job, task)
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        try:
+            answers.send(flown)
+        except BrokenPipeError:
+            return
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), int(sys.argv[2]))

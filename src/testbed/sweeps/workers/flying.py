@@ -1,0 +1,141 @@
+"""One flight of a sweep, in a worker: fly it, and keep what its row, its history and its log need."""
+
+from __future__ import annotations
+
+import importlib
+import io
+import re
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from testbed.flight.flight import Flight
+from testbed.inputs.problems import BadInput, Problem
+from testbed.scenario.load import Scenario
+from testbed.sweeps.drawing.builder import Builder, Task
+from testbed.sweeps.folder.histories import thinned
+
+Fly = Callable[[Scenario], Flight]
+FLY = "testbed.simulation:fly"
+SAVE_LOGS = ("none", "failed", "all")
+_WORDS = 300
+"""Longest reason kept."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """What a worker must know to fly any flight of a sweep."""
+
+    builder: Builder
+    fly: str = FLY
+    """Function that flies, as `module:name`."""
+    save_logs: str = "failed"
+    time_limit_s: float = 300.0
+    search_path: tuple[str, ...] = field(default_factory=lambda: tuple(sys.path))
+
+
+@dataclass(frozen=True)
+class Flown:
+    """What came of one flight: its record, its thinned history, its log as Parquet."""
+
+    record: dict[str, Any]
+    history: bytes = b""
+    log: bytes = b""
+
+
+def fly_reference(fly: Fly | None) -> str:
+    """A function as `module:name`, so that worker processes can import it; raises BadInput when they could
+    not.
+    """
+    if fly is None:
+        return FLY
+    module, name = getattr(fly, "__module__", ""), getattr(fly, "__qualname__", "<")
+    if "<" in name or module == "__main__":
+        what = f"the function that flies, {name}, cannot be imported by a worker"
+        raise BadInput([Problem(what, expected="a function at the top of an importable module")])
+    return f"{module}:{name}"
+
+
+def fly_task(job: Job, task: Task, keep: Callable[[Flight], object] = lambda _: None) -> Flown:
+    """Fly one task; whatever goes wrong in Python is a record with its reason, never an exception.
+
+    `keep` is given the whole flight.
+    """
+    try:
+        scenario = job.builder.scenario(task)
+    except BadInput as error:
+        return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
+    try:
+        flight = _function(job.fly)(scenario)
+        keep(flight)
+        return _flown(job, task, flight)
+    except BadInput as error:
+        return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
+    except Exception as error:
+        return not_flown(task, "error", f"{type(error).__name__}: {error}")
+
+
+def not_flown(task: Task, outcome: str, reason: str) -> Flown:
+    """The record of a flight that has no result: it counts as not passed."""
+    reason = re.sub(
+        r"0x[0-9a-f]{6,}", "0x...", " ".join(reason.split())
+    )  # addresses differ between processes
+    return Flown({**_head(task), "outcome": outcome, "passed": False, "reason": reason[:_WORDS]})
+
+
+def _head(task: Task) -> dict[str, Any]:
+    return {"run": task.run, "variant": task.variant, "seed": task.seed, "values": dict(task.values)}
+
+
+def _flown(job: Job, task: Task, flight: Flight) -> Flown:
+    record = {
+        **_head(task),
+        "outcome": str(flight.outcome),
+        "passed": bool(flight.passed),
+        "reason": "",
+        "end_time_s": float(flight.end_time_s),
+        "metrics": {name: float(value) for name, value in flight.metrics.items()},
+        "requirements": [[bool(r["passed"]), _number(r["value"])] for r in flight.requirements],
+    }
+    wanted = job.save_logs == "all" or (job.save_logs == "failed" and not flight.passed)
+    return Flown(record, thinned(flight), _parquet(flight) if wanted else b"")
+
+
+def _parquet(flight: Flight) -> bytes:
+    """The log in single precision: the flight itself can be had again, bit for bit, with --only."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    # Straight from the bytes: pa.array would import pandas, 60 MB in every worker.
+    columns = [
+        _column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))
+    ]
+    columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time keeps its last digits
+    stream = io.BytesIO()
+    table = pa.Table.from_arrays(columns, names=list(flight.columns))
+    pq.write_table(table, stream, compression="zstd", use_byte_stream_split=True, use_dictionary=False)
+    return stream.getvalue()
+
+
+def _column(pa: Any, kind: Any, values: np.ndarray) -> Any:
+    return pa.Array.from_buffers(kind, len(values), [None, pa.py_buffer(values)])
+
+
+def _number(value: Any) -> float:
+    return float("nan") if value is None else float(value)
+
+
+def _place_free(problem: Problem) -> str:
+    """A problem without file and line: these are the machine's, not the run's."""
+    return str(Problem(problem.what, "", None, problem.path, problem.expected, problem.suggestion))
+
+
+def _function(reference: str) -> Fly:
+    module, _, name = reference.partition(":")
+    function: Any = importlib.import_module(module)
+    for part in name.split("."):
+        function = getattr(function, part)
+    return function  # type: ignore[no-any-return]

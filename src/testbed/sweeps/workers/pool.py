@@ -1,0 +1,80 @@
+"""Local processes: a thread looks after each, so that a slow, hung or dead one keeps no other waiting."""
+
+from __future__ import annotations
+
+import os
+import queue
+import threading
+from collections.abc import Generator, Iterable
+
+from testbed.sweeps.drawing.builder import Task
+from testbed.sweeps.workers.child import Child
+from testbed.sweeps.workers.flying import Flown, Job
+
+Done = tuple[Task, Flown]
+
+
+def default_jobs() -> int:
+    """Processes to use: the cores that this process may run on."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def fly_locally(job: Job, tasks: Iterable[Task], jobs: int | None = None) -> Generator[Done, None, None]:
+    """Fly every task in `jobs` processes; yields each as it finishes, in no order. Closing it ends the
+    processes.
+    """
+    feed = _Feed(tasks)
+    done: queue.Queue[Done | BaseException | None] = queue.Queue(maxsize=64)
+    children = [Child(job) for _ in range(jobs or default_jobs())]
+    threads = [threading.Thread(target=_tend, args=(child, feed, done), daemon=True) for child in children]
+    for thread in threads:
+        thread.start()
+    try:
+        working = len(threads)
+        while working:
+            item = done.get()
+            if item is None:
+                working -= 1
+            elif isinstance(item, BaseException):
+                raise item
+            else:
+                yield item
+    finally:
+        feed.stop()
+        for child in children:
+            child.close()
+        while any(thread.is_alive() for thread in threads):  # one may wait for room in the queue
+            try:
+                done.get(timeout=0.05)
+            except queue.Empty:
+                continue
+        for child in children:
+            child.kill()
+
+
+class _Feed:
+    """Tasks, one at a time, for several threads."""
+
+    def __init__(self, tasks: Iterable[Task]) -> None:
+        self._tasks = iter(tasks)
+        self._lock = threading.Lock()
+        self._stopped = False
+
+    def next(self) -> Task | None:
+        with self._lock:
+            return None if self._stopped else next(self._tasks, None)
+
+    def stop(self) -> None:
+        with self._lock:
+            self._stopped = True
+
+
+def _tend(child: Child, feed: _Feed, done: queue.Queue[Done | BaseException | None]) -> None:
+    try:
+        while (task := feed.next()) is not None:
+            done.put((task, child.fly(task)))
+        done.put(None)
+    except InterruptedError:
+        done.put(None)
+    except BaseException as error:
+        done.put(error)

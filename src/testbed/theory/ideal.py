@@ -1,0 +1,268 @@
+"""The paper's ideal plant, equations (1) and (7), with the law that flies in the loop around it.
+
+There is no aeroplane here: x_c_dot = f(x) + B_c Lambda(t) a for a given B_c, Lambda(t) and f. What the paper
+proves of such a plant can be compared with what the flying law does, because the loop calls the same compiled
+functions (`testbed.controllers.inversion.law`, `testbed.controllers.actuator_model`). All actuators are scaled surfaces.
+Without a lag an actuator is ideal: its position is its command, a = u.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from testbed.common.jit import compiled
+from testbed.common.signals import STATE, record_dtype
+from testbed.controllers.actuator_model import advance_servo
+from testbed.controllers.inversion.law import (
+    adapt,
+    compensate,
+    invert,
+    measured_error,
+    monitor,
+    regressor,
+    state_function,
+)
+from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
+
+UNLIMITED = 1e12
+"""Stops and rates of an actuator that has none; far from overflow when the compiled servo multiplies with
+it."""
+
+
+@dataclass(frozen=True)
+class IdealPlant:
+    """x_c_dot = f(x) + B_c Lambda a, and what the design model has wrong about it.
+
+    Attributes:
+        B: [4, n] B_mc of the design model, n <= 4 and of full column rank.
+        B_c: [4, n] the real input matrix; the model's where not given.
+        A, bias: f by `law.state_function`: columns alpha, beta, p, q, r. Of the plant and of the model alike.
+        bias_error: [4] f - f_m, constant (4.2).
+        airspeed: relative to the reference; surfaces act with its square.
+        lag, rate: [n] of the real servos, rad/s and 1/s; lag 0 is ideal.
+        modelled: does the model have these servos too, or take them for ideal?
+    """
+
+    B: np.ndarray
+    B_c: np.ndarray | None = None
+    A: np.ndarray = field(default_factory=lambda: np.zeros((4, 5)))
+    bias: np.ndarray = field(default_factory=lambda: np.zeros(4))
+    bias_error: np.ndarray = field(default_factory=lambda: np.zeros(4))
+    airspeed: float = 1.0
+    lag: np.ndarray | float = 0.0
+    rate: np.ndarray | float = UNLIMITED
+    modelled: bool = True
+
+
+@dataclass(frozen=True)
+class Tuning:
+    """Settings of the law; the projection is wide open unless a bound is given."""
+
+    gamma: float | np.ndarray = 2.0
+    epsilon: float = 0.05
+    dt_s: float = 0.005
+    lambda_min: float = 1e-9
+    lambda_max: float = 1e300
+    threshold: float = 0.1
+    recovery: float = 0.5
+    persistence_s: float = 0.05
+    recovery_s: float = 0.5
+
+
+@dataclass(frozen=True)
+class History:
+    """One row per step; `r`, `u`, `a` and `e` belong together: e was caused by the a that r asked for.
+
+    Attributes:
+        lambda_hat: [steps + 1, n] before each step, and after the last.
+        e: [steps, 4] measured error (10) with the modelled actuators.
+        r, u, a: [steps, n] reference, command and modelled position.
+        failed: [steps, n] what the monitor says after the step.
+    """
+
+    lambda_hat: np.ndarray
+    e: np.ndarray
+    r: np.ndarray
+    u: np.ndarray
+    a: np.ndarray
+    failed: np.ndarray
+
+
+@compiled
+def move(dt, m, s):
+    """Actuator positions after `s.command`: servos with a lag by the flying model, the others at once."""
+    for i in range(len(s.command)):
+        if m.lag[i] > 0.0:
+            advance_servo(i, dt, m, s)
+        else:
+            s.position[i] = min(max(s.command[i] / m.scale[i], m.low[i]), m.high[i])
+
+
+@compiled
+def ideal_loop(
+    r, effectiveness, disturbance, y, models, settings, modes, memories, work, lambda_hat, e_log, log
+):
+    """Equations (5) to (14) in the paper's order, one row of r, Lambda and disturbance per step.
+
+    Args:
+        models, memories: two records each: what the controller has, and what the plant has.
+        log: [steps, 4, n] filled with r, u, a and the monitor's flags.
+    """
+    m, plant, c, k, s, p = models[0], models[1], settings[0], modes[0], memories[0], memories[1]
+    f_m, f, z, e, wanted, phi = work[:, 0], work[:, 1], work[:, 2], work[:, 3], work[:, 4], work[:, 6:]
+    n = len(s.u)
+    pressure = (y.airspeed / m.airspeed) ** 2
+    for step in range(len(r)):
+        state_function(y, m, f_m)
+        state_function(y, plant, f)
+        for i in range(4):  # (5): the rates that this r would give, from which (6) has to find it again
+            x_dc_dot = f_m[i]
+            for j in range(n):
+                x_dc_dot += m.B[i, j] * pressure * r[step, j]
+            wanted[i] = x_dc_dot - f_m[i]
+        invert(wanted, pressure, m, k, s)
+        compensate(m, c, k, s)
+        for j in range(n):
+            lambda_hat[step, j] = s.lambda_hat[j]
+            s.command[j] = s.u[j] * m.scale[j]
+            p.command[j] = s.command[j]
+        move(c.dt, m, s)
+        move(c.dt, plant, p)
+        for i in range(4):
+            x_c_dot = f[i] + disturbance[step, i]
+            for j in range(n):
+                x_c_dot += plant.B[i, j] * pressure * effectiveness[step, j] * p.position[j]
+            z[i] = x_c_dot - f_m[i]
+            work[i, 5] = x_c_dot
+        regressor(pressure, m, s, phi)
+        measured_error(z, phi, s, e)
+        adapt(e, pressure, m, c, s)
+        monitor(c, s)
+        y.p += c.dt * work[0, 5]
+        y.q += c.dt * work[1, 5]
+        y.r += c.dt * work[2, 5]
+        for i in range(4):
+            e_log[step, i] = e[i]
+        for j in range(n):
+            log[step, 0, j], log[step, 1, j] = s.r[j], s.u[j]
+            log[step, 2, j], log[step, 3, j] = s.position[j], s.failed[j]
+    for j in range(n):
+        lambda_hat[len(r), j] = s.lambda_hat[j]
+
+
+class IdealLoop:
+    """The law around an ideal plant; keeps its memory, so that a long run can be flown in pieces."""
+
+    def __init__(
+        self, plant: IdealPlant, tuning: Tuning, estimate: Sequence[float] | np.ndarray | float = 1.0
+    ) -> None:
+        self._n = n = plant.B.shape[1]
+        self._models = np.zeros(2, model_dtype(n)).view(np.recarray)
+        self._settings = np.zeros(1, settings_dtype(n)).view(np.recarray)
+        self._modes = np.zeros(1, mode_dtype(n)).view(np.recarray)
+        self._memories = np.zeros(2, memory_dtype(n)).view(np.recarray)
+        self._work = np.zeros((4, 6 + n))
+        self._y = np.zeros(1, record_dtype(STATE)).view(np.recarray)
+        self._y["airspeed"] = plant.airspeed
+        models, settings = self._models, self._settings
+        models["airspeed"], models["servo"], models["scale"] = 1.0, 1.0, 1.0
+        models["low"], models["high"], models["rate"] = -UNLIMITED, UNLIMITED, plant.rate
+        models["A"], models["bias"] = plant.A, [plant.bias, plant.bias + plant.bias_error]
+        models["B"] = [plant.B, plant.B if plant.B_c is None else plant.B_c]
+        models["B_inv"] = np.linalg.pinv(plant.B)
+        models["lag"][1] = plant.lag
+        models["lag"][0] = plant.lag if plant.modelled else 0.0
+        for name in ("gamma", "epsilon", "lambda_min", "lambda_max", "threshold", "recovery"):
+            settings[name] = getattr(tuning, name)
+        settings["dt"], settings["persistence"] = tuning.dt_s, tuning.persistence_s
+        settings["recovery_time"] = tuning.recovery_s
+        settings["divisor_min"] = tuning.lambda_min
+        self._modes["B_hat_inv"], self._modes["alive"] = models["B_inv"][0], 1.0
+        self._memories["lambda_hat"] = estimate
+
+    def start_at(self, position: np.ndarray) -> None:
+        """Put the servos at rest at a position."""
+        for name in ("position", "servo_input", "servo_lagged"):
+            self._memories[name] = position
+
+    def fly(
+        self, r: np.ndarray, effectiveness: np.ndarray | float, disturbance: np.ndarray | float = 0.0
+    ) -> History:
+        """Follow the reference r [steps, n] with the plant's effectiveness and a disturbance of its rates
+        [steps, 4].
+
+        Effectiveness and disturbance may be constant: anything that numpy broadcasts to those shapes.
+        """
+        steps, n = r.shape
+        lambda_hat, e, log = np.empty((steps + 1, n)), np.empty((steps, 4)), np.empty((steps, 4, n))
+        ideal_loop(
+            np.ascontiguousarray(r, dtype=float),
+            np.array(np.broadcast_to(effectiveness, (steps, n)), dtype=float),
+            np.array(np.broadcast_to(disturbance, (steps, 4)), dtype=float),
+            self._y[0],
+            self._models,
+            self._settings,
+            self._modes,
+            self._memories,
+            self._work,
+            lambda_hat,
+            e,
+            log,
+        )
+        return History(lambda_hat, e, log[:, 0], log[:, 1], log[:, 2], log[:, 3])
+
+
+@dataclass(frozen=True)
+class Approach:
+    """One curve of figure 3.
+
+    Attributes:
+        gamma: adaptation gain, 1/s.
+        sign: +1 for an approach from below (positive), -1 from above.
+        time: [k] seconds, zero where the estimate is within 1 % of the truth, negative before.
+        estimate: [k] lambda_hat / lambda.
+    """
+
+    gamma: float
+    sign: int
+    time: np.ndarray
+    estimate: np.ndarray
+
+
+def first_order(estimate: float, truth: float, rate: float, time: np.ndarray) -> np.ndarray:
+    """Closed form of (19) for constant lambda and kappa, rate = gamma kappa: (20), (22) and (23)."""
+    return truth + (estimate - truth) * np.exp(-rate * time)
+
+
+def approach_trajectories(
+    gammas: Sequence[float], within: float = 0.01, step: float = 1e-3, most: float = 0.99
+) -> list[Approach]:
+    """Figure 3: the estimates of the flying law on the ideal plant, by (22), backwards from `within` of the
+    truth.
+
+    Args:
+        gammas: adaptation gains, 1/s.
+        within: relative distance from the truth at time zero.
+        step: gamma dt of the integration.
+        most: relative distance at which the curves begin.
+    """
+    curves = []
+    steps = math.ceil(1.2 * math.log(most / within) / step)
+    for gamma in gammas:
+        dt = step / gamma
+        # One plant shows both: actuator 0 is approached from below, actuator 1 from above.
+        loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(gamma, 0.01, dt), [1.0 - most, 1.0 + most, 1.0, 1.0])
+        estimates = loop.fly(np.ones((steps, 4)), 1.0).lambda_hat
+        for actuator, sign in ((0, 1), (1, -1)):
+            estimate = estimates[:, actuator]
+            last = int(np.argmax(np.abs(estimate - 1.0) <= within))
+            # The lag is exponential, so the crossing between two samples is found in the logarithm of the
+            # distance.
+            log = np.log(np.abs(estimate[last - 1 : last + 1] - 1.0) / within)
+            crossing = (last - 1 + log[0] / (log[0] - log[1])) * dt
+            curves.append(Approach(gamma, sign, np.arange(last + 1) * dt - crossing, estimate[: last + 1]))
+    return curves

@@ -1,0 +1,128 @@
+"""Bad sweeps are refused like bad scenarios: every problem, its place, what was expected and meant; nothing
+flies.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from sweep_files import SWEEP, run, written
+
+from testbed.inputs.problems import BadInput
+from testbed.sweeps.checks import check
+from testbed.sweeps.plan import load_sweep
+
+VALUE = "failures.0.value: {uniform: [0, 1]}"
+REFUSED: list[tuple[str, str, list[str]]] = [
+    (VALUE, "failures.0.vaule: {uniform: [0, 1]}", [":11: failures.0.vaule: unknown key, did you mean value?"]),
+    (VALUE, "failures.3.value: {uniform: [0, 1]}",
+     [":11: failures: has no entry 3, expected an index from 0 to 0"]),
+    (VALUE, "failures.0.value: {unifrom: [0, 1]}",
+     [":11: vary.failures.0.value: unknown distribution 'unifrom', did you mean uniform?"]),
+    (VALUE, "failures.0.value: {uniform: [1, 0]}",
+     [":11: vary.failures.0.value: uniform is from 1 to 0, expected [low, high]"]),
+    (VALUE, "failures.0.value: {uniform: [0]}",
+     [":11: vary.failures.0.value: uniform has a list, expected [low, high]"]),
+    (VALUE, "failures.0.value: {weibull_min: {c: 2, scal: 1}}",
+     [":11: vary.failures.0.value: weibull_min has no parameter 'scal', "
+      "expected c, loc, scale, by name or in this order, did you mean scale?"]),
+    (VALUE, "failures.0.value: {beta: [2]}",
+     [":11: vary.failures.0.value: beta has 1 parameters, expected a, b, loc, scale, by name or in this order"]),
+    (VALUE, "failures.0.value: {beta: [-2, 1]}",
+     [":11: vary.failures.0.value: beta does not take [-2, 1], expected parameters in their range: "
+      "a, b, loc, scale, by name or in this order"]),
+    (VALUE, "failures.0.value: {choice: []}",
+     [":11: vary.failures.0.value: choice is empty, expected a list of values"]),
+    (VALUE, "failures.0.value: {uniform: [-0.5, 1]}",
+     [":11: failures.0.value: is -0.5, expected greater than or equal to 0"]),
+    (VALUE, "failures.0.value: {choice: [0.5, much]}", [":11: failures.0.value: is 'much', expected a valid number"]),
+    (VALUE, "failures.0.value: 3", [":11: vary.failures.0.value: is 3, expected a distribution, as {uniform: [0, 1]}"]),
+    ("weights: [1, 3]", "weights: [1]",
+     [":12: vary.failures.0.actuator: has 1 weights for 2 choices, expected one weight each"]),
+    ("weights: [1, 3]", "weights: [1, -3]",
+     [":12: vary.failures.0.actuator: weights are [1.0, -3.0], expected none below 0, and one above"]),
+    ("right_ruddervator]", "right_rudervator]",
+     [":12: failures.0.actuator: vtail has no actuator 'right_rudervator', did you mean right_ruddervator?"]),
+    ("Cm_alpha", "Cm_alhpa", [":13: controller.model_error.Cm_alhpa: unknown coefficient 'Cm_alhpa', did you mean Cm_alpha?"]),
+    ("[adaptive_inversion,", "[adaptive_inversoin,",
+     [":14: controller.type: unknown type 'adaptive_inversoin', did you mean adaptive_inversion?"]),
+    ("controller.type:", "controler.type:", [":14: controler: unknown key, did you mean controller?"]),
+    ("runs: 12", "runs: 0\nsampling: sobl\nstopwhen: 3",
+     [":3: runs: is 0, expected greater than 0", ":4: sampling: 'sobl' is not known, did you mean sobol?",
+      ":5: stopwhen: unknown key, did you mean stop_when?"]),
+    ("runs: 12", "stop_when: {half_width: 0.7}", [":3: stop_when.half_width: is 0.7, expected less than 0.5"]),
+    ("runs: 12", "sampling: grid\nruns: 5000",
+     [":4: runs: is 5000, there are 250, expected at most 250, or no runs for all"]),
+    ("left_tail_fail", "left_tial_fail",
+     [":2: scenario: there is no file 'scenarios/left_tial_fail.yaml', did you mean scenarios/left_tail_fail.yaml?"]),
+    (VALUE, "seed: {integers: [2, 9]}",
+     [":9: vary: names seed, expected other values: every run has a seed of its own already"]),
+    ("compare: {", "compare: {failures.0.value: [0, 1], ",
+     [":1: gives failures.0.value two meanings, expected not also failures.0.value"]),
+    ("metric: altitude_error_max_m", "metric: altitude_eror_max_m",
+     [":8: requirements.0.metric: unknown metric 'altitude_eror_max_m', did you mean altitude_error_max_m?"]),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new", "expected"), REFUSED, ids=[new[:40] for _, new, _ in REFUSED])
+def test_refused_with_place_and_suggestion(tmp_path: Path, old: str, new: str, expected: list[str]) -> None:
+    assert old in SWEEP
+    file = written(tmp_path, SWEEP.replace(old, new, 1))
+    with pytest.raises(BadInput) as refused:
+        check(load_sweep(file))
+    lines = [str(problem).removeprefix(str(file)) for problem in refused.value.problems]
+    assert lines == expected
+
+
+def test_bad_cases_are_refused_by_line(tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text("failures.0.value,seed\n0.5,1\n1e-3,-4\n0.5\n[0.5,2\n")
+    text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\n"
+    with pytest.raises(BadInput) as refused:
+        load_sweep(written(tmp_path, text))
+    found = [str(problem).rpartition("/")[2] for problem in refused.value.problems]
+    assert found[:3] == [
+        "table.csv:3: failures.0.value: 1e-3 is read as text by YAML, write 1.0e-3",
+        "table.csv:3: seed: is -4, expected a whole number, at least 0",
+        "table.csv:4: has 1 cells, expected 2, as the header",
+    ]
+    assert found[3].startswith("table.csv:5: failures.0.value: is not YAML")
+    (tmp_path / "table.csv").write_text("failures.0.value\n0.5\n7\n")
+    with pytest.raises(BadInput) as refused:
+        check(load_sweep(written(tmp_path, text)))
+    assert "failures.0.value: is 7 (run 1), expected less than or equal to 1.5" in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["sweep"], ["sweep", "--only", "1"], ["validate"], ["sweep", "--cluster", "tcp://127.0.0.1:1"]],
+)
+def test_the_command_line_says_it_and_leaves_nothing(tmp_path: Path, arguments: list[str]) -> None:
+    file = written(tmp_path, SWEEP.replace("unif", "unfi", 2))
+    result = run(tmp_path, arguments[0], file.name, *arguments[1:])
+    assert result.returncode == 2
+    assert result.stderr.splitlines() == [
+        "small.yaml:10: vary.failures.0.at_s: unknown distribution 'unfiorm', did you mean uniform?",
+        "small.yaml:11: vary.failures.0.value: unknown distribution 'unfiorm', did you mean uniform?",
+    ]
+    assert result.stdout == "" and [p.name for p in tmp_path.iterdir()] == [file.name]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--jobs", "0"], "--jobs: is 0, expected at least 1"),
+        (["--runs", "0"], "--runs: is 0, expected at least 1"),
+        (["--save-logs", "some"], "--save-logs: is 'some', expected none, failed or all"),
+        (["--only", "12"], "--only: there is no run 12, expected 0 to 11"),
+        (["--set", "bogus.path=1"], "--set bogus.path=1: bogus: unknown key, expected one of "),
+    ],
+)
+def test_bad_options_are_refused(tmp_path: Path, arguments: list[str], words: str) -> None:
+    result = run(tmp_path, "sweep", written(tmp_path).name, *arguments)
+    assert result.returncode == 2 and result.stderr.startswith(words), result.stderr
+
+
+def test_the_shipped_sweeps_are_valid(tmp_path: Path) -> None:
+    result = run(tmp_path, "validate", "scenarios/sweeps/left_tail_monte_carlo.yaml")
+    assert (result.returncode, result.stderr) == (0, "")

@@ -1,0 +1,119 @@
+"""A real Dask scheduler and two real workers on 127.0.0.1, which have the package and nothing else."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from command_line import ROOT
+from sweep_files import SWEEP, journal_lines, same_rows, sorted_files, written
+
+import testbed
+from testbed.aircraft.shipped import find_aircraft
+from testbed.inputs.problems import BadInput
+from testbed.sweeps.folder.journal import encode
+from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.workers.cluster import fly_parcel, parcel
+from testbed.sweeps.workers.flying import Job, fly_task
+
+pytest.importorskip("distributed", reason="the cluster extra")
+
+
+class Cluster:
+    """A scheduler and two workers, each a process in a session of its own."""
+
+    def __init__(self, folder: Path) -> None:
+        source = str(ROOT / "src")
+        self._environment = {**os.environ, "PYTHONPATH": source, "TMPDIR": str(folder)}
+        self._folder = folder
+        file = folder / "scheduler.json"
+        self.processes = [self._start("scheduler", "--port", "0", "--scheduler-file", str(file))]
+        while not file.is_file() or not file.read_text().endswith("}"):
+            assert self.processes[0].poll() is None
+            time.sleep(0.02)
+        self.address: str = json.loads(file.read_text())["address"]
+        options = ["--nthreads", "1", "--no-nanny", "--local-directory", str(folder)]
+        self.processes += [self._start("worker", self.address, *options) for _ in range(2)]
+
+    def _start(self, what: str, *options: str) -> subprocess.Popen[bytes]:
+        arguments = [sys.executable, "-m", "dask", what, "--host", "127.0.0.1", "--no-dashboard", *options]
+        return subprocess.Popen(
+            arguments, cwd=self._folder, env=self._environment, start_new_session=True,
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+        )  # fmt: skip
+
+    def kill_worker(self) -> None:
+        os.killpg(self.processes[-1].pid, signal.SIGKILL)
+
+    def close(self) -> None:
+        for process in reversed(self.processes):
+            if process.poll() is None:
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[Cluster]:
+    folder = tmp_path / "elsewhere"
+    folder.mkdir()
+    cluster = Cluster(folder)
+    yield cluster
+    cluster.close()
+
+
+def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, tmp_path: Path) -> None:
+    sweep = written(tmp_path)
+    here = testbed.sweep(sweep, tmp_path / "here", runs=60, jobs=2, figures=False)
+
+    def kill_midway() -> None:
+        while journal_lines(tmp_path / "there") < 15:
+            time.sleep(0.005)
+        cluster.kill_worker()
+
+    killer = threading.Thread(target=kill_midway, daemon=True)
+    killer.start()
+    there = testbed.sweep(sweep, tmp_path / "there", runs=60, cluster=cluster.address, figures=False)
+    killer.join()
+    assert cluster.processes[-1].wait() == -signal.SIGKILL
+    assert len(here) == len(there) == 120
+    same_rows(tmp_path / "here", tmp_path / "there")
+    assert sorted_files(tmp_path / "here") == sorted_files(tmp_path / "there")
+    unpacked = list(cluster._folder.glob("testbed-*-*/vtail/vtail.yaml"))
+    assert len(unpacked) == 1  # the aircraft had travelled
+
+
+def test_no_cluster_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("testbed.sweeps.workers.cluster._CONNECT_S", 1)
+    with pytest.raises(Exception, match=r"no cluster answers at tcp://127\.0\.0\.1:9") as stopped:
+        testbed.sweep(written(tmp_path), tmp_path / "out", cluster="tcp://127.0.0.1:9")
+    assert "0 of 24 flights are kept" in str(stopped.value)
+
+
+def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The aircraft's folder, gone after packing, is flown from what was packed; the row is the same."""
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    folder = tmp_path / "mine" / "vtail"
+    shutil.copytree(find_aircraft("vtail").parent, folder)
+    plan = load_sweep(written(tmp_path, SWEEP.replace("set:", f"set:\n  aircraft: {folder}")))
+    job = Job(plan.builder, save_logs="none")
+    expected = fly_task(job, plan.task(4))
+    sent = parcel(job)
+    shutil.rmtree(folder)
+    flown = fly_parcel(sent, plan.task(4))
+    assert flown.record["outcome"] == "completed"
+    assert (encode(flown.record), flown.history) == (encode(expected.record), expected.history)
+
+
+def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:
+    plan = load_sweep(written(tmp_path))
+    with pytest.raises(BadInput, match="there is no aircraft"):
+        parcel(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))
