@@ -24,3 +24,12 @@ def body_from_wind(alpha: float, beta: float) -> np.ndarray:
     """[3, 3] turns components in wind axes (x along the velocity through the air) into body components."""
     ca, sa, cb, sb = math.cos(alpha), math.sin(alpha), math.cos(beta), math.sin(beta)
     return np.array([[ca * cb, -ca * sb, -sa], [sb, cb, 0.0], [sa * cb, -sa * sb, ca]])
+
+
+def level_pitch(alpha: float, beta: float, roll: float, path_angle: float = 0.0) -> float:
+    """Pitch angle [rad] that gives the flight path angle at this alpha, beta and roll
+    (Stevens, Lewis and Johnson, Aircraft Control and Simulation, 3rd ed., eq. 3.6-3)."""
+    a = math.cos(alpha) * math.cos(beta)
+    b = math.sin(roll) * math.sin(beta) + math.cos(roll) * math.sin(alpha) * math.cos(beta)
+    s = math.sin(path_angle)
+    return math.atan((a * b + s * math.sqrt(max(a * a - s * s + b * b, 0.0))) / (a * a - s * s))

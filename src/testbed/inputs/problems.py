@@ -51,3 +51,10 @@ def one_of(candidates: Iterable[str]) -> str:
     """'one of a, b, c', cut when there are very many."""
     names = list(candidates)
     return "one of " + ", ".join(names) if 0 < len(names) <= 20 else ""
+
+
+def guess(word: object, known: Iterable[str]) -> tuple[str, str]:
+    """What to say beside an unknown word, as (expected, suggestion): the likely one, or all when none is likely."""
+    names = list(known)
+    close = did_you_mean(word, names)
+    return "" if close else one_of(names), close

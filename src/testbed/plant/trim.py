@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.optimize import root
 
+from testbed.common.frames import level_pitch
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import ACCELERATIONS, Plant
 
@@ -42,15 +43,6 @@ class Trim:
     commands: tuple[float, ...]
     positions: tuple[float, ...]
     residual: float
-
-
-def level_pitch(alpha: float, beta: float, roll: float, path_angle: float = 0.0) -> float:
-    """Pitch angle [rad] that gives the flight path angle at this alpha, beta and roll
-    (Stevens, Lewis and Johnson, Aircraft Control and Simulation, 3rd ed., eq. 3.6-3)."""
-    a = math.cos(alpha) * math.cos(beta)
-    b = math.sin(roll) * math.sin(beta) + math.cos(roll) * math.sin(alpha) * math.cos(beta)
-    s = math.sin(path_angle)
-    return math.atan((a * b + s * math.sqrt(a * a - s * s + b * b)) / (a * a - s * s))
 
 
 def accelerations(
