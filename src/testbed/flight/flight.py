@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from testbed.common.plain import plain
 from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
@@ -92,16 +92,5 @@ class Flight:
         }
         if self.flown_by:
             summary["flown_by"] = self.flown_by
-        plain: dict[str, Any] = _plain(summary)
-        return plain
-
-
-def _plain(value: Any) -> Any:
-    """Python's own types, for JSON; None for a number that is not finite."""
-    if isinstance(value, Mapping):
-        return {str(k): _plain(v) for k, v in value.items()}
-    if isinstance(value, np.ndarray | np.generic):
-        return _plain(value.tolist())
-    if isinstance(value, list | tuple):
-        return [_plain(v) for v in value]
-    return None if isinstance(value, float) and not math.isfinite(value) else value
+        contents: dict[str, Any] = plain(summary)
+        return contents
