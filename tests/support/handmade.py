@@ -17,10 +17,11 @@ ACTUATORS = {
     "elevon": {"kind": "servo", "unit": "deg", "limits": [-20.0, 20.0], "scale": 10.0},
     "fan": {"kind": "motor", "unit": "N", "limits": [0.0, 8.0], "scale": 2.0},
 }
+RATE_HZ = 100.0
 _LEVEL = {"altitude": (100.0, "m"), "airspeed": (15.0, "m_s"), "heading": (350.0, "deg")}
 
 
-def level_log(seconds: float = 10.0, rate_hz: float = 100.0) -> dict[str, np.ndarray]:
+def level_log(seconds: float = 10.0, rate_hz: float = RATE_HZ) -> dict[str, np.ndarray]:
     """A log of flight exactly on its references, everything healthy, all estimates right."""
     time = np.arange(round(seconds * rate_hz)) / rate_hz
     log = {"time_s": time}
@@ -40,8 +41,20 @@ def level_log(seconds: float = 10.0, rate_hz: float = 100.0) -> dict[str, np.nda
     return log
 
 
+def at(time_s: float) -> int:
+    """The row of `level_log` at a time."""
+    return round(time_s * RATE_HZ)
+
+
+def lost(from_s: float, to_s: float = 10.0) -> dict[str, np.ndarray]:
+    """A level log in which the elevon has no effect from one time to another."""
+    log = level_log()
+    log["elevon_effectiveness"][at(from_s) : at(to_s)] = 0.0
+    return log
+
+
 def injection(
-    time_s: float, actuator: str = "elevon", type: str = "effectiveness", **more: Any
+    time_s: float, actuator: str | None = "elevon", type: str = "effectiveness", **more: Any
 ) -> dict[str, Any]:
     """The receipt of a failure."""
     event = {"time_s": time_s, "kind": "injection", "failure": 0, "type": type, "actuator": actuator}

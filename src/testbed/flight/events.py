@@ -1,4 +1,4 @@
-"""What happened in a flight, read from its log: detections, false alarms, released axes."""
+"""What the controller did in a flight, read from its log: detections, false alarms, released axes."""
 
 from __future__ import annotations
 
@@ -8,56 +8,42 @@ from typing import Any
 import numpy as np
 
 from testbed.common.signals import RATES
-
-_TRULY_FAILED = (
-    0.1  # an actuator with this much effectiveness or less is lost, whatever a controller's threshold
-)
+from testbed.flight.breakage import broken_since
+from testbed.flight.rows import stretches
 
 
 def controller_events(
     log: Mapping[str, np.ndarray], actuators: Sequence[str], injections: Sequence[Mapping[str, Any]]
 ) -> list[dict[str, Any]]:
-    """Detections (with their delay), false alarms and releases, in order of time.
+    """Detections with their delay, false alarms and releases, in order of time.
 
-    A flag is a detection while the actuator it blames is broken: lost by its effectiveness, or in a failure of any
-    other kind that has started. Its delay is counted from when that began.
+    A flag that goes up is a detection if the actuator that it blames is broken in that row (see `breakage`), and a
+    false alarm if it is not. A detection's `delay_s` is counted from when the actuator broke.
     """
-    time = log["time_s"]
-    events = []
-    for actuator in actuators:
-        for row in _rises(log[f"{actuator}_failed"]):
-            since = _broken_since(log, actuator, row, injections)
-            event = {"time_s": float(time[row]), "actuator": actuator}
-            if since is None:
-                events.append({**event, "kind": "false_alarm"})
-            else:
-                events.append({**event, "kind": "detection", "delay_s": float(time[row]) - since})
-    for axis in RATES:
-        events += [
-            {"time_s": float(time[row]), "kind": "release", "axis": axis}
-            for row in _rises(log[f"{axis}_released"])
-        ]
+    events = [event for actuator in actuators for event in _flags(log, actuator, injections)]
+    events += [
+        {"time_s": float(log["time_s"][row]), "kind": "release", "axis": axis}
+        for axis in RATES
+        for row in _rises(log[f"{axis}_released"])
+    ]
     return sorted(events, key=lambda event: (event["time_s"], event["kind"]))
 
 
+def _flags(
+    log: Mapping[str, np.ndarray], actuator: str, injections: Sequence[Mapping[str, Any]]
+) -> list[dict[str, Any]]:
+    """A detection or a false alarm for each time that this actuator was flagged."""
+    events = []
+    for row in _rises(log[f"{actuator}_failed"]):
+        time_s, since_s = float(log["time_s"][row]), broken_since(log, actuator, injections, row)
+        event: dict[str, Any] = {"time_s": time_s, "actuator": actuator}
+        if since_s is None:
+            events.append({**event, "kind": "false_alarm"})
+        else:
+            events.append({**event, "kind": "detection", "delay_s": time_s - since_s})
+    return events
+
+
 def _rises(flag: np.ndarray) -> list[int]:
-    """Rows at which a flag goes up; one that is up from the first row on is a setting, not an event."""
-    return [int(row) for row in np.flatnonzero(np.diff(flag) > 0.5) + 1]
-
-
-def _broken_since(
-    log: Mapping[str, np.ndarray], actuator: str, row: int, injections: Sequence[Mapping[str, Any]]
-) -> float | None:
-    """When the actuator that is broken at this row became so, or None if it is not."""
-    lost = log[f"{actuator}_effectiveness"][: row + 1] <= _TRULY_FAILED
-    if lost[row]:
-        return float(log["time_s"][row + 1 - np.argmin(lost[::-1]) if not lost.all() else 0])
-    since = None
-    for event in injections:
-        if (
-            event["actuator"] == actuator
-            and event["type"] != "effectiveness"
-            and event["time_s"] <= log["time_s"][row]
-        ):
-            since = event["time_s"] if event["active"] else None
-    return since
+    """Rows in which a flag of 0 or 1 goes up; one that is up in the first row is a setting, not an event."""
+    return [first for first, _ in stretches(flag > 0.0) if first > 0]

@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from testbed.common.angles import wrap_deg
+from testbed.flight.rows import row_at, row_spacing_s
 from testbed.scenario.requirement import Requirement
 
 
@@ -57,22 +59,18 @@ def _values(
         of = log[requirement.of][window] if isinstance(requirement.of, str) else float(requirement.of or 0.0)
         values = values - of
         if str(requirement.signal).startswith("heading"):
-            values = np.mod(values + 180.0, 360.0) - 180.0
+            values = wrap_deg(values)
     return values
 
 
 def _window(requirement: Requirement, time: np.ndarray) -> slice:
     """Rows with from_s <= time < until_s; none if the flight ended more than a step before `until_s`."""
-    first = int(np.searchsorted(time, (requirement.from_s or 0.0) - 1e-9))
+    first = row_at(time, requirement.from_s or 0.0)
     if requirement.until_s is None:
         return slice(first, len(time))
-    if not len(time) or time[-1] < requirement.until_s - 1.5 * _step(time):
+    if not len(time) or time[-1] < requirement.until_s - 1.5 * row_spacing_s(time):
         return slice(0, 0)
-    return slice(first, int(np.searchsorted(time, requirement.until_s - 1e-9)))
-
-
-def _step(time: np.ndarray) -> float:
-    return float(time[1] - time[0]) if len(time) > 1 else 0.0
+    return slice(first, row_at(time, requirement.until_s))
 
 
 def _worst(requirement: Requirement, values: np.ndarray) -> tuple[float, float]:

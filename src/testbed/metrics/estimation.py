@@ -8,7 +8,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from testbed.metrics.flight_view import TRULY_LOST, Readings, settled_after
+from testbed.flight.breakage import LOST
+from testbed.metrics.flight_view import Readings, settled_after
 
 BAND = 0.05
 """An estimate has settled within this fraction of the step that the truth made."""
@@ -53,7 +54,7 @@ def _settlings(readings: Readings) -> Iterator[tuple[str, float]]:
         change = np.abs(np.diff(truth))
         steps = np.flatnonzero(change > _STEP) + 1
         for start, end in pairwise([*steps, len(truth)]):
-            if truth[start] > TRULY_LOST:
+            if truth[start] > LOST:
                 outside = ~(np.abs(error[start:end]) <= BAND * change[start - 1])
                 row = settled_after(outside, 0)
                 yield name, math.nan if row is None else row * readings.step_s

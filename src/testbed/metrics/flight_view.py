@@ -1,28 +1,32 @@
-"""What metrics are computed from: a flight's log, events and actuators, and what many metrics ask of them."""
+"""What metrics see of a flight: its log, events and actuators, and the questions that many metrics ask of them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from testbed.common.angles import wrap_deg
+from testbed.flight import rows
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import Scenario
 
-TRULY_LOST = 0.1
-"""An actuator with this much effectiveness or less is lost, whatever a controller's threshold."""
 _TRACKED = {"altitude": "m", "airspeed": "m_s", "heading": "deg"}
 
 
 @dataclass(frozen=True, eq=False)
 class Readings:
-    """Log columns by name, events, and for each actuator what `Flight.actuators` says of it.
+    """What is read of one flight.
 
-    `gamma` [1/s] is the adaptation rate of each actuator, empty if the controller has none; `survived`
-    means flown to the end.
+    Attributes:
+        log: columns by name, each [rows], in the log's units.
+        events: as in `Flight.events`.
+        actuators: of each actuator what `Flight.actuators` says of it.
+        gamma: adaptation rate of each actuator [1/s], equation (13); empty if the controller has none.
+        survived: whether the aircraft was flown to the end.
     """
 
     log: Mapping[str, np.ndarray]
@@ -38,16 +42,13 @@ class Readings:
     @property
     def step_s(self) -> float:
         """Time between rows [s]."""
-        return float(self.time_s[1] - self.time_s[0]) if len(self.time_s) > 1 else 0.0
+        return rows.row_spacing_s(self.time_s)
 
     def error(self, quantity: str) -> np.ndarray:
         """Altitude, airspeed or heading minus its reference [m, m/s, deg]; headings the short way round."""
         unit = _TRACKED[quantity]
-        error = self.log[f"{quantity}_{unit}"] - self.log[f"{quantity}_command_{unit}"]
-        if quantity != "heading":
-            return error
-        error = np.where(error > 180.0, error - 360.0, error)
-        return np.where(error < -180.0, error + 360.0, error)
+        error: np.ndarray = self.log[f"{quantity}_{unit}"] - self.log[f"{quantity}_command_{unit}"]
+        return wrap_deg(error) if quantity == "heading" else error
 
     def of_kind(self, kind: str) -> list[Mapping[str, Any]]:
         """Events of one kind."""
@@ -64,15 +65,14 @@ class Readings:
 
     def row_at(self, time_s: float) -> int:
         """First row at or after a time."""
-        return int(np.searchsorted(self.time_s, time_s - 1e-9))
-
-    def losses(self, actuator: str) -> Iterator[tuple[int, int]]:
-        """[first row, row after the last) of each stretch in which an actuator is truly lost."""
-        yield from runs(self.log[f"{actuator}_effectiveness"] <= TRULY_LOST)
+        return rows.row_at(self.time_s, time_s)
 
 
 def readings(flight: Flight) -> Readings:
-    """Of a finished flight, as logged: with fewer rows than steps (`log_hz`) the numbers are coarser."""
+    """Readings of a finished flight, from the rows that were logged.
+
+    A log with fewer rows than control steps (`log_hz`) gives coarser numbers than the flight's own metrics.
+    """
     return Readings(
         log=dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True)),
         events=flight.events,
@@ -83,7 +83,10 @@ def readings(flight: Flight) -> Readings:
 
 
 def adaptation_rates(scenario: Scenario, actuators: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
-    """gamma of (13) for each actuator [1/s]: one for all, or one for each kind; empty if there is none."""
+    """gamma of equation (13) for each actuator [1/s]; empty if the controller has none.
+
+    The setting is one number for all actuators, or one for each kind of actuator.
+    """
     gamma = scenario.controller.model_dump().get("gamma")
     if gamma is None:
         return {}
@@ -92,16 +95,10 @@ def adaptation_rates(scenario: Scenario, actuators: Mapping[str, Mapping[str, An
     return {name: float(gamma.get(facts["kind"], math.nan)) for name, facts in actuators.items()}
 
 
-def runs(flag: np.ndarray) -> list[tuple[int, int]]:
-    """[start, end) of each stretch in which a flag is up."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([False], flag, [False])).astype(np.int8)))
-    return [(int(start), int(end)) for start, end in edges.reshape(-1, 2)]
-
-
 def settled_after(outside: np.ndarray, start: int) -> int | None:
-    """First row from `start` on from which a flag stays down to the end; None if it is up at the end."""
-    rows = np.flatnonzero(outside[start:])
-    if not len(rows):
+    """First row from `start` on from which a flag [rows] stays down to the end; None if it is up at the end."""
+    up = np.flatnonzero(outside[start:])
+    if not len(up):
         return start
-    settled = start + int(rows[-1]) + 1
+    settled = start + int(up[-1]) + 1
     return settled if settled < len(outside) else None

@@ -1,4 +1,4 @@
-"""Whether the monitor noticed what broke, blamed the right actuator, and gave up axes only when it had to."""
+"""Whether the monitor noticed what broke and flagged the right actuator, and which axes were given up."""
 
 from __future__ import annotations
 
@@ -6,19 +6,21 @@ import math
 
 import numpy as np
 
-from testbed.metrics.flight_view import TRULY_LOST, Readings
+from testbed.flight.breakage import broken, lost
+from testbed.flight.rows import stretches
+from testbed.metrics.flight_view import Readings
 
 NOTICEABLE_S = 2.0
-"""A loss that lasts longer than this ought to be flagged."""
+"""A loss of an actuator that lasts longer than this [s] has to be flagged."""
 _RELEASED = "_released"
 
 
 def detection_delay_s(readings: Readings) -> float:
-    """Longest time from an actuator's loss to its first being flagged [s]; NaN without a detection."""
+    """Longest time from when an actuator broke until it was first flagged [s]; NaN without a detection."""
     first: dict[tuple[str, int], float] = {}
-    for event in readings.of_kind("detection"):  # flagged again in one loss is not a new detection
-        loss = (event["actuator"], round((event["time_s"] - event["delay_s"]) * 1e3))
-        first[loss] = min(first.get(loss, math.inf), event["delay_s"])
+    for event in readings.of_kind("detection"):  # a second flag for the same breakage is not a new detection
+        breakage = (event["actuator"], round((event["time_s"] - event["delay_s"]) * 1e3))
+        first[breakage] = min(first.get(breakage, math.inf), event["delay_s"])
     return max(first.values(), default=math.nan)
 
 
@@ -28,7 +30,7 @@ def missed_detections(readings: Readings) -> float:
         sum(
             not readings.log[f"{actuator}_failed"][start:end].any()
             for actuator in readings.actuators
-            for start, end in readings.losses(actuator)
+            for start, end in stretches(lost(readings.log, actuator))
             if (end - start) * readings.step_s > NOTICEABLE_S
         )
     )
@@ -67,17 +69,13 @@ def _released(readings: Readings) -> list[np.ndarray]:
 
 
 def _another_broken(readings: Readings, blamed: str, time_s: float) -> bool:
-    """Whether any actuator but this one is lost, or in a failure of another type than effectiveness."""
-    row = readings.row_at(time_s)
-    others = [name for name in readings.actuators if name != blamed]
-    if any(readings.log[f"{name}_effectiveness"][row] <= TRULY_LOST for name in others):
-        return True
-    active: dict[object, bool] = {}
-    for event in readings.of_kind("injection"):
-        other_kind = event["actuator"] in others and event["type"] != "effectiveness"
-        if other_kind and event["time_s"] <= time_s:
-            active[event["failure"]] = event["active"]
-    return any(active.values())
+    """Whether any actuator but the one that was blamed is broken at this time."""
+    row = min(
+        readings.row_at(time_s), len(readings.time_s) - 1
+    )  # a log with few rows may end before the event
+    injections = readings.of_kind("injection")
+    others = (actuator for actuator in readings.actuators if actuator != blamed)
+    return any(broken(readings.log, actuator, injections)[row] for actuator in others)
 
 
 TABLE = (

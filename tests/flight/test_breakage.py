@@ -1,0 +1,93 @@
+"""Is an actuator broken, and since when: one answer for events and metrics."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from handmade import at, injection, level_log, readings_of
+
+from testbed.flight.breakage import LOST, broken, broken_since
+from testbed.flight.events import controller_events
+from testbed.flight.rows import stretches
+from testbed.metrics import measure
+
+BIAS = [injection(1.0, type="bias", failure=0)]
+LAG = [injection(2.0, type="lag", failure=1), injection(5.0, type="lag", failure=1, active=False)]
+BIAS_AND_LAG = sorted(BIAS + LAG, key=lambda event: event["time_s"])
+
+
+def lost(first_s: float, end_s: float, effectiveness: float = 0.0) -> dict[str, np.ndarray]:
+    log = level_log()
+    log["elevon_effectiveness"][at(first_s) : at(end_s)] = effectiveness
+    return log
+
+
+def since(log: dict[str, np.ndarray], time_s: float, *events: Any) -> float | None:
+    return broken_since(log, "elevon", events, at(time_s))
+
+
+def test_overlapping_failures_count_each() -> None:
+    """A bias from 1 s on, and a lag from 2 to 5 s: the bias lasts when the lag has ended."""
+    assert since(level_log(), 8.0, *BIAS_AND_LAG) == 1.0
+    assert since(level_log(), 3.0, *BIAS_AND_LAG) == 1.0
+    assert since(level_log(), 0.99, *BIAS_AND_LAG) is None
+    assert since(level_log(), 4.0, *LAG) == 2.0
+    assert since(level_log(), 5.0, *LAG) is None, "not broken in the row in which it ends"
+
+
+def test_events_and_metrics_agree_on_it() -> None:
+    """The elevon has a bias from 1 s and a lag from 2 to 5 s, and is flagged at 8 s; so is the fan, which is well."""
+    log = level_log()
+    for actuator in ("elevon", "fan"):
+        log[f"{actuator}_failed"][at(8.0) :] = 1.0
+    for axis in ("q_dot", "r_dot"):
+        log[f"{axis}_released"] = np.zeros_like(log["time_s"])
+    found = controller_events(log, ("elevon", "fan"), BIAS_AND_LAG)
+    assert [(e["kind"], e["actuator"], e.get("delay_s")) for e in found] == [
+        ("detection", "elevon", 7.0),
+        ("false_alarm", "fan", None),
+    ]
+    measured = measure(readings_of(log, *BIAS_AND_LAG, *found))
+    assert (measured["false_alarms"], measured["wrong_blames"]) == (1.0, 1.0)
+    assert (measured["isolation_fraction"], measured["detection_delay_s"]) == (0.5, 7.0)
+
+
+def test_reduced_effectiveness_is_broken_only_when_it_is_lost() -> None:
+    event = injection(2.0, type="effectiveness")
+    assert since(lost(2.0, 10.0, LOST + 0.01), 5.0, event) is None
+    assert since(lost(2.0, 10.0, LOST), 5.0, event) == 2.0
+    assert since(lost(2.0, 10.0), 5.0) == 2.0, "whatever the cause"
+
+
+def test_a_stretch_is_unbroken_whatever_breaks_it() -> None:
+    """Lost from 3 to 6 s, with a lag from 2 to 5 s: broken from 2 to 6 s without a break."""
+    log = lost(3.0, 6.0)
+    assert stretches(broken(log, "elevon", LAG)) == [(at(2.0), at(6.0))]
+    assert since(log, 5.5, *LAG) == 2.0
+    assert since(lost(5.1, 6.0), 5.5, *LAG) == 5.1, "well for a tenth of a second between"
+
+
+def test_lost_from_the_first_row() -> None:
+    assert since(lost(0.0, 10.0), 5.0) == 0.0
+
+
+@pytest.mark.parametrize(
+    "event",
+    [injection(1.0, "fan", type="stuck"), injection(1.0, None, type="property")],
+    ids=["of another actuator", "of no actuator"],
+)
+def test_other_failures_break_other_things(event: dict[str, Any]) -> None:
+    assert since(level_log(), 5.0, event) is None
+
+
+def test_a_property_failure_breaks_the_actuator_that_its_receipt_names() -> None:
+    assert since(level_log(), 5.0, injection(1.0, type="property")) == 1.0
+
+
+def test_a_log_with_fewer_rows_than_steps() -> None:
+    """Rows at 10 Hz of a flight at 100 Hz: broken from the first row after the start."""
+    log = {name: column[::10] for name, column in level_log().items()}
+    assert broken_since(log, "elevon", [injection(1.04, type="stuck")], 11) == pytest.approx(1.1)
+    assert broken_since(log, "elevon", [injection(1.04, type="stuck")], 10) is None
