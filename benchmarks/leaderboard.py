@@ -18,7 +18,7 @@ import numpy as np
 from flights import Record, fly_all
 from hold_it import BASE, FAILURE_S, FIRST_SEED, FT_S
 
-from testbed.failures import TYPES
+from testbed.failures import TABLE as FAILURES
 from testbed.flight.flight import Flight, Outcome
 from testbed.metrics import readings
 from testbed.metrics.flight_view import settled_after
@@ -45,7 +45,7 @@ BAND = {"altitude": 5.0, "heading": 10.0}
 def failures() -> list[tuple[str, dict[str, Any]]]:
     """(title, failure): each type with the catalogue's fields, on a servo and on a motor where it may be."""
     found: list[tuple[str, dict[str, Any]]] = []
-    for name, kind in TYPES.items():
+    for name, kind in FAILURES.items():
         for of, fields in kind.examples.items():
             failure = {"type": name, "actuator": ACTUATOR[of], "at_s": FAILURE_S, **fields}
             words = ", ".join(f"{key} {value}" for key, value in fields.items())
@@ -158,7 +158,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--quick", action="store_true", help="1 seed")
     parser.add_argument("--w20", type=float, nargs="+", default=[0.0, 25.0], metavar="FT_S")
     parser.add_argument(
-        "--only", nargs="+", choices=TYPES, metavar="TYPE", help="only these types of failure"
+        "--only", nargs="+", choices=FAILURES, metavar="TYPE", help="only these types of failure"
     )
     parser.add_argument("--jobs", type=int, help="processes (default: one a core)")
     parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "docs" / "leaderboard.md")

@@ -13,7 +13,7 @@ from typing import Any
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.shipped import data_root
-from testbed.failures import TYPES
+from testbed.failures import TABLE
 from testbed.flight.flight import Flight
 from testbed.scenario.load import Scenario, dump
 from testbed.simulation import fly
@@ -26,7 +26,7 @@ _SHARED = {"type", "actuator", "at_s", "until_s", "when"}
 
 def shown(aircraft: Aircraft, name: str) -> tuple[str, dict[str, Any]]:
     """The actuator on which a type is shown, and the fields of the failure."""
-    kind = TYPES[name]
+    kind = TABLE[name]
     actuator = next(a for a, what in aircraft.actuators.items() if what.kind in kind.kinds)
     what = aircraft.actuators[actuator]
     fields: dict[str, Any] = {"type": name, "at_s": START_S}
@@ -83,7 +83,7 @@ def draw(flight: Flight, actuator: str, unit: str, file: Path) -> None:
 def fields_of(name: str) -> str:
     """A type's own fields, each with its default where it has one."""
     texts = []
-    for field, info in TYPES[name].model_fields.items():
+    for field, info in TABLE[name].model_fields.items():
         if field not in _SHARED:
             optional = "" if info.is_required() else f" = {str(info.default).lower()}"
             texts.append(f"`{field}{optional}`".replace(" = none", " (optional)"))
@@ -91,7 +91,7 @@ def fields_of(name: str) -> str:
 
 
 def rows() -> Iterator[str]:
-    for name, kind in TYPES.items():
+    for name, kind in TABLE.items():
         meaning = (kind.__doc__ or "").strip().partition("\n")[0]
         on = "any" if name == "property" else " and ".join(kind.kinds)
         undone = "yes" if kind.undone else "no"
@@ -108,7 +108,7 @@ def page() -> str:
 def write(docs: Path) -> None:
     """Fly and draw every type, and write the page."""
     aircraft = load_aircraft(AIRCRAFT)
-    for name in TYPES:
+    for name in TABLE:
         actuator, failure = shown(aircraft, name)
         flight = fly(scenario(aircraft, failure))
         draw(flight, actuator, aircraft.actuators[actuator].unit, _figure(docs, name))
@@ -122,7 +122,7 @@ def stale(docs: Path) -> list[str]:
     aircraft = load_aircraft(AIRCRAFT)
     file = docs / "failures.md"
     found = [] if file.is_file() and file.read_text(encoding="utf-8") == page() else [str(file)]
-    for name in TYPES:
+    for name in TABLE:
         figure = _figure(docs, name)
         flown = Image.open(figure).info.get("Description") if figure.is_file() else None
         if flown != dump(scenario(aircraft, shown(aircraft, name)[1])):

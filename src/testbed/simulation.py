@@ -125,7 +125,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     sensors.bind(truth, measured)
     channels = (plant.raw, plant.factors, parts.limits, truth, measured)
     observe = bound(log_truth, 0, channels)
-    injector.observe((truth, measured, parts.references, telemetry))
+    injector.observe(Recorded(truth, measured, parts.references, telemetry))
     ending, done = 0, steps
     for k in range(steps):
         if k >= injector.next_step:
@@ -143,7 +143,8 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
             done = k + 1
             break
         plant.step()
-    return _OUTCOMES[ending], (truth[:done], measured[:done], parts.references[:done], telemetry[:done])
+    recorded = Recorded(truth[:done], measured[:done], parts.references[:done], telemetry[:done])
+    return _OUTCOMES[ending], recorded
 
 
 @compiled

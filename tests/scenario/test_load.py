@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.shipped import aircraft_names, data_root, scenario_files
 from testbed.controllers.config import SETTINGS
-from testbed.failures import TYPES
+from testbed.failures import TABLE as FAILURES
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import dump as dump_tree
 from testbed.inputs.yaml_source import parse
@@ -397,7 +397,7 @@ def test_a_different_scenario_is_different(file: Path) -> None:
     assert load_scenario(file) == pickle.loads(pickle.dumps(load_scenario(file)))
 
 
-@pytest.mark.parametrize(("name", "kind"), TYPES.items())
+@pytest.mark.parametrize(("name", "kind"), FAILURES.items())
 def test_each_failure_type_knows_itself(name: str, kind: type) -> None:
     assert kind.model_fields["type"].default == name  # type: ignore[attr-defined]
     assert kind.__doc__

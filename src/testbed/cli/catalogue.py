@@ -19,9 +19,9 @@ def _controllers() -> list[tuple[str, str]]:
 
 
 def _failures() -> list[tuple[str, str]]:
-    from testbed.failures import TYPES
+    from testbed.failures import TABLE
 
-    return _described(TYPES)
+    return _described(TABLE)
 
 
 def _metrics() -> list[tuple[str, str]]:

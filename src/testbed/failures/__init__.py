@@ -1,6 +1,6 @@
 """What can break, and which properties of the plant a failure holds, from when to when.
 
-Adding a type is one class in `losses`, `held` or `varying`, and one line in TYPES. Times are seconds of the flight;
+Adding a type is one class in `losses`, `held` or `varying`, and one line in TABLE. Times are seconds of the flight;
 a failure starts at `at_s`, or when a logged signal is beyond a value, and lasts to `until_s` or to the end. Whatever
 the type, it acts through properties of the JSBSim model alone; nothing is written before it starts.
 """
@@ -30,11 +30,11 @@ from testbed.failures.overlaps import overlaps, same_property
 from testbed.failures.varying import Decay, Delay, Intermittent, Oscillation, Runaway
 
 __all__ = [
-    "TYPES", "ActuatorFailure", "AnyFailure", "Capture", "Course", "Failure", "Fault", "When",
+    "TABLE", "ActuatorFailure", "AnyFailure", "Capture", "Course", "Failure", "Fault", "When",
     "overlaps", "same_property",
 ]  # fmt: skip
 
-TYPES: dict[str, type[Failure]] = {
+TABLE: dict[str, type[Failure]] = {
     "effectiveness": Effectiveness,
     "command_scale": CommandScale,
     "stuck": Stuck,
@@ -60,4 +60,4 @@ TYPES: dict[str, type[Failure]] = {
 if TYPE_CHECKING:
     AnyFailure = Failure
 else:
-    AnyFailure = Annotated[Union[tuple(TYPES.values())], Field(discriminator="type")]  # noqa: UP007
+    AnyFailure = Annotated[Union[tuple(TABLE.values())], Field(discriminator="type")]  # noqa: UP007

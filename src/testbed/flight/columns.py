@@ -29,23 +29,35 @@ _REFERENCES = (
 )
 _RATE_UNITS = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot": "m_s2"}
 
-Recorded = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
-"""What the loop recorded, a row a step: truth (as `Plant.read`), measured state, references, telemetry."""
+
+class Recorded(NamedTuple):
+    """What the loop recorded, a row for each control step; in SI and radians but for positions (see `truth`)."""
+
+    truth: np.ndarray
+    """`STATE`, then each actuator's position in the aircraft file's unit, then each one's effectiveness."""
+    measured: np.ndarray
+    """`STATE` as the sensors gave it to the controller."""
+    references: np.ndarray
+    """`SETPOINT`: what the controller is to follow."""
+    telemetry: np.ndarray
+    """`TELEMETRY` by actuator, then desired rates and released flags by `RATES`."""
 
 
 class _Column(NamedTuple):
-    """A log column: which column of which recorded array it is, and its factor; angles of 0 to 360 are wrapped."""
+    """A column of the log: which column of which recorded array it is, and the factor to the log's unit.
+
+    A heading is `wrapped`: given from 0 to 360 deg.
+    """
 
     name: str
-    array: int
+    array: str
     place: int
     factor: float = 1.0
     wrapped: bool = False
 
 
 _BLOCK = 1024  # steps of which the recorded rows stay in the processor's cache while their columns are taken
-_TIME = _Column("time_s", -1, 0)
-_TRUTH_ROWS, _MEASURED, _REFERENCE_ROWS, _TELEMETRY = range(4)
+_TIME = _Column("time_s", "", 0)  # computed from the row's number
 
 
 def columns(aircraft: Aircraft) -> tuple[str, ...]:
@@ -62,9 +74,11 @@ def all_columns(aircraft: Aircraft, scenario: Scenario) -> tuple[str, ...]:
 def table(
     aircraft: Aircraft, rate_hz: float, recorded: Recorded, more: Iterable[np.ndarray] = ()
 ) -> np.ndarray:
-    """[columns, rows] the log: what every log has, then `more` [rows] each. Columns are contiguous: they are what is
-    read, judged, drawn and written."""
-    steps, usual, others = len(recorded[0]), tuple(_columns(aircraft)), tuple(more)
+    """[columns, rows] the log in its units: the columns that every log has, then each of `more` [rows].
+
+    A column is contiguous in memory: columns are what is read, judged, drawn and written.
+    """
+    steps, usual, others = len(recorded.truth), tuple(_columns(aircraft)), tuple(more)
     data = np.empty((len(usual) + len(others), steps))
     for start in range(0, steps, _BLOCK):
         rows = slice(start, min(start + _BLOCK, steps))
@@ -76,7 +90,7 @@ def table(
 
 
 def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) -> Callable[[int], float]:
-    """Reads one column at one step while the flight is being recorded; in the log's unit."""
+    """A function that reads the column of this name at one control step of a flight being recorded, in its unit."""
     (column,) = (column for column in _columns(aircraft) if column.name == name)
     return lambda step: float(_values(column, rate_hz, recorded, slice(step, step + 1))[0])
 
@@ -84,30 +98,36 @@ def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) ->
 def _values(column: _Column, rate_hz: float, recorded: Recorded, rows: slice) -> np.ndarray:
     if column is _TIME:
         return np.arange(rows.start, rows.stop) / rate_hz
-    values: np.ndarray = recorded[column.array][rows, column.place] * column.factor
+    values: np.ndarray = getattr(recorded, column.array)[rows, column.place] * column.factor
     return np.mod(values, 360.0) if column.wrapped else values
 
 
 def _columns(aircraft: Aircraft) -> Iterator[_Column]:
-    """Each column where it is named."""
+    """The columns that every log has, in their order: each is named where it is filled."""
     n = len(aircraft.actuators)
-    rates = len(TELEMETRY) * n
+    positions, effectiveness = len(STATE), len(STATE) + n  # where they begin in a row of truth
+    of_actuator = {what: n * i for i, what in enumerate(TELEMETRY)}  # where each begins in a row of telemetry
+    desired = len(TELEMETRY) * n
+    released = desired + len(RATES)
     yield _TIME
     for name, of, factor in _TRUTH:
-        yield _Column(name, _TRUTH_ROWS, STATE.index(of), factor)
+        yield _Column(name, "truth", STATE.index(of), factor)
     for name, of, factor in _REFERENCES:
-        yield _Column(name, _REFERENCE_ROWS, SETPOINT.index(of), factor, wrapped=of == "heading")
+        yield _Column(name, "references", SETPOINT.index(of), factor, wrapped=of == "heading")
     for i, rate in enumerate(RATES):
         unit = _RATE_UNITS[rate]
         factor = 1.0 if rate == "u_dot" else _DEG
-        yield _Column(f"{rate}_{unit}", _MEASURED, STATE.index(rate), factor)
-        yield _Column(f"{rate}_desired_{unit}", _TELEMETRY, rates + i, factor)
+        yield _Column(f"{rate}_{unit}", "measured", STATE.index(rate), factor)
+        yield _Column(f"{rate}_desired_{unit}", "telemetry", desired + i, factor)
     for i, rate in enumerate(RATES):
-        yield _Column(f"{rate}_released", _TELEMETRY, rates + len(RATES) + i)
+        yield _Column(f"{rate}_released", "telemetry", released + i)
     for i, (name, actuator) in enumerate(aircraft.actuators.items()):
-        yield _Column(f"{name}_reference", _TELEMETRY, i, actuator.scale)
-        yield _Column(f"{name}_command", _TELEMETRY, n + i, actuator.scale)
-        yield _Column(f"{name}_position", _TRUTH_ROWS, len(STATE) + i)
-        yield _Column(f"{name}_effectiveness", _TRUTH_ROWS, len(STATE) + n + i)
-        yield _Column(f"{name}_effectiveness_estimate", _TELEMETRY, 2 * n + i)
-        yield _Column(f"{name}_failed", _TELEMETRY, 3 * n + i)
+        reference, command = of_actuator["reference"] + i, of_actuator["command"] + i
+        yield _Column(f"{name}_reference", "telemetry", reference, actuator.scale)
+        yield _Column(f"{name}_command", "telemetry", command, actuator.scale)
+        yield _Column(f"{name}_position", "truth", positions + i)
+        yield _Column(f"{name}_effectiveness", "truth", effectiveness + i)
+        yield _Column(
+            f"{name}_effectiveness_estimate", "telemetry", of_actuator["effectiveness_estimate"] + i
+        )
+        yield _Column(f"{name}_failed", "telemetry", of_actuator["failed"] + i)

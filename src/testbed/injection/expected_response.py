@@ -1,4 +1,8 @@
-"""Actuators as their block of properties in the JSBSim model says they work, in Python; for receipts."""
+"""What an actuator is expected to do with the properties of its block in the JSBSim model, computed in Python.
+
+The receipts of injections compare the plant with it (`testbed.injection.receipt`). An actuator's block is all
+properties under its prefix, such as `fcs/left-ruddervator/`; the aircraft's XML has to work as the classes here say.
+"""
 
 from __future__ import annotations
 
@@ -12,27 +16,37 @@ SERVO = (
     "servo-lag-rad_sec", "servo-rate-rad_sec", "servo-min-rad", "servo-max-rad", "servo/malfunction/fail_stuck",
     "linkage-bias-rad", "float-active", "float-gain", "incidence-rad", "effectiveness",
 )  # fmt: skip
+"""Properties of a servo's block that its response depends on."""
 MOTOR = (
     "command-norm", "command-scale", "command-bias-norm", "override-active", "override-norm",
     "throttle-min-norm", "throttle-max-norm", "power-lost", "effectiveness",
 )  # fmt: skip
+"""Properties of a motor's block that its response depends on."""
 
 Values = Mapping[str, float]
-"""Properties of an actuator's block by their names there; for a motor also `rpm` and `thrust_N` of its rotor."""
+"""Properties of an actuator's block by their names in it; for a motor also `rpm` and `thrust_N` of its rotor."""
 
 
 class Model(Protocol):
-    """An actuator as its block of properties says it works."""
+    """Expected response of one actuator; it remembers the control steps that it has made."""
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
-        """Far end of the actuator after one control step with these property values."""
+        """Make one control step of `substeps` physics steps of `dt_s` [s] each with these property values.
+
+        Returns what reaches the air, by quantity: see the classes.
+        """
         ...
 
 
 class ServoModel:
-    """JSBSim's actuator component, in its order: lag (Tustin), rate limit, stuck, stops; then linkage, float, loss."""
+    """A servo and its surface: {effective_deg: deflection times effectiveness [deg]}.
+
+    In the order of JSBSim's actuator component: lag (Tustin), rate limit, stuck, stops. Behind the servo the linkage's
+    bias is added, a floating surface follows the local flow instead, and effectiveness scales what is left.
+    """
 
     def __init__(self, demand: float, position: float) -> None:
+        """Of the servo at present: what it is asked for and where it is [rad]."""
         self._input, self._lagged, self._output = demand, position, position
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
@@ -48,15 +62,21 @@ class ServoModel:
         return {"effective_deg": v["effectiveness"] * position * DEGREES_PER_RADIAN}
 
     def _follow(self, demand: float, lag: float, rate: float) -> None:
+        """One physics step; `lag` is the lag's corner frequency times the step [-], `rate` the farthest move [rad]."""
         lagged = (lag * (demand + self._input) + (2.0 - lag) * self._lagged) / (2.0 + lag)
         self._output += min(max(lagged - self._output, -rate), rate)
         self._input, self._lagged = demand, lagged
 
 
 class MotorModel:
-    """Throttle is algebraic; without power it is what the motor generates. The rotor is the plant's own."""
+    """A motor and its propeller: {throttle [0 to 1], thrust_N: what reaches the airframe [N]}.
+
+    Throttle follows the command at once. Without power it is what the windmilling motor generates. Speed and thrust of
+    the rotor are the plant's own: they are not computed here.
+    """
 
     def __init__(self, rpm_at_full: float) -> None:
+        """Speed without load at full voltage [rpm]."""
         self._full = rpm_at_full
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:

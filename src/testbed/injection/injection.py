@@ -1,97 +1,196 @@
-"""One failure on one plant: what it writes when it starts, while it lasts, and when it ends."""
+"""One failure on one plant: what it writes when it starts, while it lasts and when it ends, and its receipts."""
 
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import numpy as np
 
-from testbed.aircraft.description import Actuator, Aircraft
-from testbed.failures import Capture, Course, Failure
-from testbed.injection.receipt import Hold, Watch, reads_back
+from testbed.aircraft.description import Aircraft
+from testbed.common.clock import first_step_at
+from testbed.failures import Capture, Course, Failure, same_property
+from testbed.flight.columns import Recorded, reader
+from testbed.injection.receipt import RECEIPT_STEPS, Hold, Watch, reads_back
 from testbed.plant.jsbsim import Plant
+
+_NOT_AS_ASKED = {
+    (True, False): f"did NOT take effect within {RECEIPT_STEPS} control steps",
+    (True, None): "had no observable effect: with and without it the actuator does the same",
+    (False, False): "was NOT undone: its properties do not read back as they were",
+}
+"""Warnings, by whether a receipt is of a start and what it says of `verified`."""
 
 
 class Injection:
-    """One failure bound to a plant: starts, changes with time, ends."""
+    """One failure bound to a plant. It starts at most once, and ends at most once.
+
+    Attributes:
+        failure: what breaks.
+        actuator: name of the actuator that it breaks; None if it acts outside the actuators' blocks of properties.
+        active: has started and not ended.
+        waiting: waits for its `when` to come true.
+        receipts: of its start and of its end, as far as they have happened (see `Injector`).
+    """
 
     def __init__(
-        self, plant: Plant, aircraft: Aircraft, failure: Failure, rate_hz: float, random: np.random.Generator
-    ):
-        self.failure = failure
-        self.active = False
-        self.watch: Watch | None = None
-        self._plant, self._rate_hz = plant, rate_hz
-        self.holds = {name: self._hold(name, value) for name, value in failure.properties(aircraft).items()}
-        self._course: tuple[str, Course] | None = failure.course(aircraft, random)
-        self._late = failure.delay_steps(rate_hz)
-        self._actuator = _watched(failure, aircraft)
-        self._queue: deque[float] = deque()
+        self,
+        plant: Plant,
+        aircraft: Aircraft,
+        failure: Failure,
+        index: int,
+        rate_hz: float,
+        random: np.random.Generator,
+    ) -> None:
+        """`index` is the failure's place in the scenario; `random` is its own stream."""
+        self.failure, self.active, self.waiting = failure, False, False
+        self.actuator = broken_actuator(failure, aircraft)
+        self.receipts: list[dict[str, Any]] = []
+        self._plant, self._aircraft, self._index, self._rate_hz = plant, aircraft, index, rate_hz
+        self._holds = [self._hold(name, value) for name, value in failure.properties(aircraft).items()]
+        self._names = {same_property(hold.name) for hold in self._holds}
+        self._watch: Watch | None = None
+        self._changes: tuple[Hold, Course] | None = None
+        changing = failure.course(aircraft, random)
+        if changing is not None:
+            (hold,) = (hold for hold in self._holds if hold.name == changing[0])
+            self._changes = hold, changing[1]
+        self._delay_steps = failure.delay_steps(rate_hz)
+        self._late_commands: deque[float] = deque()
+        self._signal: Callable[[int], float] | None = None
 
     def _hold(self, name: str, value: float | Capture) -> Hold:
         get = self._plant.getter(name)
         held = self._plant.getter(value.source) if isinstance(value, Capture) else value
         return Hold(name, held, self._plant.setter(name), get, healthy=get())
 
-    @property
-    def changes(self) -> bool:
-        """Whether it has something to do in each step while it is active."""
-        return self._course is not None or (self.watch is not None and not self.watch.done)
+    def agenda(self) -> Iterator[tuple[int, bool]]:
+        """(control step, starts?) of its start and end, as far as their times are set."""
+        if self.failure.at_s is not None:
+            yield first_step_at(self.failure.at_s, self._rate_hz), True
+        if self.failure.until_s is not None:
+            yield first_step_at(self.failure.until_s, self._rate_hz), False
+
+    def observe(self, recorded: Recorded) -> None:
+        """Take the arrays that the loop fills, if it waits for a signal."""
+        if self.failure.when is not None:
+            signal = self.failure.when.signal
+            self._signal = reader(self._aircraft, self._rate_hz, recorded, signal)
+            self.waiting = True
+
+    def triggered(self, step: int) -> bool:
+        """Whether the signal that it waits for was beyond its limit in the step before this one."""
+        when, signal = self.failure.when, self._signal
+        return step > 0 and when is not None and signal is not None and when.met(signal(step - 1))
 
     @property
-    def filters(self) -> bool:
-        """Whether it changes the commands of each step."""
-        return self.active and self._late is not None
+    def busy(self) -> bool:
+        """Whether it has something to do in each control step: a value that changes, or an effect to be watched."""
+        watching = self._watch is not None and not self._watch.done
+        return self.active and (watching or self._changes is not None)
 
-    def start(self, step: int) -> bool:
-        """Write; returns whether all properties read back as written."""
-        self._start, self.active = step, True
-        holds = self.holds.values()
-        values = [hold.value() if callable(hold.value) else hold.value for hold in holds]
-        for hold in holds:
+    @property
+    def delays(self) -> bool:
+        """Whether it now delays the commands of its actuator."""
+        return self.active and self._delay_steps is not None
+
+    def shares(self, other: Injection) -> bool:
+        """Whether both hold a property in common."""
+        return not self._names.isdisjoint(other._names)
+
+    def start(self, step: int) -> None:
+        """Write its properties, and begin to watch for the effect."""
+        self._start, self.active, self.waiting = step, True, False
+        values = [hold.value() if callable(hold.value) else hold.value for hold in self._holds]
+        for hold in self._holds:
             hold.before = hold.get()
-        self.watch = Watch(self._plant, self._actuator, self.holds)
-        for hold, value in zip(holds, values, strict=True):
+        actuator = self._aircraft.actuators[self.actuator] if self.actuator else None
+        self._watch = Watch(self._plant, actuator, self._holds)
+        for hold, value in zip(self._holds, values, strict=True):
             hold.first = value
             hold.write(value)
-        if self._late:
-            self._queue.extend(values * self._late)
-        return all(reads_back(hold.get(), hold.written) for hold in holds)
+        if self._delay_steps:
+            self._late_commands.extend(values * self._delay_steps)
+        as_written = all(reads_back(hold.get(), hold.written) for hold in self._holds)
+        self._add_receipt(step, active=True, verified=None if as_written else False)
+
+    def look(self) -> None:
+        """Look for the effect in the control step that the plant has just made."""
+        if self._watch is not None and not self._watch.done:
+            self._watch.look()
+            self._bring_up_to_date()
 
     def change(self, step: int) -> None:
-        """The held value of this step."""
-        if self._course is not None:
-            name, course = self._course
-            hold = self.holds[name]
+        """Write the value of this control step."""
+        if self._changes is not None:
+            hold, course = self._changes
             hold.write(course((step - self._start) / self._rate_hz, hold.first))
 
     def delay(self) -> None:
-        """Put the command of some steps ago in the place of the one just given."""
-        (hold,) = self.holds.values()
+        """Replace the command just given by the one given `delay_steps` control steps ago."""
+        (hold,) = self._holds
         hold.before = hold.healthy = hold.get()
-        self._queue.append(hold.before)
-        hold.write(self._queue.popleft())
+        self._late_commands.append(hold.before)
+        hold.write(self._late_commands.popleft())
 
-    def end(self) -> bool:
-        """Restore; returns whether all properties read back as they were."""
-        self.stop()
-        for hold in self.holds.values():
+    def end(self, step: int) -> None:
+        """Put its properties back as they were before the flight."""
+        self.let_go()
+        for hold in self._holds:
             hold.put(hold.healthy)
-        return all(reads_back(hold.get(), hold.healthy) for hold in self.holds.values())
+        restored = all(reads_back(hold.get(), hold.healthy) for hold in self._holds)
+        self._add_receipt(step, active=False, verified=restored)
 
-    def stop(self) -> None:
-        """Let go without restoring."""
+    def let_go(self) -> None:
+        """End without restoring anything: another failure takes over, or the flight is over."""
         self.active = False
-        self._queue.clear()
-        if self.watch is not None:
-            self.watch.finish()
+        self._late_commands.clear()
+        if self._watch is not None:
+            self._watch.finish()
+            self._bring_up_to_date()
+
+    def _add_receipt(self, step: int, active: bool, verified: bool | None) -> None:
+        """Add the receipt of a start or an end."""
+        self.receipts.append(
+            {
+                "time_s": step / self._rate_hz,
+                "kind": "injection",
+                "failure": self._index,
+                "type": self.failure.type,
+                "actuator": self.actuator,
+                "active": active,
+                "properties": {hold.name: hold.get() for hold in self._holds},
+                "verified": verified,
+            }
+        )
+
+    def _bring_up_to_date(self) -> None:
+        """Bring the start's receipt up to what has been seen; one that did not read back as written stays False."""
+        start = self.receipts[0]
+        if self._watch is not None and start["verified"] is not False:
+            start["verified"], start["effect"] = self._watch.verified, self._watch.effect
+
+    def warnings(self) -> Iterator[str]:
+        """What the failure did not do as the scenario asked, a sentence each."""
+        what = f"{self.failure.type}, {self.actuator}" if self.actuator else self.failure.type
+        name = f"failures.{self._index} ({what})"
+        if not self.receipts:
+            when = self.failure.when
+            yield f"{name} never started: " + (
+                f"{when} did not happen" if when else "the flight ended before"
+            )
+        for receipt in self.receipts:
+            text = _NOT_AS_ASKED.get((receipt["active"], receipt["verified"]))
+            if text:
+                yield f"{name} at {receipt['time_s']:g} s {text}"
 
 
-def _watched(failure: Failure, aircraft: Aircraft) -> Actuator | None:
-    """The actuator that a receipt looks at: the failure's, or the one whose block has all its properties."""
+def broken_actuator(failure: Failure, aircraft: Aircraft) -> str | None:
+    """Name of the actuator that a failure breaks: its own, or the one in whose block all its properties lie."""
+    if failure.actuator is not None:
+        return failure.actuator
     for name, actuator in aircraft.actuators.items():
-        if name == failure.actuator or all(
-            p.startswith(actuator.prefix + "/") for p in failure.properties(aircraft)
-        ):
-            return actuator
+        if all(held.startswith(f"{actuator.prefix}/") for held in failure.properties(aircraft)):
+            return name
     return None

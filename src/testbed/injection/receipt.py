@@ -1,15 +1,16 @@
-"""Did a failure happen? What the plant does after an injection, against what it would do with and without it.
+"""Was a failure seen to act? What the plant does after an injection is compared with what it should do.
 
-Each actuator is modelled twice from the moment of the injection, fed with the commands that the plant gets: healthy
-(held properties at what they were) and broken (at what they are). As soon as the two differ, the plant must be seen to
-follow the broken one, within RECEIPT_STEPS control steps. What is compared is the far end of the actuator: a
-surface's effective deflection, a motor's throttle (the voltage it gets) and the thrust that reaches the airframe.
+From the injection on, the expected response of the actuator is computed twice from the commands that the plant gets:
+healthy, with the held properties as they were before, and broken, with the properties as they are. As soon as the two
+differ, the plant must be seen to follow the broken one, within RECEIPT_STEPS control steps. What is compared is what
+reaches the air: a surface's effective deflection; a motor's throttle (its share of full voltage) and the thrust that
+reaches the airframe.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,14 +20,24 @@ from testbed.injection.expected_response import MOTOR, SERVO, Model, MotorModel,
 from testbed.plant.jsbsim import Plant
 
 RECEIPT_STEPS = 50
-"""Control steps within which an effect that is due must be seen."""
+"""Control steps within which an effect must be seen, from when it can be seen."""
 SMALLEST = 1e-6
-"""Differences from here on [deg, throttle, N] count as an effect."""
+"""A healthy and a broken response that differ by more than this [deg, throttle, N] can be told apart."""
 
 
 @dataclass(slots=True)
 class Hold:
-    """One failure's hold on one property: `healthy` is restored at the end, `before` is what it was at the start."""
+    """One property that a failure holds.
+
+    Attributes:
+        name: of the property.
+        value: written at the start; a function where it is captured then.
+        put, get: write and read the property.
+        healthy: its value before the flight, restored at the end of the failure.
+        before: its value just before the failure started.
+        first: the value that was written at the start.
+        written: the value that was written last.
+    """
 
     name: str
     value: float | Callable[[], float]
@@ -38,27 +49,28 @@ class Hold:
     written: float = 0.0
 
     def write(self, value: float) -> None:
+        """Write a value, and remember it."""
         self.put(value)
         self.written = value
 
 
 def reads_back(value: float, written: float) -> bool:
-    """Whether a property has the value written; some are kept in other units, so to rounding."""
+    """Whether a property has the value that was written, to rounding: JSBSim keeps some in other units."""
     return math.isclose(value, written, rel_tol=1e-9, abs_tol=1e-12)
 
 
 class Watch:
-    """Follows one injection until its effect has been seen, or was due and has not been seen in time.
+    """Watches one injection until its effect has been seen, or has not been seen in time.
 
     Attributes:
-        verified: True seen; False not seen in time, or a property does not stay as written; None nothing to see yet,
-            because the actuator does the same with and without the failure.
+        verified: True once the effect was seen; False if it was not seen in time, or if a property does not stay as
+            written; None while there is nothing to see: the actuator does the same with and without the failure.
         effect: what the last look compared: {quantity, healthy, broken, observed, after_steps}.
         done: nothing more to look at.
     """
 
-    def __init__(self, plant: Plant, actuator: Actuator | None, holds: Mapping[str, Hold]) -> None:
-        """`holds`: the injection's, by property."""
+    def __init__(self, plant: Plant, actuator: Actuator | None, holds: Sequence[Hold]) -> None:
+        """`actuator` is the one that the failure breaks, and `holds` are the properties that it holds."""
         self._plant, self._actuator, self._holds = plant, actuator, holds
         self._steps = self._due_steps = 0
         self.verified: bool | None = None
@@ -68,31 +80,38 @@ class Watch:
             self._bind(actuator)
 
     def _bind(self, actuator: Actuator) -> None:
+        """Look up everything that a look reads."""
         get = self._plant.getter
+        block = f"{actuator.prefix}/"
+        self._held = {h.name.removeprefix(block): h for h in self._holds if h.name.startswith(block)}
         names = SERVO if actuator.kind == "servo" else MOTOR
-        self._block = {name: get(f"{actuator.prefix}/{name}") for name in names}
-        self._far: dict[str, Callable[[], float]]
+        self._block = {name: get(f"{block}{name}") for name in names}
+        self._observed: dict[str, Callable[[], float]]
+        self._models: tuple[Model, Model]  # healthy and broken
         if isinstance(actuator, MotorActuator):
             engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
-            thrust, lost = get(f"{engine}/thrust-lbs"), get(f"{actuator.prefix}/lost-thrust-lbs")
+            thrust, lost = get(f"{engine}/thrust-lbs"), get(f"{block}lost-thrust-lbs")
             self._block |= {
                 "rpm": get(f"{engine}/propeller-rpm"),
                 "thrust_N": lambda: thrust() * NEWTONS_PER_POUND,
             }
             throttle = get(f"fcs/throttle-pos-norm[{actuator.engine}]")
-            self._far = {"throttle": throttle, "thrust_N": lambda: (thrust() + lost()) * NEWTONS_PER_POUND}
+            self._observed = {
+                "throttle": throttle,
+                "thrust_N": lambda: (thrust() + lost()) * NEWTONS_PER_POUND,
+            }
             full = motor.velocity_constant_rpm_v * motor.max_volts
-            self._models: tuple[Model, Model] = (MotorModel(full), MotorModel(full))
+            self._models = MotorModel(full), MotorModel(full)
         else:
-            effective = get(f"{actuator.prefix}/effective-rad")
-            demand, position = (get(f"{actuator.prefix}/{name}")() for name in ("demand-rad", "servo-rad"))
-            self._far = {"effective_deg": lambda: effective() * DEGREES_PER_RADIAN}
-            self._models = (ServoModel(demand, position), ServoModel(demand, position))
+            effective = get(f"{block}effective-rad")
+            demand, position = (get(f"{block}{name}")() for name in ("demand-rad", "servo-rad"))
+            self._observed = {"effective_deg": lambda: effective() * DEGREES_PER_RADIAN}
+            self._models = ServoModel(demand, position), ServoModel(demand, position)
 
     def look(self) -> None:
         """Judge the control step that the plant has just made."""
         self._steps += 1
-        if not all(reads_back(hold.get(), hold.written) for hold in self._holds.values()):
+        if not all(reads_back(hold.get(), hold.written) for hold in self._holds):
             self._conclude(False)
         elif self._actuator is None:
             if self._steps >= RECEIPT_STEPS:
@@ -114,23 +133,15 @@ class Watch:
         self.verified, self.done = verified, True
 
     def _follows_broken(self) -> bool:
-        assert self._actuator is not None
-        broken = {name: get() for name, get in self._block.items()}
-        healthy = dict(broken)
-        for name, hold in self._holds.items():
-            if name.startswith(self._actuator.prefix + "/"):
-                healthy[name.removeprefix(self._actuator.prefix + "/")] = hold.before
-        dt, n = self._plant.dt_s, self._plant.substeps
-        without, expected = (
-            model.advance(v, dt, n) for model, v in zip(self._models, (healthy, broken), strict=True)
-        )
+        """Advance both models by the step just made; whether the plant is nearer to the broken one."""
+        without, expected = self._responses()
         differences = {q: abs(expected[q] - without[q]) for q in expected}
         quantity = max(differences, key=lambda q: differences[q])
         if differences[quantity] > SMALLEST:
             self._due_steps += 1
         if not self._due_steps:
             return False
-        observed = self._far[quantity]()
+        observed = self._observed[quantity]()
         self.effect = {
             "quantity": quantity,
             "healthy": without[quantity],
@@ -140,3 +151,11 @@ class Watch:
         }
         near = abs(observed - expected[quantity]) <= 0.5 * differences[quantity]
         return near and differences[quantity] > SMALLEST
+
+    def _responses(self) -> tuple[dict[str, float], dict[str, float]]:
+        """(healthy, broken) expected responses to the step just made."""
+        broken = {name: get() for name, get in self._block.items()}
+        healthy = {**broken, **{name: hold.before for name, hold in self._held.items()}}
+        dt_s, substeps = self._plant.dt_s, self._plant.substeps
+        for_healthy, for_broken = self._models
+        return for_healthy.advance(healthy, dt_s, substeps), for_broken.advance(broken, dt_s, substeps)

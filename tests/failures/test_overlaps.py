@@ -1,0 +1,66 @@
+"""Failures share a property in windows that do not meet, or where one of a type takes over from another."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from broken_flights import AIRCRAFT, example, fly
+
+from testbed.failures import TABLE, Failure, overlaps, same_property
+
+LEFT = {"actuator": "left_ruddervator"}
+FALLS = {"when": {"signal": "altitude_m", "below": 100}}
+PROPERTY = "fcs/left-ruddervator/effectiveness"
+
+
+def failure(type: str = "effectiveness", **fields: Any) -> Failure:
+    values = {"value": 0.5} if type == "effectiveness" else {}
+    return TABLE[type].model_validate({"type": type, **values, **fields})
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "refused"),
+    [
+        ({"at_s": 1, "until_s": 3}, {"at_s": 2, "until_s": 4}, True),
+        ({"at_s": 1, "until_s": 2}, {"at_s": 2, "until_s": 3}, False),  # they touch
+        ({"at_s": 2, "until_s": 3}, {"at_s": 1, "until_s": 2}, False),
+        ({"at_s": 1}, {"at_s": 2}, False),  # the later takes over
+        ({"at_s": 1}, {"at_s": 1}, True),  # neither is later
+        ({"at_s": 1}, {"at_s": 2, "until_s": 3}, True),  # and after 3 s?
+        ({"at_s": 1, "until_s": 3}, {"at_s": 2}, True),
+        (FALLS, {"at_s": 2}, True),  # which is later is not known
+        ({**FALLS, "until_s": 2}, {"at_s": 2}, False),
+        ({**FALLS, "until_s": 3}, {"at_s": 2}, True),
+    ],
+)
+def test_windows_on_one_property(one: dict[str, Any], other: dict[str, Any], refused: bool) -> None:
+    both = [failure(**LEFT, **one), failure(**LEFT, **other)]
+    assert list(overlaps(both, AIRCRAFT)) == ([(0, 1, PROPERTY)] if refused else [])
+
+
+def test_only_a_failure_of_the_same_type_is_taken_over() -> None:
+    lost = failure("surface_lost", **LEFT, at_s=2)
+    assert list(overlaps([failure(**LEFT, at_s=1), lost], AIRCRAFT)) == [(0, 1, PROPERTY)]
+
+
+def test_different_properties_may_be_held_at_once() -> None:
+    both = [
+        failure(**LEFT, at_s=1),
+        failure(actuator="right_ruddervator", at_s=1),
+        failure("stuck", **LEFT, at_s=1),
+    ]
+    assert list(overlaps(both, AIRCRAFT)) == []
+
+
+def test_two_spellings_are_one_property() -> None:
+    assert same_property("a[0]/b[1]") == same_property("a/b[1]") != same_property("a/b")
+    spelled = [{"propulsion/engine[0]/x": 1.0}, {"propulsion/engine/x": 1.0}]
+    both = [failure("property", at_s=1, set=held, until_s=2) for held in spelled]
+    assert list(overlaps(both, AIRCRAFT)) == [(0, 1, "propulsion/engine/x")]
+
+
+def test_failures_of_different_properties_act_at_once() -> None:
+    one, other = example("effectiveness", "left_ruddervator"), example("effectiveness", "right_ruddervator")
+    flown = fly(one, example("bias", "left_ruddervator"), other)
+    assert [flown.event(failure=i)["verified"] for i in range(3)] == [True] * 3
