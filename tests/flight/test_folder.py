@@ -56,32 +56,6 @@ def test_two_folders_of_one_flight_are_identical(tmp_path: Path) -> None:
         assert (one / name).read_bytes() == (two / name).read_bytes()
 
 
-def test_summary_is_the_contract(tmp_path: Path) -> None:
-    folder = write_run_folder(make_flight(), tmp_path / "run")
-    assert json.loads((folder / "summary.json").read_text()) == {
-        "scenario": "left tail failure",
-        "seed": 1,
-        "actuators": [],
-        "outcome": "completed",
-        "end_time_s": 60.0,
-        "passed": True,
-        "requirements": [{"name": "a", "passed": True, "value": 0.1, "limit": "at most 1"}],
-        "events": [{"time_s": 5.0, "kind": "injection", "verified": True}],
-        "metrics": {"a": None, "b": 0.1},
-        "warnings": [],
-    }
-
-
-def test_passed_needs_the_end_and_every_requirement() -> None:
-    assert make_flight().passed
-    assert not make_flight(
-        requirements=[{"name": "a", "passed": False, "value": 2, "limit": "at most 1"}]
-    ).passed
-    for outcome in set(Outcome) - {Outcome.completed}:
-        assert not make_flight(outcome=outcome).passed
-        assert outcome.sentence
-
-
 @pytest.mark.parametrize("kind", ["folder", "empty folder", "file", "dangling link"])
 def test_nothing_is_overwritten(tmp_path: Path, kind: str) -> None:
     out = tmp_path / "run"
@@ -136,6 +110,16 @@ def test_cannot_be_written(tmp_path: Path) -> None:
         write_run_folder(make_flight(), tmp_path / "file" / "run")
 
 
+def test_a_folder_of_an_earlier_version_reads_back(tmp_path: Path) -> None:
+    """Its summary has no warnings, and does not say who flew."""
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    summary = json.loads((folder / "summary.json").read_text())
+    del summary["warnings"]
+    (folder / "summary.json").write_text(json.dumps(summary))
+    again = load(folder)
+    assert again.passed and list(again.warnings) == [] and again.controller == "adaptive_inversion"
+
+
 @pytest.mark.parametrize("name", CONTENTS)
 @pytest.mark.parametrize("damage", ["missing", "empty", "garbage"])
 def test_a_damaged_folder_is_bad_input(tmp_path: Path, name: str, damage: str) -> None:
@@ -146,16 +130,6 @@ def test_a_damaged_folder_is_bad_input(tmp_path: Path, name: str, damage: str) -
         (folder / name).write_bytes(b"" if damage == "empty" else b"\x00{,\n1,2,3,x\n")
     with pytest.raises(BadInput):
         load(folder)
-
-
-def test_a_log_of_one_minute_is_written_quickly(tmp_path: Path) -> None:
-    flight = make_flight(12_000, 50)
-    times = []
-    for i in range(3):
-        start = time.perf_counter()
-        write_run_folder(flight, tmp_path / str(i))
-        times.append(time.perf_counter() - start)
-    assert min(times) < 2.0, "generous, the disk's share included; arrow alone takes 0.1 s"
 
 
 def test_reading_needs_no_simulator(tmp_path: Path) -> None:

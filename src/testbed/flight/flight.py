@@ -1,4 +1,4 @@
-"""A finished flight: how it ended, its log and its verdict; written to and read from a run folder."""
+"""A finished flight: how it ended, its log, events, metrics and verdicts."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from testbed.common.plain import plain
+from testbed.flight import display
 from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class Outcome(StrEnum):
-    """How a flight ended; `sentence` says it to a person."""
+    """How a flight ended."""
 
     completed = "completed"
     ground_contact = "ground_contact"
@@ -27,6 +28,7 @@ class Outcome(StrEnum):
 
     @property
     def sentence(self) -> str:
+        """How it ended, as the end of a sentence: the aircraft "hit the ground"."""
         return _SENTENCES[self]
 
 
@@ -38,9 +40,9 @@ _SENTENCES = {
 }
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Flight:
-    """A scenario and what came of it. `data` is the log: a row for each logged step, in `columns`."""
+    """A scenario and what came of it. `data` [rows, columns] is the log: a row for each logged control step."""
 
     scenario: Scenario
     outcome: Outcome
@@ -48,19 +50,28 @@ class Flight:
     columns: tuple[str, ...]
     data: np.ndarray
     events: Sequence[Mapping[str, Any]] = ()
+    """What happened, in order of time: {time_s, kind, ...}."""
     metrics: Mapping[str, float] = field(default_factory=dict)
+    """Every metric of `testbed.metrics.TABLE` by name; NaN where it has no value in this flight."""
     requirements: Sequence[Mapping[str, Any]] = ()
     """Verdicts: {name, passed, value, limit, margin, reason} for each of the scenario's requirements."""
     actuators: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    """{kind, unit, limits, scale} of each actuator, so that a log is understood without the aircraft."""
+    """{kind, unit, limits, scale} of each actuator: what is needed to read the log without the aircraft's files."""
     warnings: Sequence[str] = ()
-    """What makes the flight mean less than it seems: a failure that did not act, or never started."""
+    """What to know before the numbers are believed: a failure that did not act as asked, or never started."""
     flown_by: str = ""
     """The user's own controller that flew in place of the scenario's, as `module:Class`; else empty."""
 
+    def __repr__(self) -> str:
+        return display.line(self)
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return display.html(self)
+
     @property
     def controller(self) -> str:
-        """What flew it."""
+        """What flew it: the scenario's controller by its type, or the user's own."""
         return self.flown_by or self.scenario.controller.type
 
     @cached_property
@@ -72,7 +83,7 @@ class Flight:
 
     @property
     def passed(self) -> bool:
-        """Flown to the end, with every requirement met."""
+        """Whether it was flown to the end with every requirement met."""
         return self.outcome is Outcome.completed and all(r["passed"] for r in self.requirements)
 
     @property

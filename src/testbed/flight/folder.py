@@ -17,6 +17,8 @@ from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import dump, load_scenario
 
+_SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
+
 
 class FolderExists(BadInput):
     """The folder to be written is there already; nothing is ever overwritten."""
@@ -33,8 +35,9 @@ def refuse_existing(folder: Path) -> None:
 def write_run_folder(
     flight: Flight, folder: str | Path, add: Callable[[Path], None] = lambda _: None
 ) -> Path:
-    """Write a run folder, whole or not at all; `add(folder)` may add to it (figures) before it appears.
+    """Write a run folder, whole or not at all; returns its path.
 
+    `add(folder)` is called before the folder has its name, to add figures or a report.
     Raises FolderExists when the folder exists, BadInput when it cannot be written.
     """
     folder = Path(folder)
@@ -48,7 +51,7 @@ def write_run_folder(
         _write_files(flight, partial)
         add(partial)
         _sync(partial)
-        refuse_existing(folder)  # rename would quietly replace an empty folder made meanwhile
+        refuse_existing(folder)  # rename would replace an empty folder that was made meanwhile
         partial.rename(folder)
     except BaseException:
         shutil.rmtree(partial, ignore_errors=True)
@@ -57,17 +60,20 @@ def write_run_folder(
 
 
 def load(folder: str | Path) -> Flight:
-    """Read a run folder; needs neither the simulator nor the aircraft. Raises BadInput when it is not one."""
+    """Read a run folder as the flight that it was written from.
+
+    Needs neither the simulator nor the aircraft. Raises BadInput when it is not a whole run folder.
+    """
     folder = Path(folder)
-    files = [folder / name for name in ("scenario.yaml", "summary.json", "log.csv")]
-    missing = [Problem("is missing from the run folder", str(file)) for file in files if not file.is_file()]
+    scenario_file, summary_file, log_file = folder / _SCENARIO, folder / _SUMMARY, folder / _LOG
+    missing = [file for file in (scenario_file, summary_file, log_file) if not file.is_file()]
     if missing:
-        raise BadInput(missing)
+        raise BadInput([Problem("is missing from the run folder", str(file)) for file in missing])
     try:
-        summary = json.loads(files[1].read_text(encoding="utf-8"))
-        columns, data = _read_log(files[2])
+        summary = json.loads(summary_file.read_text(encoding="utf-8"))
+        columns, data = _read_log(log_file)
         return Flight(
-            scenario=load_scenario(files[0], with_aircraft=False),
+            scenario=load_scenario(scenario_file, with_aircraft=False),
             outcome=Outcome(summary["outcome"]),
             end_time_s=summary["end_time_s"],
             columns=columns,
@@ -88,19 +94,19 @@ def load(folder: str | Path) -> Flight:
 
 
 def _write_files(flight: Flight, folder: Path) -> None:
-    (folder / "scenario.yaml").write_text(dump(flight.scenario), encoding="utf-8")
+    (folder / _SCENARIO).write_text(dump(flight.scenario), encoding="utf-8")
     text = json.dumps(flight.summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    (folder / "summary.json").write_text(text + "\n", encoding="utf-8")
-    _write_log(flight, folder / "log.csv")
+    (folder / _SUMMARY).write_text(text + "\n", encoding="utf-8")
+    _write_log(flight, folder / _LOG)
 
 
 def _write_log(flight: Flight, file: Path) -> None:
-    """Through arrow: ten times faster than pandas, and its shortest decimal numbers read back exactly."""
+    """Write log.csv with arrow: ten times faster than pandas, and its decimal numbers read back to the last bit."""
     import pyarrow as pa
     import pyarrow.csv
 
     columns = np.ascontiguousarray(np.asarray(flight.data, dtype=np.float64).T)
-    # Straight from the memory: pa.array would import pandas, which takes longer than the flight.
+    # From the columns' memory: pa.array would import pandas, which takes longer than the flight.
     arrays = [pa.Array.from_buffers(pa.float64(), len(c), [None, pa.py_buffer(c)]) for c in columns]
     table = pa.Table.from_arrays(arrays, names=list(flight.columns))
     with file.open("wb") as stream:
@@ -129,7 +135,7 @@ def _numbers(column: Any) -> np.ndarray:
 
 
 def _sync(folder: Path) -> None:
-    """Have it all on disk, so that the final name never points to half of it; the usual permissions."""
+    """Flush the folder to disk before it gets its name, and give it the usual permissions (a temporary one has not)."""
     for path in [*folder.rglob("*"), folder]:
         handle = os.open(path, os.O_RDONLY)
         try:

@@ -1,0 +1,95 @@
+"""Each column of the log is taken from its place in what was recorded, in the log's unit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from testbed.air.config import COLUMNS as WIND
+from testbed.aircraft.description import load_aircraft
+from testbed.common.signals import RATES, SETPOINT, STATE, TELEMETRY, telemetry_width
+from testbed.flight.columns import Recorded, all_columns, columns, reader, table
+from testbed.scenario.load import load_scenario
+from testbed.sensors.channels import log_columns as sensor_columns
+
+AIRCRAFT, RATE_HZ, STEPS = load_aircraft("vtail"), 200.0, 3000
+ACTUATORS = list(AIRCRAFT.actuators)
+_random = np.random.default_rng(1)
+RECORDED = Recorded(
+    truth=_random.standard_normal((STEPS, len(STATE) + 2 * len(ACTUATORS))),
+    measured=_random.standard_normal((STEPS, len(STATE))),
+    references=_random.standard_normal((STEPS, len(SETPOINT))),
+    telemetry=_random.standard_normal((STEPS, telemetry_width(len(ACTUATORS)))),
+)
+LOG = dict(zip(columns(AIRCRAFT), table(AIRCRAFT, RATE_HZ, RECORDED), strict=True))
+
+
+def telemetry(what: str, actuator: str) -> np.ndarray:
+    return RECORDED.telemetry[:, len(ACTUATORS) * TELEMETRY.index(what) + ACTUATORS.index(actuator)]
+
+
+def expected(name: str) -> np.ndarray:
+    """The column as its name says it, from what was recorded."""
+    truth = dict(zip(STATE, RECORDED.truth.T, strict=False))
+    first_rate = len(TELEMETRY) * len(ACTUATORS)
+    return {
+        "time_s": np.arange(STEPS) / RATE_HZ,
+        "altitude_m": truth["altitude"],
+        "heading_deg": np.degrees(truth["heading"]),
+        "r_deg_s": np.degrees(truth["r"]),
+        "altitude_command_m": RECORDED.references[:, SETPOINT.index("altitude")],
+        "heading_command_deg": np.degrees(RECORDED.references[:, SETPOINT.index("heading")]) % 360.0,
+        "q_dot_deg_s2": np.degrees(RECORDED.measured[:, STATE.index("q_dot")]),
+        "u_dot_m_s2": RECORDED.measured[:, STATE.index("u_dot")],
+        "u_dot_desired_m_s2": RECORDED.telemetry[:, first_rate + RATES.index("u_dot")],
+        "p_dot_released": RECORDED.telemetry[:, first_rate + len(RATES) + RATES.index("p_dot")],
+        "left_propeller_position": RECORDED.truth[:, len(STATE) + 2],
+        "left_propeller_effectiveness": RECORDED.truth[:, len(STATE) + len(ACTUATORS) + 2],
+        "right_ruddervator_command": telemetry("command", "right_ruddervator")
+        * AIRCRAFT.actuators["right_ruddervator"].scale,
+        "right_ruddervator_effectiveness_estimate": telemetry("effectiveness_estimate", "right_ruddervator"),
+        "right_propeller_failed": telemetry("failed", "right_propeller"),
+    }[name]
+
+
+NAMES = [
+    "time_s", "altitude_m", "heading_deg", "r_deg_s", "altitude_command_m", "heading_command_deg", "q_dot_deg_s2",
+    "u_dot_m_s2", "u_dot_desired_m_s2", "p_dot_released", "left_propeller_position", "left_propeller_effectiveness",
+    "right_ruddervator_command", "right_ruddervator_effectiveness_estimate", "right_propeller_failed",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_column_is_what_its_name_says(name: str) -> None:
+    assert LOG[name] == pytest.approx(expected(name), rel=1e-14)
+
+
+def test_columns_are_the_contract() -> None:
+    found = columns(AIRCRAFT)
+    assert len(set(found)) == len(found)
+    assert found[:6] == ("time_s", "north_m", "east_m", "altitude_m", "airspeed_m_s", "climb_rate_m_s")
+    per_actuator = ("reference", "command", "position", "effectiveness", "effectiveness_estimate", "failed")
+    assert found[-6 * len(ACTUATORS) :] == tuple(f"{a}_{of}" for a in ACTUATORS for of in per_actuator)
+
+
+@pytest.mark.parametrize("name", ["time_s", "heading_command_deg", "left_propeller_effectiveness"])
+def test_a_reader_gives_the_logs_numbers(name: str) -> None:
+    read = reader(AIRCRAFT, RATE_HZ, RECORDED, name)
+    assert [read(step) for step in (0, 1023, 1024, 2999)] == list(LOG[name][[0, 1023, 1024, 2999]])
+
+
+def test_more_columns_come_last_and_each_is_contiguous() -> None:
+    more = np.arange(STEPS, dtype=float)
+    data = table(AIRCRAFT, RATE_HZ, RECORDED, [more])
+    assert data.shape == (len(LOG) + 1, STEPS) and data.flags.c_contiguous
+    assert np.array_equal(data[-1], more)
+
+
+def test_columns_of_sensors_and_moving_air_only_where_there_are_such() -> None:
+    file = "scenarios/left_tail_fail.yaml"
+    calm = all_columns(AIRCRAFT, load_scenario(file))
+    assert calm == columns(AIRCRAFT)
+    windy = all_columns(AIRCRAFT, load_scenario(file, ["atmosphere.turbulence_w20_m_s=7"]))
+    assert windy == (*calm, *WIND)
+    sensed = all_columns(AIRCRAFT, load_scenario(file, ["sensors=mems"]))
+    assert sensed == (*calm, *sensor_columns())
