@@ -1,11 +1,13 @@
-"""Write docs/failures.md and its figures from the table of failures; every figure is a flight.
+"""Write the page of failures and its figures from the table of failures; every figure is a flight.
 
-python docs/generate/failures_catalogue.py            fly, draw and write
+python docs/generate/failures_catalogue.py            fly, draw and write docs/failures.md and docs/figures/failures/
 python docs/generate/failures_catalogue.py --check    write nothing; exit 1 if anything is not as it would be written
+python docs/generate/failures_catalogue.py --out D    the same in folder D instead of docs
 """
 
 from __future__ import annotations
 
+import argparse
 import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -38,7 +40,7 @@ def shown(aircraft: Aircraft, name: str) -> tuple[str, dict[str, Any]]:
 
 
 def scenario(aircraft: Aircraft, failure: Mapping[str, Any]) -> Scenario:
-    """A turn, so that there is something to follow."""
+    """A flight with a turn, so that the actuators move."""
     commands = [{"at_s": 0.4, "heading_deg": 95}]
     initial = {**aircraft.reference.model_dump(), "heading_deg": 90}
     return Scenario.model_validate(
@@ -54,7 +56,7 @@ def scenario(aircraft: Aircraft, failure: Mapping[str, Any]) -> Scenario:
 
 
 def draw(flight: Flight, actuator: str, unit: str, file: Path) -> None:
-    """Command, position and effective position of the broken actuator; what was flown is kept in the file."""
+    """Draw command, position and effective position of the broken actuator; the scenario is kept in the file."""
     from matplotlib.figure import Figure
 
     log = flight.log
@@ -91,6 +93,7 @@ def fields_of(name: str) -> str:
 
 
 def rows() -> Iterator[str]:
+    """The rows of the page's table of types."""
     for name, kind in TABLE.items():
         meaning = (kind.__doc__ or "").strip().partition("\n")[0]
         on = "any" if name == "property" else " and ".join(kind.kinds)
@@ -100,7 +103,7 @@ def rows() -> Iterator[str]:
 
 
 def page() -> str:
-    """docs/failures.md."""
+    """The page's text: failures_catalogue.md with the table in its place."""
     text = (Path(__file__).with_name("failures_catalogue.md")).read_text(encoding="utf-8")
     return text.replace("{rows}", "\n".join(rows()))
 
@@ -112,11 +115,12 @@ def write(docs: Path) -> None:
         actuator, failure = shown(aircraft, name)
         flight = fly(scenario(aircraft, failure))
         draw(flight, actuator, aircraft.actuators[actuator].unit, _figure(docs, name))
+    docs.mkdir(parents=True, exist_ok=True)
     (docs / "failures.md").write_text(page(), encoding="utf-8")
 
 
 def stale(docs: Path) -> list[str]:
-    """What is not as it would be written: the page, and figures of other flights or none."""
+    """Files that are not as they would be written: the page, and figures that are missing or of other flights."""
     from PIL import Image
 
     aircraft = load_aircraft(AIRCRAFT)
@@ -135,17 +139,20 @@ def _figure(docs: Path, name: str) -> Path:
 
 
 def main(arguments: list[str]) -> int:
-    docs = data_root() / "docs"
-    if arguments == ["--check"]:
-        found = stale(docs)
-        for name in found:
-            print(
-                f"{name}: not as the code says; run python docs/generate/failures_catalogue.py",
-                file=sys.stderr,
-            )
-        return 1 if found else 0
-    write(docs)
-    return 0
+    parser = argparse.ArgumentParser(description="Write the page of failures and its figures.")
+    parser.add_argument(
+        "--check", action="store_true", help="write nothing; exit 1 if anything is out of date"
+    )
+    parser.add_argument("--out", type=Path, metavar="DOCS", help="folder of the page (default: docs)")
+    options = parser.parse_args(arguments)
+    docs = options.out or data_root() / "docs"
+    if not options.check:
+        write(docs)
+        return 0
+    found = stale(docs)
+    for name in found:
+        print(f"{name}: out of date; run python docs/generate/failures_catalogue.py", file=sys.stderr)
+    return 1 if found else 0
 
 
 if __name__ == "__main__":

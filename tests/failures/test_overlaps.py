@@ -1,4 +1,4 @@
-"""Failures share a property in windows that do not meet, or where one of a type takes over from another."""
+"""Failures share a property in windows that do not meet, or where one replaces another of its type."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def failure(type: str = "effectiveness", **fields: Any) -> Failure:
         ({"at_s": 1, "until_s": 3}, {"at_s": 2, "until_s": 4}, True),
         ({"at_s": 1, "until_s": 2}, {"at_s": 2, "until_s": 3}, False),  # they touch
         ({"at_s": 2, "until_s": 3}, {"at_s": 1, "until_s": 2}, False),
-        ({"at_s": 1}, {"at_s": 2}, False),  # the later takes over
+        ({"at_s": 1}, {"at_s": 2}, False),  # the later replaces the earlier
         ({"at_s": 1}, {"at_s": 1}, True),  # neither is later
         ({"at_s": 1}, {"at_s": 2, "until_s": 3}, True),  # and after 3 s?
         ({"at_s": 1, "until_s": 3}, {"at_s": 2}, True),
@@ -39,7 +39,7 @@ def test_windows_on_one_property(one: dict[str, Any], other: dict[str, Any], ref
     assert list(overlaps(both, AIRCRAFT)) == ([(0, 1, PROPERTY)] if refused else [])
 
 
-def test_only_a_failure_of_the_same_type_is_taken_over() -> None:
+def test_only_a_failure_of_the_same_type_is_replaced() -> None:
     lost = failure("surface_lost", **LEFT, at_s=2)
     assert list(overlaps([failure(**LEFT, at_s=1), lost], AIRCRAFT)) == [(0, 1, PROPERTY)]
 

@@ -82,7 +82,7 @@ def test_intermittent_spells_have_their_means() -> None:
     assert np.sum(np.diff(broken)) / 2 == pytest.approx(2500, rel=0.08)
 
 
-def test_the_later_of_one_type_takes_over() -> None:
+def test_the_later_of_one_type_replaces_the_earlier() -> None:
     at = {"type": "intermittent", "actuator": "left_propeller", "off_s": 0.05, "on_s": 0.05}
     flown = fly({**at, "at_s": 0.4, "value": 0.5}, {**at, "at_s": 0.8, "value": 0.25})
     effectiveness = flown.column("left_propeller_effectiveness")

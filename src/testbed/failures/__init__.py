@@ -1,8 +1,10 @@
-"""What can break, and which properties of the plant a failure holds, from when to when.
+"""What can break: for each type of failure its fields, and the properties of the JSBSim model that it holds.
 
-Adding a type is one class in `losses`, `held` or `varying`, and one line in TABLE. Times are seconds of the flight;
-a failure starts at `at_s`, or when a logged signal is beyond a value, and lasts to `until_s` or to the end. Whatever
-the type, it acts through properties of the JSBSim model alone; nothing is written before it starts.
+A failure acts by holding properties of the model, and in no other way; nothing is written before it starts. Times are
+in seconds from the start of the flight. A failure starts at `at_s`, or when a logged signal passes a limit, and lasts to
+`until_s` or to the end of the flight. `testbed.injection` applies failures to a plant.
+
+A new type is one class in `losses`, `held` or `varying`, and one line in TABLE.
 """
 
 from __future__ import annotations

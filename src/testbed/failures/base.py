@@ -1,8 +1,8 @@
-"""What every failure has: when it begins and ends, and which properties of the plant it holds.
+"""What every failure has: when it starts and ends, and which properties of the JSBSim model it holds.
 
-Units: a field whose name ends in a unit is in that unit. A field that does not (`value`, `low`, `high`, `amplitude`,
-`rate`) is a factor, or is in the actuator's own unit: the aircraft YAML's (degrees) for a servo, throttle from 0 to 1
-for a motor; `rate` is that per second.
+Units: a field whose name ends in a unit is in that unit. The others (`value`, `low`, `high`, `amplitude`, `rate`) are
+factors, or are in the actuator's own unit: degrees for a servo, throttle from 0 to 1 for a motor. `rate` is in that unit
+per second.
 """
 
 from __future__ import annotations
@@ -19,20 +19,20 @@ from testbed.aircraft.description import Aircraft, MotorActuator, Servo
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
 
 Examples = Mapping[str, Mapping[str, Any]]
-"""Fields of a failure, per kind of actuator."""
+"""Fields of a failure, by kind of actuator."""
 Course = Callable[[float, float], float]
-"""Value of a held property from the time since the failure's start [s] and the property's value at the start."""
+"""Value to hold, as a function of the time since the failure started [s] and of the value held at its start."""
 
 
 @dataclass(frozen=True)
 class Capture:
-    """Held at the value that another property (or the property itself) has when the failure starts."""
+    """A property is held at the value that `source`, another property or itself, has when the failure starts."""
 
     source: str
 
 
 def both(servo: Mapping[str, Any], motor: Mapping[str, Any] | None = None) -> Examples:
-    """Fields for a servo and for a motor; the same ones where `motor` is not given."""
+    """Fields for a servo and for a motor; the same for both where `motor` is not given."""
     return {"servo": servo, "motor": servo if motor is None else motor}
 
 
@@ -45,7 +45,7 @@ class Fault(NamedTuple):
 
 
 class When(Settings):
-    """A failure that starts when a logged signal first goes above or below a value."""
+    """Start of a failure: when a logged signal is first above or below a limit, in the log's unit."""
 
     signal: Text
     above: Number | None = None
@@ -58,7 +58,7 @@ class When(Settings):
         return self
 
     def met(self, value: float) -> bool:
-        """Whether the signal is beyond the limit."""
+        """Whether this value of the signal is beyond the limit; a value on the limit is not."""
         return value > self.above if self.above is not None else value < (self.below or 0.0)
 
     def __str__(self) -> str:
@@ -72,9 +72,9 @@ class Failure(Settings):
     kinds: ClassVar[tuple[str, ...]] = ("servo", "motor")
     """Kinds of actuator that can fail in this way."""
     undone: ClassVar[bool] = True
-    """Whether it ends at `until_s`; what has fallen off does not come back."""
+    """Whether it may end before the flight does; what has fallen off does not come back."""
     examples: ClassVar[Examples] = {}
-    """Per kind, fields of one failure that shows; flown by the tests and for the catalogue's figures."""
+    """By kind of actuator, the fields of an example with a visible effect: for the tests and the catalogue's figures."""
 
     type: str
     actuator: Text | None = None
@@ -104,24 +104,27 @@ class Failure(Settings):
         return None
 
     def properties(self, aircraft: Aircraft) -> Mapping[str, float | Capture]:
-        """JSBSim properties that are held while the failure lasts, and their values when it starts."""
+        """JSBSim properties that are held while the failure lasts, each with the value that is written at its start."""
         raise NotImplementedError
 
     def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course] | None:
-        """The held property that changes while the failure lasts, and how; None when nothing does."""
+        """The held property whose value changes while the failure lasts, and its course; None if none changes.
+
+        `random` is this failure's own stream, for courses of chance.
+        """
         return None
 
     def delay_steps(self, rate_hz: float) -> int | None:
-        """Control steps by which the actuator's commands come late; None when commands are left alone."""
+        """Control steps by which the actuator's commands are delayed; None if commands are not touched."""
         return None
 
     def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
-        """What does not fit the aircraft (its actuator exists and is of the right kind)."""
+        """What does not fit the aircraft or the control rate; its actuator exists and is of the right kind."""
         return iter(())
 
     @property
     def window_s(self) -> tuple[float, float]:
-        """Earliest start and latest end [s]; one that waits for a signal may start at any time."""
+        """Earliest start and latest end [s]; a failure that waits for a signal may start at any time."""
         return self.at_s or 0.0, math.inf if self.until_s is None else self.until_s
 
 
@@ -131,15 +134,16 @@ class ActuatorFailure(Failure):
     actuator: Text
 
     def is_servo(self, aircraft: Aircraft) -> bool:
+        """Whether its actuator is a servo; otherwise it is a motor."""
         return aircraft.actuators[self.actuator].kind == "servo"
 
     def name(self, aircraft: Aircraft, servo: str, motor: str | None = None) -> str:
-        """Full name of a property in this actuator's block; `motor` where a motor's is called differently."""
+        """Full name of a property in this actuator's block; `motor` if a motor's has another name there."""
         tail = servo if motor is None or self.is_servo(aircraft) else motor
         return f"{aircraft.actuators[self.actuator].prefix}/{tail}"
 
     def inside(self, aircraft: Aircraft, value: float) -> float:
-        """A value in the actuator's unit as the plant has it: radians, or throttle."""
+        """A value in the actuator's unit, converted to the model's: radians for a servo, throttle for a motor."""
         return math.radians(value) if self.is_servo(aircraft) else value
 
     def travel(self, aircraft: Aircraft) -> tuple[float, float]:
@@ -147,12 +151,13 @@ class ActuatorFailure(Failure):
         return aircraft.actuators[self.actuator].limits if self.is_servo(aircraft) else (0.0, 1.0)
 
     def unit(self, aircraft: Aircraft) -> str:
+        """The actuator's own unit, in words for messages."""
         return aircraft.actuators[self.actuator].unit if self.is_servo(aircraft) else "throttle"
 
     def outside(
         self, aircraft: Aircraft, field: str, low: float, high: float, per: str = ""
     ) -> Iterator[Fault]:
-        """A fault when this field's value is not from `low` to `high`."""
+        """A fault if this field's value is not from `low` to `high` [the actuator's unit, followed by `per`]."""
         value = getattr(self, field)
         if value is not None and not low <= value <= high:
             unit = self.unit(aircraft) + per

@@ -1,4 +1,4 @@
-"""Failures of the way from command to position: properties held at fixed values from start to end."""
+"""Failures between command and position: properties that are held at fixed values from start to end."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from testbed.inputs.base import Number, Positive, refuse
 
 
 class CommandScale(ActuatorFailure):
-    """Commands are scaled by `value`, before the servo: 0 is no command, 1 is healthy."""
+    """Commands are multiplied by `value` before the servo or motor: 0 is no command, 1 is healthy."""
 
     type: Literal["command_scale"] = "command_scale"
     value: Annotated[Number, Field(ge=0, le=2)]
@@ -28,7 +28,7 @@ class CommandScale(ActuatorFailure):
 
 
 class Reversal(ActuatorFailure):
-    """Commands act with the opposite sign, about zero deflection (not about trim): a crossed linkage or wire."""
+    """Commands act with the opposite sign, about zero deflection and not about trim, as with a crossed linkage."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["reversal"] = "reversal"
@@ -47,14 +47,14 @@ class Stuck(ActuatorFailure):
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         if self.is_servo(
             aircraft
-        ):  # JSBSim's own: the output freezes, with nothing of the lag left to play out
+        ):  # JSBSim's own malfunction: the position freezes at once, in spite of the lag
             return {self.name(aircraft, "servo/malfunction/fail_stuck"): 1.0}
         held = Capture(self.name(aircraft, "throttle-norm"))
         return {self.name(aircraft, "override-active"): 1.0, self.name(aircraft, "override-norm"): held}
 
 
 class StuckAt(ActuatorFailure):
-    """The servo goes to `value` (with its lag and rate) and stays; a motor runs at throttle `value`."""
+    """The servo moves to `value`, with its usual lag and rate, and stays there; a motor runs at throttle `value`."""
 
     type: Literal["stuck_at"] = "stuck_at"
     value: Number
@@ -70,7 +70,7 @@ class StuckAt(ActuatorFailure):
 
 
 class Hardover(ActuatorFailure):
-    """The servo drives to its stop, the highest (`to: max`) or the lowest (`min`); a motor to full or no throttle."""
+    """The servo drives to its highest (`to: max`) or lowest (`to: min`) stop; a motor to full or no throttle."""
 
     type: Literal["hardover"] = "hardover"
     to: Literal["max", "min"] = "max"
@@ -83,7 +83,7 @@ class Hardover(ActuatorFailure):
 
 
 class Float(ActuatorFailure):
-    """The surface is free and trails with the local flow: minus `gain` (default: the aircraft's) of the incidence."""
+    """The surface is free and trails with the local flow, at minus `gain` times its incidence (default: the aircraft's gain)."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["float"] = "float"
@@ -96,7 +96,7 @@ class Float(ActuatorFailure):
 
 
 class Bias(ActuatorFailure):
-    """The surface is off by `value` behind the servo (bent linkage); a motor's throttle command is off by `value`."""
+    """The surface is off by `value` from where its servo is, as by a bent linkage; a motor's throttle command is off by `value`."""
 
     type: Literal["bias"] = "bias"
     value: Number
@@ -116,7 +116,7 @@ class Bias(ActuatorFailure):
 
 
 class PositionLimit(ActuatorFailure):
-    """Travel is cut to `low` .. `high` (one may be left out); what is beyond is moved to the new stop at once."""
+    """Travel is limited to `low` to `high` (one may be left out); an actuator beyond is moved to the new stop at once."""
 
     type: Literal["position_limit"] = "position_limit"
     low: Number | None = None
@@ -151,7 +151,7 @@ class PositionLimit(ActuatorFailure):
 
 
 class RateLimit(ActuatorFailure):
-    """The servo is no faster than `value` per second."""
+    """The servo moves by at most `value` per second."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["rate_limit"] = "rate_limit"
@@ -170,7 +170,7 @@ class RateLimit(ActuatorFailure):
 
 
 class Lag(ActuatorFailure):
-    """The servo's first-order lag becomes `lag_rad_s`: slower than it was."""
+    """The servo's first-order lag has the corner frequency `lag_rad_s`, lower than when healthy."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["lag"] = "lag"

@@ -1,4 +1,4 @@
-"""When failures may share a property: in windows that do not meet, or one of a type taking over from another."""
+"""When two failures may hold the same property: one after the other, or where the later replaces the earlier."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ def same_property(name: str) -> str:
 
 
 def overlaps(failures: Sequence[Failure], aircraft: Aircraft) -> Iterator[tuple[int, int, str]]:
-    """Pairs of failures that would write one property at one time: (first index, second index, property).
+    """Pairs of failures that would hold one property at one time: (first index, second index, property).
 
-    Two failures may hold the same property only in windows [at_s, until_s) that do not meet. One exception:
-    of two failures of one type, both with `at_s` and neither with `until_s`, the one that starts later takes
-    over from the other (0.2 from 5 s, 0.0 from 15 s). One with `when` may start at any time, so its window
-    begins at 0.
+    Two failures may hold the same property only if their windows [at_s, until_s) do not meet. There is one exception,
+    for a failure that gets worse in steps: if two are of one type, both have `at_s` and neither has `until_s`, then the
+    later one replaces the earlier one (effectiveness 0.2 from 5 s, and 0.0 from 15 s). The window of a failure with
+    `when` begins at 0, because it may start at any time.
     """
     held = [{same_property(name) for name in failure.properties(aircraft)} for failure in failures]
     for j, later in enumerate(failures):
         for i, earlier in enumerate(failures[:j]):
             shared = held[i] & held[j]
-            if shared and _meet(earlier, later) and not _takes_over(earlier, later):
+            if shared and _meet(earlier, later) and not _replaces(earlier, later):
                 yield i, j, min(shared)
 
 
@@ -33,7 +33,7 @@ def _meet(one: Failure, other: Failure) -> bool:
     return max(one.window_s[0], other.window_s[0]) < min(one.window_s[1], other.window_s[1])
 
 
-def _takes_over(one: Failure, other: Failure) -> bool:
+def _replaces(one: Failure, other: Failure) -> bool:
     open_ended = one.until_s is None and other.until_s is None
     timed = one.at_s is not None and other.at_s is not None
     return open_ended and timed and one.type == other.type and one.at_s != other.at_s

@@ -1,4 +1,4 @@
-"""Failures whose held value changes while they last, or which act on the command's path."""
+"""Failures whose held value changes with time, and the one that delays commands."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from testbed.failures.losses import Gain
 from testbed.inputs.base import NonNegative, Number, Positive
 
 MAX_DELAY_S = 5.0
+"""Longest delay that may be asked for [s]; late commands are kept in memory."""
 
 
 class Delay(ActuatorFailure):
-    """Commands arrive `delay_s` late (to the nearest control step); until the first one does, the last is held."""
+    """Commands arrive `delay_s` late, to the nearest control step; the last one before the failure is held until then."""
 
     type: Literal["delay"] = "delay"
     delay_s: Annotated[Number, Field(ge=0, le=MAX_DELAY_S)]
@@ -42,7 +43,7 @@ class Delay(ActuatorFailure):
 
 
 class Oscillation(ActuatorFailure):
-    """A sine of `amplitude` and `frequency_hz` is added to the commands, before the servo."""
+    """A sine of `amplitude` and `frequency_hz` is added to the commands, before the servo or motor."""
 
     type: Literal["oscillation"] = "oscillation"
     amplitude: NonNegative
@@ -72,7 +73,7 @@ class Oscillation(ActuatorFailure):
 
 
 class Runaway(ActuatorFailure):
-    """The servo leaves where it is and ramps at `rate` per second to its stop (`to: max` or `min`); or the throttle."""
+    """The servo, or the throttle, moves from where it is at `rate` per second to its highest (`to: max`) or lowest stop."""
 
     type: Literal["runaway"] = "runaway"
     rate: Positive
@@ -99,7 +100,7 @@ class Runaway(ActuatorFailure):
 
 
 class Intermittent(ActuatorFailure):
-    """Effectiveness drops to `value` and returns, at random: broken for `off_s`, then well for `on_s`, on average."""
+    """Effectiveness is in turn `value`, for `off_s` on average, and 1, for `on_s` on average; each duration is random."""
 
     type: Literal["intermittent"] = "intermittent"
     value: Annotated[Number, Field(ge=0, le=1)] = 0.0
@@ -115,22 +116,22 @@ class Intermittent(ActuatorFailure):
         return {self.name(aircraft, "effectiveness"): self.value}
 
     def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course]:
-        """Spells are exponentially distributed and drawn as time goes on; the first is broken."""
+        """Durations are exponentially distributed, and drawn as time goes on; the first is a broken one."""
         healthy = 1.0
-        spell_end, broken = random.exponential(self.off_s), True
+        ends_at, broken = random.exponential(self.off_s), True
 
         def value_at(t: float, start: float) -> float:
-            nonlocal spell_end, broken
-            while t >= spell_end:
+            nonlocal ends_at, broken
+            while t >= ends_at:
                 broken = not broken
-                spell_end += random.exponential(self.off_s if broken else self.on_s)
+                ends_at += random.exponential(self.off_s if broken else self.on_s)
             return self.value if broken else healthy
 
         return self.name(aircraft, "effectiveness"), value_at
 
 
 class Decay(ActuatorFailure):
-    """Effectiveness fades to `value`: in `over_s` (`shape: linear`) or with that time constant (`exponential`)."""
+    """Effectiveness goes to `value`: linearly within `over_s`, or exponentially with `over_s` as time constant (`shape`)."""
 
     type: Literal["decay"] = "decay"
     value: Gain

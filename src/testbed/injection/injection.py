@@ -143,7 +143,7 @@ class Injection:
         self._add_receipt(step, active=False, verified=restored)
 
     def let_go(self) -> None:
-        """End without restoring anything: another failure takes over, or the flight is over."""
+        """End without restoring anything: a later failure replaces this one, or the flight is over."""
         self.active = False
         self._late_commands.clear()
         if self._watch is not None:

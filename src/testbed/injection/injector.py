@@ -84,7 +84,7 @@ class Injector:
 
     def _start(self, step: int, injection: Injection) -> None:
         for other in self._injections:
-            if other.active and other.shares(injection):  # the later one takes over
+            if other.active and other.shares(injection):  # the later one replaces it
                 other.let_go()
         injection.start(step)
 
