@@ -16,12 +16,12 @@ from testbed.scenario.requirement import Requirement
 def judge(
     requirements: Sequence[Requirement], log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> list[dict[str, Any]]:
-    """[{name, passed, value, limit, margin, reason}] one for each requirement, in their order.
+    """{name, passed, value, limit, margin, reason} of each requirement, in their order.
 
-    Value is the worst seen, margin its distance from the limit: 0 or more is met, negative is not. Rows
-    of the window are from_s <= time < until_s; without `until_s` it ends with the flight, also one that ended
-    early. Not met, with a reason, no value and a margin of -inf: a window that the flight did not reach or
-    reached in part, and what is not a number in this flight (the delay of a detection that never came).
+    `value` is the worst one seen and `margin` its distance from the limit: 0 or more is met, negative is not. The window
+    of a signal has the rows with from_s <= time < until_s; without `until_s` it ends with the flight, also if that ended
+    early. A requirement is not met, with a `reason`, a margin of -inf and NaN as value, if the flight did not reach the
+    window's end, or if the metric or signal is not a number in this flight (the delay of a detection that never came).
     """
     return [_judge(requirement, log, metrics) for requirement in requirements]
 
@@ -50,7 +50,7 @@ def _judge(
 def _values(
     requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> np.ndarray:
-    """The metric, or the signal (its distance from `of`) in its window; nothing if that was not flown."""
+    """The metric, or the signal or its distance from `of` in the window; nothing if the window was not flown."""
     if requirement.metric is not None:
         return np.array([metrics[requirement.metric]], dtype=float)
     window = _window(requirement, log["time_s"])
@@ -74,7 +74,7 @@ def _window(requirement: Requirement, time: np.ndarray) -> slice:
 
 
 def _worst(requirement: Requirement, values: np.ndarray) -> tuple[float, float]:
-    """(margin, value) where the margin is least."""
+    """(margin, value) of the limit that is nearest or passed furthest."""
     candidates = []
     if requirement.within is not None:
         worst = float(np.max(np.abs(values)))

@@ -1,8 +1,10 @@
-"""Numbers that say how a controller coped, each a function of a finished flight's readings, judged by truth.
+"""Numbers that say how well a controller did in a flight, computed from the truth of the log and from the events.
 
-Adding a metric is one function in the module of its subject and its name in that module's TABLE. Its name
-ends in its unit (counts and ratios have none); the first line of its docstring is its definition, which
-`list` and the report print. A metric without a value in a flight (no detection, no delay) is NaN.
+A metric is a function of the flight's `Readings`, and its name is the function's. The name ends in its unit; counts and
+ratios have none. The first line of the docstring is its definition, which `list` and the report print. A metric that has
+no value in a flight is NaN, such as a detection delay without a detection.
+
+A new metric is one function in the module of its subject, and its name in that module's TABLE.
 """
 
 from __future__ import annotations
@@ -23,5 +25,5 @@ TABLE: dict[str, Metric] = {
 
 
 def measure(readings: Readings) -> dict[str, float]:
-    """Every metric of the table."""
+    """The value of every metric in TABLE, by name."""
     return {name: metric(readings) for name, metric in TABLE.items()}

@@ -1,4 +1,4 @@
-"""What it cost: how hard the actuators were worked, and how long they had no more to give."""
+"""How hard the actuators were worked, and how long they were at their stops."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import numpy as np
 
 from testbed.metrics.flight_view import Readings
 
-_AT_STOP = 1e-3  # of its travel: this near to a stop a command is at it
+_AT_STOP = 1e-3  # a command counts as at its stop within this fraction of the travel
 
 
 def control_effort_per_s(readings: Readings) -> float:
     """Integral of the squared rates of all commands, each in units of its actuator's scale [1/s].
 
-    Sum over actuators and rows of (change of command / scale)^2 / (time between rows), so that a jump counts
-    for more the shorter the control step. NaN where no scale is known.
+    It is the sum over actuators and rows of (change of command / scale)^2 / (time between rows). A jump of a command
+    therefore counts for more if the control step is shorter. NaN if an actuator's scale is not known.
     """
     total = 0.0
     for name, facts in readings.actuators.items():
@@ -25,9 +25,9 @@ def control_effort_per_s(readings: Readings) -> float:
 
 
 def saturated_time_s(readings: Readings) -> float:
-    """Time with a command at its stop (0.1 % of its travel from it), of any actuator not flagged failed [s].
+    """Time with the command of any actuator that is not flagged at its stop, to 0.1 % of its travel [s].
 
-    NaN where no stops are known.
+    NaN if an actuator's stops are not known.
     """
     saturated = np.zeros(len(readings.time_s), dtype=bool)
     for name, facts in readings.actuators.items():
@@ -36,7 +36,7 @@ def saturated_time_s(readings: Readings) -> float:
         low, high = facts["limits"]
         command, margin = readings.log[f"{name}_command"], _AT_STOP * (high - low)
         at_stop = (command <= low + margin) | (command >= high - margin)
-        saturated |= at_stop & (readings.log[f"{name}_failed"] < 0.5)
+        saturated |= at_stop & (readings.log[f"{name}_failed"] == 0.0)
     return float(np.count_nonzero(saturated) * readings.step_s)
 
 

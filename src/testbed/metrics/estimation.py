@@ -1,4 +1,4 @@
-"""How true the effectiveness estimates were, and how fast against the first-order lag of (21) and (22)."""
+"""How good the effectiveness estimates were, and how fast compared with the first-order lag of equations (21), (22)."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from testbed.flight.breakage import LOST
 from testbed.metrics.flight_view import Readings, settled_after
 
 BAND = 0.05
-"""An estimate has settled within this fraction of the step that the truth made."""
-_STEP = 0.05  # a change of effectiveness from one row to the next is a step if it is larger
-_TIME_CONSTANTS = 3.0  # a first-order lag is within 5 % after ln 20 = 3.0 of them
+"""An estimate has settled when its error is within this fraction of the step of the true effectiveness."""
+_STEP = 0.05  # a larger change of true effectiveness from one row to the next is a step
+_TIME_CONSTANTS = 3.0  # after ln 20 = 3.0 time constants a first-order lag is within 5 % of its end
 
 
 def estimate_error_rms(readings: Readings) -> float:
@@ -28,16 +28,16 @@ def estimate_error_end(readings: Readings) -> float:
 
 
 def estimate_settling_s(readings: Readings) -> float:
-    """Longest from a step of effectiveness until the estimate stays within 5 % of the step [s]; NaN if never.
+    """Longest time from a step of true effectiveness until the estimate stays within 5 % of it [s]; NaN if never.
 
-    Until the next step or the end of the flight; NaN also without a step. Steps to 0.1 or less are not
-    counted: of an actuator that is lost the monitor is asked, not the estimate (`detection_delay_s`).
+    The estimate has to stay there until the next step or the end of the flight. NaN also if there was no step. Steps to
+    0.1 or less do not count: a lost actuator has to be flagged, and its estimate does not matter (`detection_delay_s`).
     """
     return _worst(time for _, time in _settlings(readings))
 
 
 def estimate_settling_ratio(readings: Readings) -> float:
-    """`estimate_settling_s` over the 3/gamma of the paper's first-order lag (22) [-]; 1 is as predicted."""
+    """`estimate_settling_s` divided by 3/gamma, as the paper's first-order lag (22) predicts [-]; 1 is as predicted."""
     gamma = readings.gamma
     return _worst(time * gamma.get(name, math.nan) / _TIME_CONSTANTS for name, time in _settlings(readings))
 
@@ -48,7 +48,7 @@ def _errors(readings: Readings) -> Iterator[np.ndarray]:
 
 
 def _settlings(readings: Readings) -> Iterator[tuple[str, float]]:
-    """(actuator, settling time [s]) of each step of the truth; NaN if it never settles."""
+    """(actuator, settling time [s]) of each step of true effectiveness; NaN if the estimate never settles."""
     for name, error in zip(readings.actuators, _errors(readings), strict=True):
         truth = readings.log[f"{name}_effectiveness"]
         change = np.abs(np.diff(truth))
@@ -61,7 +61,7 @@ def _settlings(readings: Readings) -> Iterator[tuple[str, float]]:
 
 
 def _worst(values: Iterator[float]) -> float:
-    """The largest; NaN if any is, or if there is none."""
+    """The largest; NaN if any of them is NaN, or if there are none."""
     found = list(values)
     return max(found) if found and not any(map(math.isnan, found)) else math.nan
 

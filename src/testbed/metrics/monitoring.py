@@ -42,19 +42,19 @@ def false_alarms(readings: Readings) -> float:
 
 
 def wrong_blames(readings: Readings) -> float:
-    """False alarms while another actuator was broken: noticed, but the wrong one blamed [count]."""
+    """False alarms while another actuator was broken: a failure was noticed, but the wrong actuator flagged [count]."""
     alarms = readings.of_kind("false_alarm")
     return float(sum(_another_broken(readings, alarm["actuator"], alarm["time_s"]) for alarm in alarms))
 
 
 def isolation_fraction(readings: Readings) -> float:
-    """Flags that blamed an actuator that was broken, of all flags [0 to 1]; NaN without any."""
+    """Share of the flags that were of a broken actuator [0 to 1]; NaN without a flag."""
     right, wrong = len(readings.of_kind("detection")), len(readings.of_kind("false_alarm"))
     return right / (right + wrong) if right + wrong else math.nan
 
 
 def goal_switches(readings: Readings) -> float:
-    """Times that an axis was given up or taken back [count]; a loss takes one or two, more is chatter."""
+    """Times that an axis was given up or taken back [count]; a lost actuator needs one or two, more is chatter."""
     return float(sum(np.count_nonzero(np.diff(flag)) for flag in _released(readings)))
 
 

@@ -1,4 +1,4 @@
-"""How well altitude, airspeed and heading were kept, and what the failures did to them."""
+"""How well altitude, airspeed and heading followed their references, before and after failures."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from testbed.metrics.flight_view import Readings, settled_after
 
 RECOVERED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
-"""Within this of its reference a quantity counts as recovered [m, deg, m/s]."""
+"""A quantity has recovered when it is this near to its reference [m, deg, m/s]."""
 
 
 def survived(readings: Readings) -> float:
@@ -78,47 +78,47 @@ def airspeed_excursion_healthy_m_s(readings: Readings) -> float:
 
 
 def altitude_excursion_failed_m(readings: Readings) -> float:
-    """Largest distance of altitude from its reference since the first failure [m]; NaN without."""
+    """Largest distance of altitude from its reference since the first failure [m]; NaN without a failure."""
     return _largest(readings.error("altitude")[readings.first_failed_row() :])
 
 
 def heading_excursion_failed_deg(readings: Readings) -> float:
-    """Largest distance of heading from its reference since the first failure [deg]; NaN without."""
+    """Largest distance of heading from its reference since the first failure [deg]; NaN without a failure."""
     return _largest(readings.error("heading")[readings.first_failed_row() :])
 
 
 def airspeed_excursion_failed_m_s(readings: Readings) -> float:
-    """Largest distance of airspeed from its reference since the first failure [m/s]; NaN without."""
+    """Largest distance of airspeed from its reference since the first failure [m/s]; NaN without a failure."""
     return _largest(readings.error("airspeed")[readings.first_failed_row() :])
 
 
 def roll_excursion_failed_deg(readings: Readings) -> float:
-    """Largest bank angle, either way, since the first failure [deg]; NaN without."""
+    """Largest bank angle, either way, since the first failure [deg]; NaN without a failure."""
     return _largest(readings.log["roll_deg"][readings.first_failed_row() :])
 
 
 def beta_excursion_failed_deg(readings: Readings) -> float:
-    """Largest sideslip, either way, since the first failure [deg]; NaN without."""
+    """Largest sideslip, either way, since the first failure [deg]; NaN without a failure."""
     return _largest(readings.log["beta_deg"][readings.first_failed_row() :])
 
 
 def altitude_recovery_s(readings: Readings) -> float:
-    """From the last failure until altitude is within 1 m of its reference to stay [s]; NaN if never."""
+    """Time from the last failure until altitude stays within 1 m of its reference [s]; NaN if never."""
     return _recovery(readings, "altitude")
 
 
 def heading_recovery_s(readings: Readings) -> float:
-    """From the last failure until heading is within 2 deg of its reference to stay [s]; NaN if never."""
+    """Time from the last failure until heading stays within 2 deg of its reference [s]; NaN if never."""
     return _recovery(readings, "heading")
 
 
 def airspeed_recovery_s(readings: Readings) -> float:
-    """From the last failure until airspeed is within 0.5 m/s of its reference to stay [s]; NaN if never."""
+    """Time from the last failure until airspeed stays within 0.5 m/s of its reference [s]; NaN if never."""
     return _recovery(readings, "airspeed")
 
 
 def _recovery(readings: Readings, quantity: str) -> float:
-    """Time to recover [s]: 0 if the band is never left; a lost aircraft has not recovered."""
+    """Time to recover [s]: 0 if the quantity never went too far; NaN if the aircraft was lost."""
     times = readings.failure_times_s()
     if not times or not readings.survived:
         return math.nan
@@ -132,7 +132,7 @@ def _largest(values: np.ndarray) -> float:
 
 
 def _rms(values: np.ndarray) -> float:
-    """Not a dot product: BLAS splits one among threads, and its last digit then depends on their number."""
+    """Root mean square. Not by a dot product: its last digit would depend on the number of BLAS threads."""
     return math.sqrt(float(np.square(values).mean())) if len(values) else math.nan
 
 
