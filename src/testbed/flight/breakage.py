@@ -43,7 +43,9 @@ def broken(
                 starts[event["failure"]] = row
             else:
                 rows[starts.pop(event["failure"], row) : row] = True
-    for start in starts.values():  # active to the end of the flight
+    for (
+        start
+    ) in starts.values():  # active to the end of the flight, as is one that a later one of its type replaces
         rows[start:] = True
     return rows
 
