@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -25,7 +26,9 @@ def lost(first_s: float, end_s: float, effectiveness: float = 0.0) -> dict[str, 
 
 
 def since(log: dict[str, np.ndarray], time_s: float, *events: Any) -> float | None:
-    return broken_since(log, "elevon", events, at(time_s))
+    """Since when the elevon is broken at a time; None if it is not."""
+    found = float(broken_since(log, "elevon", events)[at(time_s)])
+    return None if math.isnan(found) else found
 
 
 def test_overlapping_failures_count_each() -> None:
@@ -89,5 +92,5 @@ def test_a_property_failure_breaks_the_actuator_that_its_receipt_names() -> None
 def test_a_log_with_fewer_rows_than_steps() -> None:
     """Rows at 10 Hz of a flight at 100 Hz: broken from the first row after the start."""
     log = {name: column[::10] for name, column in level_log().items()}
-    assert broken_since(log, "elevon", [injection(1.04, type="stuck")], 11) == pytest.approx(1.1)
-    assert broken_since(log, "elevon", [injection(1.04, type="stuck")], 10) is None
+    found = broken_since(log, "elevon", [injection(1.04, type="stuck")])
+    assert np.isnan(found[:11]).all() and set(found[11:]) == {log["time_s"][11]}

@@ -14,6 +14,7 @@ no actuator, although it may disturb several.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -51,13 +52,10 @@ def broken(
 
 
 def broken_since(
-    log: Mapping[str, np.ndarray], actuator: str, injections: Iterable[Mapping[str, Any]], row: int
-) -> float | None:
-    """When the stretch began in which the actuator is broken without a break up to this row [s].
-
-    None if it is not broken in this row.
-    """
+    log: Mapping[str, np.ndarray], actuator: str, injections: Iterable[Mapping[str, Any]]
+) -> np.ndarray:
+    """[rows] When the present stretch began in which the actuator is broken without a break [s]; NaN while it is not broken."""
+    since = np.full(len(log["time_s"]), math.nan)
     for first, end in stretches(broken(log, actuator, injections)):
-        if first <= row < end:
-            return float(log["time_s"][first])
-    return None
+        since[first:end] = log["time_s"][first]
+    return since

@@ -33,14 +33,16 @@ def _flags(
     log: Mapping[str, np.ndarray], actuator: str, injections: Sequence[Mapping[str, Any]]
 ) -> list[dict[str, Any]]:
     """A detection or a false alarm for each time that this actuator was flagged."""
-    events = []
-    for row in _rises(log[f"{actuator}_failed"]):
-        time_s, since_s = float(log["time_s"][row]), broken_since(log, actuator, injections, row)
-        event: dict[str, Any] = {"time_s": time_s, "actuator": actuator}
-        if since_s is None:
-            events.append({**event, "kind": "false_alarm"})
+    events: list[dict[str, Any]] = []
+    rows = _rises(log[f"{actuator}_failed"])
+    since_s = broken_since(log, actuator, injections) if rows else np.zeros(0)
+    for row in rows:
+        time_s = float(log["time_s"][row])
+        if np.isnan(since_s[row]):
+            events.append({"time_s": time_s, "kind": "false_alarm", "actuator": actuator})
         else:
-            events.append({**event, "kind": "detection", "delay_s": time_s - since_s})
+            delay_s = time_s - float(since_s[row])
+            events.append({"time_s": time_s, "kind": "detection", "actuator": actuator, "delay_s": delay_s})
     return events
 
 
