@@ -68,8 +68,9 @@ def test_a_stretch_is_unbroken_whatever_breaks_it() -> None:
     """Lost from 3 to 6 s, with a lag from 2 to 5 s: broken from 2 to 6 s without a break."""
     log = lost(3.0, 6.0)
     assert stretches(broken(log, "elevon", LAG)) == [(at(2.0), at(6.0))]
-    assert since(log, 5.5, *LAG) == 2.0
-    assert since(lost(5.1, 6.0), 5.5, *LAG) == 5.1, "well for a tenth of a second between"
+    assert since(log, 2.5, *LAG) == 2.0
+    assert since(log, 5.5, *LAG) == 3.0, "a loss counts from itself"
+    assert since(lost(5.1, 6.0), 5.5, *LAG) == 5.1
 
 
 def test_lost_from_the_first_row() -> None:

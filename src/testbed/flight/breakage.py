@@ -44,9 +44,7 @@ def broken(
                 starts[event["failure"]] = row
             else:
                 rows[starts.pop(event["failure"], row) : row] = True
-    for (
-        start
-    ) in starts.values():  # active to the end of the flight, as is one that a later one of its type replaces
+    for start in starts.values():  # never ended: active to the end of the flight
         rows[start:] = True
     return rows
 
@@ -54,8 +52,13 @@ def broken(
 def broken_since(
     log: Mapping[str, np.ndarray], actuator: str, injections: Iterable[Mapping[str, Any]]
 ) -> np.ndarray:
-    """[rows] When the present stretch began in which the actuator is broken without a break [s]; NaN while it is not broken."""
+    """[rows] When the present breakage began [s]; NaN while the actuator is not broken.
+
+    While the actuator is lost it is the time of the loss, so that one that fades away is not called late for having
+    begun to fade. Otherwise it is the start of the stretch in which the actuator is broken without a break.
+    """
     since = np.full(len(log["time_s"]), math.nan)
-    for first, end in stretches(broken(log, actuator, injections)):
-        since[first:end] = log["time_s"][first]
+    for rows in (broken(log, actuator, injections), lost(log, actuator)):
+        for first, end in stretches(rows):
+            since[first:end] = log["time_s"][first]
     return since
