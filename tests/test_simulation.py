@@ -1,23 +1,24 @@
-"""What is done for speed changes nothing: compiled against uncompiled, kept against computed; and the guard on it."""
+"""What is done for speed changes nothing: compiled against uncompiled, cached against computed; and the guard on it."""
 
 from __future__ import annotations
 
 import json
 import os
+import re
+import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from command_line import ROOT
 
-from testbed import simulation
-from testbed.aircraft import description as aircraft
+from testbed.aircraft.description import load_aircraft
 from testbed.common import jit as compiled
-from testbed.controllers.inversion import modes
+from testbed.common.cache import Cache
 from testbed.flight.flight import Flight
-from testbed.plant import jsbsim as plant
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
 
@@ -74,18 +75,10 @@ def test_the_short_flight_has_it_all(uncompiled: Path) -> None:
     assert flight.data.tobytes() != (uncompiled / "fixed").read_bytes()
 
 
-def forget() -> None:
-    """Empty everything that is kept from flight to flight."""
-    for kept in (aircraft._checked, plant._writable, simulation._start, simulation._design_model):
-        kept.cache_clear()
-    modes._modes.clear()
-    modes._regulators.clear()
-
-
 @pytest.mark.parametrize("case", ["ideal", "mems"])
-def test_what_is_kept_changes_nothing(case: str) -> None:
+def test_a_cached_result_changes_nothing(case: str) -> None:
     """The first flight, the second, and one after another aircraft state has been flown, to the same bytes."""
-    forget()
+    Cache.clear_all()
     cold = short(case)
     warm = short(case)
     fly(load_scenario(TAIL, [*SHORT, "controller.model_error={Cm_alpha: 1.3}", "initial.airspeed_m_s=20"]))
@@ -94,16 +87,49 @@ def test_what_is_kept_changes_nothing(case: str) -> None:
     assert cold.summary == warm.summary == later.summary
 
 
-def test_an_edited_aircraft_is_read_again(tmp_path: Path) -> None:
-    """What is kept of an aircraft is kept under its text."""
-    folder = tmp_path / "mine"
-    folder.mkdir()
-    file, text = folder / "mine.yaml", aircraft.find_aircraft("vtail").read_text()
+@pytest.fixture
+def own_copy(tmp_path: Path) -> Path:
+    """The v-tail in a folder of the test's own, to be edited."""
+    return Path(shutil.copytree(load_aircraft("vtail").folder, tmp_path / "vtail"))
+
+
+def edited(file: Path, pattern: str, replacement: str) -> None:
+    text, count = re.subn(pattern, replacement, file.read_text(), count=1)
+    assert count == 1, f"{pattern} is in {file.name}"
     file.write_text(text)
-    first = aircraft.load_aircraft(str(folder))
-    assert aircraft.load_aircraft(str(folder)) is first
-    file.write_text(text.replace(f"name: {first.name}", "name: edited", 1))
-    assert aircraft.load_aircraft(str(folder)).name == "edited"
+
+
+def heavier(folder: Path) -> None:
+    """The empty weight raised by 30 %, as text of the same length."""
+    weight = re.search(r"<emptywt unit=\"KG\">([0-9.]+)<", (folder / "vtail.xml").read_text())
+    assert weight is not None
+    more = f"{1.3 * float(weight[1]):.9f}"[: len(weight[1])]
+    edited(folder / "vtail.xml", re.escape(weight[0]), f'<emptywt unit="KG">{more}<')
+
+
+def other_design(folder: Path) -> None:
+    """A coefficient of the stored design model."""
+    edited(folder / "design_model.json", r'"bias": \[\s+[-0-9.]+', '"bias": [-3.0')
+
+
+def other_servo(folder: Path) -> None:
+    """What the controller is told of the servos."""
+    edited(folder / "vtail.yaml", r"lag_rad_s: [0-9.]+", "lag_rad_s: 10")
+
+
+@pytest.mark.parametrize("edit", [heavier, other_design, other_servo])
+def test_an_edited_aircraft_flies_as_in_a_new_process(
+    own_copy: Path, tmp_path: Path, edit: Callable[[Path], None]
+) -> None:
+    """Flown, edited, and flown again in this process: trim, design model and aircraft are those of the edited files."""
+    settings = [*SHORT, f"aircraft={own_copy}"]
+    before = fly(load_scenario(TAIL, settings)).data.tobytes()
+    edit(own_copy)
+    here = fly(load_scenario(TAIL, settings)).data.tobytes()
+    command = [sys.executable, "-c", _SAVE, json.dumps([TAIL, {"elsewhere": settings}, str(tmp_path)])]
+    subprocess.run(command, check=True)
+    assert here == (tmp_path / "elsewhere").read_bytes()
+    assert here != before, "the edit makes a difference"
 
 
 def benchmark(*options: str) -> subprocess.CompletedProcess[str]:

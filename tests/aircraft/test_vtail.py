@@ -25,7 +25,7 @@ from testbed.aircraft.shipped import data_root
 from testbed.common.signals import STATE
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
 from testbed.controllers.inversion.modes import motion_matrix
-from testbed.plant.identification import digest, identify
+from testbed.plant.identification import identify
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import NoTrim, Trim, accelerations, trim
 
@@ -420,7 +420,7 @@ def _open_loop(vtail: Aircraft, level: Trim) -> tuple[float, float]:
 
 def test_the_stored_design_model_is_of_this_aircraft(vtail: Aircraft, stored_model: DesignModel) -> None:
     """Identified anew it is the same to 1e-9; not to the bit, as a solver's last digits may depend on the machine."""
-    assert stored_model.identified_from == digest(vtail), "run `testbed identify vtail`"
+    assert stored_model.identified_from == vtail.fingerprint(), "run `testbed identify vtail`"
     assert identify(vtail).agrees_with(stored_model)
 
 

@@ -19,7 +19,7 @@ from testbed.failures import TYPES
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import dump as dump_tree
 from testbed.inputs.yaml_source import parse
-from testbed.scenario.load import Scenario, check_names, check_properties, dump, load_scenario
+from testbed.scenario.load import Scenario, dump, load_scenario
 
 GOOD = """\
 name: left tail failure
@@ -302,31 +302,6 @@ def test_problems_of_an_aircraft_are_in_its_file(tmp_path: Path, file: Path) -> 
     problems = problems_of(file)
     assert {p.file for p in problems} == {str(folder / "plane.yaml")}
     assert {"actuators.left_ruddervator.kind", "modle", "model"} <= {p.path for p in problems}
-
-
-def test_properties_against_a_catalog(file: Path) -> None:
-    catalog = {"fcs/left-ruddervator/effectiveness": True, "fcs/right-ruddervator/command-scale": True}
-    scenario = load_scenario(file)
-    assert check_properties(scenario, catalog) == []
-    (problem,) = check_properties(scenario, {**catalog, "fcs/right-ruddervator/command-scale": False})
-    assert (problem.line, problem.path) == (16, "failures.2.set.fcs/right-ruddervator/command-scale")
-    assert "read-only" in problem.what
-    file.write_text(GOOD.replace("command-scale", "comand-scale"))
-    (problem,) = check_properties(load_scenario(file), catalog)
-    assert (problem.line, problem.suggestion) == (16, "fcs/right-ruddervator/command-scale")
-    assert "unknown property" in problem.what
-
-
-def test_signals_and_metrics_against_what_there_is(file: Path) -> None:
-    scenario = load_scenario(file)
-    signals, metrics = ["heading_deg", "heading_command_deg"], ["altitude_error_max_m"]
-    assert check_names(scenario, signals, metrics) == []
-    found = check_names(scenario, ["heading_rad"], ["altitude_error_m"])
-    assert [(p.line, p.path) for p in found] == [
-        (20, "requirements.0.metric"),
-        (21, "requirements.1.signal"),
-        (21, "requirements.1.of"),
-    ]
 
 
 @pytest.mark.parametrize("path", scenario_files(), ids=lambda p: p.stem)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.yaml_source import Source, TreePath, describe, dotted, parse
+from testbed.inputs.problems import BadInput, Problem, TreePath
+from testbed.inputs.yaml_source import Source, describe, dotted, parse
 
 
 def apply(source: Source, overrides: Iterable[str]) -> None:

@@ -4,22 +4,13 @@ from __future__ import annotations
 
 import re
 import types
-from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic_core import ErrorDetails
 
-from testbed.inputs.problems import did_you_mean, one_of
-from testbed.inputs.yaml_source import TreePath, describe
-
-
-class Issue(NamedTuple):
-    """A problem inside a tree, before its file and line are known."""
-
-    path: TreePath
-    what: str
-    expected: str = ""
-    suggestion: str = ""
+from testbed.inputs.problems import Issue, TreePath, unknown
+from testbed.inputs.yaml_source import describe
 
 
 def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
@@ -29,16 +20,16 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
     if kind == "missing":
         return Issue(path, "is missing")
     if kind == "extra_forbidden":
-        return _unknown(path, "unknown key", str(path[-1]), _keys(annotation))
+        return unknown(path, "unknown key", str(path[-1]), _keys(annotation))
     if kind.startswith("union_tag"):
         here = (*path, str(context["discriminator"]).strip("'"))
         if kind == "union_tag_not_found":
             return Issue(here, "is missing")
         names = [name.strip("' ") for name in context["expected_tags"].split(",")]
-        return _unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names)
+        return unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names)
     if kind == "literal_error" and get_origin(annotation) is Literal:
         names = [str(name) for name in get_args(annotation)]
-        return _unknown(path, f"{describe(given)} is not known", str(given), names)
+        return unknown(path, f"{describe(given)} is not known", str(given), names)
     if kind == "refused":
         return Issue(path, context["what"], context["expected"], context["suggestion"])
     if kind == "too_short":
@@ -46,12 +37,6 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
     if kind == "too_long":
         return Issue(path, f"has {context['actual_length']} entries", f"at most {context['max_length']}")
     return Issue(path, f"is {describe(given)}", _expected(error["msg"]))
-
-
-def _unknown(path: TreePath, what: str, word: str, names: list[str]) -> Issue:
-    """The likely one of the known names, or all of them when none is likely."""
-    close = did_you_mean(word, names)
-    return Issue(path, what, "" if close else one_of(names), close)
 
 
 def _expected(message: str) -> str:

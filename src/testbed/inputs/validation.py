@@ -14,9 +14,9 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.pydantic_messages import Issue, issue_of
-from testbed.inputs.yaml_source import Source, TreePath
+from testbed.inputs.problems import BadInput, Issue, Problem, TreePath
+from testbed.inputs.pydantic_messages import issue_of
+from testbed.inputs.yaml_source import Source
 
 Model = TypeVar("Model", bound=BaseModel)
 

@@ -15,8 +15,7 @@ from typing import Any
 import yaml
 
 from testbed.inputs.problems import BadInput, Problem
-
-TreePath = tuple[str | int, ...]
+from testbed.inputs.problems import TreePath as TreePath
 
 MAX_NODES = 100_000
 """Values in one file, aliases expanded: more is an accident (or a bomb made of aliases)."""

@@ -6,7 +6,6 @@ This is the only place where controller design meets the plant, and it happens o
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Mapping, Sequence
 
@@ -22,6 +21,7 @@ from testbed.aircraft.design_model import (
     kinematics,
     load_design_model,
 )
+from testbed.common.cache import Cache
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, accelerations, trim
@@ -66,27 +66,32 @@ def identify(aircraft: Aircraft) -> DesignModel:
         torque_matrix=tuple(tuple(map(float, row)) for row in torques),
         offset_matrix=tuple(tuple(map(float, row)) for row in offsets),
         propulsors=propulsors,
-        identified_from=digest(aircraft),
+        identified_from=aircraft.fingerprint(),
     )
 
 
-def digest(aircraft: Aircraft) -> str:
-    """Fingerprint of what identification sees: JSBSim files, actuators, reference; not the designer's gains."""
-    seen = aircraft.model_dump_json(include={"model", "reference", "actuators"})
-    text = hashlib.sha256(seen.encode())
-    for file in sorted(aircraft.folder.rglob("*.xml")):
-        text.update(file.name.encode() + file.read_bytes())
-    return text.hexdigest()
+_models: Cache[DesignModel] = Cache(8)
 
 
 def stored(aircraft: Aircraft) -> DesignModel:
-    """The design model stored beside the aircraft; identified anew where there is none, or one of other files."""
+    """The design model stored beside the aircraft; identified anew where there is none, or one of other files.
+
+    Raises:
+        BadInput: the file is there and is no design model.
+        NoTrim: it has to be identified, and no steady flight was found at the aircraft's reference.
+    """
     file = aircraft.folder / DESIGN_MODEL
-    if file.is_file():
-        model = load_design_model(file)
-        if model.identified_from == digest(aircraft):
-            return model
-    return identify(aircraft)
+    text = file.read_bytes() if file.is_file() else None
+    fingerprint = aircraft.fingerprint()
+
+    def read_or_identify() -> DesignModel:
+        if text is not None:
+            model = load_design_model(file)
+            if model.identified_from == fingerprint:
+                return model
+        return identify(aircraft)
+
+    return _models.get((fingerprint, text), read_or_identify)
 
 
 def _rates(

@@ -10,7 +10,6 @@ import math
 import struct
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from functools import lru_cache
 from operator import call
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import jsbsim
 import numpy as np
 
+from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
 from testbed.inputs.problems import BadInput, Problem
@@ -99,9 +99,14 @@ class Plant:
     Args:
         aircraft: what to fly.
         physics_hz: rate at which JSBSim integrates.
-        substeps: physics steps that `step` takes, so that the control rate is physics_hz / substeps.
+        substeps: physics steps in one control step, so that the control rate is physics_hz / substeps.
+
+    Raises:
+        BadInput: JSBSim cannot load the model.
+        KeyError: the model lacks a property that one of the aircraft's actuators needs.
 
     Attributes:
+        step: advances by one control step. With one physics step in it, this is JSBSim's own `run`, without a call around it.
         warnings: what JSBSim warned about while loading.
         raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
             effective), then the effectiveness of each.
@@ -113,6 +118,7 @@ class Plant:
         jsbsim.set_logger(listener)  # thread-local, so set where the plant is made
         jsbsim.FGJSBBase().debug_lvl = 0
         self.aircraft = aircraft
+        self.physics_hz = physics_hz
         self.dt_s = 1.0 / physics_hz
         self.substeps = substeps
         folder = Path(aircraft.folder).resolve()
@@ -129,8 +135,7 @@ class Plant:
         self.warnings = tuple(listener.warnings)
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
-        if substeps == 1:
-            self.step = self._run  # type: ignore[method-assign, assignment]
+        self.step: Callable[[], object] = self._run if substeps == 1 else self._run_substeps
         reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
         reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
         self._getters = [self.getter(name) for name, _ in reads]
@@ -158,14 +163,14 @@ class Plant:
 
     def catalog(self) -> dict[str, bool]:
         """Name of each property of the loaded model, and whether it can be written."""
-        return _writable(tuple(self._fdm.get_property_catalog()))
+        rows = tuple(self._fdm.get_property_catalog())
+        return _catalogs.get(rows, lambda: {name: "W" in access for name, access in map(_split, rows)})
 
     def command(self, commands: Iterable[float]) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
         _exhaust(map(call, self._commands, commands))
 
-    def step(self) -> None:
-        """Advance by one control step."""
+    def _run_substeps(self) -> None:
         for _ in range(self.substeps):
             self._run()
 
@@ -276,10 +281,13 @@ def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
     return Plant(aircraft, 200).catalog()
 
 
-@lru_cache(maxsize=8)
-def _writable(catalog: tuple[str, ...]) -> dict[str, bool]:
-    rows = (line.rpartition(" (") for line in catalog)
-    return {name.strip(): "W" in access for name, _, access in rows}
+_catalogs: Cache[dict[str, bool]] = Cache(8)
+
+
+def _split(row: str) -> tuple[str, str]:
+    """Name and access of a row of JSBSim's catalog: `fcs/left-servo (RW)`."""
+    name, _, access = row.rpartition(" (")
+    return name.strip(), access
 
 
 def _command(actuator: Any) -> str:

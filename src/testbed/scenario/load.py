@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from testbed.air.config import Atmosphere, Gust
@@ -12,7 +12,6 @@ from testbed.controllers.config import SETTINGS
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.pydantic_messages import Issue
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 from testbed.scenario import checks as scenario_checks
@@ -20,7 +19,7 @@ from testbed.scenario.model import Command, CommandRates, Initial, Scenario
 
 __all__ = [
     "Atmosphere", "Command", "CommandRates", "Gust", "Initial", "Scenario",
-    "check_names", "check_properties", "dump", "load_scenario", "scenario_from",
+    "dump", "load_scenario", "scenario_from",
 ]  # fmt: skip
 
 
@@ -58,21 +57,6 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
 def dump(scenario: Scenario) -> str:
     """The resolved scenario as YAML: everything spelled out, so that it flies again as it is."""
     return yamlfile.dump(scenario.model_dump(mode="json", exclude_none=True))
-
-
-def check_properties(scenario: Scenario, catalog: Mapping[str, bool]) -> list[Problem]:
-    """What is wrong with the properties that failures hold; `catalog` is {property: can it be written}."""
-    issues = scenario_checks.properties(scenario, load_aircraft(scenario.aircraft), catalog)
-    return _placed(scenario, issues)
-
-
-def check_names(scenario: Scenario, signals: Iterable[str], metrics: Iterable[str]) -> list[Problem]:
-    """Which signals and metrics, in requirements and in `when`, are none of those given."""
-    return _placed(scenario, scenario_checks.names(scenario, list(signals), list(metrics)))
-
-
-def _placed(scenario: Scenario, issues: Iterable[Issue]) -> list[Problem]:
-    return [scenario.source.problem(*issue) for issue in issues]
 
 
 def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
