@@ -17,7 +17,7 @@ from testbed.common.signals import STATE
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import Scenario, dump, load_scenario
 from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of
-from testbed.sensors.faults import TYPES
+from testbed.sensors.faults import TABLE
 from testbed.sensors.measurement import READING
 from testbed.sensors.settings import SENSORS, Sensors, SensorSettings
 from testbed.sensors.suite import RealSensors
@@ -152,7 +152,7 @@ def fault_of(kind: str, sensor: str) -> dict[str, object]:
 
 
 @pytest.mark.parametrize("sensor", dict.fromkeys([*SENSORS, *NAMES]))
-@pytest.mark.parametrize("kind", TYPES)
+@pytest.mark.parametrize("kind", TABLE)
 @pytest.mark.parametrize("model", ["ideal", "mems"])
 def test_a_fault_acts_in_its_window_only(kind: str, sensor: str, model: str) -> None:
     truth = truth_rows(300)
@@ -324,7 +324,7 @@ def test_the_same_flight_twice_and_another_seed() -> None:
 # YAML -------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("kind", TYPES)
+@pytest.mark.parametrize("kind", TABLE)
 @pytest.mark.parametrize("sensor", dict.fromkeys([*SENSORS, *NAMES]))
 def test_faults_survive_yaml_and_pickle(kind: str, sensor: str, tmp_path: Path) -> None:
     text = yaml.safe_dump({"model": "mems", "faults": [fault_of(kind, sensor)]}, default_flow_style=True)

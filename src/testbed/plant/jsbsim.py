@@ -1,7 +1,8 @@
-"""The truth: JSBSim behind one door. Nothing else imports `jsbsim`; everything here speaks SI and radians.
+"""The truth: an aircraft flown by JSBSim. Nothing else imports `jsbsim`; everything here is in SI and radians.
 
-A `Plant` is one aircraft in the air, made new for each flight and never reset (JSBSim's reset keeps failure flags,
-random generators and more). Properties are bound once to their nodes; a step reads and writes through them.
+A `Plant` is made new for each flight and never reset, as JSBSim's reset keeps failure flags, random generators and more.
+Properties are looked up once, when the plant is made; a step reads and writes through their nodes. Signals, frames and signs
+are those of `common.signals`.
 """
 
 from __future__ import annotations
@@ -74,7 +75,9 @@ _INTEGRATORS = tuple(
     for of in ("rotational", "translational")
 )
 
-_exhaust = deque[bool](maxlen=0).extend  # the quickest way to have each of an iterator's calls made
+_exhaust = deque[bool](
+    maxlen=0
+).extend  # takes every item of an iterator and keeps none: the fastest loop over calls
 
 
 class _Listener(jsbsim.FGLogger):
@@ -149,11 +152,11 @@ class Plant:
         self._total_wind = [self.getter(name) for name in _TOTAL_WIND]
 
     def getter(self, name: str) -> Callable[[], float]:
-        """Bound reader of a property; KeyError if there is none (JSBSim itself would make it up)."""
+        """Function that reads a property, in JSBSim's unit; KeyError if there is none (JSBSim itself would create it)."""
         return self._node(name).get_double_value
 
     def setter(self, name: str) -> Callable[[float], bool]:
-        """Bound writer of a property; KeyError if there is none."""
+        """Function that writes a property, in JSBSim's unit; KeyError if there is none."""
         return self._node(name).set_double_value
 
     def _node(self, name: str) -> Any:
@@ -175,7 +178,7 @@ class Plant:
             self._run()
 
     def sample(self) -> None:
-        """Read every property into `raw`, in JSBSim's units: one pass in C, as the loop does it each step."""
+        """Read all signals into `raw`, in JSBSim's units: what the loop does in each step."""
         self._pack(self._bytes, 0, *map(call, self._getters))
 
     def read(self) -> np.ndarray:
@@ -198,7 +201,9 @@ class Plant:
             put(float(value) / METRES_PER_FOOT)
 
     def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
-        """Switch on Dryden turbulence, from zero. After the last `place`, whose run_ic would draw from it.
+        """Switch on Dryden turbulence, which builds up from zero.
+
+        Call it after the last `place`: JSBSim's run_ic would already draw random numbers from it.
 
         Args:
             w20_m_s: wind at 20 ft (MIL-F-8785C), which sets the intensity up to 1000 ft above sea level.
@@ -221,9 +226,9 @@ class Plant:
         return airspeed, alpha, beta, roll, pitch, heading
 
     def specific_force_reader(self, axis: str) -> Callable[[], float]:
-        """Bound reader of what an accelerometer at the centre of gravity feels along a body axis [m/s2].
+        """Function that gives the specific force along a body axis: what an accelerometer at the centre of gravity reads [m/s2].
 
-        All forces but gravity over the mass, of the present state: JSBSim's `a-pilot` is a frame late.
+        It is the sum of all forces but gravity, over the mass, in the present state. JSBSim's own `a-pilot` is a frame late.
         """
         force, mass = self.getter(f"forces/fb{axis}-total-lbs"), self.getter("inertia/mass-slugs")
         return lambda: METRES_PER_FOOT * force() / mass()
@@ -231,8 +236,12 @@ class Plant:
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 
     def place(self, state: Mapping[str, float]) -> None:
-        """Put the aircraft into a state: airspeed, alpha, beta (relative to the air, see `set_wind`), roll, pitch,
-        heading [SI], altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
+        """Put the airframe into a state; servos and rotors keep theirs.
+
+        Args:
+            state: airspeed, altitude, alpha and pitch; beta, roll, heading, p, q, r where they are not zero [m/s, m, rad,
+                rad/s]. Airspeed, alpha and beta are relative to the air (see `set_wind`).
+        """
         fdm, get = self._fdm, state.get
         speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
         # JSBSim's initial velocity is relative to the ground: the wind's is added.

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
 
 from testbed.air.config import Atmosphere
+from testbed.common.files import slug
 from testbed.controllers.config import AdaptiveInversionSettings, AnyController
 from testbed.failures import AnyFailure
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
@@ -111,7 +111,7 @@ class Scenario(Settings):
     @property
     def slug(self) -> str:
         """The name as a file name."""
-        return re.sub(r"[^a-z0-9]+", "-", self.name.lower()).strip("-") or "flight"
+        return slug(self.name, otherwise="flight")
 
     @property
     def source(self) -> Source:

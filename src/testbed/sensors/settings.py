@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import Field, create_model, model_serializer, model_validator
 
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
-from testbed.inputs.problems import did_you_mean, one_of
+from testbed.inputs.problems import guess
 from testbed.sensors.channels import CHANNELS, SI
 from testbed.sensors.faults import AnyFault, clash
 from testbed.sensors.mems import MEMS
@@ -93,8 +93,7 @@ class SensorSettings(Settings):
             return value
         if isinstance(value, str):
             if value not in PRESETS:
-                close = did_you_mean(value, PRESETS)
-                raise refuse(f"{value!r} is not known", "" if close else one_of(PRESETS), close)
+                raise refuse(f"{value!r} is not known", *guess(value, PRESETS))
             value = {"model": value}
         if not isinstance(value, dict):
             raise refuse(f"is {value!r}", "ideal, mems or a mapping")
