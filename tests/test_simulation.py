@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import time
@@ -15,7 +14,6 @@ from pathlib import Path
 import pytest
 from command_line import ROOT
 
-from testbed.aircraft.description import load_aircraft
 from testbed.common import jit as compiled
 from testbed.common.cache import Cache
 from testbed.flight.flight import Flight
@@ -87,12 +85,6 @@ def test_a_cached_result_changes_nothing(case: str) -> None:
     assert cold.summary == warm.summary == later.summary
 
 
-@pytest.fixture
-def own_copy(tmp_path: Path) -> Path:
-    """The v-tail in a folder of the test's own, to be edited."""
-    return Path(shutil.copytree(load_aircraft("vtail").folder, tmp_path / "vtail"))
-
-
 def edited(file: Path, pattern: str, replacement: str) -> None:
     text, count = re.subn(pattern, replacement, file.read_text(), count=1)
     assert count == 1, f"{pattern} is in {file.name}"
@@ -119,12 +111,12 @@ def other_servo(folder: Path) -> None:
 
 @pytest.mark.parametrize("edit", [heavier, other_design, other_servo])
 def test_an_edited_aircraft_flies_as_in_a_new_process(
-    own_copy: Path, tmp_path: Path, edit: Callable[[Path], None]
+    vtail_copy: Path, tmp_path: Path, edit: Callable[[Path], None]
 ) -> None:
     """Flown, edited, and flown again in this process: trim, design model and aircraft are those of the edited files."""
-    settings = [*SHORT, f"aircraft={own_copy}"]
+    settings = [*SHORT, f"aircraft={vtail_copy}"]
     before = fly(load_scenario(TAIL, settings)).data.tobytes()
-    edit(own_copy)
+    edit(vtail_copy)
     here = fly(load_scenario(TAIL, settings)).data.tobytes()
     command = [sys.executable, "-c", _SAVE, json.dumps([TAIL, {"elsewhere": settings}, str(tmp_path)])]
     subprocess.run(command, check=True)

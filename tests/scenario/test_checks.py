@@ -1,11 +1,16 @@
-"""Names that mean nothing in a flight: signals, metrics and properties, each refused at its place."""
+"""What must hold between a scenario and its aircraft, and names that mean nothing in a flight."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import pytest
+from scenario_files import GOOD, problems_of
+
 from testbed.aircraft.description import load_aircraft
-from testbed.inputs.problems import Problem
+from testbed.aircraft.shipped import data_root
+from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.load import load_scenario
 
@@ -76,3 +81,36 @@ def test_a_failure_of_an_actuator_without_its_property_is_the_failure_itself(tmp
 def test_without_failures_no_property_is_looked_for(tmp_path: Path) -> None:
     healthy = TEXT[: TEXT.index("failures:")] + TEXT[TEXT.index("requirements:") :]
     assert found(tmp_path, healthy, SIGNALS, METRICS, {}) == []
+
+
+def test_envelope_is_the_aircrafts(file: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "plane"
+    folder.mkdir()
+    text = (data_root() / "aircraft/vtail/vtail.yaml").read_text()
+    limits = "{airspeed_min_m_s: 20, altitude_min_m: 400, airspeed_max_m_s: 40}"
+    text, replaced = re.subn(r"^envelope: .*$", f"envelope: {limits}", text, flags=re.MULTILINE)
+    assert replaced == 1
+    (folder / "plane.yaml").write_text(text)
+    file.write_text(GOOD.replace("aircraft: vtail", "aircraft: ./plane"))
+    problems = problems_of(file)
+    assert [(p.line, p.path, p.expected) for p in problems] == [
+        (7, "initial.airspeed_m_s", "at least 20"),
+        (7, "initial.altitude_m", "at least 400"),
+    ]
+    scenario = load_scenario(file, ["initial.altitude_m=500", "initial.airspeed_m_s=30"])
+    assert scenario.aircraft == str(folder), "a relative folder would be lost in the run folder"
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("Cm_alfa", "did you mean Cm_alpha?"),
+        ("Cm_left_rudervator", "did you mean Cm_left_ruddervator?"),
+        ("x", "such as Cl_alpha"),
+    ],
+)
+def test_unknown_coefficients(name: str, words: str) -> None:
+    with pytest.raises(BadInput) as caught:
+        load_scenario("scenarios/left_tail_fail.yaml", [f"controller.model_error={{{name}: 1.2}}"])
+    assert f"controller.model_error.{name}: unknown coefficient" in str(caught.value)
+    assert words in str(caught.value)
