@@ -7,14 +7,12 @@ import os
 import re
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from command_line import ROOT
 
-from testbed.common import jit as compiled
 from testbed.common.cache import Cache
 from testbed.flight.flight import Flight
 from testbed.scenario.load import load_scenario
@@ -143,26 +141,3 @@ def test_the_guard_can_refuse() -> None:
     done = benchmark("--rounds", "1", "--guard", "1")
     assert done.returncode == 1
     assert "is above 1" in done.stderr
-
-
-def test_old_compiled_code_is_removed(tmp_path: Path) -> None:
-    old, new, other = (tmp_path / name for name in ("numba-1-old", "numba-1-new", "something"))
-    for folder in (old, new, other):
-        folder.mkdir()
-        (folder / "code.nbc").write_text("")
-    long_ago = time.time() - 31 * 86400
-    os.utime(old, (long_ago, long_ago))
-    os.utime(other, (long_ago, long_ago))
-    compiled.prune(tmp_path)
-    assert [folder.exists() for folder in (old, new, other)] == [False, True, True]
-
-
-def test_flies_where_nothing_can_be_kept(tmp_path: Path) -> None:
-    """A home that cannot be written: the next best folder is taken."""
-    home = tmp_path / "home"
-    home.write_text("a file, so that no folder can be made in it")
-    code = "from testbed.common import jit; print(jit._FOLDER)"
-    env = {**os.environ, "XDG_CACHE_HOME": str(home), "TMPDIR": str(tmp_path)}
-    env.pop("NUMBA_CACHE_DIR", None)
-    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
-    assert Path(done.stdout.strip()).is_relative_to(tmp_path / f"testbed-{os.getuid()}")
