@@ -26,7 +26,7 @@ class Reference(Settings):
 
 
 class Envelope(Settings):
-    """Outside of this the aircraft counts as lost; a limit that is not given does not exist."""
+    """Limits outside which the aircraft counts as lost; a limit that is not given does not exist."""
 
     alpha_max_deg: Positive | None = None
     beta_max_deg: Positive | None = None
@@ -48,7 +48,11 @@ class Motor(Settings):
 
 
 class Actuator(Settings):
-    """What servos and motors share. `limits` and `scale` (1 in the scaled input matrix) are in `unit`."""
+    """What servos and motors share.
+
+    `prefix` is the property under which its command, position and effectiveness are. `limits` and `scale` are in `unit`; the
+    scale is the deflection or thrust that counts as 1 in the scaled input matrix.
+    """
 
     kind: str
     prefix: Text
@@ -65,8 +69,10 @@ class Actuator(Settings):
 
 
 class Servo(Actuator):
-    """A control surface's servo: first-order lag, rate limit [unit/s], stops; `pointmass` is the surface's number
-    in JSBSim, where it has a mass of its own."""
+    """A control surface's servo: first-order lag, rate limit [unit/s], stops.
+
+    `pointmass` is the number of the surface's point mass in JSBSim, where it has one.
+    """
 
     kind: Literal["servo"] = "servo"
     pointmass: Whole | None = None

@@ -1,4 +1,4 @@
-"""What must hold between the parts of a scenario, and between it, its aircraft, and what can be named."""
+"""Checks of a scenario as a whole: its times against each other, and what it names against aircraft, log and metrics."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from testbed.scenario.model import Scenario
 
 
 def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
-    """Everything that can be said without the simulator."""
+    """What is wrong with a scenario that can be found without the simulator; without the aircraft, only times."""
     yield from _times(scenario)
     yield from _steps(scenario)
     if aircraft is not None:
@@ -76,7 +76,7 @@ def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[I
 
 
 def _times(scenario: Scenario) -> Iterator[Issue]:
-    """Nothing may be asked for after the end: it would silently not happen."""
+    """Nothing may be asked for after the end of the flight, as it would not happen and nobody would notice."""
     end = scenario.duration_s
     starts: list[tuple[TreePath, float | None]] = []
     ends: list[tuple[TreePath, float | None]] = []
@@ -169,7 +169,7 @@ def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             known.append(i)
         else:
             yield problem
-    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # 1 stands in for a refused one: let it pass
+    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # a rate of 1 stands in for a refused one
     for i in known:
         for fault in scenario.failures[i].faults(aircraft, rate_hz):
             yield Issue(("failures", i, fault.field), fault.what, fault.expected)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from testbed.common.signals import SETPOINT
-from testbed.scenario.load import Scenario
+from testbed.scenario.model import Scenario
 
 _FIELDS = (
     ("altitude", "altitude_m", 1.0),
@@ -17,7 +17,11 @@ _FIELDS = (
 
 
 def references(scenario: Scenario) -> np.ndarray:
-    """[steps, 6] rate-limited references by `signals.SETPOINT`, SI; heading is continuous and turns the short way."""
+    """[steps, 6] rate-limited references by `signals.SETPOINT` [m, m/s, rad, and per s].
+
+    Each command is approached at a constant rate from where the reference is then. Heading turns the short way and is
+    continuous: it goes on beyond 2 pi.
+    """
     limits = scenario.command_rates
     rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
     rates["heading"] = math.radians(limits.heading_deg_s)
