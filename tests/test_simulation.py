@@ -57,6 +57,7 @@ def uncompiled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_compiled_flies_as_the_page_reads(case: str, uncompiled: Path) -> None:
     """To the last bit, through a failure, its detection and a mode switch. Powers were what differed (numba makes
@@ -64,6 +65,7 @@ def test_compiled_flies_as_the_page_reads(case: str, uncompiled: Path) -> None:
     assert short(case).data.tobytes() == (uncompiled / case).read_bytes()
 
 
+@pytest.mark.slow
 def test_the_short_flight_has_it_all(uncompiled: Path) -> None:
     """The negative control: the modes are switched, and another flight has other bytes."""
     flight = short("ideal")
@@ -107,6 +109,7 @@ def other_servo(folder: Path) -> None:
     edited(folder / "vtail.yaml", r"lag_rad_s: [0-9.]+", "lag_rad_s: 10")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("edit", [heavier, other_design, other_servo])
 def test_an_edited_aircraft_flies_as_in_a_new_process(
     vtail_copy: Path, tmp_path: Path, edit: Callable[[Path], None]
@@ -127,6 +130,7 @@ def benchmark(*options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sensors", ["ideal", "mems"])
 def test_a_step_costs_at_most_four_of_jsbsim_alone(sensors: str) -> None:
     """The guard; on a quiet machine it is about half of that (docs/performance.md)."""
@@ -137,6 +141,7 @@ def test_a_step_costs_at_most_four_of_jsbsim_alone(sensors: str) -> None:
     assert {"steps_per_s", "real_time_factor", "outside_ms"} <= set(found)
 
 
+@pytest.mark.slow
 def test_the_guard_can_refuse() -> None:
     done = benchmark("--rounds", "1", "--guard", "1")
     assert done.returncode == 1

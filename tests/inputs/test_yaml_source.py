@@ -105,6 +105,7 @@ leaves = (
 trees = st.recursive(leaves, lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner), max_leaves=20)
 
 
+@pytest.mark.slow
 @given(st.dictionaries(st.text(), trees))
 def test_what_is_dumped_is_read_back(tree: dict[str, object]) -> None:
     source = parse(dump(tree))
