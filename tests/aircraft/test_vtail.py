@@ -20,6 +20,7 @@ from scipy.linalg import expm
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import COLUMNS, DESIGN_MODEL, ROWS, DesignModel, load_design_model
 from testbed.aircraft.shipped import data_root
+from testbed.common.angles import wrap
 from testbed.common.signals import STATE
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
 from testbed.controllers.inversion.modes import motion_matrix
@@ -160,7 +161,7 @@ def test_modes_are_what_the_aircraft_does(vtail: Aircraft, body: Body) -> None:
         airspeed, alpha, beta = y["airspeed"], y["alpha"], y["beta"]
         w = airspeed * math.sin(alpha) * math.cos(beta)
         u = airspeed * math.cos(alpha) * math.cos(beta)
-        rest = [y["p"], y["q"], y["r"], (y["roll"] + math.pi) % (2 * math.pi) - math.pi, y["pitch"]]
+        rest = [y["p"], y["q"], y["r"], wrap(y["roll"]), y["pitch"]]
         flown.append(np.array([u, airspeed * math.sin(beta), w, *rest]) - start)
         linear.append(expm(body.A * step / HZ) @ disturbance)
     error = np.max(np.abs(np.array(flown) - linear), axis=0) / np.max(np.abs(linear), axis=0)

@@ -72,3 +72,9 @@ def test_a_command_before_the_last_is_reached_starts_from_there() -> None:
     assert of["altitude"][80] == pytest.approx(300.0)
     assert of["altitude"].max() == pytest.approx(308.0)
     assert np.abs(np.diff(of["altitude"])).max() <= 0.2 + 1e-9
+
+
+def test_a_command_after_the_last_step_changes_nothing() -> None:
+    """The last step of 20 s at 10 Hz is at 19.9 s."""
+    assert np.all(flown({"at_s": 19.95, "altitude_m": 310})["altitude"] == 300.0)
+    assert flown({"at_s": 19.9, "altitude_m": 310})["altitude_rate"][-1] == 2.0

@@ -47,7 +47,10 @@ def _expected(message: str) -> str:
 
 
 def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[TreePath, Any]:
-    """pydantic's location without the union tags it mixes in, and the type expected by what is there."""
+    """Where an error is in the user's tree, and the type that is expected there.
+
+    pydantic's own location has the tags of discriminated unions in it, which are no keys of the tree.
+    """
     path: TreePath = ()
     annotation: Any = model
     node = tree

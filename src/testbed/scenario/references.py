@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from testbed.common.clock import first_step_at
 from testbed.common.signals import SETPOINT
 from testbed.scenario.model import Scenario
 
@@ -32,12 +33,10 @@ def references(scenario: Scenario) -> np.ndarray:
         value = np.full_like(time, start)
         rate = np.zeros_like(time)
         for command in scenario.commands:
-            target = getattr(command, key)
-            if target is None:
+            target, first = getattr(command, key), first_step_at(command.at_s, scenario.rate_hz)
+            if target is None or first >= scenario.steps:
                 continue
-            after = time >= command.at_s - 1e-9
-            first = int(np.argmax(after))
-            start = value[first]
+            after, start = slice(first, None), value[first]
             change = _change(start, target * factor, name)
             elapsed = time[after] - time[first]
             value[after] = start + math.copysign(1.0, change) * np.minimum(rates[name] * elapsed, abs(change))
