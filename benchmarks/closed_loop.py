@@ -46,7 +46,7 @@ _STRETCH_S = 10.0  # of bare stepping from one trim; the aircraft is still in or
 _PARTS = (
     (simulation, "load_aircraft"),
     (simulation, "Plant"),
-    (simulation, "check_properties"),
+    (simulation, "unknown_names"),
     (simulation, "make_sensors"),
     (simulation, "Weather"),
     (simulation, "Injector"),

@@ -1,23 +1,20 @@
-"""What is done for speed changes nothing: compiled against uncompiled, kept against computed; and the guard on it."""
+"""What is done for speed changes nothing: compiled against uncompiled, cached against computed; and the guard on it."""
 
 from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
-import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from command_line import ROOT
 
-from testbed import simulation
-from testbed.aircraft import description as aircraft
-from testbed.common import jit as compiled
-from testbed.controllers.inversion import modes
+from testbed.common.cache import Cache
 from testbed.flight.flight import Flight
-from testbed.plant import jsbsim as plant
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
 
@@ -60,6 +57,7 @@ def uncompiled(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_compiled_flies_as_the_page_reads(case: str, uncompiled: Path) -> None:
     """To the last bit, through a failure, its detection and a mode switch. Powers were what differed (numba makes
@@ -67,6 +65,7 @@ def test_compiled_flies_as_the_page_reads(case: str, uncompiled: Path) -> None:
     assert short(case).data.tobytes() == (uncompiled / case).read_bytes()
 
 
+@pytest.mark.slow
 def test_the_short_flight_has_it_all(uncompiled: Path) -> None:
     """The negative control: the modes are switched, and another flight has other bytes."""
     flight = short("ideal")
@@ -74,18 +73,10 @@ def test_the_short_flight_has_it_all(uncompiled: Path) -> None:
     assert flight.data.tobytes() != (uncompiled / "fixed").read_bytes()
 
 
-def forget() -> None:
-    """Empty everything that is kept from flight to flight."""
-    for kept in (aircraft._checked, plant._writable, simulation._start, simulation._design_model):
-        kept.cache_clear()
-    modes._modes.clear()
-    modes._regulators.clear()
-
-
 @pytest.mark.parametrize("case", ["ideal", "mems"])
-def test_what_is_kept_changes_nothing(case: str) -> None:
+def test_a_cached_result_changes_nothing(case: str) -> None:
     """The first flight, the second, and one after another aircraft state has been flown, to the same bytes."""
-    forget()
+    Cache.clear_all()
     cold = short(case)
     warm = short(case)
     fly(load_scenario(TAIL, [*SHORT, "controller.model_error={Cm_alpha: 1.3}", "initial.airspeed_m_s=20"]))
@@ -94,16 +85,44 @@ def test_what_is_kept_changes_nothing(case: str) -> None:
     assert cold.summary == warm.summary == later.summary
 
 
-def test_an_edited_aircraft_is_read_again(tmp_path: Path) -> None:
-    """What is kept of an aircraft is kept under its text."""
-    folder = tmp_path / "mine"
-    folder.mkdir()
-    file, text = folder / "mine.yaml", aircraft.find_aircraft("vtail").read_text()
+def edited(file: Path, pattern: str, replacement: str) -> None:
+    text, count = re.subn(pattern, replacement, file.read_text(), count=1)
+    assert count == 1, f"{pattern} is in {file.name}"
     file.write_text(text)
-    first = aircraft.load_aircraft(str(folder))
-    assert aircraft.load_aircraft(str(folder)) is first
-    file.write_text(text.replace(f"name: {first.name}", "name: edited", 1))
-    assert aircraft.load_aircraft(str(folder)).name == "edited"
+
+
+def heavier(folder: Path) -> None:
+    """The empty weight raised by 30 %, as text of the same length."""
+    weight = re.search(r"<emptywt unit=\"KG\">([0-9.]+)<", (folder / "vtail.xml").read_text())
+    assert weight is not None
+    more = f"{1.3 * float(weight[1]):.9f}"[: len(weight[1])]
+    edited(folder / "vtail.xml", re.escape(weight[0]), f'<emptywt unit="KG">{more}<')
+
+
+def other_design(folder: Path) -> None:
+    """A coefficient of the stored design model."""
+    edited(folder / "design_model.json", r'"bias": \[\s+[-0-9.]+', '"bias": [-3.0')
+
+
+def other_servo(folder: Path) -> None:
+    """What the controller is told of the servos."""
+    edited(folder / "vtail.yaml", r"lag_rad_s: [0-9.]+", "lag_rad_s: 10")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("edit", [heavier, other_design, other_servo])
+def test_an_edited_aircraft_flies_as_in_a_new_process(
+    vtail_copy: Path, tmp_path: Path, edit: Callable[[Path], None]
+) -> None:
+    """Flown, edited, and flown again in this process: trim, design model and aircraft are those of the edited files."""
+    settings = [*SHORT, f"aircraft={vtail_copy}"]
+    before = fly(load_scenario(TAIL, settings)).data.tobytes()
+    edit(vtail_copy)
+    here = fly(load_scenario(TAIL, settings)).data.tobytes()
+    command = [sys.executable, "-c", _SAVE, json.dumps([TAIL, {"elsewhere": settings}, str(tmp_path)])]
+    subprocess.run(command, check=True)
+    assert here == (tmp_path / "elsewhere").read_bytes()
+    assert here != before, "the edit makes a difference"
 
 
 def benchmark(*options: str) -> subprocess.CompletedProcess[str]:
@@ -111,6 +130,7 @@ def benchmark(*options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sensors", ["ideal", "mems"])
 def test_a_step_costs_at_most_four_of_jsbsim_alone(sensors: str) -> None:
     """The guard; on a quiet machine it is about half of that (docs/performance.md)."""
@@ -121,30 +141,8 @@ def test_a_step_costs_at_most_four_of_jsbsim_alone(sensors: str) -> None:
     assert {"steps_per_s", "real_time_factor", "outside_ms"} <= set(found)
 
 
+@pytest.mark.slow
 def test_the_guard_can_refuse() -> None:
     done = benchmark("--rounds", "1", "--guard", "1")
     assert done.returncode == 1
     assert "is above 1" in done.stderr
-
-
-def test_old_compiled_code_is_removed(tmp_path: Path) -> None:
-    old, new, other = (tmp_path / name for name in ("numba-1-old", "numba-1-new", "something"))
-    for folder in (old, new, other):
-        folder.mkdir()
-        (folder / "code.nbc").write_text("")
-    long_ago = time.time() - 31 * 86400
-    os.utime(old, (long_ago, long_ago))
-    os.utime(other, (long_ago, long_ago))
-    compiled.prune(tmp_path)
-    assert [folder.exists() for folder in (old, new, other)] == [False, True, True]
-
-
-def test_flies_where_nothing_can_be_kept(tmp_path: Path) -> None:
-    """A home that cannot be written: the next best folder is taken."""
-    home = tmp_path / "home"
-    home.write_text("a file, so that no folder can be made in it")
-    code = "from testbed.common import jit; print(jit._FOLDER)"
-    env = {**os.environ, "XDG_CACHE_HOME": str(home), "TMPDIR": str(tmp_path)}
-    env.pop("NUMBA_CACHE_DIR", None)
-    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
-    assert Path(done.stdout.strip()).is_relative_to(tmp_path / f"testbed-{os.getuid()}")

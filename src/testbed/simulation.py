@@ -1,20 +1,18 @@
-"""Fly a scenario: assemble everything new, loop in lockstep with the plant, judge the result."""
+"""Fly a scenario: assemble everything new, loop in lockstep with the plant, judge what was recorded."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from testbed.air.wind import Weather
-from testbed.aircraft.description import Aircraft, Envelope, load_aircraft
-from testbed.aircraft.design_model import DesignModel
-from testbed.common.jit import bound, compiled
+from testbed.aircraft.description import Aircraft, Servo, load_aircraft
+from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.controllers import TABLE, Controller
 from testbed.controllers.gains import ControlDesign
@@ -29,21 +27,31 @@ from testbed.injection.injector import Injector
 from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE as METRICS
 from testbed.metrics import Readings, adaptation_rates, measure
-from testbed.plant import identification
+from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
-from testbed.plant.trim import Trim, trim
-from testbed.scenario.load import Scenario, check_names, check_properties, load_scenario
+from testbed.plant.trim import Trim, begin_at, trimmed_start
+from testbed.plant.truth import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENVELOPE, limits_of, observe
+from testbed.scenario.checks import unknown_names
+from testbed.scenario.load import Scenario, load_scenario
 from testbed.scenario.references import references
 from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
 
-_SETTLE_S = 1.5  # rotors and servos steady before the flight begins
-_GROUND_M = 0.5  # altitude of the centre of gravity at which the aircraft is on the ground
-_OUTCOMES = (Outcome.completed, Outcome.diverged, Outcome.ground_contact, Outcome.envelope_exceeded)
+_OUTCOMES = {
+    GOES_ON: Outcome.completed,  # to its last step
+    DIVERGED: Outcome.diverged,
+    ON_THE_GROUND: Outcome.ground_contact,
+    OUTSIDE_ENVELOPE: Outcome.envelope_exceeded,
+}
 
 
 @dataclass
 class Assembly:
-    """Everything that takes part in one flight; made new for it."""
+    """Everything that takes part in one flight; made new for it.
+
+    Attributes:
+        references: [steps, 6] by `signals.SETPOINT`.
+        flown_by: the user's controller that flies in place of the scenario's, or empty.
+    """
 
     scenario: Scenario
     aircraft: Aircraft
@@ -53,19 +61,17 @@ class Assembly:
     weather: Weather
     sensors: IdealSensors | RealSensors
     references: np.ndarray
-    limits: np.ndarray
     flown_by: str = ""
-    """The user's controller that flew in place of the scenario's, or empty."""
 
 
 def fly(scenario: Scenario | str | Path, controller: Callable[[Setup], Any] | None = None) -> Flight:
-    """Fly a scenario, or the file of one; a pure function of it.
+    """Fly a scenario, or the file of one; a pure function of it and of the aircraft's files.
 
     Args:
-        controller: a class of the user's own that flies in place of the scenario's (see `controllers.custom`).
+        controller: a class of the user's own that flies in place of the scenario's (see `controllers.user`).
 
     Raises:
-        BadInput: the scenario, a name in it, or the user's controller cannot be used.
+        BadInput: the scenario, a name in it, its aircraft, or the user's controller cannot be used.
     """
     if not isinstance(scenario, Scenario):
         scenario = load_scenario(scenario)
@@ -75,42 +81,26 @@ def fly(scenario: Scenario | str | Path, controller: Callable[[Setup], Any] | No
 
 
 def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
-    """Make plant, controller and failures, and put the aircraft into trimmed flight."""
+    """Make plant, weather, controller, failures and sensors, the aircraft in trimmed flight; raises BadInput."""
     aircraft = load_aircraft(scenario.aircraft)
-    problems = check_names(scenario, all_columns(aircraft, scenario), METRICS)
-    if problems:
-        raise BadInput(problems)
-    initial = scenario.initial
-    start = _start(
-        scenario.aircraft, scenario.physics_hz, initial.airspeed_m_s, initial.altitude_m, initial.heading_deg
-    )
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
-    if scenario.failures:
-        problems = check_properties(scenario, plant.catalog())
-        if problems:
-            raise BadInput(problems)
+    _check_names(scenario, aircraft, plant)
+    start = _start(scenario, aircraft)
     weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
-    plant.command(start.commands)
-    plant.place(start.state)
-    plant.settle(round(_SETTLE_S * scenario.physics_hz))
-    plant.place(start.state)  # the Earth has turned while rotors settled: back to the start
+    begin_at(plant, start)
     weather.begin()
+    setup = _setup(scenario, aircraft, start)
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
-        controller=_controller(controller, scenario, _setup(scenario, aircraft, start)),
+        controller=adapted(controller, setup) if controller else TABLE[scenario.controller.type](setup),
         injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),
-        limits=_limits(aircraft.envelope),
         flown_by=name_of(controller) if controller else "",
     )
-
-
-def _controller(own: Callable[[Setup], Any] | None, scenario: Scenario, setup: Setup) -> Controller:
-    return adapted(own, setup) if own else TABLE[scenario.controller.type](setup)
 
 
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
@@ -123,17 +113,17 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     telemetry = np.zeros((steps, telemetry_width(n)))
     controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
     sensors.bind(truth, measured)
-    channels = (plant.raw, plant.factors, parts.limits, truth, measured)
-    observe = bound(log_truth, 0, channels)
     injector.observe(Recorded(truth, measured, parts.references, telemetry))
-    ending, done = 0, steps
+    channels = (plant.raw, plant.factors, limits_of(parts.aircraft.envelope), truth, measured)
+    log_truth = bound(observe, 0, channels)
+    ending, done = GOES_ON, steps
     for k in range(steps):
         if k >= injector.next_step:
             injector.apply(k)
         if k >= weather.next_step:
             weather.apply(k)
         plant.sample()
-        ending = observe(k, channels)
+        ending = log_truth(k, channels)
         if sensors.real:
             sensors.measure(k)
         plant.command(controller.step(k))
@@ -147,34 +137,11 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
     return _OUTCOMES[ending], recorded
 
 
-@compiled
-def log_truth(k, channels):  # type: ignore[no-untyped-def]
-    """Log the truth in SI, measure it ideally, and say whether the flight goes on: 0, or the index of its outcome."""
-    raw, factors, limits, truth, measured = channels
-    row = truth[k]
-    finite = True
-    for i in range(len(raw)):
-        row[i] = raw[i] * factors[i]
-        finite = finite and math.isfinite(row[i])
-    for i in range(measured.shape[1]):
-        measured[k, i] = row[i]
-    altitude, airspeed, roll, alpha, beta = row[2], row[3], row[5], row[8], row[9]
-    if not finite:
-        return 1
-    if altitude < limits[0]:
-        return 2
-    if airspeed < limits[1] or airspeed > limits[2] or altitude < limits[6]:
-        return 3
-    if abs(alpha) > limits[3] or abs(beta) > limits[4] or abs(roll) > limits[5]:
-        return 3
-    return 0
-
-
 def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     """Events, metrics and verdicts of what was recorded."""
-    scenario, aircraft = parts.scenario, parts.aircraft
+    scenario, aircraft, steps = parts.scenario, parts.aircraft, len(recorded[0])
     names = all_columns(aircraft, scenario)
-    more = {**parts.sensors.columns(recorded[0]), **parts.weather.columns(len(recorded[0]))}
+    more = {**parts.sensors.columns(recorded[0]), **parts.weather.columns(steps)}
     data = table(aircraft, scenario.rate_hz, recorded, more.values())
     log, every = dict(zip(names, data, strict=True)), scenario.rate_hz // scenario.log_hz
     actuators = {
@@ -182,22 +149,13 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         for name, actuator in aircraft.actuators.items()
     }
     warnings = parts.injector.finish()
-    injections = parts.injector.receipts
-    events = [
-        *injections,
-        *parts.sensors.receipts(len(recorded[0])),
-        *controller_events(log, tuple(actuators), injections),
-    ]
-    for step, text in getattr(parts.controller, "reasons", ()):
-        events.append({"time_s": step / scenario.rate_hz, "kind": "diagnosis", "text": text})
-    events.sort(key=lambda event: event["time_s"])
-    survived = outcome is Outcome.completed
+    events = _events(parts, log, steps)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
-    metrics = measure(Readings(log, events, actuators, gamma, survived))
+    metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))
     return Flight(
         scenario=scenario,
         outcome=outcome,
-        end_time_s=len(recorded[0]) / scenario.rate_hz,
+        end_time_s=steps / scenario.rate_hz,
         columns=names,
         data=np.ascontiguousarray(data[:, ::every]).T,
         events=events,
@@ -209,30 +167,44 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     )
 
 
-@lru_cache(maxsize=32)
-def _start(
-    aircraft: str, physics_hz: int, airspeed_m_s: float, altitude_m: float, heading_deg: float
-) -> Trim:
-    """Trimmed flight, found on a plant of its own so that it depends on nothing else; kept, as it is costly."""
-    plant = Plant(load_aircraft(aircraft), physics_hz)
-    return trim(plant, airspeed_m_s, altitude_m, math.radians(heading_deg))
+def _events(parts: Assembly, log: dict[str, np.ndarray], steps: int) -> list[dict[str, Any]]:
+    """What was injected, what the controller flagged and released, and its reasons, in order of time."""
+    injections = parts.injector.receipts
+    events = [
+        *injections,
+        *parts.sensors.receipts(steps),
+        *controller_events(log, tuple(parts.aircraft.actuators), injections),
+    ]
+    for step, text in getattr(parts.controller, "reasons", ()):
+        events.append({"time_s": step / parts.scenario.rate_hz, "kind": "diagnosis", "text": text})
+    return sorted(events, key=lambda event: event["time_s"])
 
 
-@lru_cache(maxsize=8)
-def _design_model(aircraft: str) -> DesignModel:
-    return identification.stored(load_aircraft(aircraft))
+def _check_names(scenario: Scenario, aircraft: Aircraft, plant: Plant) -> None:
+    properties = plant.catalog() if scenario.failures else {}
+    problems = unknown_names(scenario, aircraft, all_columns(aircraft, scenario), METRICS, properties)
+    if problems:
+        raise BadInput(problems)
+
+
+def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
+    """Trimmed flight at the scenario's initial condition."""
+    at = scenario.initial
+    heading = math.radians(at.heading_deg)
+    return trimmed_start(aircraft, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, heading)
 
 
 def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
+    """What the controller is told: radians and newtons in place of the aircraft's units."""
     actuators, positions = [], []
     for actuator, position in zip(aircraft.actuators.values(), start.positions, strict=True):
-        unit = math.radians(1.0) if actuator.kind == "servo" else 1.0
+        unit = math.radians(1.0) if isinstance(actuator, Servo) else 1.0
         low, high = actuator.limits
         lag, rate = actuator.lag_rad_s, actuator.rate_limit
         actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
         positions.append(position * unit)
     return Setup(
-        model=_design_model(scenario.aircraft).with_error(scenario.controller.model_error),
+        model=stored(aircraft).with_error(scenario.controller.model_error),
         control=ControlDesign.model_validate(aircraft.control),
         actuators=actuators,
         dt_s=1.0 / scenario.rate_hz,
@@ -240,23 +212,4 @@ def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
         trim_positions=positions,
         trim_pitch=start.state["pitch"],
         settings=scenario.controller.model_dump(),
-    )
-
-
-def _limits(envelope: Envelope) -> np.ndarray:
-    """[7] ground, airspeed low and high, alpha, beta, roll, altitude [SI, rad] beyond which a flight ends."""
-
-    def radians(value: float | None) -> float:
-        return math.inf if value is None else math.radians(value)
-
-    return np.array(
-        [
-            _GROUND_M,
-            envelope.airspeed_min_m_s or 0.0,
-            math.inf if envelope.airspeed_max_m_s is None else envelope.airspeed_max_m_s,
-            radians(envelope.alpha_max_deg),
-            radians(envelope.beta_max_deg),
-            radians(envelope.roll_max_deg),
-            -math.inf if envelope.altitude_min_m is None else envelope.altitude_min_m,
-        ]
     )

@@ -1,4 +1,4 @@
-"""Wind, gusts and turbulence: against Galilei, closed forms, and MIL-F-8785C."""
+"""Wind, gusts and turbulence in flight: against Galilei, closed forms, and MIL-F-8785C."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ import pytest
 from scipy.signal import welch
 
 from testbed import fly
-from testbed.air.config import Atmosphere, severity
+from testbed.air.config import severity
 from testbed.air.wind import profile
 from testbed.aircraft.description import load_aircraft
-from testbed.common.frames import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
-from testbed.inputs.problems import BadInput
 from testbed.plant.jsbsim import Plant
 from testbed.scenario.load import Scenario, load_scenario
 
 W20 = 7.62  # 25 ft/s
+
+
 FT = 0.3048
 
 
@@ -26,9 +26,6 @@ def scenario(*settings: str) -> Scenario:
     return load_scenario(
         "scenarios/left_tail_fail.yaml", ["duration_s=2", "failures=[]", "requirements=[]", *settings]
     )
-
-
-# Steady wind ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("wind", [(5.0, -7.0, 0.0), (0.0, 12.0, 0.0), (-9.0, 0.0, 0.0)])
@@ -61,9 +58,6 @@ def test_calm_adds_nothing() -> None:
     flight = fly(scenario("atmosphere.turbulence_w20_m_s=0", "atmosphere.gusts=[]"))
     assert not [column for column in flight.columns if column.startswith("wind")]
     assert flight.data.tobytes() == fly(scenario()).data.tobytes()
-
-
-# Gusts ------------------------------------------------------------------------------------------------------
 
 
 def test_the_profile_is_one_minus_cosine() -> None:
@@ -104,20 +98,6 @@ def test_gusts_add_up_to_the_wind_and_turn_with_their_frame() -> None:
     assert np.ptp(log["wind_north_m_s"].to_numpy()[100:]) < 1e-9  # though the aircraft turns
 
 
-def test_frames() -> None:
-    turn = body_from_ned(0.3, 0.2, 1.0)
-    np.testing.assert_allclose(turn @ turn.T, np.eye(3), atol=1e-15)
-    np.testing.assert_allclose(body_from_ned(0, 0, math.pi / 2) @ [0, 1, 0], [1, 0, 0], atol=1e-15)
-    np.testing.assert_allclose(body_from_ned(0, 0.1, 0) @ [0, 0, 1], [-math.sin(0.1), 0, math.cos(0.1)])
-    np.testing.assert_allclose(body_from_ned(0.1, 0, 0) @ [0, 0, 1], [0, math.sin(0.1), math.cos(0.1)])
-    a, b = 0.1, 0.2
-    along = [math.cos(a) * math.cos(b), math.sin(b), math.sin(a) * math.cos(b)]
-    np.testing.assert_allclose(body_from_wind(a, b) @ [1, 0, 0], along)
-
-
-# Turbulence -------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture(scope="module")
 def turbulence() -> np.ndarray:
     """[200000, 3] turbulence at 300 m and 18 m/s, 20 Hz, with the airframe held still (heading north)."""
@@ -131,6 +111,7 @@ def turbulence() -> np.ndarray:
     return rows
 
 
+@pytest.mark.slow
 def test_turbulence_has_the_intensity_of_mil_f_8785c(turbulence: np.ndarray) -> None:
     """MIL-F-8785C 3.7.3.4, low altitude, h in feet: sigma_w = 0.1 W20, sigma_u = sigma_v = sigma_w / (0.177 +
     0.000823 h)^0.4, L_w = h, L_u = h / (0.177 + 0.000823 h)^1.2.
@@ -148,6 +129,7 @@ def test_turbulence_has_the_intensity_of_mil_f_8785c(turbulence: np.ndarray) -> 
         assert variance / sigma**2 == pytest.approx(1.0, abs=4 * math.sqrt(2 * tau / total))
 
 
+@pytest.mark.slow
 def test_turbulence_has_the_spectrum_of_its_filters(turbulence: np.ndarray) -> None:
     """Above its corner (V/(pi L) = 0.02 Hz) the vertical gust's spectrum falls as f^-2, like Dryden's: f^2 S
     is level. Means of 20 and 40 frequencies of 195 independent periodograms: 2 % together; the sampled filter's
@@ -171,71 +153,3 @@ def test_turbulence_comes_from_the_flights_own_stream() -> None:
     # Sensors draw from other streams; from the second step on, the filters know that the flight is another.
     assert np.array_equal(first[:2], log("sensors=mems")[:2])
     np.testing.assert_allclose(first, log("sensors=mems"), atol=0.02)
-
-
-def test_words_for_turbulence() -> None:
-    knot = 1852.0 / 3600.0
-    for word, knots, index in (("light", 15, 3), ("moderate", 30, 4), ("severe", 45, 6)):
-        settings = Atmosphere.model_validate({"turbulence": word})
-        assert settings.turbulence_w20_m_s == pytest.approx(knots * knot)
-        assert severity(settings.turbulence_w20_m_s) == index
-        assert Atmosphere.model_validate(settings.model_dump()) == settings
-    assert severity(W20) == 3
-
-
-@pytest.mark.parametrize(
-    ("setting", "words"),
-    [
-        ("turbulence=moderat", "atmosphere.turbulence: 'moderat' is not known, did you mean moderate?"),
-        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0, 0]}]", "has no size, expected either length_m"),
-        ("gusts=[{at_s: 5, magnitude_m_s: [1, 0, 0], length_m: 3}]", "5 s is not within the flight"),
-        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0], length_m: 3}]", "magnitude_m_s.2: is missing"),
-        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0, 0], length_m: 3, frame: bdy}]", "did you mean body?"),
-        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0, 0], length: 3}]", "did you mean length_m?"),
-    ],
-)
-def test_refusals(setting: str, words: str) -> None:
-    with pytest.raises(BadInput) as caught:
-        scenario(f"atmosphere.{setting}")
-    assert words in str(caught.value)
-
-
-def test_two_intensities_are_one_too_many() -> None:
-    with pytest.raises(BadInput, match=r"turbulence_w20_m_s: is 3, and turbulence is light, which is 7.717"):
-        scenario("atmosphere={turbulence: light, turbulence_w20_m_s: 3}")
-
-
-# The controller's ignorance ---------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "errors",
-    [
-        "{Cm_alpha: 1.2, Cl_beta: 0.8, Cm_right_ruddervator: 1.2, CX_left_propeller: 1.2}",
-        "{Cl_left_propeller: 1.2}",
-    ],
-)
-def test_a_model_error_changes_the_flight_but_not_the_trim(errors: str) -> None:
-    """In trimmed flight a wrong slope has nothing to act on; in a manoeuvre it has."""
-    turn = "commands=[{at_s: 1, heading_deg: 120, altitude_m: 305}]"
-    sure, wrong = fly(scenario(turn)), fly(scenario(turn, f"controller.model_error={errors}"))
-    before = sure.log["time_s"] <= 1.0
-    for name in ("altitude_m", "heading_deg", "airspeed_m_s", "pitch_deg"):
-        difference = (wrong.log[name] - sure.log[name]).abs()
-        assert difference[before].max() < 1e-4, name
-        assert difference[~before].max() > 10 * difference[before].max(), name
-
-
-@pytest.mark.parametrize(
-    ("name", "words"),
-    [
-        ("Cm_alfa", "did you mean Cm_alpha?"),
-        ("Cm_left_rudervator", "did you mean Cm_left_ruddervator?"),
-        ("x", "such as Cl_alpha"),
-    ],
-)
-def test_unknown_coefficients(name: str, words: str) -> None:
-    with pytest.raises(BadInput) as caught:
-        scenario(f"controller.model_error={{{name}: 1.2}}")
-    assert f"controller.model_error.{name}: unknown coefficient" in str(caught.value)
-    assert words in str(caught.value)

@@ -1,33 +1,31 @@
 """The v-tail in JSBSim itself: worth controlling, controllable when broken, and what its README says it is.
 
 Everything is measured on the loaded model, by trim and central differences; the design model is compared with that.
-What is printed is shown by `pytest tests/test_aircraft.py -s`.
+What is printed is shown by `pytest tests/aircraft/test_vtail.py -s`.
 """
 
 from __future__ import annotations
 
 import importlib.util
 import math
-import shutil
 import subprocess
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import COLUMNS, DESIGN_MODEL, ROWS, DesignModel, load_design_model
 from testbed.aircraft.shipped import data_root
+from testbed.common.angles import wrap
 from testbed.common.signals import STATE
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
 from testbed.controllers.inversion.modes import motion_matrix
-from testbed.plant.identification import digest, identify
 from testbed.plant.jsbsim import Plant
-from testbed.plant.trim import NoTrim, Trim, accelerations, trim
+from testbed.plant.trim import Trim, accelerations, trim
 
 HZ = 200
 LEFT_TAIL, RIGHT_TAIL, LEFT_PROPELLER, RIGHT_PROPELLER = range(4)
@@ -59,11 +57,6 @@ def body_state(state: Mapping[str, float]) -> np.ndarray:
     u, v = speed * math.cos(alpha) * math.cos(beta), speed * math.sin(beta)
     w = speed * math.sin(alpha) * math.cos(beta)
     return np.array([u, v, w, 0.0, 0.0, 0.0, state["roll"], state["pitch"]])
-
-
-@pytest.fixture(scope="module")
-def vtail() -> Aircraft:
-    return load_aircraft("vtail")
 
 
 @pytest.fixture(scope="module")
@@ -168,7 +161,7 @@ def test_modes_are_what_the_aircraft_does(vtail: Aircraft, body: Body) -> None:
         airspeed, alpha, beta = y["airspeed"], y["alpha"], y["beta"]
         w = airspeed * math.sin(alpha) * math.cos(beta)
         u = airspeed * math.cos(alpha) * math.cos(beta)
-        rest = [y["p"], y["q"], y["r"], (y["roll"] + math.pi) % (2 * math.pi) - math.pi, y["pitch"]]
+        rest = [y["p"], y["q"], y["r"], wrap(y["roll"]), y["pitch"]]
         flown.append(np.array([u, airspeed * math.sin(beta), w, *rest]) - start)
         linear.append(expm(body.A * step / HZ) @ disturbance)
     error = np.max(np.abs(np.array(flown) - linear), axis=0) / np.max(np.abs(linear), axis=0)
@@ -271,31 +264,7 @@ def test_one_motor_has_thrust_to_spare(vtail: Aircraft, body: Body) -> None:
     assert list(vtail.actuators.values())[LEFT_PROPELLER].limits[1] > 2.3 * drag
 
 
-def test_no_trim_is_said(vtail: Aircraft) -> None:
-    """The negative control of the trims: both propellers lost cannot fly level."""
-    plant = Plant(vtail, HZ)
-    for side in ("left", "right"):
-        plant[f"fcs/{side}-propeller/effectiveness"] = 0.0
-    with pytest.raises(NoTrim):
-        trim(plant, 18.0, 300.0, held={2: 0.5, 3: 0.5}, free=("alpha", "beta", "roll", "airspeed"))
-
-
 # The model --------------------------------------------------------------------------------------------------------
-
-
-def test_no_warning_when_loaded(vtail: Aircraft) -> None:
-    assert Plant(vtail, HZ).warnings == ()
-
-
-def test_a_warning_would_be_seen(vtail: Aircraft, tmp_path: Path) -> None:
-    """The negative control: a property declared twice."""
-    folder = shutil.copytree(vtail.folder, tmp_path / "aircraft" / "vtail")
-    line = '<property value="1">fcs/left-ruddervator/effectiveness</property>'
-    text = (folder / "vtail.xml").read_text()
-    assert line in text
-    (folder / "vtail.xml").write_text(text.replace(line, line + line))
-    (warning,) = Plant(load_aircraft(str(folder)), HZ).warnings
-    assert "already defined" in warning
 
 
 def test_mirror_symmetry(vtail: Aircraft) -> None:
@@ -380,57 +349,7 @@ def test_effectiveness_of_a_propeller_scales_thrust_and_torque_together(
     np.testing.assert_allclose(loads[0.5] - loads[0.0], 0.5 * healthy, rtol=1e-6, atol=1e-9)
 
 
-@pytest.mark.parametrize("airspeed", [16.0, 18.0, 20.0])
-@pytest.mark.parametrize("heading", [0.0, 90.0, 217.0])
-def test_trim_flies_itself(vtail: Aircraft, airspeed: float, heading: float) -> None:
-    """Open loop for 2 s from trim, through servos and motors: no rate above 0.2 deg/s, altitude within 5 cm."""
-    level = trim(Plant(vtail, HZ), airspeed, 300.0, math.radians(heading))
-    rate, altitude = _open_loop(vtail, level)
-    print(f"{airspeed:g} m/s, heading {heading:g}: {rate:.1e} deg/s, {altitude:.1e} m")
-    assert level.residual < 1e-6
-    assert rate <= 0.2
-    assert altitude < 0.05
-
-
-def test_a_bad_trim_does_not_fly_itself(vtail: Aircraft, body: Body) -> None:
-    """The negative control: a tenth of a degree of one tail is seen."""
-    commands = np.array(body.trim.commands) + np.radians([0.1, 0.0, 0.0, 0.0])
-    rate, _ = _open_loop(vtail, Trim(body.trim.state, tuple(commands), body.trim.positions, 0.0))
-    assert rate > 0.2
-
-
-def _open_loop(vtail: Aircraft, level: Trim) -> tuple[float, float]:
-    """Largest rate [deg/s] and change of altitude [m] in 2 s."""
-    plant = Plant(vtail, HZ)
-    plant.command(level.commands)
-    plant.place(level.state)
-    plant.settle(300)
-    plant.place(level.state)
-    rows = []
-    for _ in range(2 * HZ):
-        plant.step()
-        rows.append(plant.read())
-    flown = np.array(rows)
-    rates = np.degrees(flown[:, [STATE.index(name) for name in "pqr"]])
-    return float(np.abs(rates).max()), float(np.abs(flown[:, STATE.index("altitude")] - 300.0).max())
-
-
 # The design model and where the numbers come from -----------------------------------------------------------------
-
-
-def test_the_stored_design_model_is_of_this_aircraft(vtail: Aircraft, stored_model: DesignModel) -> None:
-    """Identified anew it is the same to 1e-9; not to the bit, as a solver's last digits may depend on the machine."""
-    assert stored_model.identified_from == digest(vtail), "run `testbed identify vtail`"
-    assert identify(vtail).agrees_with(stored_model)
-
-
-def test_a_changed_design_model_is_noticed(stored_model: DesignModel) -> None:
-    """The negative control: a millionth of one coefficient, a millionth of one propeller."""
-    assert not stored_model.with_error({"Cm_alpha": 1.000001}).agrees_with(stored_model)
-    *others, right = stored_model.propulsors
-    assert right is not None
-    weaker = replace(right, thrust=tuple(1.000001 * c for c in right.thrust))
-    assert not replace(stored_model, propulsors=(*others, weaker)).agrees_with(stored_model)
 
 
 def test_the_design_model_is_mirror_symmetric(stored_model: DesignModel) -> None:

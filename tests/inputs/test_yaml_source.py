@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from testbed.inputs.problems import BadInput, Problem, did_you_mean
-from testbed.inputs.yaml_source import as_yaml_float, dump, parse, read
+from testbed.inputs.problems import BadInput
+from testbed.inputs.yaml_source import as_yaml_float, describe, dump, parse, read
 
 REFUSED = [
     ("a: 1\nb: 1e-3\n", 2, "b", "write 1.0e-3"),
@@ -105,6 +105,7 @@ leaves = (
 trees = st.recursive(leaves, lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner), max_leaves=20)
 
 
+@pytest.mark.slow
 @given(st.dictionaries(st.text(), trees))
 def test_what_is_dumped_is_read_back(tree: dict[str, object]) -> None:
     source = parse(dump(tree))
@@ -120,7 +121,29 @@ def test_any_text_is_read_or_refused(text: str) -> None:
         assert error.problems
 
 
-def test_problem_prints_on_one_line() -> None:
-    problem = Problem("unknown\nkey", "f.yaml", 3, "a.b", "one of c, d", "c")
-    assert str(problem) == "f.yaml:3: a.b: unknown key, expected one of c, d, did you mean c?"
-    assert did_you_mean("zzz", ["gamma"]) == ""
+def test_places_are_of_the_key_or_the_nearest_thing_around() -> None:
+    source = parse("a:\n  b: 1\n  c:\n    - 2\n    - {d: 3}\n", "f.yaml")
+    assert source.place(("a", "c", 1, "d")) == ("f.yaml", 5)
+    assert source.place(("a", "c")) == ("f.yaml", 3)
+    assert source.place(("a", "x", "y")) == ("f.yaml", 1)
+    assert source.problem(("a", "c", 0), "is 2", "3").line == 4
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (None, "empty"),
+        ({}, "a mapping"),
+        ([1], "a list"),
+        ((1,), "a list"),
+        (True, "true"),
+        (1.5, "1.5"),
+        ("a", "'a'"),
+    ],
+)
+def test_describe(value: object, text: str) -> None:
+    assert describe(value) == text
+
+
+def test_a_long_value_is_cut() -> None:
+    assert len(describe("x" * 1000)) == 60

@@ -1,49 +1,22 @@
-"""Every refusal of a scenario, at its exact place; and a scenario that is accepted flies again as it is."""
+"""Every refusal of a scenario, at its exact place; whatever is not refused flies again as it is."""
 
 from __future__ import annotations
 
 import copy
-import math
-import pickle
-import re
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from scenario_files import GOOD, again_as_it_is, problems_of
 
 from testbed.aircraft.description import load_aircraft
-from testbed.aircraft.shipped import aircraft_names, data_root, scenario_files
+from testbed.aircraft.shipped import data_root, scenario_files
 from testbed.controllers.config import SETTINGS
-from testbed.failures import TABLE as FAILURES
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput
 from testbed.inputs.yaml_source import dump as dump_tree
 from testbed.inputs.yaml_source import parse
-from testbed.scenario.load import Scenario, check_names, check_properties, dump, load_scenario
-
-GOOD = """\
-name: left tail failure
-aircraft: vtail
-duration_s: 60
-rate_hz: 200
-physics_hz: 400
-seed: 1
-initial: {altitude_m: 300, airspeed_m_s: 18, heading_deg: 90}
-controller: {type: adaptive_inversion, gamma: 4.0, epsilon: 0.05}
-commands:
-  - {at_s: 0, altitude_m: 300, airspeed_m_s: 18, heading_deg: 90}
-  - {at_s: 40, heading_deg: 120}
-command_rates: {heading_deg_s: 4, altitude_m_s: 1, airspeed_m_s2: 0.5}
-failures:
-  - {type: effectiveness, actuator: left_ruddervator, at_s: 5, value: 0.2}
-  - {type: effectiveness, actuator: left_ruddervator, at_s: 15, value: 0.0}
-  - {type: property, at_s: 20, until_s: 25, set: {fcs/right-ruddervator/command-scale: 0.5}}
-sensors: ideal
-atmosphere: {wind_m_s: [0, 0, 0], turbulence_w20_m_s: 0}
-requirements:
-  - {metric: altitude_error_max_m, at_most: 5}
-  - {signal: heading_deg, from_s: 2, until_s: 50, within: 2, of: heading_command_deg}
-"""
+from testbed.scenario.load import load_scenario
 
 # what is written instead of what, and the one problem that follows: line, path, part of the message
 REFUSED = [
@@ -165,19 +138,6 @@ REFUSED = [
 ]
 
 
-@pytest.fixture
-def file(tmp_path: Path) -> Path:
-    path = tmp_path / "scenario.yaml"
-    path.write_text(GOOD)
-    return path
-
-
-def problems_of(file: Path, *overrides: str) -> tuple[Problem, ...]:
-    with pytest.raises(BadInput) as caught:
-        load_scenario(file, overrides)
-    return caught.value.problems
-
-
 def test_the_unchanged_file_is_accepted(file: Path) -> None:
     """The negative control of all refusals below: nothing is wrong before something is made wrong."""
     scenario = load_scenario(file)
@@ -263,34 +223,6 @@ def test_settings_of_another_controller_are_refused_in_a_file(file: Path) -> Non
     assert [p.path for p in problems_of(file)] == ["controller.gamma", "controller.epsilon"]
 
 
-def test_defaults_complete_the_scenario(tmp_path: Path) -> None:
-    file = tmp_path / "x.yaml"
-    file.write_text("name: x\naircraft: vtail\nduration_s: 10\ncommands: [{at_s: 5, heading_deg: 30}]\n")
-    scenario = load_scenario(file)
-    first, second = scenario.commands
-    assert (first.at_s, first.altitude_m, first.airspeed_m_s, first.heading_deg) == (0, 300, 18, 0)
-    assert (second.at_s, second.altitude_m, second.heading_deg) == (5, None, 30)
-    assert scenario.physics_hz == scenario.log_hz == scenario.rate_hz == 200
-
-
-def test_envelope_is_the_aircrafts(file: Path, tmp_path: Path) -> None:
-    folder = tmp_path / "plane"
-    folder.mkdir()
-    text = (data_root() / "aircraft/vtail/vtail.yaml").read_text()
-    limits = "{airspeed_min_m_s: 20, altitude_min_m: 400, airspeed_max_m_s: 40}"
-    text, replaced = re.subn(r"^envelope: .*$", f"envelope: {limits}", text, flags=re.MULTILINE)
-    assert replaced == 1
-    (folder / "plane.yaml").write_text(text)
-    file.write_text(GOOD.replace("aircraft: vtail", "aircraft: ./plane"))
-    problems = problems_of(file)
-    assert [(p.line, p.path, p.expected) for p in problems] == [
-        (7, "initial.airspeed_m_s", "at least 20"),
-        (7, "initial.altitude_m", "at least 400"),
-    ]
-    scenario = load_scenario(file, ["initial.altitude_m=500", "initial.airspeed_m_s=30"])
-    assert scenario.aircraft == str(folder), "a relative folder would be lost in the run folder"
-
-
 def test_problems_of_an_aircraft_are_in_its_file(tmp_path: Path, file: Path) -> None:
     folder = tmp_path / "plane"
     folder.mkdir()
@@ -304,111 +236,9 @@ def test_problems_of_an_aircraft_are_in_its_file(tmp_path: Path, file: Path) -> 
     assert {"actuators.left_ruddervator.kind", "modle", "model"} <= {p.path for p in problems}
 
 
-def test_properties_against_a_catalog(file: Path) -> None:
-    catalog = {"fcs/left-ruddervator/effectiveness": True, "fcs/right-ruddervator/command-scale": True}
-    scenario = load_scenario(file)
-    assert check_properties(scenario, catalog) == []
-    (problem,) = check_properties(scenario, {**catalog, "fcs/right-ruddervator/command-scale": False})
-    assert (problem.line, problem.path) == (16, "failures.2.set.fcs/right-ruddervator/command-scale")
-    assert "read-only" in problem.what
-    file.write_text(GOOD.replace("command-scale", "comand-scale"))
-    (problem,) = check_properties(load_scenario(file), catalog)
-    assert (problem.line, problem.suggestion) == (16, "fcs/right-ruddervator/command-scale")
-    assert "unknown property" in problem.what
-
-
-def test_signals_and_metrics_against_what_there_is(file: Path) -> None:
-    scenario = load_scenario(file)
-    signals, metrics = ["heading_deg", "heading_command_deg"], ["altitude_error_max_m"]
-    assert check_names(scenario, signals, metrics) == []
-    found = check_names(scenario, ["heading_rad"], ["altitude_error_m"])
-    assert [(p.line, p.path) for p in found] == [
-        (20, "requirements.0.metric"),
-        (21, "requirements.1.signal"),
-        (21, "requirements.1.of"),
-    ]
-
-
 @pytest.mark.parametrize("path", scenario_files(), ids=lambda p: p.stem)
 def test_shipped_scenarios_are_valid_and_fly_again(path: Path, tmp_path: Path) -> None:
     again_as_it_is(load_scenario(path), tmp_path)
-
-
-def test_there_are_shipped_things() -> None:
-    assert "vtail" in aircraft_names()
-    assert {p.stem for p in scenario_files()} >= {
-        "left_tail_fail", "right_tail_fail", "left_propeller_fail", "right_propeller_fail"
-    }  # fmt: skip
-
-
-def again_as_it_is(scenario: Scenario, folder: Path) -> None:
-    file = folder / "resolved.yaml"
-    file.write_text(dump(scenario), encoding="utf-8")
-    again = load_scenario(file)
-    assert again == scenario
-    assert dump(again) == dump(scenario)
-
-
-numbers = st.floats(-1e6, 1e6)
-rates = st.integers(1, 20)
-
-
-@st.composite
-def scenario_trees(draw: st.DrawFn) -> dict[str, object]:
-    rate = draw(rates) * draw(rates)
-    begin, end = draw(st.floats(0, 4)), draw(st.floats(5, 9))
-    name = draw(st.sampled_from(sorted(load_aircraft("vtail").actuators)))
-    timing = draw(st.sampled_from([{"at_s": begin}, {"at_s": begin, "until_s": end}]))
-    return {
-        "name": draw(st.text(min_size=1)),
-        "aircraft": "vtail",
-        "duration_s": draw(st.integers(10, 100)),
-        "rate_hz": rate,
-        "physics_hz": rate * draw(rates),
-        "seed": draw(st.integers(0, 2**70)),
-        "initial": {"altitude_m": draw(st.floats(5, 1e6)), "airspeed_m_s": draw(st.floats(8, 40))},
-        "controller": {
-            "type": "adaptive_inversion",
-            "gamma": draw(st.floats(1e-9, 1e9)),
-            "model_error": draw(st.dictionaries(st.sampled_from(["Cm_alpha", "CX_left_propeller"]), numbers)),
-        },
-        "commands": [{"at_s": begin, "heading_deg": draw(st.floats(0, 360))}],
-        "failures": [
-            {"type": "effectiveness", "actuator": name, "value": draw(st.floats(0, 1.5)), **timing},
-            {"type": "property", "at_s": begin, "set": {"p/" + draw(st.text()): draw(numbers)}},
-        ],
-        "atmosphere": {"wind_m_s": [draw(numbers), 0, draw(numbers)]},
-        "requirements": [
-            {"metric": draw(st.text(min_size=1)), "at_most": draw(numbers)},
-            {"signal": "x", "within": 1, "of": draw(numbers | st.text(min_size=1))},
-        ],
-    }
-
-
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-@given(scenario_trees())
-def test_any_scenario_flies_again_as_it_is(tmp_path: Path, tree: dict[str, object]) -> None:
-    again_as_it_is(Scenario.model_validate(tree), tmp_path)
-
-
-def test_a_different_scenario_is_different(file: Path) -> None:
-    """The negative control of the round trip: equality would notice a lost value."""
-    assert load_scenario(file) != load_scenario(file, ["failures.1.value=0.1"])
-    assert load_scenario(file) == pickle.loads(pickle.dumps(load_scenario(file)))
-
-
-@pytest.mark.parametrize(("name", "kind"), FAILURES.items())
-def test_each_failure_type_knows_itself(name: str, kind: type) -> None:
-    assert kind.model_fields["type"].default == name  # type: ignore[attr-defined]
-    assert kind.__doc__
-
-
-def test_a_window_ends_before_its_end(file: Path) -> None:
-    """[at_s, until_s): one failure may start at the instant at which another ends."""
-    file.write_text(GOOD.replace("at_s: 5, value", "at_s: 5, until_s: 15, value"))
-    first, second, _ = load_scenario(file).failures
-    assert first.window_s == (5, 15)
-    assert second.window_s == (15, math.inf)
 
 
 junk = (
@@ -447,6 +277,7 @@ def spoiled_trees(draw: st.DrawFn) -> dict[str, object]:
     return tree  # type: ignore[no-any-return]
 
 
+@pytest.mark.slow
 @settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(spoiled_trees())
 def test_any_spoiled_scenario_is_refused_in_words_or_flies(tmp_path: Path, tree: dict[str, object]) -> None:

@@ -1,7 +1,7 @@
 """The air, as a scenario says it: steady wind, 1-cosine gusts and Dryden turbulence.
 
 Wind and gusts are velocities of the air over the ground, north, east, down: a wind of [5, 0, 0] blows towards
-the north. `weather` makes them blow.
+the north. `wind` applies them in flight.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 from testbed.common.units import METRES_PER_SECOND_PER_KNOT
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 
-# Wind at 20 ft of MIL-F-8785C's words for turbulence, in knots (3.7.3.1, figure of low-altitude intensities).
+# Wind at 20 ft that MIL-F-8785C gives for each word for turbulence, in knots (3.7.3.1, figure of low-altitude intensities).
 _WORDS_KT = {"light": 15.0, "moderate": 30.0, "severe": 45.0}
 # JSBSim's index of probability of exceedance for each, which sets the intensity above 2000 ft.
 _SEVERITY = {"light": 3, "moderate": 4, "severe": 6}
@@ -47,7 +47,7 @@ class Gust(Settings):
         return self
 
     def rise_s(self, airspeed_m_s: float) -> float:
-        """Time of the rise [s] at this airspeed."""
+        """Duration of the rise [s] for an aircraft that flies at this airspeed."""
         return self.duration_s or float(self.length_m or 0.0) / airspeed_m_s
 
 
@@ -78,6 +78,6 @@ class Atmosphere(Settings):
 
 
 def severity(w20_m_s: float) -> int:
-    """JSBSim's index of the word that is nearest to a wind at 20 ft."""
+    """JSBSim's index of severity for a wind at 20 ft: that of the nearest of MIL-F-8785C's words."""
     knots = w20_m_s / METRES_PER_SECOND_PER_KNOT
     return _SEVERITY[min(_WORDS_KT, key=lambda word: abs(_WORDS_KT[word] - knots))]

@@ -12,6 +12,7 @@ from typing import Protocol
 import numpy as np
 
 from testbed.air.config import COLUMNS, Atmosphere, Gust, severity
+from testbed.common.clock import first_step_at
 from testbed.common.frames import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
 
@@ -28,8 +29,8 @@ class Air(Protocol):
 class Weather:
     """The air of one flight.
 
-    Made before the aircraft is placed, so that it is placed in the steady wind; `begin` once it is; then
-    `apply` each control step from `next_step` on.
+    Make it before the aircraft is placed, as the initial velocity depends on the steady wind. Call `begin` when the aircraft
+    has been placed, then `apply` in each control step from `next_step` on.
 
     Attributes:
         next_step: next control step at which there is something to do; infinite in calm air.
@@ -42,19 +43,19 @@ class Weather:
         self.wind = np.zeros((0 if settings.is_calm else steps, 3))
         self._steady = np.array(settings.wind_m_s)
         self._gusty = False
-        self._starts = [math.ceil(gust.at_s * rate_hz - 1e-9) for gust in settings.gusts]
+        self._starts = [first_step_at(gust.at_s, rate_hz) for gust in settings.gusts]
         self._gusts: list[tuple[float, float, np.ndarray] | None] = [None] * len(settings.gusts)
         if not settings.is_calm:
             plant.set_wind(self._steady)
 
     def begin(self) -> None:
-        """Turbulence on: only now, because it disturbs JSBSim's initialisation."""
+        """Switch turbulence on. Not earlier, because it would disturb JSBSim's initialisation."""
         w20 = self.settings.turbulence_w20_m_s
         if w20 > 0.0:
             self.plant.set_turbulence(w20, severity(w20), engine_seed(self.seed, "turbulence"))
 
     def apply(self, step: int) -> None:
-        """Note the wind of this step and set that of the next."""
+        """Log the wind of this step, and set the wind of the next."""
         self.wind[step] = self.plant.total_wind()
         gusty = self._blowing(step)
         if gusty or self._gusty:
@@ -73,7 +74,10 @@ class Weather:
         return {} if self.settings.is_calm else dict(zip(COLUMNS, self.wind[:steps].T, strict=True))
 
     def _gust(self, step: int) -> np.ndarray:
-        """Sum of all gusts once the step is taken; one begins with the first step at or after `at_s`."""
+        """Velocity of all gusts together at the end of this step [m/s, north, east, down].
+
+        A gust begins with the first step at or after its `at_s`.
+        """
         total = np.zeros(3)
         for i, gust in enumerate(self.settings.gusts):
             if step < self._starts[i]:
@@ -83,7 +87,7 @@ class Weather:
         return total
 
     def _begin(self, i: int, gust: Gust) -> tuple[float, float, np.ndarray]:
-        """Rise and hold [s] and velocity north-east-down, fixed from now on."""
+        """Rise and hold [s] and full velocity [m/s, north, east, down] of a gust that begins now."""
         airspeed, alpha, beta, *attitude = self.plant.air_data()
         velocity = np.array(gust.magnitude_m_s)
         if gust.frame == "wind":
@@ -96,7 +100,7 @@ class Weather:
 
 
 def profile(time_s: float, rise_s: float, hold_s: float) -> float:
-    """Fraction of its magnitude that a gust has this long after its beginning."""
+    """Fraction of its full velocity that a gust has this long after its beginning."""
     if time_s <= 0.0 or time_s >= 2.0 * rise_s + hold_s:
         return 0.0
     if time_s > rise_s:

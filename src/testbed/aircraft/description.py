@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
-from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, PrivateAttr, field_validator
 
 from testbed.aircraft.shipped import find_aircraft
+from testbed.common.cache import Cache
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import parsed, read_text
@@ -25,7 +26,7 @@ class Reference(Settings):
 
 
 class Envelope(Settings):
-    """Outside of this the aircraft counts as lost; a limit that is not given does not exist."""
+    """Limits outside which the aircraft counts as lost; a limit that is not given does not exist."""
 
     alpha_max_deg: Positive | None = None
     beta_max_deg: Positive | None = None
@@ -47,7 +48,11 @@ class Motor(Settings):
 
 
 class Actuator(Settings):
-    """What servos and motors share. `limits` and `scale` (1 in the scaled input matrix) are in `unit`."""
+    """What servos and motors share.
+
+    `prefix` is the property under which its command, position and effectiveness are. `limits` and `scale` are in `unit`; the
+    scale is the deflection or thrust that counts as 1 in the scaled input matrix.
+    """
 
     kind: str
     prefix: Text
@@ -64,8 +69,10 @@ class Actuator(Settings):
 
 
 class Servo(Actuator):
-    """A control surface's servo: first-order lag, rate limit [unit/s], stops; `pointmass` is the surface's number
-    in JSBSim, where it has a mass of its own."""
+    """A control surface's servo: first-order lag, rate limit [unit/s], stops.
+
+    `pointmass` is the number of the surface's point mass in JSBSim, where it has one.
+    """
 
     kind: Literal["servo"] = "servo"
     pointmass: Whole | None = None
@@ -115,16 +122,30 @@ class Aircraft(Settings):
         """The aircraft's folder: its YAML and the JSBSim model's files."""
         return self._folder
 
+    def fingerprint(self) -> str:
+        """Hash of all that the simulated aircraft is made of: JSBSim files, actuators, reference; not the designer's gains.
+
+        The files are read each time (0.1 ms), so an edit is always noticed.
+        """
+        seen = self.model_dump_json(include={"model", "reference", "actuators"})
+        text = hashlib.sha256(seen.encode())
+        for file in sorted(self.folder.rglob("*.xml")):
+            text.update(file.relative_to(self.folder).as_posix().encode() + file.read_bytes())
+        return text.hexdigest()
+
+
+_aircraft: Cache[Aircraft] = Cache(16)
+
 
 def load_aircraft(name: str) -> Aircraft:
     """Load an aircraft by name or folder; raises BadInput with everything wrong in its YAML."""
     file = find_aircraft(name)
-    return _checked(file, read_text(file))
+    text = read_text(file)
+    return _aircraft.get((file, text), lambda: _checked(file, text))
 
 
-@lru_cache(maxsize=16)
 def _checked(file: Path, text: str) -> Aircraft:
-    """The aircraft of a YAML file that says this; kept, as a sweep's worker asks for it again and again."""
+    """The aircraft of a YAML file with this text."""
     aircraft = validated(Aircraft, parsed(text, str(file)))
     aircraft._folder = file.parent
     return aircraft

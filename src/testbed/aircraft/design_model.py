@@ -3,7 +3,7 @@
 It is identified before flight (`testbed.plant.identification`), stored beside the aircraft as JSON where anybody can read
 it, and never reads the truth in flight. Its error is a scenario setting: section 4 of the paper is about that error.
 
-The state function is built up from the usual derivatives about one level trim (alpha_0, V_0):
+The state function is made of the usual stability derivatives about one level trim (alpha_0, V_0):
 
     x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta) + (V/V_0) (A_p p + A_q q + A_r r) + k(x) + B u
 
@@ -123,9 +123,9 @@ class DesignModel:
         return coefficient_names(self.actuators)
 
     def with_error(self, factors: Mapping[str, float]) -> DesignModel:
-        """The model with some coefficients scaled: the controller's ignorance (sections 4.2 and 4.3).
+        """The model with some coefficients multiplied by these factors: what the controller gets wrong (sections 4.2, 4.3).
 
-        The trim is kept: scaling moves slopes, `bias` follows so that the reference stays an equilibrium.
+        Slopes change and `bias` is adapted, so that the reference is a trim of the new model too.
         """
         slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
         torques, offsets = np.array(self.torque_matrix), np.array(self.offset_matrix)
@@ -148,16 +148,21 @@ class DesignModel:
             bias=tuple(map(float, bias)),
         )
 
-    def rates(self, x: Mapping[str, float], u: Vector, alive: Vector) -> np.ndarray:
-        """[6] modelled rates at a state (airspeed, alpha, beta, p, q, r, roll, pitch), actuator positions [n] and
-        effectiveness [n]."""
+    def rates(self, x: Mapping[str, float], u: Vector, effectiveness: Vector) -> np.ndarray:
+        """[6] rates by `ROWS` that the model predicts [rad/s2, m/s2].
+
+        Args:
+            x: airspeed, alpha, beta, p, q, r, roll, pitch [m/s, rad, rad/s].
+            u: [n] actuator positions [rad or N].
+            effectiveness: [n] of each actuator, 1 healthy, 0 lost.
+        """
         speed = x["airspeed"] / self.airspeed_m_s
         pressure = speed * speed
         bias, a, inputs, offsets, servo = self._arrays
         aero = pressure * (bias + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
         aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
         scale = np.where(servo, pressure, 1.0)
-        lam = np.asarray(alive, dtype=float)
+        lam = np.asarray(effectiveness, dtype=float)
         actuators = inputs @ (scale * lam * np.asarray(u)) + offsets @ lam
         return aero + kinematics(x) + actuators
 
@@ -200,7 +205,7 @@ def _propulsor(data: dict[str, Any]) -> Propulsor:
 
 
 def kinematics(x: Mapping[str, float]) -> np.ndarray:
-    """[6] gravity and the rotation of the body axes, in the rows of the model."""
+    """[6] by `ROWS`: what gravity and the rotation of the body axes add to the rates of u, v and w."""
     alpha, beta, speed = x["alpha"], x["beta"], x["airspeed"]
     u = speed * math.cos(alpha) * math.cos(beta)
     v = speed * math.sin(beta)

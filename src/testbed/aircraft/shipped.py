@@ -1,4 +1,4 @@
-"""Files that come with the testbed: where its aircraft and scenarios are, found from any folder."""
+"""Aircraft and scenarios that come with the testbed, found from any folder."""
 
 from __future__ import annotations
 

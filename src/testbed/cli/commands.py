@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import count
 from pathlib import Path
@@ -149,15 +149,17 @@ def _checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     from testbed.aircraft.description import load_aircraft
     from testbed.flight.columns import all_columns
     from testbed.metrics import TABLE as METRICS
-    from testbed.scenario.load import check_names, check_properties, load_scenario
+    from testbed.scenario.checks import unknown_names
+    from testbed.scenario.load import load_scenario
 
     scenario = load_scenario(file, settings)
     aircraft = load_aircraft(scenario.aircraft)
-    problems = check_names(scenario, all_columns(aircraft, scenario), METRICS)
+    properties: Mapping[str, bool] = {}
     if scenario.failures:  # loading the model takes longer than all else here, and only failures need it
         from testbed.plant.jsbsim import property_catalog
 
-        problems += check_properties(scenario, property_catalog(aircraft))
+        properties = property_catalog(aircraft)
+    problems = unknown_names(scenario, aircraft, all_columns(aircraft, scenario), METRICS, properties)
     if problems:
         raise BadInput(problems)
     return scenario

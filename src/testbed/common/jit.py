@@ -1,6 +1,6 @@
-"""One decorator: the control law's page is plain Python that numba compiles, and caches for the next process.
+"""Compile plain Python functions with numba, and keep the compiled code on disk for the next process.
 
-With `NUMBA_DISABLE_JIT=1` the same page runs uncompiled, line by line, for a debugger or a comparison.
+With `NUMBA_DISABLE_JIT=1` the same functions run uncompiled, line by line, for a debugger or a comparison.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def _cache_folder() -> Path | None:
-    """A folder for compiled code, of its own for each state of the sources; None where nothing can be written.
+    """A folder for compiled code that belongs to this state of the sources; None where nothing can be written.
 
-    numba's cache looks only at the file of the function that is called, not at those of the functions that it calls, so
-    an edited law would fly on as it was.
+    numba's own cache looks only at the file of the function that is called. It would not notice an edit of a function in
+    another file that is called from there, and would fly the old code.
     """
     text = hashlib.sha256()
     package = Path(__file__).parents[1]
@@ -50,7 +50,7 @@ def _user() -> int:
 
 
 def prune(root: Path, days: float = 30.0) -> None:
-    """Remove compiled code of sources that nobody has flown for so many days; a process that still does compiles."""
+    """Remove folders of compiled code that no process has used for this many days. One that needs them again compiles."""
     for folder in root.glob("numba-*"):
         with contextlib.suppress(OSError):
             if folder.stat().st_mtime < time.time() - 86400.0 * days:
@@ -66,32 +66,32 @@ else:
 
 @contextlib.contextmanager
 def _one_at_a_time() -> Iterator[None]:
-    """Of the processes that find the cache empty one compiles and the others wait for it."""
+    """Let one process compile and the others wait for its result, when several find the cache empty."""
     try:
         import fcntl
 
         lock = open(Path(_FOLDER or os.devnull) / "lock", "a")  # noqa: SIM115
         fcntl.flock(lock, fcntl.LOCK_EX)
-    except (ImportError, OSError):  # not on this system, or not on this file system: each compiles
+    except (ImportError, OSError):  # this system or file system has no locks: each process compiles
         yield
         return
-    with lock:  # closing it opens it for the next
+    with lock:  # closing the file releases the lock
         yield
 
 
 def compiled(function: F) -> F:
-    """Compile at first use; no fast-math, so that results agree with the uncompiled page."""
+    """Compile a function at its first call; without fast-math, so that results agree with the uncompiled function."""
     return numba.njit(cache=_FOLDER is not None, error_model="numpy")(function)  # type: ignore[no-any-return, return-value]
 
 
 def bound(function: F, *like: Any) -> F:
-    """A compiled function as it is for arguments of these types, compiled now if need be.
+    """The machine code of a compiled function for the types of these example arguments, compiled now if need be.
 
-    A call of it does not look at the types of its arguments again, half of what a call costs otherwise; so it must only
-    ever be given such as these: arrays of the same dtypes and layouts.
+    numba looks up the types of the arguments in each call, which is half of the cost of a short one. The function returned
+    skips this. It must only be called with arguments of the same types: arrays of the same dtype and memory layout.
     """
     if not isinstance(function, numba.core.dispatcher.Dispatcher):
-        return function  # NUMBA_DISABLE_JIT: the page itself
+        return function  # NUMBA_DISABLE_JIT: the plain Python function
     types = tuple(map(numba.typeof, like))
     if types not in function.overloads:
         with _one_at_a_time():

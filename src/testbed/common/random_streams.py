@@ -1,4 +1,4 @@
-"""Random streams: every random part of a flight has its own, named, so that adding one moves no other."""
+"""Random streams: every random part of a flight draws from its own, so adding one does not change the numbers of another."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import zlib
 
 import numpy as np
 
-_ENGINE_SEEDS = 2**31 - 3  # JSBSim's generator counts modulo 2^31 - 1, and takes 0 and 1 for one seed
+_ENGINE_SEEDS = 2**31 - 3  # JSBSim's generator works modulo 2^31 - 1, and takes 0 for 1
 
 
 def generator(seed: int, name: str) -> np.random.Generator:
-    """The stream of this name in the flight of this seed."""
+    """The random stream with this name in a flight with this seed."""
     return np.random.Generator(np.random.PCG64(_sequence(seed, name)))
 
 

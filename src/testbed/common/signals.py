@@ -6,8 +6,8 @@ north; sideslip beta is positive with the wind from the right; a ruddervator is 
 Airspeed, alpha and beta are relative to the air (gusts included); p, q, r, attitude and `u_dot`, the rate of change of
 the body-x velocity, are relative to the ground.
 
-A vector of signals is one row of float64. The loop fills it by index, the compiled law reads the same memory by name
-(a numpy record), so nothing is copied and nothing is looked up.
+A vector of signals is one row of float64. The loop fills it by index. Compiled code reads the same memory by name, as a
+numpy record, so nothing is copied.
 """
 
 from __future__ import annotations
@@ -31,11 +31,12 @@ SETPOINT = ("altitude", "airspeed", "heading", "altitude_rate", "airspeed_rate",
 
 
 TELEMETRY = ("reference", "command", "effectiveness_estimate", "failed")
-"""What a controller says of each actuator, in this order; scaled units for the first two (see `Aircraft.scale`)."""
+"""What a controller logs of each actuator: reference and command divided by the actuator's `scale`, its estimate of
+effectiveness (1 is healthy), and 1 while it is flagged as failed."""
 
 
 def telemetry_width(actuators: int) -> int:
-    """Numbers in a telemetry row: those of each actuator, then desired rates and released flags by `RATES`."""
+    """Length of a row of telemetry: `TELEMETRY`, each for all actuators; then desired rates and released flags of `RATES`."""
     return len(TELEMETRY) * actuators + 2 * len(RATES)
 
 
@@ -43,7 +44,7 @@ def telemetry_width(actuators: int) -> int:
 def record_dtype(names: tuple[str, ...]) -> np.dtype:
     """Record of float64 fields with these names: a view of one row of a float64 array.
 
-    Kept, because numba knows the types of a call's arguments by their dtype objects: a new one costs it 4 us a call.
+    Made once for each set of names: numba recognises a dtype by its identity, and an equal but new one costs 4 us a call.
     """
     return np.dtype((np.record, [(name, np.float64) for name in names]))
 

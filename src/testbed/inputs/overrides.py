@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.yaml_source import Source, TreePath, describe, dotted, parse
+from testbed.inputs.problems import BadInput, Problem, TreePath
+from testbed.inputs.yaml_source import Source, describe, dotted, parse
 
 
 def apply(source: Source, overrides: Iterable[str]) -> None:
-    """Apply each KEY=VALUE to the tree; what cannot be applied goes to `source.problems`."""
+    """Apply each KEY=VALUE to the tree in turn; what is wrong with one is added to `source.problems`."""
     for override in overrides:
         place = f"--set {override}"
         key, equals, text = override.partition("=")
@@ -32,7 +32,12 @@ def apply(source: Source, overrides: Iterable[str]) -> None:
 
 
 def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
-    """Set one value, creating mapping keys on the way; `place` is what its problems will cite."""
+    """Set the value at a path, making the mappings that lead to it.
+
+    Args:
+        parts: the path's keys and indices, as text.
+        place: what problems of this value cite as their place, such as `--set a.b=1`.
+    """
     node, path = source.tree, ()  # type: tuple[Any, TreePath]
     for i, part in enumerate(parts):
         last = i == len(parts) - 1
@@ -71,7 +76,7 @@ def _index(part: str, items: list[Any]) -> int | None:
 
 
 def _forget(source: Source, path: TreePath, place: str) -> None:
-    """What was written below a path is gone, and so is what was wrong with it; its place is now the --set."""
+    """Drop the places and problems of what a file had at a path and below it; the value there now is from `place`."""
     text = dotted(path)
     source.problems[:] = [
         p for p in source.problems if p.file != source.file or not f"{p.path}.".startswith(f"{text}.")

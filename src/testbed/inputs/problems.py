@@ -5,6 +5,10 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import NamedTuple
+
+TreePath = tuple[str | int, ...]
+"""Where a value is in a tree that was read from YAML: the keys and list indices that lead to it."""
 
 
 @dataclass(frozen=True)
@@ -26,6 +30,15 @@ class Problem:
         if self.suggestion:
             text += f", did you mean {self.suggestion}?"
         return " ".join(text.split())  # one problem is one line
+
+
+class Issue(NamedTuple):
+    """A problem of the value at a path of a tree; `yaml_source.Source.problem` adds the file and line."""
+
+    path: TreePath
+    what: str
+    expected: str = ""
+    suggestion: str = ""
 
 
 class BadInput(Exception):
@@ -58,3 +71,8 @@ def guess(word: object, known: Iterable[str]) -> tuple[str, str]:
     names = list(known)
     close = did_you_mean(word, names)
     return "" if close else one_of(names), close
+
+
+def unknown(path: TreePath, what: str, word: object, known: Iterable[str]) -> Issue:
+    """The issue of a word at `path` that is none of those known, with what was probably meant."""
+    return Issue(path, what, *guess(word, known))

@@ -4,22 +4,13 @@ from __future__ import annotations
 
 import re
 import types
-from typing import Annotated, Any, Literal, NamedTuple, Union, get_args, get_origin
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic_core import ErrorDetails
 
-from testbed.inputs.problems import did_you_mean, one_of
-from testbed.inputs.yaml_source import TreePath, describe
-
-
-class Issue(NamedTuple):
-    """A problem inside a tree, before its file and line are known."""
-
-    path: TreePath
-    what: str
-    expected: str = ""
-    suggestion: str = ""
+from testbed.inputs.problems import Issue, TreePath, unknown
+from testbed.inputs.yaml_source import describe
 
 
 def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
@@ -29,16 +20,16 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
     if kind == "missing":
         return Issue(path, "is missing")
     if kind == "extra_forbidden":
-        return _unknown(path, "unknown key", str(path[-1]), _keys(annotation))
+        return unknown(path, "unknown key", str(path[-1]), _keys(annotation))
     if kind.startswith("union_tag"):
         here = (*path, str(context["discriminator"]).strip("'"))
         if kind == "union_tag_not_found":
             return Issue(here, "is missing")
         names = [name.strip("' ") for name in context["expected_tags"].split(",")]
-        return _unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names)
+        return unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names)
     if kind == "literal_error" and get_origin(annotation) is Literal:
         names = [str(name) for name in get_args(annotation)]
-        return _unknown(path, f"{describe(given)} is not known", str(given), names)
+        return unknown(path, f"{describe(given)} is not known", str(given), names)
     if kind == "refused":
         return Issue(path, context["what"], context["expected"], context["suggestion"])
     if kind == "too_short":
@@ -48,21 +39,18 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
     return Issue(path, f"is {describe(given)}", _expected(error["msg"]))
 
 
-def _unknown(path: TreePath, what: str, word: str, names: list[str]) -> Issue:
-    """The likely one of the known names, or all of them when none is likely."""
-    close = did_you_mean(word, names)
-    return Issue(path, what, "" if close else one_of(names), close)
-
-
 def _expected(message: str) -> str:
     """pydantic's "Input should be a valid dictionary or instance of X" as "a mapping"."""
     message = re.sub(r"^(Input|String|Value) should (be )?", "", message)
-    message = re.sub(r" or (instance|an object).*", "", message).replace("valid dictionary", "mapping")
+    message = re.sub(r" or (instance|(an )?object).*", "", message).replace("valid dictionary", "mapping")
     return message.replace("valid tuple", "list")
 
 
 def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[TreePath, Any]:
-    """pydantic's location without the union tags it mixes in, and the type expected by what is there."""
+    """Where an error is in the user's tree, and the type that is expected there.
+
+    pydantic's own location has the tags of discriminated unions in it, which are no keys of the tree.
+    """
     path: TreePath = ()
     annotation: Any = model
     node = tree

@@ -1,7 +1,7 @@
-"""A tree against a pydantic model: every problem at once, each with its line and what was probably meant.
+"""Validate a tree that was read from YAML against a pydantic model, and report every problem at once with its line.
 
-When the model refuses a tree, the refused parts are taken out and the rest is validated again, so that checks
-that need a whole, valid model (is there such an actuator?) still run and report on the first attempt.
+Some checks need a whole, valid model, such as whether the aircraft has an actuator of this name. So that they run even if
+the model refuses the tree, the refused parts are removed from a copy and the rest is validated again.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.pydantic_messages import Issue, issue_of
-from testbed.inputs.yaml_source import Source, TreePath
+from testbed.inputs.problems import BadInput, Issue, Problem, TreePath
+from testbed.inputs.pydantic_messages import issue_of
+from testbed.inputs.yaml_source import Source
 
 Model = TypeVar("Model", bound=BaseModel)
 
@@ -30,10 +30,12 @@ def validated(
     check: Check = lambda _: (),
     stand_ins: Mapping[str, Any] = types.MappingProxyType({}),
 ) -> Model:
-    """The model made of a tree, or BadInput with everything that is wrong with it.
+    """The model made of a tree; raises BadInput with everything that is wrong with it.
 
-    `check` yields further issues of a valid model. `stand_ins` are harmless values for required top-level
-    keys: with one in the place of a refused value, the rest of the tree can still be checked.
+    Args:
+        check: yields further issues of a valid model.
+        stand_ins: harmless values for required top-level keys. One of them replaces a refused value, so that the rest of
+            the tree can still be checked.
     """
     pruned = _Pruned(copy.deepcopy(source.tree), stand_ins)
     issues: list[Issue] = []
@@ -66,7 +68,11 @@ def _with_places(source: Source, issues: Iterable[Issue]) -> list[Problem]:
 
 
 class _Pruned:
-    """A tree from which refused parts are taken, and the way back to the paths of the whole tree."""
+    """A copy of a tree from which refused parts are removed, and which still knows the paths of the whole tree.
+
+    Attributes:
+        usable: whether validating again can succeed: false once the tree as a whole, or a stand-in, is refused.
+    """
 
     def __init__(self, tree: Any, stand_ins: Mapping[str, Any]) -> None:
         self.tree = tree
@@ -76,7 +82,7 @@ class _Pruned:
         self._indices: dict[TreePath, list[int]] = {}
 
     def original(self, path: TreePath) -> TreePath:
-        """Path in the whole tree of a path in what is left of it."""
+        """Path in the whole tree of the value at a path of this one: removing an entry of a list moves the later ones."""
         result: TreePath = ()
         for part in path:
             kept = self._indices.get(result)
@@ -84,7 +90,11 @@ class _Pruned:
         return result
 
     def without(self, model: type[BaseModel], errors: list[ErrorDetails]) -> list[Issue]:
-        """Take out what these errors refuse; return as issues those that our own taking-out did not cause."""
+        """Remove what these errors refuse, and return them as issues.
+
+        An error around a part that was removed before (a list that is now too short) is no fault of the user's: it is not
+        returned.
+        """
         issues = []
         targets: set[TreePath] = set()
         for error in errors:
@@ -99,7 +109,7 @@ class _Pruned:
         return issues
 
     def _existing(self, path: TreePath) -> TreePath:
-        """The path itself, or, of a key that is missing, that of whatever lacks it."""
+        """The path itself if there is a value; for a missing key, the path of the mapping that lacks it."""
         node = self.tree
         for i, part in enumerate(path):
             if part not in (
@@ -112,7 +122,9 @@ class _Pruned:
     def _remove(self, path: TreePath) -> None:
         """Remove what is at a path; a required top-level key gets its stand-in."""
         if not path or (len(path) == 1 and path in self._removed):
-            self.usable = False  # not even the stand-in will do
+            self.usable = (
+                False  # the whole tree is refused, or what stood in for a refused value is refused too
+            )
             return
         parent = self.tree
         for part in path[:-1]:
@@ -128,5 +140,5 @@ class _Pruned:
 
 
 def _removal_order(path: TreePath) -> list[tuple[int, str]]:
-    """Sorts a list's later entries after its earlier ones, and what is inside a thing after the thing."""
+    """Sort key: later entries of a list after earlier ones, and what is inside a value after the value."""
     return [(part, "") if isinstance(part, int) else (-1, part) for part in path]

@@ -1,6 +1,6 @@
-"""Read YAML and keep where each value was written; refuse what YAML would quietly misread.
+"""Read YAML, remember the line of each value, and refuse what YAML reads as something else than it looks like.
 
-Everything found wrong is collected in `Source.problems`, and reading goes on, so that one pass shows it all.
+Problems are collected in `Source.problems` and reading goes on, so that one pass finds all of them.
 """
 
 from __future__ import annotations
@@ -15,8 +15,7 @@ from typing import Any
 import yaml
 
 from testbed.inputs.problems import BadInput, Problem
-
-TreePath = tuple[str | int, ...]
+from testbed.inputs.problems import TreePath as TreePath
 
 MAX_NODES = 100_000
 """Values in one file, aliases expanded: more is an accident (or a bomb made of aliases)."""
@@ -26,9 +25,9 @@ _FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
 
 @dataclass
 class Source:
-    """A tree of plain values, and the place (file, line) of each dotted path in it.
+    """A tree of plain values, and the place (file, line) of each path in it.
 
-    No field takes part in comparison: where a thing was written is no part of what it says.
+    No field takes part in comparison: two scenarios are equal wherever they were written.
     """
 
     file: str = field(default="", compare=False)
@@ -182,7 +181,7 @@ class _Reader:
         return self._plain(node, path, value)
 
     def _plain(self, node: yaml.ScalarNode, path: TreePath, value: Any) -> Any:
-        """Refuse an unquoted scalar that means something else to YAML than it does to the reader."""
+        """Refuse an unquoted scalar that YAML reads as something else than a person does, such as 1e-3 or 0100."""
         text = node.value
         if isinstance(value, str) and _is_number(text):
             if math.isfinite(float(text)):
@@ -200,7 +199,7 @@ class _Reader:
 
 
 class _Dumper(yaml.SafeDumper):
-    """Quotes text that `parse` would refuse (it looks like a number) or YAML change; writes no anchors."""
+    """Writes no anchors, and quotes text that would be read back as a number or not at all."""
 
     def ignore_aliases(self, data: Any) -> bool:
         return True

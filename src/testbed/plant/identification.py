@@ -1,12 +1,12 @@
-"""Identify the design model from the aircraft before flight: trim, then central differences on the test stand.
+"""Identify the design model (`aircraft.design_model`) before flight: trim, then central differences of accelerations.
 
-This is the only place where controller design meets the plant, and it happens on the ground: what it finds is stored
-(`aircraft/<name>/design_model.json`) and is all that the controller knows.
+The aircraft is held in a state while servos and rotors settle, as on a test stand, and its accelerations are read. This is
+the only place where controller design meets the plant. What it finds is stored in `aircraft/<name>/design_model.json` and
+is all that the controller knows.
 """
 
 from __future__ import annotations
 
-import hashlib
 import math
 from collections.abc import Mapping, Sequence
 
@@ -22,20 +22,22 @@ from testbed.aircraft.design_model import (
     kinematics,
     load_design_model,
 )
+from testbed.common.cache import Cache
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, accelerations, trim
 
 _PHYSICS_HZ = 200.0
 _SLUG_FT3 = 515.378818393  # kg/m3
-_ANGLE_STEP, _RATE_STEP, _THROTTLE_STEP = 0.005, 0.01, 0.01
-_STAND_THRUST_MIN_N = -2.2
-# Accelerations come as u v w p q r; the model's rows are p q r u v w.
-_ROW_ORDER = [3, 4, 5, 0, 1, 2]
+_ANGLE_STEP, _RATE_STEP, _THROTTLE_STEP = 0.005, 0.01, 0.01  # of the central differences: rad, rad/s, 1
+# Operating points at which a propeller's tables are measured: fractions of the reference airspeed, throttles.
+_STAND_SPEEDS, _STAND_THROTTLES = (0.6, 0.8, 1.0, 1.2), np.linspace(0.3, 1.0, 36)
+_STAND_THRUST_MIN_N = -2.2  # with less thrust the propeller windmills; the tables are for one that pulls
+_ROW_ORDER = [3, 4, 5, 0, 1, 2]  # accelerations come as u v w p q r; the model's rows are p q r u v w
 
 
 def identify(aircraft: Aircraft) -> DesignModel:
-    """Identify f_m and B_m at the aircraft's reference condition."""
+    """Identify f_m and B_m of equation (2) at the aircraft's reference condition; raises NoTrim if it cannot be flown."""
     plant = Plant(aircraft, _PHYSICS_HZ)
     level = trim(plant, aircraft.reference.airspeed_m_s, aircraft.reference.altitude_m)
     kinds = tuple(a.kind for a in aircraft.actuators.values())
@@ -66,32 +68,38 @@ def identify(aircraft: Aircraft) -> DesignModel:
         torque_matrix=tuple(tuple(map(float, row)) for row in torques),
         offset_matrix=tuple(tuple(map(float, row)) for row in offsets),
         propulsors=propulsors,
-        identified_from=digest(aircraft),
+        identified_from=aircraft.fingerprint(),
     )
 
 
-def digest(aircraft: Aircraft) -> str:
-    """Fingerprint of what identification sees: JSBSim files, actuators, reference; not the designer's gains."""
-    seen = aircraft.model_dump_json(include={"model", "reference", "actuators"})
-    text = hashlib.sha256(seen.encode())
-    for file in sorted(aircraft.folder.rglob("*.xml")):
-        text.update(file.name.encode() + file.read_bytes())
-    return text.hexdigest()
+_models: Cache[DesignModel] = Cache(8)
 
 
 def stored(aircraft: Aircraft) -> DesignModel:
-    """The design model stored beside the aircraft; identified anew where there is none, or one of other files."""
+    """The design model stored beside the aircraft; identified anew where there is none, or one of other files.
+
+    Raises:
+        BadInput: the file is there and is no design model.
+        NoTrim: it has to be identified, and no steady flight was found at the aircraft's reference.
+    """
     file = aircraft.folder / DESIGN_MODEL
-    if file.is_file():
-        model = load_design_model(file)
-        if model.identified_from == digest(aircraft):
-            return model
-    return identify(aircraft)
+    text = file.read_bytes() if file.is_file() else None
+    fingerprint = aircraft.fingerprint()
+
+    def read_or_identify() -> DesignModel:
+        if text is not None:
+            model = load_design_model(file)
+            if model.identified_from == fingerprint:
+                return model
+        return identify(aircraft)
+
+    return _models.get((fingerprint, text), read_or_identify)
 
 
 def _rates(
     plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = 1.5
 ) -> np.ndarray:
+    """[6] accelerations by `design_model.ROWS` in a held state."""
     return accelerations(plant, state, commands, settle_s)[_ROW_ORDER]
 
 
@@ -100,6 +108,7 @@ def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
 
 
 def _changed(commands: Sequence[float], i: int, by: float) -> list[float]:
+    """The commands with that of actuator i changed."""
     return [c + by if j == i else c for j, c in enumerate(commands)]
 
 
@@ -132,7 +141,7 @@ def _torque_offsets(
     level: Trim,
     density: float,
 ) -> np.ndarray:
-    """[6, n] what a propeller does beyond B times its thrust: torque is affine in thrust, Q = Q_0 + k T."""
+    """[6, n] rates of a propeller that are not proportional to its thrust: its torque is affine in thrust, Q = Q_0 + k T."""
     offsets = np.zeros_like(torques)
     axial = level.state["airspeed"] * math.cos(level.state["alpha"])
     for i, propulsor in enumerate(propulsors):
@@ -155,7 +164,7 @@ def _state_column(plant: Plant, level: Trim, name: str) -> np.ndarray:
 
 
 def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
-    """Thrust and torque of one propeller on the stand, over the throttle at three airspeeds."""
+    """Tables of thrust and torque coefficients over the advance ratio, measured on the stand; None for a servo."""
     actuator = list(plant.aircraft.actuators.values())[i]
     if actuator.kind == "servo":
         return None
@@ -163,9 +172,9 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
     density = plant["atmosphere/rho-slugs_ft3"] * _SLUG_FT3
     sense = plant[f"{engine}/propeller-sense"]  # the airframe feels the opposite torque
     rows = []
-    for speed in (0.6, 0.8, 1.0, 1.2):
+    for speed in _STAND_SPEEDS:
         state = {**level.state, "airspeed": speed * level.state["airspeed"]}
-        for throttle in np.linspace(0.3, 1.0, 36):
+        for throttle in _STAND_THROTTLES:
             accelerations(plant, state, _changed(level.commands, i, throttle - level.commands[i]))
             n = plant[f"{engine}/propeller-rpm"] / 60.0
             thrust = plant[f"{engine}/thrust-lbs"] * NEWTONS_PER_POUND
@@ -173,7 +182,7 @@ def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
             axial = plant["velocities/u-aero-fps"] * METRES_PER_FOOT
             d, pressure = motor.diameter_m, density * n * n * motor.diameter_m**4
             if thrust < _STAND_THRUST_MIN_N:
-                continue  # windmilling: the tables are for a propeller that pulls
+                continue
             rows.append((axial / (n * d), thrust / pressure, torque / (pressure * d)))
     j, thrust_c, torque_c = np.array(sorted(rows)).T
     grid = np.linspace(j[0], j[-1], PROPELLER_POINTS)

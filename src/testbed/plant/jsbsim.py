@@ -1,7 +1,8 @@
-"""The truth: JSBSim behind one door. Nothing else imports `jsbsim`; everything here speaks SI and radians.
+"""The truth: an aircraft flown by JSBSim. Nothing else imports `jsbsim`; everything here is in SI and radians.
 
-A `Plant` is one aircraft in the air, made new for each flight and never reset (JSBSim's reset keeps failure flags,
-random generators and more). Properties are bound once to their nodes; a step reads and writes through them.
+A `Plant` is made new for each flight and never reset, as JSBSim's reset keeps failure flags, random generators and more.
+Properties are looked up once, when the plant is made; a step reads and writes through their nodes. Signals, frames and signs
+are those of `common.signals`.
 """
 
 from __future__ import annotations
@@ -10,7 +11,6 @@ import math
 import struct
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping
-from functools import lru_cache
 from operator import call
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import jsbsim
 import numpy as np
 
+from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
 from testbed.inputs.problems import BadInput, Problem
@@ -74,7 +75,9 @@ _INTEGRATORS = tuple(
     for of in ("rotational", "translational")
 )
 
-_exhaust = deque[bool](maxlen=0).extend  # the quickest way to have each of an iterator's calls made
+_exhaust = deque[bool](
+    maxlen=0
+).extend  # takes every item of an iterator and keeps none: the fastest loop over calls
 
 
 class _Listener(jsbsim.FGLogger):
@@ -99,9 +102,14 @@ class Plant:
     Args:
         aircraft: what to fly.
         physics_hz: rate at which JSBSim integrates.
-        substeps: physics steps that `step` takes, so that the control rate is physics_hz / substeps.
+        substeps: physics steps in one control step, so that the control rate is physics_hz / substeps.
+
+    Raises:
+        BadInput: JSBSim cannot load the model.
+        KeyError: the model lacks a property that one of the aircraft's actuators needs.
 
     Attributes:
+        step: advances by one control step. With one physics step in it, this is JSBSim's own `run`, without a call around it.
         warnings: what JSBSim warned about while loading.
         raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
             effective), then the effectiveness of each.
@@ -113,6 +121,7 @@ class Plant:
         jsbsim.set_logger(listener)  # thread-local, so set where the plant is made
         jsbsim.FGJSBBase().debug_lvl = 0
         self.aircraft = aircraft
+        self.physics_hz = physics_hz
         self.dt_s = 1.0 / physics_hz
         self.substeps = substeps
         folder = Path(aircraft.folder).resolve()
@@ -129,8 +138,7 @@ class Plant:
         self.warnings = tuple(listener.warnings)
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
-        if substeps == 1:
-            self.step = self._run  # type: ignore[method-assign, assignment]
+        self.step: Callable[[], object] = self._run if substeps == 1 else self._run_substeps
         reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
         reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
         self._getters = [self.getter(name) for name, _ in reads]
@@ -144,11 +152,11 @@ class Plant:
         self._total_wind = [self.getter(name) for name in _TOTAL_WIND]
 
     def getter(self, name: str) -> Callable[[], float]:
-        """Bound reader of a property; KeyError if there is none (JSBSim itself would make it up)."""
+        """Function that reads a property, in JSBSim's unit; KeyError if there is none (JSBSim itself would create it)."""
         return self._node(name).get_double_value
 
     def setter(self, name: str) -> Callable[[float], bool]:
-        """Bound writer of a property; KeyError if there is none."""
+        """Function that writes a property, in JSBSim's unit; KeyError if there is none."""
         return self._node(name).set_double_value
 
     def _node(self, name: str) -> Any:
@@ -158,19 +166,19 @@ class Plant:
 
     def catalog(self) -> dict[str, bool]:
         """Name of each property of the loaded model, and whether it can be written."""
-        return _writable(tuple(self._fdm.get_property_catalog()))
+        rows = tuple(self._fdm.get_property_catalog())
+        return _catalogs.get(rows, lambda: {name: "W" in access for name, access in map(_split, rows)})
 
     def command(self, commands: Iterable[float]) -> None:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
         _exhaust(map(call, self._commands, commands))
 
-    def step(self) -> None:
-        """Advance by one control step."""
+    def _run_substeps(self) -> None:
         for _ in range(self.substeps):
             self._run()
 
     def sample(self) -> None:
-        """Read every property into `raw`, in JSBSim's units: one pass in C, as the loop does it each step."""
+        """Read all signals into `raw`, in JSBSim's units: what the loop does in each step."""
         self._pack(self._bytes, 0, *map(call, self._getters))
 
     def read(self) -> np.ndarray:
@@ -193,7 +201,9 @@ class Plant:
             put(float(value) / METRES_PER_FOOT)
 
     def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
-        """Switch on Dryden turbulence, from zero. After the last `place`, whose run_ic would draw from it.
+        """Switch on Dryden turbulence, which builds up from zero.
+
+        Call it after the last `place`: JSBSim's run_ic would already draw random numbers from it.
 
         Args:
             w20_m_s: wind at 20 ft (MIL-F-8785C), which sets the intensity up to 1000 ft above sea level.
@@ -216,9 +226,9 @@ class Plant:
         return airspeed, alpha, beta, roll, pitch, heading
 
     def specific_force_reader(self, axis: str) -> Callable[[], float]:
-        """Bound reader of what an accelerometer at the centre of gravity feels along a body axis [m/s2].
+        """Function that gives the specific force along a body axis: what an accelerometer at the centre of gravity reads [m/s2].
 
-        All forces but gravity over the mass, of the present state: JSBSim's `a-pilot` is a frame late.
+        It is the sum of all forces but gravity, over the mass, in the present state. JSBSim's own `a-pilot` is a frame late.
         """
         force, mass = self.getter(f"forces/fb{axis}-total-lbs"), self.getter("inertia/mass-slugs")
         return lambda: METRES_PER_FOOT * force() / mass()
@@ -226,8 +236,12 @@ class Plant:
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 
     def place(self, state: Mapping[str, float]) -> None:
-        """Put the aircraft into a state: airspeed, alpha, beta (relative to the air, see `set_wind`), roll, pitch,
-        heading [SI], altitude, p, q, r (0 where missing). Servos and rotors keep what they have."""
+        """Put the airframe into a state; servos and rotors keep theirs.
+
+        Args:
+            state: airspeed, altitude, alpha and pitch; beta, roll, heading, p, q, r where they are not zero [m/s, m, rad,
+                rad/s]. Airspeed, alpha and beta are relative to the air (see `set_wind`).
+        """
         fdm, get = self._fdm, state.get
         speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
         # JSBSim's initial velocity is relative to the ground: the wind's is added.
@@ -276,10 +290,13 @@ def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
     return Plant(aircraft, 200).catalog()
 
 
-@lru_cache(maxsize=8)
-def _writable(catalog: tuple[str, ...]) -> dict[str, bool]:
-    rows = (line.rpartition(" (") for line in catalog)
-    return {name.strip(): "W" in access for name, _, access in rows}
+_catalogs: Cache[dict[str, bool]] = Cache(8)
+
+
+def _split(row: str) -> tuple[str, str]:
+    """Name and access of a row of JSBSim's catalog: `fcs/left-servo (RW)`."""
+    name, _, access = row.rpartition(" (")
+    return name.strip(), access
 
 
 def _command(actuator: Any) -> str:

@@ -1,19 +1,17 @@
-"""What must hold between the parts of a scenario, and between it, its aircraft, and what can be named."""
+"""Checks of a scenario as a whole: its times against each other, and what it names against aircraft, log and metrics."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from testbed.aircraft.description import Aircraft
 from testbed.failures import Failure, overlaps, same_property
-from testbed.inputs.problems import did_you_mean, one_of
-from testbed.inputs.pydantic_messages import Issue
-from testbed.inputs.yaml_source import TreePath
+from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
 from testbed.scenario.model import Scenario
 
 
 def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
-    """Everything that can be said without the simulator."""
+    """What is wrong with a scenario that can be found without the simulator; without the aircraft, only times."""
     yield from _times(scenario)
     yield from _steps(scenario)
     if aircraft is not None:
@@ -23,9 +21,29 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
         yield from _failures(scenario, aircraft)
 
 
-def properties(scenario: Scenario, aircraft: Aircraft, catalog: Mapping[str, bool]) -> Iterator[Issue]:
-    """Properties that do not exist in the loaded model, or that cannot be written."""
-    writable = {same_property(name): can for name, can in catalog.items()}
+def unknown_names(
+    scenario: Scenario,
+    aircraft: Aircraft,
+    signals: Iterable[str],
+    metrics: Iterable[str],
+    properties: Mapping[str, bool],
+) -> list[Problem]:
+    """Names in failures and requirements that mean nothing in a flight of this aircraft, each with its place in the file.
+
+    Args:
+        signals: columns of the flight's log.
+        metrics: all that can be computed from one.
+        properties: those of the loaded JSBSim model, and whether each can be written; without failures none is looked for.
+    """
+    issues = [*_names(scenario, list(signals), list(metrics)), *_properties(scenario, aircraft, properties)]
+    return [scenario.source.problem(*issue) for issue in issues]
+
+
+def _properties(scenario: Scenario, aircraft: Aircraft, known: Mapping[str, bool]) -> Iterator[Issue]:
+    """Properties that failures hold and that the model does not have, or that cannot be written."""
+    if not scenario.failures:
+        return  # most flights of some sweeps: there may be a thousand properties to go through
+    writable = {same_property(name): can for name, can in known.items()}
     for i, failure in enumerate(scenario.failures):
         for name in failure.properties(aircraft):
             written = name in getattr(failure, "set", {})
@@ -37,8 +55,8 @@ def properties(scenario: Scenario, aircraft: Aircraft, catalog: Mapping[str, boo
                 yield Issue(path, f"property {name} is read-only", "a writable property")
 
 
-def names(scenario: Scenario, signals: list[str], metrics: list[str]) -> Iterator[Issue]:
-    """Signals and metrics that do not exist."""
+def _names(scenario: Scenario, signals: list[str], metrics: list[str]) -> Iterator[Issue]:
+    """Signals that `when` of a failure or a requirement names, and metrics that a requirement names."""
     for i, failure in enumerate(scenario.failures):
         if failure.when is not None:
             yield from _known(failure.when.signal, signals, "signal", ("failures", i, "when", "signal"))
@@ -52,14 +70,13 @@ def names(scenario: Scenario, signals: list[str], metrics: list[str]) -> Iterato
             yield from _known(requirement.of, signals, "signal", (*here, "of"))
 
 
-def _known(word: str, known: list[str], what: str, path: TreePath) -> Iterator[Issue]:
+def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[Issue]:
     if word not in known:
-        close = did_you_mean(word, known)
-        yield Issue(path, f"unknown {what} {word!r}", "" if close else one_of(known), close)
+        yield unknown(path, f"unknown {kind} {word!r}", word, known)
 
 
 def _times(scenario: Scenario) -> Iterator[Issue]:
-    """Nothing may be asked for after the end: it would silently not happen."""
+    """Nothing may be asked for after the end of the flight, as it would not happen and nobody would notice."""
     end = scenario.duration_s
     starts: list[tuple[TreePath, float | None]] = []
     ends: list[tuple[TreePath, float | None]] = []
@@ -152,7 +169,7 @@ def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             known.append(i)
         else:
             yield problem
-    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # 1 stands in for a refused one: let it pass
+    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # a rate of 1 stands in for a refused one
     for i in known:
         for fault in scenario.failures[i].faults(aircraft, rate_hz):
             yield Issue(("failures", i, fault.field), fault.what, fault.expected)
@@ -167,9 +184,7 @@ def _actuator(failure: Failure, aircraft: Aircraft, path: TreePath) -> Issue | N
         return None
     actuator = aircraft.actuators.get(name)
     if actuator is None:
-        names = list(aircraft.actuators)
-        close = did_you_mean(name, names)
-        return Issue(path, f"{aircraft.name} has no actuator {name!r}", "" if close else one_of(names), close)
+        return unknown(path, f"{aircraft.name} has no actuator {name!r}", name, aircraft.actuators)
     if actuator.kind not in failure.kinds:
         kinds = " or ".join(failure.kinds)
         return Issue(path, f"{name} is a {actuator.kind}, {failure.type} is for another kind", f"a {kinds}")

@@ -1,8 +1,8 @@
-"""Scenario files: load, complete and check them, and write them so that they fly again as they are."""
+"""Load, complete and check scenario files, and write a scenario so that it flies again as it is."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from testbed.air.config import Atmosphere, Gust
@@ -12,7 +12,6 @@ from testbed.controllers.config import SETTINGS
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.pydantic_messages import Issue
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 from testbed.scenario import checks as scenario_checks
@@ -20,15 +19,19 @@ from testbed.scenario.model import Command, CommandRates, Initial, Scenario
 
 __all__ = [
     "Atmosphere", "Command", "CommandRates", "Gust", "Initial", "Scenario",
-    "check_names", "check_properties", "dump", "load_scenario", "scenario_from",
+    "dump", "load_scenario", "scenario_from",
 ]  # fmt: skip
 
 
 def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircraft: bool = True) -> Scenario:
     """Load, complete and check a scenario file.
 
-    `settings` are KEY=VALUE as of --set. Without the aircraft (reading results), names of actuators are not
-    checked. Raises BadInput with every problem found.
+    Args:
+        settings: KEY=VALUE of --set.
+        with_aircraft: whether to check the scenario against its aircraft. A reader of results need not have it.
+
+    Raises:
+        BadInput: with every problem found.
     """
     source = yamlfile.read(find_scenario(path))
     overrides.apply(source, settings)
@@ -36,7 +39,7 @@ def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircra
 
 
 def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
-    """Complete and check a tree that was read already, overrides applied; see `load_scenario`."""
+    """Complete and check a tree that was read already and has its overrides applied; see `load_scenario`."""
     _drop_settings_of_other_controllers(source)
     aircraft, problems = _aircraft(source) if with_aircraft else (None, [])
     source.problems += problems
@@ -56,27 +59,12 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
 
 
 def dump(scenario: Scenario) -> str:
-    """The resolved scenario as YAML: everything spelled out, so that it flies again as it is."""
+    """The scenario as YAML with every default written out, so that it flies again as it is."""
     return yamlfile.dump(scenario.model_dump(mode="json", exclude_none=True))
 
 
-def check_properties(scenario: Scenario, catalog: Mapping[str, bool]) -> list[Problem]:
-    """What is wrong with the properties that failures hold; `catalog` is {property: can it be written}."""
-    issues = scenario_checks.properties(scenario, load_aircraft(scenario.aircraft), catalog)
-    return _placed(scenario, issues)
-
-
-def check_names(scenario: Scenario, signals: Iterable[str], metrics: Iterable[str]) -> list[Problem]:
-    """Which signals and metrics, in requirements and in `when`, are none of those given."""
-    return _placed(scenario, scenario_checks.names(scenario, list(signals), list(metrics)))
-
-
-def _placed(scenario: Scenario, issues: Iterable[Issue]) -> list[Problem]:
-    return [scenario.source.problem(*issue) for issue in issues]
-
-
 def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
-    """The aircraft that a tree names, if it can be had; a folder's path is made absolute in the tree."""
+    """The aircraft that a tree names, or what is wrong with it; the path of a folder is made absolute in the tree."""
     name = source.tree.get("aircraft")
     if not isinstance(name, str) or not name:
         return None, []
@@ -94,11 +82,12 @@ def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
 
 
 def _somewhere(aircraft: Aircraft | None) -> dict[str, float]:
+    """An initial condition to go on checking with, where that of the file is refused."""
     return aircraft.reference.model_dump() if aircraft else {"altitude_m": 0.0, "airspeed_m_s": 1.0}
 
 
 def _drop_settings_of_other_controllers(source: Source) -> None:
-    """With --set controller.type=..., the file's settings of its own controller do not offend the new one."""
+    """With --set controller.type=..., drop the settings in the file that only its own type of controller has."""
     controller = source.tree.get("controller")
     if not isinstance(controller, dict) or not overrides.is_override(source, ("controller", "type")):
         return

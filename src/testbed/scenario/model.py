@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from itertools import pairwise
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
 
 from testbed.air.config import Atmosphere
+from testbed.common.files import slug
 from testbed.controllers.config import AdaptiveInversionSettings, AnyController
 from testbed.failures import AnyFailure
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
@@ -17,7 +17,7 @@ from testbed.sensors.settings import Sensors
 
 
 class Initial(Settings):
-    """Where the flight begins: trimmed, level, in calm air."""
+    """Where the flight begins, trimmed and level; the airspeed is relative to the air, whatever the wind."""
 
     altitude_m: Number
     airspeed_m_s: Positive
@@ -25,7 +25,7 @@ class Initial(Settings):
 
 
 class Command(Settings):
-    """New values to fly to, from `at_s` on; what is not given stays as it was."""
+    """New values to fly to from `at_s` on; a value that is not given stays as it was."""
 
     at_s: NonNegative
     altitude_m: Number | None = None
@@ -42,7 +42,7 @@ class CommandRates(Settings):
 
 
 class Scenario(Settings):
-    """One flight, whole. A flight is a pure function of this."""
+    """All that determines a flight, besides the files of its aircraft."""
 
     name: Text
     aircraft: Text
@@ -85,7 +85,7 @@ class Scenario(Settings):
     @field_validator("commands")
     @classmethod
     def _complete(cls, commands: tuple[Command, ...], info: ValidationInfo) -> tuple[Command, ...]:
-        """The first command is at 0 s and says everything: what it leaves out is the initial condition."""
+        """Put a complete first command at 0 s: what the file does not command then is that of the initial condition."""
         times = [command.at_s for command in commands]
         if any(later <= earlier for earlier, later in pairwise(times)):
             raise refuse(f"are at {', '.join(f'{t:g}' for t in times)} s", "ascending times")
@@ -111,7 +111,7 @@ class Scenario(Settings):
     @property
     def slug(self) -> str:
         """The name as a file name."""
-        return re.sub(r"[^a-z0-9]+", "-", self.name.lower()).strip("-") or "flight"
+        return slug(self.name, otherwise="flight")
 
     @property
     def source(self) -> Source:

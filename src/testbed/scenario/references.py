@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
+from testbed.common.clock import first_step_at
 from testbed.common.signals import SETPOINT
-from testbed.scenario.load import Scenario
+from testbed.scenario.model import Scenario
 
 _FIELDS = (
     ("altitude", "altitude_m", 1.0),
@@ -17,7 +18,11 @@ _FIELDS = (
 
 
 def references(scenario: Scenario) -> np.ndarray:
-    """[steps, 6] rate-limited references by `signals.SETPOINT`, SI; heading is continuous and turns the short way."""
+    """[steps, 6] rate-limited references by `signals.SETPOINT` [m, m/s, rad, and per s].
+
+    Each command is approached at a constant rate from where the reference is then. Heading turns the short way and is
+    continuous: it goes on beyond 2 pi.
+    """
     limits = scenario.command_rates
     rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
     rates["heading"] = math.radians(limits.heading_deg_s)
@@ -28,12 +33,10 @@ def references(scenario: Scenario) -> np.ndarray:
         value = np.full_like(time, start)
         rate = np.zeros_like(time)
         for command in scenario.commands:
-            target = getattr(command, key)
-            if target is None:
+            target, first = getattr(command, key), first_step_at(command.at_s, scenario.rate_hz)
+            if target is None or first >= scenario.steps:
                 continue
-            after = time >= command.at_s - 1e-9
-            first = int(np.argmax(after))
-            start = value[first]
+            after, start = slice(first, None), value[first]
             change = _change(start, target * factor, name)
             elapsed = time[after] - time[first]
             value[after] = start + math.copysign(1.0, change) * np.minimum(rates[name] * elapsed, abs(change))

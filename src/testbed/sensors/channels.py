@@ -1,4 +1,4 @@
-"""What is measured: one channel a number, grouped into sensors, each in its own unit."""
+"""What is measured: a channel is one number; channels make up sensors; each has a unit in YAML."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from testbed.common.signals import RATES, STATE
 
 
 class Channel(NamedTuple):
-    """One measured number: its name in faults, its sensor, what it reads, and its unit in YAML."""
+    """One measured number: its name, the sensor that it is a part of, what it reads, and its unit in YAML."""
 
     name: str
     sensor: str
@@ -46,7 +46,7 @@ PER_SECOND = {"deg_s": "deg_s2", "deg": "deg_s", "m_s2": "m_s3", "m_s": "m_s2", 
 
 
 def channels_of(name: str) -> list[int]:
-    """Indices of the channels that a name means: one channel, or all of a sensor."""
+    """Indices in CHANNELS of the channel with this name, or of all channels of the sensor with this name."""
     return [i for i, channel in enumerate(CHANNELS) if name in (channel.name, channel.sensor)]
 
 
@@ -61,7 +61,7 @@ def names() -> list[str]:
 
 
 def logged(truth: np.ndarray, readings: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
-    """Log columns of real sensors: each reading, named like the truth that it is of, and the true rates."""
+    """Log columns that real sensors add: each reading, named after the truth that it reads, and the true rates."""
     for i, channel in enumerate(CHANNELS):
         name = channel.reads if channel.reads in STATE else channel.name
         yield f"{name}_measured_{channel.unit}", readings[:, i] / SI[channel.unit]

@@ -1,4 +1,4 @@
-"""What is random or timed in the sensors, drawn for the whole flight before it begins."""
+"""Errors and faults of sensors, drawn for the whole flight before it begins."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ from testbed.common.jit import compiled
 from testbed.common.random_streams import generator
 from testbed.sensors.channels import CHANNELS, channels_of
 from testbed.sensors.faults import Bias, Drift, Dropout, Noise, SensorFault, Stuck
+from testbed.sensors.measurement import HOLDS, READS, REPLACED
 from testbed.sensors.settings import SensorModel
-
-READS, HOLDS, REPLACED = 0.0, 1.0, 2.0
-"""What a channel does in a step: reads the sensor, repeats its last reading, or gives `offset`."""
 
 
 def drawn(index: int, model: SensorModel, steps: int, rate_hz: float, seed: int) -> tuple[float, np.ndarray]:
-    """Scale factor of one channel, and [steps] its bias, drift, wander and noise together [SI].
+    """Scale factor of one channel, and the sum of its bias, drift, wander and noise in each step [steps] [SI].
 
-    Every part has its own stream, so that setting one leaves the others' numbers as they were, and a longer
-    flight begins like a shorter one.
+    Each part has a random stream of its own: setting one leaves the numbers of the others as they were. A longer flight
+    begins like a shorter one.
+
+    Args:
+        index: of the channel in `CHANNELS`.
     """
 
     def normal(part: str, size: int) -> np.ndarray:
@@ -42,19 +43,24 @@ def drawn(index: int, model: SensorModel, steps: int, rate_hz: float, seed: int)
 
 
 @compiled
-def wandering(noise, kept):
-    """Stationary first-order Gauss-Markov sequence of variance one, of which a step keeps this fraction."""
+def wandering(noise, correlation):
+    """First-order Gauss-Markov sequence of variance one: x[k] = c x[k-1] + sqrt(1 - c^2) noise[k], x[0] = noise[0].
+
+    Args:
+        noise: [steps] standard normal.
+        correlation: c, of two neighbouring steps, exp(-dt / correlation time).
+    """
     x = noise.copy()
-    fresh = math.sqrt(1.0 - kept * kept)
+    fresh = math.sqrt(1.0 - correlation * correlation)
     for k in range(1, len(x)):
-        x[k] = kept * x[k - 1] + fresh * noise[k]
+        x[k] = correlation * x[k - 1] + fresh * noise[k]
     return x
 
 
-def timed(
+def enter(
     fault: SensorFault, index: int, rate_hz: float, seed: int, offset: np.ndarray, state: np.ndarray
 ) -> None:
-    """Enter one fault, the scenario's `index`th, into `offset` and `state` [steps, channels]."""
+    """Enter a fault, the scenario's `index`th, into the table's layers OFFSET [SI] and FAULT [steps, channels]."""
     start, end = fault.window(rate_hz)
     window = slice(int(start), int(min(end, len(offset))))
     count = max(window.stop - window.start, 0)

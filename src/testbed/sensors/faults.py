@@ -1,4 +1,4 @@
-"""How a sensor can fail, from when to when. A new type is one class here and one line in TYPES.
+"""How a sensor can fail, from when to when. A new type is one class here and one line in TABLE.
 
 A value ends in the unit of the sensor that it is for: `value_deg_s` for a gyro, `value_m` for the altimeter.
 """
@@ -10,21 +10,22 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Un
 
 from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
 
+from testbed.common.clock import first_step_at
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
-from testbed.inputs.problems import did_you_mean, one_of
+from testbed.inputs.problems import guess
 from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of, names, unit_of
 
 Fault = TypeVar("Fault", bound="SensorFault")
 
 
 class SensorFault(Settings):
-    """What all share: one channel (`gyro_q`) or a whole sensor (`gyro`), a beginning and perhaps an end."""
+    """What all faults have: a channel (`gyro_q`) or a whole sensor (`gyro`), a beginning, and perhaps an end [s]."""
 
     key: ClassVar[str] = ""
-    """The value's name, {} for the unit; "" for a fault that has none."""
+    """Name of its value in YAML with {} in place of the unit; "" for a fault without a value."""
     needs_value: ClassVar[bool] = True
     replaces: ClassVar[bool] = False
-    """Whether it decides what is read; else it adds to it."""
+    """Whether it decides what is read; otherwise it adds to it."""
 
     type: str
     sensor: str
@@ -35,8 +36,7 @@ class SensorFault(Settings):
     @classmethod
     def _known(cls, sensor: str) -> str:
         if not channels_of(sensor):
-            close = did_you_mean(sensor, names())
-            raise refuse(f"unknown sensor {sensor!r}", "" if close else one_of(names()), close)
+            raise refuse(f"unknown sensor {sensor!r}", *guess(sensor, names()))
         return sensor
 
     @field_validator("until_s")
@@ -69,9 +69,9 @@ class SensorFault(Settings):
         return None if value is None else float(value) * SI[unit]
 
     def window(self, rate_hz: float) -> tuple[float, float]:
-        """First control step of the fault, and first after it; a step belongs to it from its time on."""
-        end = math.inf if self.until_s is None else math.ceil(self.until_s * rate_hz - 1e-9)
-        return math.ceil(self.at_s * rate_hz - 1e-9), end
+        """First control step of the fault, and the first after it: infinity if it does not end."""
+        end = math.inf if self.until_s is None else first_step_at(self.until_s, rate_hz)
+        return first_step_at(self.at_s, rate_hz), end
 
 
 def _name(key: str, unit: str) -> str:
@@ -126,7 +126,7 @@ class Noise(SensorFault):
     type: Literal["noise"] = "noise"
 
 
-TYPES: dict[str, type[SensorFault]] = {
+TABLE: dict[str, type[SensorFault]] = {
     "stuck": Stuck,
     "dropout": Dropout,
     "bias": Bias,
@@ -137,13 +137,16 @@ TYPES: dict[str, type[SensorFault]] = {
 if TYPE_CHECKING:
     AnyFault = SensorFault
 else:
-    AnyFault = Annotated[Union[tuple(TYPES.values())], Field(discriminator="type")]  # noqa: UP007
+    AnyFault = Annotated[Union[tuple(TABLE.values())], Field(discriminator="type")]  # noqa: UP007
 
 
 def clash(one: SensorFault, other: SensorFault) -> str:
-    """Name of the channel that two faults fight over, or "": what adds, adds up; what replaces, does not."""
+    """Name of a channel whose reading two faults both decide at the same time, or "" if there is none.
+
+    Faults that add to a reading may meet. One that replaces it may not meet any other.
+    """
     shared = set(channels_of(one.sensor)) & set(channels_of(other.sensor))
     ends = [math.inf if f.until_s is None else f.until_s for f in (one, other)]
     meet = max(one.at_s, other.at_s) < min(ends)
-    fights = one.replaces or other.replaces
-    return CHANNELS[min(shared)].name if shared and meet and fights else ""
+    conflict = one.replaces or other.replaces
+    return CHANNELS[min(shared)].name if shared and meet and conflict else ""

@@ -1,4 +1,8 @@
-"""One control step of all sensors: plain Python that numba compiles."""
+"""One control step of all sensors: plain Python that numba compiles.
+
+A reading is made of the truth in this order: low-pass, scale and drawn errors (what is *sensed*), then delay, faults and
+resolution (what is *read*). What the controller is told is computed from the readings alone.
+"""
 
 from __future__ import annotations
 
@@ -6,78 +10,99 @@ import math
 
 import numpy as np
 
+from testbed.common.angles import wrap
 from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 
-# Layers of the table [layers, steps, channels]: what was drawn before the flight, and what it fills.
-ERROR, OFFSET, STATE_OF, SENSED, READING, LAYERS = 0, 1, 2, 3, 4, 5
-# Rows of the parameters [6, channels]: the truth's column (-1: the specific force), lag, scale, delay, size
-# of one digit, and 1 for an angle that goes from 0 to 2 pi.
-SOURCE, LAG, SCALE, DELAY, DIGIT, CIRCULAR, PARAMETERS = 0, 1, 2, 3, 4, 5, 6
+ERROR, OFFSET, FAULT, SENSED, READING, LAYERS = 0, 1, 2, 3, 4, 5
+"""Layers of the table [layers, steps, channels], SI: errors and faults are drawn before the flight, the others filled in it."""
+
+READS, HOLDS, REPLACED = 0.0, 1.0, 2.0
+"""In layer FAULT: the channel reads the sensor and adds OFFSET, repeats its last reading, or gives OFFSET alone."""
+
+_FIELDS = np.dtype(
+    [
+        ("source", np.int64),  # column of the truth, -1 for the specific force
+        ("lag", np.float64),  # fraction of a change that the low-pass takes over in one step; 1 is no lag
+        ("scale", np.float64),
+        ("delay", np.int64),  # control steps
+        ("digit", np.float64),  # size of one digit [SI]; 0 is infinitely fine
+        ("circular", np.bool_),  # an angle that goes from 0 to 2 pi
+    ],
+    align=True,
+)
+PARAMETERS = np.dtype((np.record, _FIELDS))
+"""What is constant of one channel, as a record."""
+
 _TURN = 2.0 * math.pi
+_wrap = compiled(wrap)
 
 
 @compiled
-def sense(k, truth, force, parameters, lagged, table):
-    """Fill row k of what each channel senses and reads.
+def measure(k, force, rate, parts):
+    """One control step: sense, then derive; only `sense` sees the truth.
 
     Args:
-        truth: [steps, ...] rows of `Plant.read`.
+        k: the control step.
         force: specific force along body x [m/s2].
-        parameters: [6, channels]; `lagged` [channels], `table` [5, steps, channels]: the sensors' memory.
+        rate: control rate [Hz].
+        parts: truth [steps, ...] (see `Plant.read`), channels [channels] of `PARAMETERS`, lagged [channels] the low-passes'
+            memory, table [5, steps, channels]; then, as records to read by name, the table's readings [steps] by channel
+            and the measured state [steps] by `signals.STATE`, which is filled.
     """
+    truth, channels, lagged, table, readings, measured = parts
+    sense(k, truth, force, channels, lagged, table)
+    derive(k, rate, readings, measured)
+
+
+@compiled
+def sense(k, truth, force, channels, lagged, table):
+    """Fill row k of what each channel senses and reads; arguments as in `measure`."""
     for c in range(len(lagged)):
-        source = int(parameters[SOURCE, c])
-        x = truth[k, source] if source >= 0 else force
+        channel = channels[c]
+        x = truth[k, channel.source] if channel.source >= 0 else force
         if k == 0:
             lagged[c] = x
         change = x - lagged[c]
-        if parameters[CIRCULAR, c] > 0.5:
-            change = (change + math.pi) % _TURN - math.pi  # the short way round
-        lag = parameters[LAG, c]
-        lagged[c] = lagged[c] + lag * change if lag < 1.0 else x
-        table[SENSED, k, c] = parameters[SCALE, c] * lagged[c] + table[ERROR, k, c]
-        table[READING, k, c] = reading(k, c, parameters, table)
+        if channel.circular:
+            change = _wrap(change)
+        lagged[c] = lagged[c] + channel.lag * change if channel.lag < 1.0 else x
+        table[SENSED, k, c] = channel.scale * lagged[c] + table[ERROR, k, c]
+        table[READING, k, c] = reading(k, c, channel, table)
 
 
 @compiled
-def reading(k, c, parameters, table):
-    """What channel c reads in step k: sensed some steps ago, with what is broken in it, in whole digits."""
-    state = table[STATE_OF, k, c]
-    if state == 1.0:
+def reading(k, c, channel, table):
+    """What channel c reads in step k: what it sensed some steps ago, with its faults, in whole digits."""
+    fault = table[FAULT, k, c]
+    if fault == HOLDS:
         return table[READING, k - 1, c] if k > 0 else table[SENSED, k, c]
-    if state == 2.0:
+    if fault == REPLACED:
         return table[OFFSET, k, c]
-    x = table[SENSED, max(k - int(parameters[DELAY, c]), 0), c] + table[OFFSET, k, c]
-    digit = parameters[DIGIT, c]
-    if digit > 0.0:
-        x = digit * np.floor(x / digit + 0.5)  # not math's, which makes an integer even of NaN
-    return x % _TURN if parameters[CIRCULAR, c] > 0.5 else x
+    x = table[SENSED, max(k - channel.delay, 0), c] + table[OFFSET, k, c]
+    if channel.digit > 0.0:
+        x = channel.digit * np.floor(x / channel.digit + 0.5)  # math.floor makes an integer even of NaN
+    return x % _TURN if channel.circular else x
 
 
 @compiled
 def derive(k, rate, readings, measured):
     """Fill row k of the measured state from the readings alone (`channels.CHANNELS`, `signals.STATE`).
 
-    Gyros are differentiated backwards, unfiltered: a filter belongs to who knows what else to filter alike.
-    u_dot = a_x - g sin(pitch) - q w + r v, with v and w of the measured airspeed, alpha and beta.
+    Angular accelerations are backward differences of the gyros, unfiltered: the controller filters them, since it has to
+    filter its other signals alike. u_dot = a_x - g sin(pitch) - q w + r v, with v and w of the measured airspeed, alpha
+    and beta.
     """
     y, x = readings[k], measured[k]
-    p, q, r, a_x, roll, pitch, heading = y[0], y[1], y[2], y[3], y[4], y[5], y[6]
-    airspeed, alpha, beta, altitude, climb_rate, north, east = y[7], y[8], y[9], y[10], y[11], y[12], y[13]
-    x[0], x[1], x[2], x[3], x[4] = north, east, altitude, airspeed, climb_rate
-    x[5], x[6], x[7], x[8], x[9] = roll, pitch, heading, alpha, beta
-    x[10], x[11], x[12] = p, q, r
-    for i in range(3):
-        x[13 + i] = rate * (y[i] - readings[k - 1, i]) if k > 0 else 0.0
-    v = airspeed * math.sin(beta)
-    w = airspeed * math.sin(alpha) * math.cos(beta)
-    x[16] = a_x - GRAVITY_M_S2 * math.sin(pitch) - q * w + r * v
-
-
-@compiled
-def measure(k, force, rate, parts):
-    """One control step: sense, then derive; only `sense` sees the truth."""
-    truth, measured, parameters, lagged, table = parts
-    sense(k, truth, force, parameters, lagged, table)
-    derive(k, rate, table[READING], measured)
+    x.north, x.east, x.altitude = y.position_north, y.position_east, y.altitude
+    x.airspeed, x.climb_rate = y.airspeed, y.climb_rate
+    x.roll, x.pitch, x.heading = y.roll, y.pitch, y.heading
+    x.alpha, x.beta = y.alpha, y.beta
+    x.p, x.q, x.r = y.gyro_p, y.gyro_q, y.gyro_r
+    before = readings[max(k - 1, 0)]  # in the first step nothing has changed yet
+    x.p_dot = rate * (y.gyro_p - before.gyro_p)
+    x.q_dot = rate * (y.gyro_q - before.gyro_q)
+    x.r_dot = rate * (y.gyro_r - before.gyro_r)
+    v = y.airspeed * math.sin(y.beta)
+    w = y.airspeed * math.sin(y.alpha) * math.cos(y.beta)
+    x.u_dot = y.accelerometer_x - GRAVITY_M_S2 * math.sin(y.pitch) - y.gyro_q * w + y.gyro_r * v

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import Field, create_model, model_serializer, model_validator
 
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
-from testbed.inputs.problems import did_you_mean, one_of
+from testbed.inputs.problems import guess
 from testbed.sensors.channels import CHANNELS, SI
 from testbed.sensors.faults import AnyFault, clash
 from testbed.sensors.mems import MEMS
@@ -21,7 +21,7 @@ Scale = Annotated[Number, Field(gt=-1, lt=1)]
 
 
 class SensorModel(Settings):
-    """Errors of one sensor, in the order in which they act; all are zero unless said.
+    """Errors of one sensor, all zero by default; they act in this order:
 
     reading(t) = [(1 + scale error) low_pass(truth) + bias + drift + wander + noise] delayed, then quantised.
     """
@@ -80,7 +80,7 @@ PRESETS: dict[str, dict[str, dict[str, float]]] = {"ideal": {}, "mems": MEMS}
 
 
 class SensorSettings(Settings):
-    """All sensors of an aircraft, a block each (see SENSORS); what a block leaves out is as in `model`."""
+    """All sensors of an aircraft, one block each (see SENSORS); what a block leaves out has the value of the preset `model`."""
 
     model: Literal["ideal", "mems"] = "ideal"
     faults: tuple[AnyFault, ...] = ()
@@ -88,13 +88,12 @@ class SensorSettings(Settings):
     @model_validator(mode="before")
     @classmethod
     def _complete(cls, value: Any) -> Any:
-        """A word is a preset; a mapping is completed from the preset that it names."""
+        """Complete the sensors from a preset: a word names it, or the key `model` of a mapping."""
         if isinstance(value, SensorSettings):
             return value
         if isinstance(value, str):
             if value not in PRESETS:
-                close = did_you_mean(value, PRESETS)
-                raise refuse(f"{value!r} is not known", "" if close else one_of(PRESETS), close)
+                raise refuse(f"{value!r} is not known", *guess(value, PRESETS))
             value = {"model": value}
         if not isinstance(value, dict):
             raise refuse(f"is {value!r}", "ideal, mems or a mapping")

@@ -8,24 +8,16 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from testbed.common.angles import wrap
 from testbed.common.jit import bound
-from testbed.common.signals import STATE
+from testbed.common.signals import STATE, as_records
 from testbed.sensors.channels import CHANNELS, channels_of, logged
-from testbed.sensors.errors import drawn, timed
+from testbed.sensors.errors import drawn, enter
 from testbed.sensors.faults import SensorFault
-from testbed.sensors.measurement import (
-    DELAY,
-    DIGIT,
-    ERROR,
-    LAYERS,
-    OFFSET,
-    PARAMETERS,
-    READING,
-    SENSED,
-    STATE_OF,
-    measure,
-)  # fmt: skip
+from testbed.sensors.measurement import ERROR, FAULT, LAYERS, OFFSET, PARAMETERS, READING, SENSED, measure
 from testbed.sensors.settings import SensorModel, SensorSettings
+
+_NAMES = tuple(channel.name for channel in CHANNELS)
 
 
 class Accelerated(Protocol):
@@ -35,7 +27,7 @@ class Accelerated(Protocol):
 
 
 class IdealSensors:
-    """The controller is told the truth, bit for bit: the loop has copied it already."""
+    """The controller is told the truth, bit for bit: `plant.truth.observe` has copied it already."""
 
     real = False
 
@@ -58,7 +50,7 @@ class RealSensors:
     """Sensors with errors and faults; everything random is drawn here, for the whole flight.
 
     Attributes:
-        table: [5, steps, channels] errors, offsets and states drawn, what was sensed and read.
+        table: [5, steps, channels] errors, offsets and faults drawn, what was sensed and read (see `measurement`) [SI].
     """
 
     real = True
@@ -68,19 +60,21 @@ class RealSensors:
     ) -> None:
         self.settings, self.rate_hz = settings, float(rate_hz)
         self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
-        self._parameters = np.zeros((PARAMETERS, len(CHANNELS)))
+        self._channels = np.zeros(len(CHANNELS), PARAMETERS)
         self._lagged = np.zeros(len(CHANNELS))
         self._force = plant.specific_force_reader("x")
         for i, channel in enumerate(CHANNELS):
             model = settings.of(channel.sensor)
             scale, self.table[ERROR, :, i] = drawn(i, model, steps, rate_hz, seed)
-            self._parameters[:, i] = _parameters(i, model, scale, rate_hz)
+            self._channels[i] = _parameters(i, model, scale, rate_hz)
         for i, fault in enumerate(settings.faults):
-            timed(fault, i, rate_hz, seed, self.table[OFFSET], self.table[STATE_OF])
+            enter(fault, i, rate_hz, seed, self.table[OFFSET], self.table[FAULT])
 
     def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
         """Take the rows of a flight, one a step: the truth (as `Plant.read`) and the measured state to be filled."""
-        self._parts = (truth, measured, self._parameters, self._lagged, self.table)
+        readings = as_records(self.table[READING], _NAMES)
+        state = as_records(measured, STATE)
+        self._parts = (truth, self._channels, self._lagged, self.table, readings, state)
         self._measure = bound(measure, 0, 0.0, self.rate_hz, self._parts)
 
     def measure(self, step: int) -> None:
@@ -105,28 +99,25 @@ class RealSensors:
         return events
 
     def _changed(self, fault: SensorFault, start: int, end: int) -> bool:
-        """Whether any reading in the window is not what a sound sensor would have said, to a digit."""
+        """Whether any reading in the window differs by more than half a digit from that of a sensor without faults."""
         for c in channels_of(fault.sensor):
-            delay, digit = int(self._parameters[DELAY, c]), self._parameters[DIGIT, c]
-            sound = self.table[SENSED, np.maximum(np.arange(start, end) - delay, 0), c]
+            channel = self._channels[c]
+            sound = self.table[SENSED, np.maximum(np.arange(start, end) - channel["delay"], 0), c]
             difference = self.table[READING, start:end, c] - sound
-            if _is_circular(c):
-                difference = (difference + math.pi) % (2.0 * math.pi) - math.pi
-            if not np.all(np.abs(difference) <= max(0.5 * digit, 1e-12) * (1.0 + 1e-9)):
+            if channel["circular"]:
+                difference = wrap(difference)
+            if not np.all(np.abs(difference) <= max(0.5 * channel["digit"], 1e-12) * (1.0 + 1e-9)):
                 return True
         return False
 
 
 def _parameters(i: int, model: SensorModel, scale: float, rate_hz: float) -> tuple[float, ...]:
-    """Column i of the parameters of `measurement.sense`."""
+    """What is constant of channel i, in the order of `measurement.PARAMETERS`."""
     reads = CHANNELS[i].reads
     source = STATE.index(reads) if reads in STATE else -1
     lag = 1.0 - math.exp(-model.low_pass_rad_s / rate_hz) if model.low_pass_rad_s else 1.0
-    return source, lag, scale, round(model.delay_s * rate_hz), model.si("resolution"), float(_is_circular(i))
-
-
-def _is_circular(i: int) -> bool:
-    return CHANNELS[i].reads == "heading"
+    delay = round(model.delay_s * rate_hz)
+    return source, lag, scale, delay, model.si("resolution"), reads == "heading"
 
 
 def make_sensors(

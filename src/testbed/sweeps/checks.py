@@ -10,7 +10,7 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.flight.columns import all_columns
 from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
-from testbed.scenario.load import check_names, check_properties
+from testbed.scenario.checks import unknown_names
 from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.plan import Plan
 
@@ -78,8 +78,8 @@ class _Checker:
             aircraft = load_aircraft(scenario.aircraft)
         except BadInput as error:
             return list(error.problems)
-        found = check_names(scenario, all_columns(aircraft, scenario), METRICS)
-        return found + check_properties(scenario, self._catalog(aircraft))
+        signals = all_columns(aircraft, scenario)
+        return unknown_names(scenario, aircraft, signals, METRICS, self._catalog(aircraft))
 
     def _catalog(self, aircraft: Aircraft) -> Mapping[str, bool]:
         """Properties of the loaded model: kept, as loading is slow."""

@@ -18,7 +18,7 @@ from scipy.linalg import solve_continuous_are
 from scipy.optimize import root
 
 from testbed.aircraft.design_model import DesignModel
-from testbed.common.cache import Kept
+from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 from testbed.controllers.gains import ControlDesign
 from testbed.controllers.records import INTEGRALS, OUTER
@@ -171,8 +171,8 @@ class NoLevelTrim(ValueError):
     """With these actuators the design model has no steady flight, or none that can be held."""
 
 
-_modes: Kept[Mapping[tuple[int, ...], Mode]] = Kept(32)
-_regulators: Kept[Regulator | str] = Kept(256)
+_modes: Cache[Mapping[tuple[int, ...], Mode]] = Cache(32)
+_regulators: Cache[Regulator | str] = Cache(256)
 
 
 def regulator_for(

@@ -1,0 +1,80 @@
+"""One control step of the truth: logged in SI, measured ideally, and looked at for the end of the flight.
+
+Plain Python that numba compiles. A row of truth has `signals.STATE`, then the position and then the effectiveness of each
+actuator (see `Plant.raw`).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from testbed.aircraft.description import Envelope
+from testbed.common.jit import compiled
+from testbed.common.signals import STATE, as_records
+
+GOES_ON, DIVERGED, ON_THE_GROUND, OUTSIDE_ENVELOPE = range(4)
+"""What `observe` finds: how a flight ends, or that it does not."""
+
+GROUND_M = 0.5
+"""Altitude of the centre of gravity at which the aircraft counts as on the ground."""
+
+LIMITS = ("altitude_min", "airspeed_min", "airspeed_max", "alpha_max", "beta_max", "roll_max")
+"""Limits of the flight envelope [m, m/s, rad]."""
+
+_ALTITUDE, _AIRSPEED, _ROLL, _ALPHA, _BETA = map(
+    STATE.index, ("altitude", "airspeed", "roll", "alpha", "beta")
+)
+
+
+def limits_of(envelope: Envelope) -> np.ndarray:
+    """[1] record of `LIMITS`; a limit that the aircraft does not have is infinite."""
+
+    def or_infinite(value: float | None) -> float:
+        return math.inf if value is None else value
+
+    limits = {
+        "altitude_min": -math.inf if envelope.altitude_min_m is None else envelope.altitude_min_m,
+        "airspeed_min": envelope.airspeed_min_m_s or 0.0,
+        "airspeed_max": or_infinite(envelope.airspeed_max_m_s),
+        "alpha_max": math.radians(or_infinite(envelope.alpha_max_deg)),
+        "beta_max": math.radians(or_infinite(envelope.beta_max_deg)),
+        "roll_max": math.radians(or_infinite(envelope.roll_max_deg)),
+    }
+    return as_records(np.array([[limits[name] for name in LIMITS]]), LIMITS)
+
+
+@compiled
+def observe(k, channels):
+    """Fill row k of truth and of the measured state; return how the flight ends with it, or GOES_ON.
+
+    Args:
+        k: the control step.
+        channels: raw and factors [17 + 2 n] of the plant, limits [1] (see `limits_of`), and to be filled truth
+            [steps, 17 + 2 n] and measured [steps, 17]; real sensors write over the latter.
+    """
+    raw, factors, limits, truth, measured = channels
+    row, finite = truth[k], True
+    for i in range(len(raw)):
+        row[i] = raw[i] * factors[i]
+        finite = finite and math.isfinite(row[i])
+    for i in range(measured.shape[1]):
+        measured[k, i] = row[i]
+    if not finite:
+        return DIVERGED
+    if row[_ALTITUDE] < GROUND_M:
+        return ON_THE_GROUND
+    return GOES_ON if inside(row, limits[0]) else OUTSIDE_ENVELOPE
+
+
+@compiled
+def inside(row, limit):
+    """Whether a row of truth is within the envelope."""
+    return (
+        row[_ALTITUDE] >= limit.altitude_min
+        and limit.airspeed_min <= row[_AIRSPEED] <= limit.airspeed_max
+        and abs(row[_ALPHA]) <= limit.alpha_max
+        and abs(row[_BETA]) <= limit.beta_max
+        and abs(row[_ROLL]) <= limit.roll_max
+    )

@@ -1,0 +1,49 @@
+"""The `atmosphere` block of a scenario: words for turbulence, and what is refused."""
+
+from __future__ import annotations
+
+import pytest
+
+from testbed.air.config import Atmosphere, severity
+from testbed.inputs.problems import BadInput
+from testbed.scenario.load import Scenario, load_scenario
+
+W20 = 7.62  # 25 ft/s
+
+
+def scenario(*settings: str) -> Scenario:
+    return load_scenario(
+        "scenarios/left_tail_fail.yaml", ["duration_s=2", "failures=[]", "requirements=[]", *settings]
+    )
+
+
+def test_words_for_turbulence() -> None:
+    knot = 1852.0 / 3600.0
+    for word, knots, index in (("light", 15, 3), ("moderate", 30, 4), ("severe", 45, 6)):
+        settings = Atmosphere.model_validate({"turbulence": word})
+        assert settings.turbulence_w20_m_s == pytest.approx(knots * knot)
+        assert severity(settings.turbulence_w20_m_s) == index
+        assert Atmosphere.model_validate(settings.model_dump()) == settings
+    assert severity(W20) == 3
+
+
+@pytest.mark.parametrize(
+    ("setting", "words"),
+    [
+        ("turbulence=moderat", "atmosphere.turbulence: 'moderat' is not known, did you mean moderate?"),
+        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0, 0]}]", "has no size, expected either length_m"),
+        ("gusts=[{at_s: 5, magnitude_m_s: [1, 0, 0], length_m: 3}]", "5 s is not within the flight"),
+        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0], length_m: 3}]", "magnitude_m_s.2: is missing"),
+        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0, 0], length_m: 3, frame: bdy}]", "did you mean body?"),
+        ("gusts=[{at_s: 1, magnitude_m_s: [1, 0, 0], length: 3}]", "did you mean length_m?"),
+    ],
+)
+def test_refusals(setting: str, words: str) -> None:
+    with pytest.raises(BadInput) as caught:
+        scenario(f"atmosphere.{setting}")
+    assert words in str(caught.value)
+
+
+def test_two_intensities_are_one_too_many() -> None:
+    with pytest.raises(BadInput, match=r"turbulence_w20_m_s: is 3, and turbulence is light, which is 7.717"):
+        scenario("atmosphere={turbulence: light, turbulence_w20_m_s: 3}")

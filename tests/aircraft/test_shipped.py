@@ -1,0 +1,66 @@
+"""Aircraft and scenarios that come with the testbed are found by name from any folder; a mistyped name is answered."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from testbed.aircraft.shipped import (
+    aircraft_names,
+    data_root,
+    find_aircraft,
+    find_scenario,
+    is_folder_name,
+    scenario_files,
+)
+from testbed.inputs.problems import BadInput
+
+
+def test_there_are_shipped_things() -> None:
+    assert "vtail" in aircraft_names()
+    assert {p.stem for p in scenario_files()} >= {
+        "left_tail_fail", "right_tail_fail", "left_propeller_fail", "right_propeller_fail"
+    }  # fmt: skip
+
+
+def test_an_aircraft_by_name_and_by_folder(vtail_copy: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert find_aircraft("vtail") == data_root() / "aircraft/vtail/vtail.yaml"
+    assert find_aircraft(str(vtail_copy)) == vtail_copy / "vtail.yaml"
+    monkeypatch.chdir(vtail_copy.parent)
+    assert find_aircraft("./vtail") == vtail_copy / "vtail.yaml"
+    assert find_aircraft("vtail") != vtail_copy / "vtail.yaml", "a name alone is a shipped aircraft"
+
+
+@pytest.mark.parametrize(("name", "folder"), [("vtail", False), ("a/b", True), (".", True), ("..", True)])
+def test_what_is_a_folder(name: str, folder: bool) -> None:
+    assert is_folder_name(name) == folder
+
+
+def test_an_unknown_aircraft() -> None:
+    with pytest.raises(BadInput, match=r"no aircraft 'vtial', expected .*vtail.*, did you mean vtail\?"):
+        find_aircraft("vtial")
+    with pytest.raises(BadInput, match=r"there is no aircraft in '\./vtail', expected vtail\.yaml"):
+        find_aircraft("./vtail")
+
+
+def test_a_scenario_from_any_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The file of that path comes first, then the shipped one."""
+    monkeypatch.chdir(tmp_path)
+    name = os.path.join("scenarios", "left_tail_fail.yaml")
+    assert find_scenario(name) == data_root() / name
+    own = tmp_path / name
+    own.parent.mkdir()
+    own.write_text("")
+    assert find_scenario(name).resolve() == own
+
+
+def test_an_unknown_scenario(tmp_path: Path) -> None:
+    with pytest.raises(
+        BadInput, match=r"left_tial_fail\.yaml: there is no such file, did you mean scenarios/left_tail"
+    ):
+        find_scenario("scenarios/left_tial_fail.yaml")
+    (tmp_path / "climb.yaml").write_text("")
+    with pytest.raises(BadInput, match=r"did you mean .*climb\.yaml"):
+        find_scenario(tmp_path / "clibm.yaml")

@@ -1,0 +1,53 @@
+"""Compiled code: the same results, kept on disk for these sources only, and called without a look at types."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+from testbed.common import jit
+
+
+def plus(a, b):  # type: ignore[no-untyped-def]
+    return a + b
+
+
+def test_compiled_and_bound_give_what_the_function_gives() -> None:
+    """`bound` is for arguments of the types of its examples."""
+    fast = jit.compiled(plus)
+    assert fast(1.5, 2.0) == plus(1.5, 2.0)
+    one, other = np.arange(3.0), np.ones(3)
+    add = jit.bound(fast, other, other)
+    assert np.array_equal(add(one, other), plus(one, other))
+
+
+def test_uncompiled_the_function_is_left_as_it_is() -> None:
+    code = "from testbed.common import jit; f = lambda a: a; assert jit.bound(jit.compiled(f), 1.0) is f"
+    subprocess.run([sys.executable, "-c", code], env={**os.environ, "NUMBA_DISABLE_JIT": "1"}, check=True)
+
+
+def test_old_compiled_code_is_removed(tmp_path: Path) -> None:
+    old, new, other = (tmp_path / name for name in ("numba-1-old", "numba-1-new", "something"))
+    for folder in (old, new, other):
+        folder.mkdir()
+        (folder / "code.nbc").write_text("")
+    long_ago = time.time() - 31 * 86400
+    os.utime(old, (long_ago, long_ago))
+    os.utime(other, (long_ago, long_ago))
+    jit.prune(tmp_path)
+    assert [folder.exists() for folder in (old, new, other)] == [False, True, True]
+
+
+def test_another_folder_is_taken_where_home_cannot_be_written(tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    home.write_text("a file, so that no folder can be made in it")
+    code = "from testbed.common import jit; print(jit._FOLDER)"
+    env = {**os.environ, "XDG_CACHE_HOME": str(home), "TMPDIR": str(tmp_path)}
+    env.pop("NUMBA_CACHE_DIR", None)
+    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
+    assert Path(done.stdout.strip()).is_relative_to(tmp_path / f"testbed-{os.getuid()}")

@@ -1,0 +1,83 @@
+"""The identified model is that of the aircraft's files; one of other files is not used."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL, ROWS, DesignModel, load_design_model
+from testbed.inputs.problems import BadInput
+from testbed.plant.identification import identify, stored
+from testbed.plant.jsbsim import Plant
+from testbed.plant.trim import accelerations, trim
+
+
+@pytest.fixture(scope="module")
+def model(vtail: Aircraft) -> DesignModel:
+    return identify(vtail)
+
+
+def test_the_stored_design_model_is_of_this_aircraft(vtail: Aircraft, model: DesignModel) -> None:
+    """Identified anew it is the same to 1e-9; not to the bit, as a solver's last digits may depend on the machine."""
+    kept = load_design_model(vtail.folder / DESIGN_MODEL)
+    assert kept.identified_from == vtail.fingerprint(), "run `testbed identify vtail`"
+    assert model.agrees_with(kept)
+    assert stored(vtail) == kept
+
+
+def test_it_predicts_what_the_aircraft_does(vtail: Aircraft, model: DesignModel) -> None:
+    """Beside the trim: half a degree of alpha, of sideslip and of each tail, 10 deg/s of roll, 0.3 N of one propeller.
+
+    Rates within 1 % of the change, or 0.02 where there is none: what is not linear.
+    """
+    plant = Plant(vtail, 200)
+    level = trim(plant, 18.0, 300.0)
+    state = {**level.state, "alpha": level.state["alpha"] + 0.008, "beta": 0.008, "p": 0.17}
+    commands = [
+        level.commands[0] + 0.01,
+        level.commands[1] - 0.005,
+        level.commands[2] + 0.03,
+        level.commands[3],
+    ]
+    flown = accelerations(plant, state, commands)[[3, 4, 5, 0, 1, 2]]
+    positions = [plant.position(i) for i in range(4)]
+    predicted = model.rates({"q": 0.0, "r": 0.0, **state}, positions, np.ones(4))
+    for row, truth, found in zip(ROWS, flown, predicted, strict=True):
+        assert found == pytest.approx(truth, rel=0.02, abs=0.03), row
+    assert np.abs(flown[:3]).min() > 0.1, "each axis is moved"
+
+
+def test_without_a_stored_model_it_is_identified(vtail_copy: Path, model: DesignModel) -> None:
+    (vtail_copy / DESIGN_MODEL).unlink()
+    assert stored(load_aircraft(str(vtail_copy))).agrees_with(model)
+
+
+def test_a_model_of_other_files_is_not_used(vtail_copy: Path, model: DesignModel) -> None:
+    """The aircraft's XML was edited since: its own model is found, not the one that lies there."""
+    file = vtail_copy / "vtail.xml"
+    text = file.read_text()
+    assert text.count("<emptywt") == 1
+    file.write_text(text.replace('<emptywt unit="KG">4', '<emptywt unit="KG">5'))
+    found = stored(load_aircraft(str(vtail_copy)))
+    assert not found.agrees_with(model)
+    assert found.trim[0] != pytest.approx(model.trim[0], rel=1e-3)
+
+
+def test_an_edited_model_is_read_again(vtail_copy: Path) -> None:
+    """Its fingerprint is that of the aircraft still: the edit is the designer's."""
+    aircraft = load_aircraft(str(vtail_copy))
+    before = stored(aircraft)
+    tree = json.loads((vtail_copy / DESIGN_MODEL).read_text())
+    tree["bias"][1] += 1.0
+    (vtail_copy / DESIGN_MODEL).write_text(json.dumps(tree))
+    assert stored(aircraft).bias[1] == before.bias[1] + 1.0
+
+
+def test_what_is_no_model_is_said(vtail_copy: Path) -> None:
+    (vtail_copy / DESIGN_MODEL).write_text("{}")
+    with pytest.raises(BadInput, match=r"design_model\.json: is no design model"):
+        stored(load_aircraft(str(vtail_copy)))
