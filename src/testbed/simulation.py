@@ -16,9 +16,9 @@ from testbed.aircraft.description import Aircraft, Envelope, load_aircraft
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.jit import bound, compiled
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
-from testbed.controllers import TABLE, Controller
-from testbed.controllers.gains import ControlDesign
-from testbed.controllers.setup import ActuatorData, Setup
+from testbed.controllers import Controller
+from testbed.controllers.make import make_controller
+from testbed.controllers.setup import Setup, setup_for
 from testbed.controllers.user.adapter import adapted
 from testbed.controllers.user.loader import name_of
 from testbed.flight.columns import Recorded, all_columns, table
@@ -62,7 +62,7 @@ def fly(scenario: Scenario | str | Path, controller: Callable[[Setup], Any] | No
     """Fly a scenario, or the file of one; a pure function of it.
 
     Args:
-        controller: a class of the user's own that flies in place of the scenario's (see `controllers.custom`).
+        controller: a class of the user's own that flies in place of the scenario's (see `controllers.user.adapter`).
 
     Raises:
         BadInput: the scenario, a name in it, or the user's controller cannot be used.
@@ -110,7 +110,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
 
 
 def _controller(own: Callable[[Setup], Any] | None, scenario: Scenario, setup: Setup) -> Controller:
-    return adapted(own, setup) if own else TABLE[scenario.controller.type](setup)
+    return adapted(own, setup) if own else make_controller(setup)
 
 
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
@@ -187,7 +187,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         *parts.sensors.receipts(len(recorded[0])),
         *controller_events(log, tuple(actuators), injections),
     ]
-    for step, text in getattr(parts.controller, "reasons", ()):
+    for step, text in parts.controller.reasons:
         events.append({"time_s": step / scenario.rate_hz, "kind": "diagnosis", "text": text})
     events.sort(key=lambda event: event["time_s"])
     survived = outcome is Outcome.completed
@@ -223,22 +223,14 @@ def _design_model(aircraft: str) -> DesignModel:
 
 
 def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
-    actuators, positions = [], []
-    for actuator, position in zip(aircraft.actuators.values(), start.positions, strict=True):
-        unit = math.radians(1.0) if actuator.kind == "servo" else 1.0
-        low, high = actuator.limits
-        lag, rate = actuator.lag_rad_s, actuator.rate_limit
-        actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
-        positions.append(position * unit)
-    return Setup(
-        model=_design_model(scenario.aircraft).with_error(scenario.controller.model_error),
-        control=ControlDesign.model_validate(aircraft.control),
-        actuators=actuators,
-        dt_s=1.0 / scenario.rate_hz,
-        trim_commands=start.commands,
-        trim_positions=positions,
-        trim_pitch=start.state["pitch"],
-        settings=scenario.controller.model_dump(),
+    return setup_for(
+        aircraft,
+        _design_model(scenario.aircraft),
+        scenario.controller,
+        1.0 / scenario.rate_hz,
+        start.commands,
+        start.positions,
+        start.state["pitch"],
     )
 
 

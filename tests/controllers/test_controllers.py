@@ -14,8 +14,8 @@ from command_line import testbed as command
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.common.signals import SETPOINT, STATE
-from testbed.controllers import TABLE
-from testbed.controllers.config import SETTINGS
+from testbed.controllers.config import TABLE, FixedInversionSettings
+from testbed.controllers.make import CONSTRUCTORS
 from testbed.controllers.pid import mixer_of
 from testbed.controllers.user.adapter import Reference, State
 from testbed.controllers.user.loader import load_controller
@@ -83,7 +83,7 @@ def test_settings_go_round(tmp_path: Path, name: str) -> None:
     file = tmp_path / "again.yaml"
     file.write_text(dump(first))
     assert load_scenario(file).controller == first.controller
-    assert isinstance(first.controller, SETTINGS[name])
+    assert isinstance(first.controller, TABLE[name])
 
 
 @pytest.mark.parametrize("name", TABLE)
@@ -168,7 +168,7 @@ def test_the_readmes_controller_is_the_example() -> None:
 
 
 def test_one_with_bind_and_step_flies_as_it_is(tmp_path: Path) -> None:
-    flight = fly(scenario(tmp_path, "pid", 2), controller=TABLE["fixed_inversion"])
+    flight = fly(scenario(tmp_path, "pid", 2), controller=CONSTRUCTORS[FixedInversionSettings])
     assert (flight.data == fly(scenario(tmp_path, "fixed_inversion", 2)).data).all()
 
 

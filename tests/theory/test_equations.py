@@ -27,9 +27,9 @@ from matplotlib.image import imread
 from scipy.linalg import solve_discrete_lyapunov
 from scipy.signal import lfilter
 
+from testbed.aircraft.control_design import ControlDesign
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.signals import RATES
-from testbed.controllers.gains import ControlDesign
 from testbed.controllers.inversion import law
 from testbed.controllers.inversion.modes import Mode, enumerate_modes, modified_matrix
 from testbed.theory import ideal
@@ -525,7 +525,7 @@ def random_aircraft(rng: np.random.Generator) -> tuple[DesignModel, np.ndarray, 
     release = {name: [str(rng.choice(RATES))] for name in NAMES if rng.random() < 0.7}
     control = ControlDesign(
         release=release,
-        priorities=list(rng.permutation(RATES)),
+        priorities=tuple(map(str, rng.permutation(RATES))),
         condition_max=float(10 ** rng.uniform(0.5, 2.5)),
     )
     return model, scale, control
@@ -951,7 +951,7 @@ def test_negative_control_modes_fail_the_check() -> None:
     """(29) with one entry of the inverse off by 1e-9, and with the inverse of the unmodified matrix."""
     rng = np.random.default_rng(4)
     model, scale, _ = random_aircraft(rng)
-    control = ControlDesign(release={"left_tail": ["r_dot"]}, condition_max=1e4)
+    control = ControlDesign(release={"left_tail": ("r_dot",)}, condition_max=1e4)
     b = np.array(model.input_matrix)[:4] * scale
     mode = enumerate_modes(model, scale, control)[(0,)]
     check_mode(b, (0,), mode)

@@ -21,6 +21,7 @@ import numpy as np
 
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance, throttle_for
+from testbed.controllers.config import IndiSettings
 from testbed.controllers.inversion.controller import InversionController
 from testbed.controllers.inversion.law import (
     compensate,
@@ -82,7 +83,8 @@ class IndiController(InversionController):
     they are logged as 1, for it acts as if all were whole."""
 
     def __init__(self, setup: Setup) -> None:
-        super().__init__(setup, adapts=False, monitors=False)
+        super().__init__(setup, adapts=False)
+        self.settings[0].filter = setup.settings_as(IndiSettings).filter_rad_s
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""

@@ -13,6 +13,7 @@ dihedral as on a two-axis glider. Gains were searched for on healthy flights alo
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -20,9 +21,9 @@ from testbed.common.jit import bound, compiled
 from testbed.common.signals import RATES
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.actuator_model import advance, throttle_for
-from testbed.controllers.inversion.controller import model_record
+from testbed.controllers.config import PidSettings
+from testbed.controllers.initial_records import model_record, trimmed_memory
 from testbed.controllers.outer_loops import clip, wrap
-from testbed.controllers.records import memory_dtype
 from testbed.controllers.setup import Setup
 
 GAINS = (
@@ -100,26 +101,18 @@ class PidController:
         setup: design model (mixer, trim, throttle curve), stops, gains in `settings`.
     """
 
+    reasons: Sequence[tuple[int, str]] = ()
+
     def __init__(self, setup: Setup) -> None:
-        n = len(setup.actuators)
-        scale = np.array([a.scale for a in setup.actuators])
-        limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
-        self.model = model_record(setup, scale, limits)
+        self.model, self.memory = model_record(setup), trimmed_memory(setup)
         self.gains = np.zeros(1, np.dtype((np.record, [(name, np.float64) for name in GAINS])))
+        chosen = setup.settings_as(PidSettings)
         for name in GAINS:
-            given = setup.settings
-            self.gains[0][name] = math.radians(given["roll_max_deg"]) if name == "roll_max" else given[name]
-        self.mixer = mixer_of(np.array(setup.model.input_matrix)[:4] * scale, setup.model.kinds)
-        self.memory = np.zeros(1, memory_dtype(n))
-        s, m = self.memory[0], self.model[0]
-        s.command[:] = setup.trim_commands
-        for name in ("position", "servo_input", "servo_lagged"):
-            s[name][:] = np.asarray(setup.trim_positions) / scale
-        axial = setup.model.airspeed_m_s * math.cos(setup.model.alpha_rad)
-        for i, propulsor in enumerate(setup.model.propulsors):
-            if propulsor is not None:
-                s.rotor[i] = propulsor.speed_at(setup.trim_positions[i], axial, float(m.density))
-        s.integral[1] = setup.trim_pitch
+            self.gains[0][name] = (
+                math.radians(chosen.roll_max_deg) if name == "roll_max" else getattr(chosen, name)
+            )
+        self.mixer = mixer_of(np.array(setup.model.input_matrix)[:4] * setup.scale, setup.model.kinds)
+        s = self.memory[0]
         self._command: np.ndarray = s.command
         self._own = (self.model, self.gains, self.memory, self.mixer, np.zeros(4), setup.dt_s)
 

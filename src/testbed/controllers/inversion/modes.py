@@ -17,10 +17,10 @@ import numpy as np
 from scipy.linalg import solve_continuous_are
 from scipy.optimize import root
 
+from testbed.aircraft.control_design import ControlDesign
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Kept
 from testbed.common.signals import RATES
-from testbed.controllers.gains import ControlDesign
 from testbed.controllers.records import INTEGRALS, OUTER
 
 _STEP = 1e-6
@@ -120,7 +120,7 @@ def _released_axes(
         return tuple(axis for axis in RATES if axis in always)
     listed = control.release.get("+".join(failed))
     if listed is None:
-        listed = [axis for name in failed for axis in control.release.get(name, ())]
+        listed = tuple(axis for name in failed for axis in control.release.get(name, ()))
     axes = set(listed)
     for axis in reversed(control.priorities):
         if len(RATES) - len(axes) <= n - len(failed):
@@ -243,8 +243,8 @@ def design_regulator(
     kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
     gliding = "altitude" not in regulated  # then altitude is spent as energy: nothing can hold it
     states = [*range(nx - gliding), *(nx + i for i in range(n) if alive[i]), *range(nx + n, nx + n + ni)]
-    q = [control.regulator.states[name] for name in OUTER] + [control.regulator.actuator] * n
-    q += [control.regulator.integrals[name] for name in regulated]
+    q = [getattr(control.regulator.states, name) for name in OUTER] + [control.regulator.actuator] * n
+    q += [getattr(control.regulator.integrals, name) for name in regulated]
     Q = np.diag(1.0 / np.square(np.array(q)[states]))
     into = mode.inverse[:, kept]
     R = into.T @ np.diag(alive / control.regulator.actuator**2) @ into

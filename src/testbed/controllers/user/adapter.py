@@ -15,14 +15,14 @@ Whatever is wrong with it is said as bad input with the user's file and line: be
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from testbed.controllers import Controller
 from testbed.controllers.actuator_model import advance
-from testbed.controllers.inversion.controller import model_record
-from testbed.controllers.records import memory_dtype
+from testbed.controllers.initial_records import model_record, trimmed_memory
 from testbed.controllers.setup import Setup
 from testbed.controllers.user.loader import Factory, place_of, raised
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
@@ -63,29 +63,31 @@ class Reference(NamedTuple):
     heading_rate: float
 
 
+class AsItIs:
+    """A user's class with `bind` and `step`, and with `reasons` if it gives any."""
+
+    def __init__(self, flown: Any) -> None:
+        self._flown = flown
+        self.bind, self.step = flown.bind, flown.step
+
+    @property
+    def reasons(self) -> Sequence[tuple[int, str]]:
+        """What the user's class says of failures; nothing if it has no such attribute."""
+        return getattr(self._flown, "reasons", ())
+
+
 class CustomController:
     """The adapter: gives a user's `update` its records, checks what it answers, and logs it."""
+
+    reasons: Sequence[tuple[int, str]] = ()
 
     def __init__(self, setup: Setup, flown: Any, name: str) -> None:
         n = len(setup.actuators)
         self._dt, self._n, self._names = setup.dt_s, n, setup.model.actuators
         self._flown, self._update, self._name = flown, flown.update, name
-        self._scale = np.array([a.scale for a in setup.actuators])
-        limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
+        self._scale = setup.scale
         self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
-        self._model, self._memory = (
-            model_record(setup, self._scale, limits)[0],
-            np.zeros(1, memory_dtype(n))[0],
-        )
-        self._memory.command[:] = setup.trim_commands
-        self._memory.position[:] = np.asarray(setup.trim_positions) / self._scale
-        self._memory.servo_input[:] = self._memory.servo_lagged[:] = self._memory.position
-        axial = setup.model.airspeed_m_s * math.cos(setup.model.alpha_rad)
-        for i, propulsor in enumerate(setup.model.propulsors):
-            if propulsor is not None:
-                self._memory.rotor[i] = propulsor.speed_at(
-                    setup.trim_positions[i], axial, setup.model.density_kg_m3
-                )
+        self._model, self._memory = model_record(setup)[0], trimmed_memory(setup)[0]
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
@@ -136,7 +138,7 @@ def adapted(factory: Factory, setup: Setup) -> Controller:
     except Exception as error:
         raise BadInput([raised(error, name, "while being made")]) from error
     if callable(getattr(made, "bind", None)) and callable(getattr(made, "step", None)):
-        return made  # type: ignore[no-any-return]
+        return AsItIs(made)
     if not callable(getattr(made, "update", None)):
         known = [word for word in dir(made) if not word.startswith("_")]
         problem = f"{type(made).__name__} has no method update"
