@@ -15,7 +15,7 @@ from command_line import ROOT
 from testbed import simulation
 from testbed.aircraft import description as aircraft
 from testbed.common import jit as compiled
-from testbed.controllers.inversion import modes
+from testbed.controllers.inversion import modes, regulator
 from testbed.flight.flight import Flight
 from testbed.plant import jsbsim as plant
 from testbed.scenario.load import load_scenario
@@ -79,7 +79,7 @@ def forget() -> None:
     for kept in (aircraft._checked, plant._writable, simulation._start, simulation._design_model):
         kept.cache_clear()
     modes._modes.clear()
-    modes._regulators.clear()
+    regulator._regulators.clear()
 
 
 @pytest.mark.parametrize("case", ["ideal", "mems"])

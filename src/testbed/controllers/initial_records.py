@@ -8,14 +8,18 @@ import numpy as np
 
 from testbed.common.signals import RATES
 from testbed.controllers.config import AdaptiveInversionSettings
-from testbed.controllers.inversion.diagnosis import HEALTHY_VARIANCE
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE
 from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
 
 _DIVISOR_MIN = 0.1
 """Least effectiveness that a command is divided by, so that no estimate multiplies a command by more than ten."""
-# Losses and 20 % of model error leave at most 2.6 standard deviations for a second, 5 deg of offset 4.2 and more.
 _JAM_SIGMA = 4.0
+"""Standard deviations of residual that say jammed. Over a second, losses with 20 % of model error leave at most 2.6; an
+offset of 5 deg leaves 4.2 and more."""
+_JAM_TIME_S = 1.0
+_JAM_PROCESS_NOISE = 1.0  # scaled/sqrt(s)
+_RESIDUAL_TIME_S = 1.0
 
 
 def model_record(setup: Setup) -> np.ndarray:
@@ -28,7 +32,7 @@ def model_record(setup: Setup) -> np.ndarray:
     m.scale[:], m.low[:], m.high[:] = scale, limits[:, 0], limits[:, 1]
     m.lag[:] = setup.lags
     m.rate[:] = [a.rate / a.scale for a in setup.actuators]
-    m.hold[:] = np.array(model.trim) / scale
+    m.trim_position[:] = np.array(model.trim) / scale
     m.offset[:] = np.array(model.offset_matrix).sum(axis=1)[:4]
     m.bias[:] = np.array(model.bias)[:4] + m.offset
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
@@ -60,9 +64,10 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.dt, c.divisor_min = setup.dt_s, _DIVISOR_MIN
     _fill_loops(c, setup)
     c.noise[:] = [getattr(control.disturbance, rate) for rate in RATES]
-    c.doubt[:] = [getattr(control.model_error_std, rate) for rate in RATES]
-    c.doubt_rate, c.model_doubt = 1.0 / control.model_error_time_s, control.coefficient_error
-    c.jam_sigma, c.jam_time, c.jam_walk, c.residual_time = _JAM_SIGMA, 1.0, 1.0, 1.0
+    c.model_error_std[:] = [getattr(control.model_error_std, rate) for rate in RATES]
+    c.model_error_rate, c.coefficient_error = 1.0 / control.model_error_time_s, control.coefficient_error
+    c.jam_sigma, c.jam_time = _JAM_SIGMA, _JAM_TIME_S
+    c.jam_process_noise, c.residual_time = _JAM_PROCESS_NOISE, _RESIDUAL_TIME_S
     if estimation is not None:
         _fill_estimation(c, estimation, setup.model.kinds)
     return record
@@ -82,15 +87,14 @@ def _fill_loops(c: np.record, setup: Setup) -> None:
 
 
 def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tuple[str, ...]) -> None:
-    c.adapts = c.monitors = 1.0
+    c.adapts, c.weighted = True, chosen.estimation == "weighted"
     c.gamma[:] = [chosen.gamma.of(kind) for kind in kinds]
     c.epsilon[:] = [chosen.epsilon.of(kind) for kind in kinds]
     c.threshold, c.persistence = chosen.threshold, chosen.persistence_s
     c.recovery, c.recovery_time = chosen.recovery, chosen.recovery_s
     c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max
-    c.filter, c.walk = chosen.filter_rad_s, chosen.process_noise_per_root_s
-    c.weighted = float(chosen.estimation == "weighted")
-    c.certain = chosen.flag_std_max if c.weighted else math.inf  # (13) has no covariance
+    c.filter_rate, c.process_noise = chosen.filter_rad_s, chosen.process_noise_per_root_s
+    c.flag_std_max = chosen.flag_std_max if c.weighted else math.inf  # (13) has no covariance
 
 
 def trimmed_memory(setup: Setup) -> np.ndarray:
@@ -98,7 +102,7 @@ def trimmed_memory(setup: Setup) -> np.ndarray:
     n, model, scale = len(setup.actuators), setup.model, setup.scale
     record = np.zeros(1, memory_dtype(n))
     s = record[0]
-    s.lambda_hat[:], s.since[:] = 1.0, math.inf
+    s.lambda_hat[:], s.since_flag[:] = 1.0, math.inf
     s.P[:n, :n] = np.diag(np.full(n, HEALTHY_VARIANCE))
     s.command[:] = setup.trim_commands
     for name in ("r", "u", "position", "servo_input", "servo_lagged"):
@@ -107,5 +111,5 @@ def trimmed_memory(setup: Setup) -> np.ndarray:
     for i, propulsor in enumerate(model.propulsors):
         if propulsor is not None:
             s.rotor[i] = propulsor.speed_at(setup.trim_positions[i], axial, model.density_kg_m3)
-    s.integral[1] = setup.trim_pitch
+    s.pitch_integral = setup.trim_pitch
     return record

@@ -12,7 +12,8 @@ import pytest
 from command_line import ROOT
 
 from testbed.common.signals import STATE
-from testbed.controllers.inversion.diagnosis import adapt_weighted, doubt, jam, suspect
+from testbed.controllers.inversion.estimator import adapt_weighted, update_model_error_variance
+from testbed.controllers.inversion.jam_detection import detect_jam, take_for_jammed
 from testbed.controllers.inversion.law import monitor, regressor
 from testbed.controllers.outer_loops import accumulate
 from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
@@ -126,13 +127,13 @@ RNG = np.random.default_rng(4)
 def records() -> tuple[Any, Any, Any]:
     """Settings, model and memory of an estimator with round numbers."""
     c, m, s = (np.zeros(1, dtype(N))[0] for dtype in (settings_dtype, model_dtype, memory_dtype))
-    c.dt, c.walk, c.doubt_rate, c.residual_time = 0.005, 0.1, 0.1, 1.0
+    c.dt, c.process_noise, c.model_error_rate, c.residual_time = 0.005, 0.1, 0.1, 1.0
     c.lambda_min, c.lambda_max, c.noise[:] = -10.0, 10.0, [2.0, 0.5, 0.15, 0.08]
-    c.certain, c.threshold, c.recovery, c.persistence, c.recovery_time = 0.15, 0.15, 0.8, 0.2, 1.0
+    c.flag_std_max, c.threshold, c.recovery, c.persistence, c.recovery_time = 0.15, 0.15, 0.8, 0.2, 1.0
     m.low[:], m.high[:] = -3.0, 3.0
-    s.lambda_hat[:], s.since[:] = 1.0, math.inf
+    s.lambda_hat[:], s.since_flag[:] = 1.0, math.inf
     s.P[:N, :N] = 0.01 * np.eye(N)
-    s.doubt[:] = [0.3, 0.4, 0.4, 0.05]
+    s.model_error_variance[:] = [0.3, 0.4, 0.4, 0.05]
     return c, m, s
 
 
@@ -140,12 +141,14 @@ def test_the_weighted_gain_is_a_kalman_filters() -> None:
     """Against the filter in matrices, all four rows at once: they are the same filter when the noises are independent."""
     c, m, s = records()
     x, P = np.concatenate([s.lambda_hat, s.b]), s.P.copy()
-    fade = np.diag([1.0] * N + [1.0 - c.doubt_rate * c.dt] * 4)
-    Q = np.diag([c.walk**2 * c.dt] * N + list(2.0 * c.doubt_rate * c.dt * s.doubt))
+    fade = np.diag([1.0] * N + [1.0 - c.model_error_rate * c.dt] * 4)
+    Q = np.diag(
+        [c.process_noise**2 * c.dt] * N + list(2.0 * c.model_error_rate * c.dt * s.model_error_variance)
+    )
     R = np.diag(c.noise**2 / c.dt)
     for _ in range(200):
         phi, z = RNG.normal(size=(4, N)), RNG.normal(size=4)
-        adapt_weighted(z, phi, m, c, s)
+        adapt_weighted(z, phi, np.zeros(N + 4), m, c, s)
         Hx = np.hstack([phi, np.eye(4)])
         x, P = fade @ x, fade @ P @ fade.T + Q
         K = P @ Hx.T @ np.linalg.inv(Hx @ P @ Hx.T + R)
@@ -158,9 +161,9 @@ def estimate_after(phi: np.ndarray, missing: np.ndarray, doubts: bool) -> tuple[
     """Estimates and their standard deviations after 20 s in which f_m leaves out a constant of each rate."""
     c, m, s = records()
     if not doubts:
-        s.doubt[:] = 0.0
+        s.model_error_variance[:] = 0.0
     for _ in range(4000):
-        adapt_weighted(phi @ np.ones(N) + missing, phi, m, c, s)
+        adapt_weighted(phi @ np.ones(N) + missing, phi, np.zeros(N + 4), m, c, s)
     return s.lambda_hat.copy(), np.sqrt(np.diag(s.P)[:N])
 
 
@@ -179,25 +182,25 @@ def test_a_wrong_model_does_not_read_as_a_lost_actuator() -> None:
 def test_the_model_is_doubted_as_its_terms_are_large() -> None:
     """doubt: floor^2 + model_doubt^2 x sum of squared changes, since the trim, of the terms of f_m and Phi lambda."""
     c, m, s = records()
-    c.model_doubt, c.doubt[:] = 0.2, [0.3, 0.3, 0.1, 0.1]
+    c.coefficient_error, c.model_error_std[:] = 0.2, [0.3, 0.3, 0.1, 0.1]
     m.airspeed, m.alpha, m.A[:], m.B[:] = 18.0, 0.05, RNG.normal(size=(4, 5)), RNG.normal(size=(4, N))
     m.servo[:] = 1.0
     y = np.zeros(1, np.dtype((np.record, [(name, np.float64) for name in STATE])))[0]
     y.airspeed, y.alpha, y.beta, y.p, y.q, y.r = 20.0, 0.08, 0.04, 0.1, -0.2, 0.3
-    s.position[:], m.hold[:] = [0.5, -0.4, 1.5, 2.0], [0.2, 0.2, 1.4, 1.4]
+    s.position[:], m.trim_position[:] = [0.5, -0.4, 1.5, 2.0], [0.2, 0.2, 1.4, 1.4]
     phi, pressure, speed = np.zeros((4, N)), (20.0 / 18.0) ** 2, 20.0 / 18.0
     regressor(pressure, m, s, phi)
     for _ in range(8000):
-        doubt(y, pressure, phi, m, c, s)
+        update_model_error_variance(y, pressure, phi, m, c, s)
     x = np.array([pressure * 0.03, pressure * 0.04, speed * 0.1, speed * -0.2, speed * 0.3])
-    squares = ((m.A * x) ** 2).sum(1) + ((pressure * m.B * (s.position - m.hold)) ** 2).sum(1)
-    assert np.allclose(s.doubt, c.doubt**2 + 0.04 * squares, rtol=1e-9)
+    squares = ((m.A * x) ** 2).sum(1) + ((pressure * m.B * (s.position - m.trim_position)) ** 2).sum(1)
+    assert np.allclose(s.model_error_variance, c.model_error_std**2 + 0.04 * squares, rtol=1e-9)
     y.airspeed, y.alpha, y.beta, y.p, y.q, y.r = 18.0, 0.05, 0.0, 0.0, 0.0, 0.0
-    s.position[:] = m.hold
+    s.position[:] = m.trim_position
     regressor(1.0, m, s, phi)
     for _ in range(8000):
-        doubt(y, 1.0, phi, m, c, s)
-    assert np.allclose(s.doubt, c.doubt**2, rtol=1e-9), "the trim itself is known"
+        update_model_error_variance(y, 1.0, phi, m, c, s)
+    assert np.allclose(s.model_error_variance, c.model_error_std**2, rtol=1e-9), "the trim itself is known"
 
 
 def test_only_a_sure_estimate_condemns() -> None:
@@ -214,8 +217,8 @@ def test_a_sure_negative_estimate_is_a_reversal() -> None:
     c, m, s = records()
     s.lambda_hat[1], s.position[1] = -0.9, 0.5
     c.jam_sigma, c.jam_time = 4.0, 1.0
-    assert not any(suspect(np.zeros(4), 1.0, m, c, s) for _ in range(40))
-    assert suspect(np.zeros(4), 1.0, m, c, s) == 1
+    assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(40))
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1
     assert s.jammed[1] == 1.0 and s.failed[1] == 1.0
     assert s.lambda_hat[1] == pytest.approx(-0.45), "from now on its position"
 
@@ -224,12 +227,12 @@ def test_a_jam_takes_back_what_it_did_to_the_others() -> None:
     """Flags of just before are taken back and estimates begin again; an older failure stays one."""
     _, m, s = records()
     s.lambda_hat[:] = [0.1, 0.4, 0.02, 0.9]
-    s.failed[:], s.since[:] = [1.0, 0.0, 1.0, 0.0], [0.5, math.inf, 30.0, math.inf]
+    s.failed[:], s.since_flag[:] = [1.0, 0.0, 1.0, 0.0], [0.5, math.inf, 30.0, math.inf]
     s.b[:] = 1.0
-    jam(3, 2.5, m, s)
+    take_for_jammed(3, 2.5, m, s)
     assert s.failed.tolist() == [0.0, 0.0, 1.0, 1.0] and s.jammed.tolist() == [0.0, 0.0, 0.0, 1.0]
     assert s.lambda_hat.tolist() == [1.0, 1.0, 0.02, 2.5]
-    assert not s.b.any() and np.allclose(np.diag(s.P)[N:], s.doubt)
+    assert not s.b.any() and np.allclose(np.diag(s.P)[N:], s.model_error_variance)
 
 
 def test_an_integral_neither_winds_up_nor_latches() -> None:
