@@ -1,0 +1,82 @@
+"""Does a change keep behaviour? Fly two commits and compare what they wrote, byte by byte.
+
+    python benchmarks/same_bytes.py BEFORE [AFTER] [--runs 64]
+
+BEFORE and AFTER are commits; without AFTER it is the working tree. Each flies every scenario in its scenarios/ and the
+shipped sweep, with this Python and its own src/. Compared are log.csv and summary.json of each scenario and results.csv
+of the sweep. Exit status: 0 all the same, 1 something differs or is missing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
+
+
+@contextmanager
+def checked_out(commit: str | None) -> Iterator[Path]:
+    """A folder with the files of a commit; the working tree for None."""
+    if commit is None:
+        yield ROOT
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        git = ["git", "-C", str(ROOT), "worktree"]
+        subprocess.run([*git, "add", "--quiet", "--detach", folder, commit], check=True)
+        try:
+            yield Path(folder)
+        finally:
+            subprocess.run([*git, "remove", "--force", folder], check=True)
+
+
+def testbed(tree: Path, *arguments: str) -> None:
+    """A command of that tree's testbed; a missed requirement (exit status 1) is an answer like any other."""
+    environment = {**os.environ, "PYTHONPATH": str(tree / "src")}
+    command = [sys.executable, "-m", "testbed", *arguments, "--no-plots"]
+    done = subprocess.run(command, cwd=tree, env=environment, capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 1):
+        sys.exit(f"{tree}: {' '.join(command)} ended with {done.returncode}:\n{done.stderr}")
+
+
+def flown(tree: Path, out: Path, runs: int) -> dict[str, bytes]:
+    """What one state of the program writes, by the file's name below `out`."""
+    for scenario in sorted((tree / "scenarios").glob("*.yaml")):
+        testbed(tree, "run", str(scenario), "--out", str(out / scenario.stem))
+    testbed(tree, "sweep", SWEEP, "--runs", str(runs), "--out", str(out / "sweep"))
+    names = ("*/log.csv", "*/summary.json", "sweep/results.csv")
+    files = {file for name in names for file in out.glob(name) if file != out / "sweep" / "summary.json"}
+    return {str(file.relative_to(out)): file.read_bytes() for file in files}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("before")
+    parser.add_argument("after", nargs="?")
+    parser.add_argument("--runs", type=int, default=64, help="runs of the sweep (default: 64)")
+    options = parser.parse_args()
+    results = []
+    for commit in (options.before, options.after):
+        with checked_out(commit) as tree, tempfile.TemporaryDirectory() as out:
+            results.append(flown(tree, Path(out), options.runs))
+    before, after = results
+    differing = sorted(name for name in before.keys() | after.keys() if before.get(name) != after.get(name))
+    for name in differing:
+        print(f"differs: {name}" if name in before and name in after else f"in one only: {name}")
+    print(
+        f"{len(before.keys() | after.keys()) - len(differing)} of {len(before.keys() | after.keys())} files are the same"
+    )
+    return 1 if differing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
