@@ -70,7 +70,7 @@ def indi_step(step, parts):
 class IndiController:
     """Incremental inversion with the records, the mode for no failure and the outer loops of the inversion controller.
 
-    Its estimates are logged as 1: it acts as if all actuators were whole.
+    Its estimates are logged as 1: it acts as if all actuators were healthy.
 
     Raises:
         BadInput: as of `InversionController`.

@@ -15,8 +15,8 @@ from testbed.controllers.setup import Setup
 _DIVISOR_MIN = 0.1
 """Least effectiveness that a command is divided by, so that no estimate multiplies a command by more than ten."""
 _JAM_SIGMA = 4.0
-"""Standard deviations of residual that say jammed. Over a second, losses with 20 % of model error leave at most 2.6; an
-offset of 5 deg leaves 4.2 and more."""
+"""Standard deviations of the mean residual beyond which an actuator counts as jammed. Losses with 20 % of model error
+leave at most 2.6 of them for a second, an offset of 5 deg leaves 4.2 and more."""
 _JAM_TIME_S = 1.0
 _JAM_PROCESS_NOISE = 1.0  # scaled/sqrt(s)
 _RESIDUAL_TIME_S = 1.0
@@ -98,7 +98,7 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
 
 
 def trimmed_memory(setup: Setup) -> np.ndarray:
-    """Memory of a flight that has been trimmed for long: one record of `memory_dtype`, everything whole."""
+    """Memory after a long trimmed flight with healthy actuators: one record of `memory_dtype`."""
     n, model, scale = len(setup.actuators), setup.model, setup.scale
     record = np.zeros(1, memory_dtype(n))
     s = record[0]

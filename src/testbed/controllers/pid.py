@@ -36,11 +36,13 @@ GAINS = (
 )  # fmt: skip
 """Fields of the gains' record: those of `PidSettings`, with the angle in radians."""
 
-AIRSPEED_ERROR_MAX = 2.0  # m/s; errors beyond these limits act like them
+# The loops see at most these errors.
+AIRSPEED_ERROR_MAX = 2.0  # m/s
 ALTITUDE_ERROR_MAX = 5.0  # m
 HEADING_ERROR_MAX = 0.35  # rad
 HEADING_INTEGRAL_MAX = 0.3  # rad/s
-PRESSURE_RATIO_MIN = 0.2  # surfaces deflect at most five times as much as at the reference airspeed
+PRESSURE_RATIO_MIN = 0.2
+"""Surfaces deflect at most five times as much as at the reference airspeed."""
 
 
 @compiled
@@ -103,7 +105,7 @@ def pid_step(step, parts):
 
 
 class PidController:
-    """Mixer and loops. Estimates are logged as 1, for it acts as if all were whole; no axis is ever released.
+    """Mixer and loops. Estimates are logged as 1, for it acts as if all actuators were healthy; no axis is ever released.
 
     Args:
         setup: design model (mixer, trim, throttle curve), stops, gains in `settings`.

@@ -50,11 +50,11 @@ class IdealPlant:
     Attributes:
         B: [4, n] B_mc of the design model, n <= 4 and of full column rank.
         B_c: [4, n] the real input matrix; the model's where not given.
-        A, bias: f by `law.state_function`: columns alpha, beta, p, q, r. Of the plant and of the model alike.
+        A, bias: f of plant and model, by `law.state_function`; columns alpha, beta, p, q, r.
         bias_error: [4] f - f_m, constant (4.2).
         airspeed: relative to the reference; surfaces act with its square.
         lag, rate: [n] of the real servos, rad/s and 1/s; lag 0 is ideal.
-        modelled: does the model have these servos too, or take them for ideal?
+        modelled: whether the model has these servos too; else it takes them for ideal.
     """
 
     B: np.ndarray
@@ -91,7 +91,7 @@ class History:
         lambda_hat: [steps + 1, n] before each step, and after the last.
         e: [steps, 4] measured error (10) with the modelled actuators.
         r, u, a: [steps, n] reference, command and modelled position.
-        failed: [steps, n] what the monitor says after the step.
+        failed: [steps, n] flags of the monitor after the step.
     """
 
     lambda_hat: np.ndarray

@@ -16,9 +16,9 @@ from testbed.common.jit import compiled
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R
 
 HEALTHY_VARIANCE = 0.01
-"""Variance of an estimate to begin with: whole within a standard deviation of a tenth."""
+"""Variance of an estimate to begin with: 1 with a standard deviation of a tenth."""
 UNKNOWN_VARIANCE = 1.0
-"""Largest variance of an estimate of effectiveness: nothing is known of it."""
+"""Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
 JAM_VARIANCE = 16.0
 """Variance of a jammed actuator's position [scaled^2] to begin with, and its largest."""
 

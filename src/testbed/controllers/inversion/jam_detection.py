@@ -14,9 +14,9 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE, reset_covariance
 
 REVERSED_BELOW = -0.5
-"""An estimate that is certain and lower than this is no loss of effectiveness: the actuator acts the wrong way."""
+"""An estimate below this, with a small standard deviation, is no loss of effectiveness: the actuator is reversed."""
 RECENT_FLAG_S = 2.0
-"""Age up to which another actuator's flag may be due to this jam: finding a jam takes about as long."""
+"""A flag of another actuator that is younger than this may be due to the jam, which takes about as long to detect."""
 REDESIGN_AFTER = 0.3
 """Scaled units by which a jammed actuator's estimated position may move before its mode is designed again."""
 
@@ -25,8 +25,8 @@ REDESIGN_AFTER = 0.3
 def detect_jam(e, pressure_ratio, m, c, s):
     """Look for jammed actuators in e [4]; returns 1 when the mode must be designed, or designed again.
 
-    An actuator is taken for jammed when the residual points to it for `jam_time`, or when its estimate has been negative
-    and certain for `persistence`.
+    An actuator is taken for jammed when the residual points to it for `jam_time`, or when its estimate has been below
+    `REVERSED_BELOW` for `persistence` with a standard deviation of at most `flag_std_max`.
     """
     for row in range(4):
         s.residual[row] += c.dt / c.residual_time * (e[row] - s.residual[row])
@@ -75,7 +75,7 @@ def likeliest_jam(pressure_ratio, m, c, s):
 def take_for_jammed(i, position, m, s):
     """Flag actuator i as jammed at about this position [scaled], which is estimated from now on.
 
-    Until now its force has falsified the estimates of the others. So those that are not flagged start again as whole, and
+    Until now its force has falsified the estimates of the others. So those that are not flagged start again at 1, and
     so do those that were flagged less than `RECENT_FLAG_S` ago.
     """
     n = len(s.failed)

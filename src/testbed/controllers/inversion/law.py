@@ -46,7 +46,7 @@ def modified_inverse(alpha, epsilon):
 
 @compiled
 def regressor(pressure_ratio, m, s, phi):
-    """Phi = B_m diag(a), into phi [4, n]: what each modelled position a does to x_c while its actuator is whole.
+    """Phi = B_m diag(a), into phi [4, n]: the effect on x_c of each modelled position a, if its actuator is fully effective.
 
     Surfaces act in proportion to dynamic pressure; propellers by thrust, and by the motor's torque at once. A jammed
     actuator does not act by its command: its column is that of one scaled unit, and what is estimated is its position.

@@ -20,7 +20,7 @@ class ModeSwitch:
     """The control modes of one flight, and the one in force; it begins with the mode for no failure.
 
     Args:
-        memory: the law's memory, one record; its flags say what has failed, its integrals are reset at a switch.
+        memory: the law's memory, an array of one record: its flags are read here, and its integrals reset.
 
     Attributes:
         mode: the mode in force.
@@ -74,7 +74,7 @@ class ModeSwitch:
         except NoSteadyFlight as reason:
             return self._report(step, str(reason))
         if regulator is not None and "altitude" not in regulator.held:
-            self._report(step, _cannot_hold_altitude(mode, regulator), about=mode.failed)
+            self._report(step, _cannot_hold_altitude(mode, regulator), once_for=mode.failed)
         self.mode = mode
         self._put_in_force(mode, regulator, failed)
 
@@ -112,10 +112,10 @@ class ModeSwitch:
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
             k.airspeed_offset = regulator.x_trim[AIRSPEED] - setup.model.airspeed_m_s
 
-    def _report(self, step: int, text: str, about: object = None) -> None:
-        """Once for each text, or for each `about`: the mode of a jammed actuator is designed again and again."""
-        if (about or text) not in self._reported:
-            self._reported.add(about or text)
+    def _report(self, step: int, text: str, once_for: object = None) -> None:
+        """Note a text once, or one text for each `once_for`: the mode of a jammed actuator is designed many times."""
+        if (once_for or text) not in self._reported:
+            self._reported.add(once_for or text)
             self.reasons.append((step, text))
 
 

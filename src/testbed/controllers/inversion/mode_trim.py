@@ -82,12 +82,12 @@ class TrimProblem:
         remaining: what there is to fly with.
         freed: "" for level flight at a given airspeed; with fewer actuators one more unknown is needed, "airspeed" (level
             flight) or "path_angle" (at a given airspeed).
-        beyond: stops are taken this many times as far as they are.
+        stop_factor: the trim may lie within the stops times this.
     """
 
     remaining: Remaining
     freed: str = ""
-    beyond: float = 1.0
+    stop_factor: float = 1.0
 
     def solve(self, airspeeds: Sequence[float]) -> SteadyFlight | None:
         """The first trim found at these airspeeds [m/s] (to start from, where airspeed is unknown), or None."""
@@ -126,7 +126,10 @@ class TrimProblem:
 
     def _plausible(self, flight: SteadyFlight) -> bool:
         """Within the stops, and no spurious solution far from ordinary flight."""
-        limits, (airspeed, _, beta, _, _, _, roll, *_) = self.beyond * self.remaining.limits, flight.state
+        limits, (airspeed, _, beta, _, _, _, roll, *_) = (
+            self.stop_factor * self.remaining.limits,
+            flight.state,
+        )
         inside = np.all((flight.positions >= limits[:, 0] - 1e-9) & (flight.positions <= limits[:, 1] + 1e-9))
         slowest = _SLOWEST * self.remaining.model.airspeed_m_s
         return bool(inside and abs(beta) < _BETA_MAX and abs(roll) < _ROLL_MAX and airspeed > slowest)
@@ -185,8 +188,8 @@ def _attempts(left: Remaining, loops: Loops) -> Iterator[tuple[TrimProblem, list
         lost_thrust = len(motors) > 1 and sum(motors) == 1
         first = loops.lost_thrust_faster_m_s if lost_thrust else 0.0
         faster = [airspeed + change for change in (first, first + 1.0, first + 2.0, first + 4.0, first + 8.0)]
-        for beyond in (1.0, _BEYOND_STOPS):
-            yield TrimProblem(left, beyond=beyond), faster, _EVERYTHING
+        for stop_factor in (1.0, _BEYOND_STOPS):
+            yield TrimProblem(left, stop_factor=stop_factor), faster, _EVERYTHING
         return
     around = [airspeed + change for change in (0.0, -2.0, 2.0, -4.0, 4.0, 8.0)]
     if any(motors):

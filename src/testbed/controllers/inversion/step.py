@@ -53,7 +53,9 @@ def estimate(y, m, c, s, w):
     pressure_ratio = pressure_ratio_of(y, m)
     z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
     for i in range(4):
-        z[i] += m.offset[i] * pressure_ratio  # f has it for whole propellers; phi has it for each as it is
+        z[i] += (
+            m.offset[i] * pressure_ratio
+        )  # f includes the constant torque of healthy propellers, which Phi has too
     regressor(pressure_ratio, m, s, phi)
     low_pass(z, s.filtered, c.filter_rate * c.dt)
     for i in range(4):

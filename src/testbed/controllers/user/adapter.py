@@ -73,7 +73,7 @@ class AsItIs:
 
     @property
     def reasons(self) -> Sequence[tuple[int, str]]:
-        """What the user's class says of failures; nothing if it has no such attribute."""
+        """See `Controller.reasons`; none if the user's class has no such attribute."""
         return getattr(self._flown, "reasons", ())
 
 
@@ -137,7 +137,7 @@ def adapted(factory: Factory, setup: Setup) -> Controller:
     try:
         made = factory(setup)
     except BadInput:
-        raise  # it says already what is wrong
+        raise  # a controller of the table that refuses the aircraft
     except Exception as error:
         raise BadInput([raised(error, name, "while being made")]) from error
     if callable(getattr(made, "bind", None)) and callable(getattr(made, "step", None)):
