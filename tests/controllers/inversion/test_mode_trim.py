@@ -122,7 +122,7 @@ def reordered(order: list[int]) -> Setup:
 def test_the_tails_are_ganged_in_whatever_order_they_are_listed(order: list[int]) -> None:
     setup = reordered(order)
     left = Remaining.after(setup, Mode((), (), np.zeros((4, 4)), 1.0), {})
-    used, ganged = mode_trim._unknown_actuators(left)
+    used, ganged = left.unknowns
     ((follower, leader),) = ganged
     assert {ACTUATORS[order[follower]], ACTUATORS[order[leader]]} == {"left_ruddervator", "right_ruddervator"}
     assert len(used) == 3 and follower not in used
@@ -132,7 +132,7 @@ def test_the_tails_are_ganged_in_whatever_order_they_are_listed(order: list[int]
 
 
 def test_three_actuators_are_not_ganged() -> None:
-    used, ganged = mode_trim._unknown_actuators(remaining(1))
+    used, ganged = remaining(1).unknowns
     assert used.tolist() == [0, 2, 3] and not ganged
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations
 from typing import NamedTuple
 
@@ -15,7 +16,7 @@ from testbed.aircraft.control_design import Loops
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.frames import level_pitch
 from testbed.controllers.inversion.modes import Mode
-from testbed.controllers.records import REGULATOR_STATE
+from testbed.controllers.records import AIRSPEED, BETA, REGULATOR_STATE, ROLL
 from testbed.controllers.setup import Setup
 
 _BEYOND_STOPS = 1.3
@@ -23,6 +24,7 @@ _BEYOND_STOPS = 1.3
 any trim near the right one is better than none."""
 _BETA_MAX, _ROLL_MAX, _SLOWEST = 0.25, 0.4, 0.5
 """Sideslip and bank [rad] and share of the reference airspeed beyond which a solution is no plausible trim."""
+_DESCENT = -0.08  # rad, path angle to start from
 _SYMMETRY = np.diag([-1.0, 1.0, -1.0, 1.0])
 """How the rates (`signals.RATES`) of an actuator become those of its mirror image."""
 
@@ -62,6 +64,30 @@ class Remaining:
             effective[i], positions[i] = 1.0, position
         return cls(model, scale, setup.limits, available, effective, positions)
 
+    @cached_property
+    def unknowns(self) -> tuple[np.ndarray, list[tuple[int, int]]]:
+        """Indices of at most three actuators to solve a trim for, and (follower, leader) of those that are ganged.
+
+        Six accelerations leave room for three actuators. If more are available, those that are most nearly mirror images
+        of each other move together, surfaces before motors: the aircraft then flies symmetrically.
+        """
+        free = [int(i) for i in np.flatnonzero(self.available)]
+        ganged: list[tuple[int, int]] = []
+        for follower, leader in sorted(combinations(free, 2), key=self._mirror_distance):
+            if len(free) - len(ganged) <= 3:
+                break
+            if not {follower, leader} & {i for pair in ganged for i in pair}:
+                ganged.append((follower, leader))
+        followers = [follower for follower, _ in ganged]
+        return np.array([i for i in free if i not in followers]), ganged
+
+    def _mirror_distance(self, pair: tuple[int, int]) -> tuple[bool, float]:
+        """Sorts pairs of actuators: surfaces first, then by how far their effects are from mirror images."""
+        b, kinds = np.array(self.model.input_matrix)[:4] * self.scale, self.model.kinds
+        i, j = pair
+        surfaces = kinds[i] == kinds[j] == "servo"
+        return not surfaces, float(np.linalg.norm(_SYMMETRY @ b[:, i] - b[:, j]))
+
     def motion(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
         """[10] derivatives of the state x [10] with actuators at scaled positions a [n]."""
         return motion(self.model, x, a * self.scale, self.effective)
@@ -99,64 +125,43 @@ class TrimProblem:
         return None
 
     def _solve_from(self, airspeed: float, beta: float) -> SteadyFlight | None:
-        left, (used, ganged) = self.remaining, _unknown_actuators(self.remaining)
-
-        def flight(unknowns: np.ndarray) -> SteadyFlight:
-            alpha, beta, roll = unknowns[:3]
-            values = {"airspeed": airspeed, "path_angle": 0.0}
-            if self.freed:
-                values[self.freed] = unknowns[3]
-            a = left.positions.copy()
-            a[used] = unknowns[3 + bool(self.freed) :]
-            for follower, leader in ganged:
-                a[follower] = a[leader]
-            pitch = level_pitch(alpha, beta, roll, values["path_angle"])
-            state = np.array([values["airspeed"], alpha, beta, 0.0, 0.0, 0.0, roll, pitch, 0.0, 0.0])
-            return SteadyFlight(state, a)
-
-        def accelerations(unknowns: np.ndarray) -> np.ndarray:
-            state, a = flight(unknowns)
-            return _rates(left.model, state, a * left.scale, left.effective)
-
+        left = self.remaining
+        used, _ = left.unknowns
         start = [left.model.alpha_rad, beta, 0.0]
         if self.freed:
-            start.append(airspeed if self.freed == "airspeed" else -0.08)
+            start.append(airspeed if self.freed == "airspeed" else _DESCENT)
+
+        def accelerations(unknowns: np.ndarray) -> np.ndarray:
+            state, a = self._flight(unknowns, airspeed)
+            return _rates(left.model, state, a * left.scale, left.effective)
+
         found = root(accelerations, np.array([*start, *left.positions[used]]), method="hybr")
-        return flight(found.x) if found.success and self._plausible(flight(found.x)) else None
+        flight = self._flight(found.x, airspeed)
+        return flight if found.success and self._plausible(flight) else None
+
+    def _flight(self, unknowns: np.ndarray, airspeed: float) -> SteadyFlight:
+        """State and positions for the unknowns: alpha, beta, roll, what is freed, and positions of the actuators used."""
+        used, ganged = self.remaining.unknowns
+        alpha, beta, roll = unknowns[:3]
+        values = {"airspeed": airspeed, "path_angle": 0.0}
+        if self.freed:
+            values[self.freed] = unknowns[3]
+        a = self.remaining.positions.copy()
+        a[used] = unknowns[3 + bool(self.freed) :]
+        for follower, leader in ganged:
+            a[follower] = a[leader]
+        pitch = level_pitch(alpha, beta, roll, values["path_angle"])
+        return SteadyFlight(
+            np.array([values["airspeed"], alpha, beta, 0.0, 0.0, 0.0, roll, pitch, 0.0, 0.0]), a
+        )
 
     def _plausible(self, flight: SteadyFlight) -> bool:
         """Within the stops, and no spurious solution far from ordinary flight."""
-        limits, (airspeed, _, beta, _, _, _, roll, *_) = (
-            self.stop_factor * self.remaining.limits,
-            flight.state,
-        )
+        limits, state = self.stop_factor * self.remaining.limits, flight.state
+        airspeed, beta, roll = state[AIRSPEED], state[BETA], state[ROLL]
         inside = np.all((flight.positions >= limits[:, 0] - 1e-9) & (flight.positions <= limits[:, 1] + 1e-9))
         slowest = _SLOWEST * self.remaining.model.airspeed_m_s
         return bool(inside and abs(beta) < _BETA_MAX and abs(roll) < _ROLL_MAX and airspeed > slowest)
-
-
-def _unknown_actuators(left: Remaining) -> tuple[np.ndarray, list[tuple[int, int]]]:
-    """Indices of at most three actuators to solve for, and (follower, leader) of those that are ganged.
-
-    Six accelerations leave room for three actuators. If more are available, those that are most nearly mirror images of
-    each other move together, surfaces before motors: the aircraft then flies symmetrically.
-    """
-    free = [int(i) for i in np.flatnonzero(left.available)]
-    b = np.array(left.model.input_matrix)[:4] * left.scale
-    ganged: list[tuple[int, int]] = []
-    for follower, leader in sorted(combinations(free, 2), key=lambda pair: _mirror_distance(left, b, *pair)):
-        if len(free) - len(ganged) <= 3:
-            break
-        if not {follower, leader} & {i for pair in ganged for i in pair}:
-            ganged.append((follower, leader))
-    followers = [follower for follower, _ in ganged]
-    return np.array([i for i in free if i not in followers]), ganged
-
-
-def _mirror_distance(left: Remaining, b: np.ndarray, i: int, j: int) -> tuple[bool, float]:
-    """Sorts pairs of actuators: surfaces first, then by how far their effects are from mirror images."""
-    surfaces = left.model.kinds[i] == left.model.kinds[j] == "servo"
-    return not surfaces, float(np.linalg.norm(_SYMMETRY @ b[:, i] - b[:, j]))
 
 
 def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlight, tuple[str, ...]]:
