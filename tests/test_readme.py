@@ -9,8 +9,6 @@ import pytest
 from command_line import ROOT
 
 from testbed.cli.commands import parser
-from testbed.controllers import TABLE as CONTROLLERS
-from testbed.controllers.config import SETTINGS
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -55,11 +53,6 @@ def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
 
     write_run_folder(names["flight"], "runs/left-tail-failure")  # type: ignore[arg-type]
     exec(last, names)
-
-
-def test_controllers_have_settings_and_the_other_way_round() -> None:
-    """Two tables name controllers, as reading a scenario must not import what flies; they name the same ones."""
-    assert list(CONTROLLERS) == list(SETTINGS)
 
 
 def test_the_lines_that_are_run_from_scratch_are_marked() -> None:

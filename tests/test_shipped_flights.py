@@ -19,7 +19,7 @@ import pytest
 
 import testbed
 from testbed.common.signals import STATE
-from testbed.controllers import TABLE as CONTROLLERS
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.folder import write_run_folder
 from testbed.plant.jsbsim import Plant
@@ -163,9 +163,9 @@ def test_tail_is_flagged_and_nothing_else_ever(tail: Run) -> None:
         assert np.all(log[f"{axis}_released"] == 0), axis
 
 
-def test_how_certain_the_weighted_estimate_must_be_is_nothing_to_the_papers_law() -> None:
-    """(13) has no covariance to be certain by."""
-    flight = flown(TAIL, "controller.certain=0.001")
+def test_the_papers_law_flags_whatever_the_standard_deviation() -> None:
+    """`flag_std_max` is the weighted estimate's: (13) has no covariance."""
+    flight = flown(TAIL, "controller.flag_std_max=0.001")
     assert "left_ruddervator" in {e.get("actuator") for e in flight.events if e["kind"] == "detection"}
 
 

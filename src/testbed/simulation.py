@@ -11,12 +11,12 @@ from typing import Any
 import numpy as np
 
 from testbed.air.wind import Weather
-from testbed.aircraft.description import Aircraft, Servo, load_aircraft
+from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
-from testbed.controllers import TABLE, Controller
-from testbed.controllers.gains import ControlDesign
-from testbed.controllers.setup import ActuatorData, Setup
+from testbed.controllers import Controller
+from testbed.controllers.make import make_controller
+from testbed.controllers.setup import Setup, setup_for
 from testbed.controllers.user.adapter import adapted
 from testbed.controllers.user.loader import name_of
 from testbed.flight.columns import Recorded, all_columns, table
@@ -94,7 +94,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
-        controller=adapted(controller, setup) if controller else TABLE[scenario.controller.type](setup),
+        controller=adapted(controller, setup) if controller else make_controller(setup),
         injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
@@ -175,7 +175,7 @@ def _events(parts: Assembly, log: dict[str, np.ndarray], steps: int) -> list[dic
         *parts.sensors.receipts(steps),
         *controller_events(log, tuple(parts.aircraft.actuators), injections),
     ]
-    for step, text in getattr(parts.controller, "reasons", ()):
+    for step, text in parts.controller.reasons:
         events.append({"time_s": step / parts.scenario.rate_hz, "kind": "diagnosis", "text": text})
     return sorted(events, key=lambda event: event["time_s"])
 
@@ -195,21 +195,13 @@ def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
 
 
 def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
-    """What the controller is told: radians and newtons in place of the aircraft's units."""
-    actuators, positions = [], []
-    for actuator, position in zip(aircraft.actuators.values(), start.positions, strict=True):
-        unit = math.radians(1.0) if isinstance(actuator, Servo) else 1.0
-        low, high = actuator.limits
-        lag, rate = actuator.lag_rad_s, actuator.rate_limit
-        actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
-        positions.append(position * unit)
-    return Setup(
-        model=stored(aircraft).with_error(scenario.controller.model_error),
-        control=ControlDesign.model_validate(aircraft.control),
-        actuators=actuators,
-        dt_s=1.0 / scenario.rate_hz,
-        trim_commands=start.commands,
-        trim_positions=positions,
-        trim_pitch=start.state["pitch"],
-        settings=scenario.controller.model_dump(),
+    """What the controller is told."""
+    return setup_for(
+        aircraft,
+        stored(aircraft),
+        scenario.controller,
+        1.0 / scenario.rate_hz,
+        start.commands,
+        start.positions,
+        start.state["pitch"],
     )

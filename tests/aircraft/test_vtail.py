@@ -23,7 +23,9 @@ from testbed.aircraft.shipped import data_root
 from testbed.common.angles import wrap
 from testbed.common.signals import STATE
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
-from testbed.controllers.inversion.modes import motion_matrix
+from testbed.controllers.inversion.mode_trim import motion
+from testbed.controllers.inversion.regulator import jacobian
+from testbed.controllers.records import REGULATOR_STATE
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, accelerations, trim
 
@@ -175,7 +177,9 @@ def test_design_model_has_the_aircrafts_modes(body: Body, stored_model: DesignMo
     The phugoid is compared by its frequency only, within 2 %: the design model holds thrust, JSBSim the throttle, whose
     propeller loses thrust with speed and so damps it.
     """
-    truth, model = modes_of(body.A), modes_of(motion_matrix(stored_model, body.trim.state))
+    x = np.array([body.trim.state.get(name, 0.0) for name in REGULATOR_STATE])
+    A = jacobian(lambda z: motion(stored_model, z, np.array(stored_model.trim), np.ones(4)), x)
+    truth, model = modes_of(body.A), modes_of(A)
     assert model.short_period == pytest.approx(truth.short_period, rel=1e-3)
     assert model.dutch_roll == pytest.approx(truth.dutch_roll, rel=1e-3)
     assert model.roll == pytest.approx(truth.roll, rel=1e-3)

@@ -15,7 +15,7 @@ from handmade import make_flight
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
 from testbed.cli.commands import _write
-from testbed.controllers.config import SETTINGS
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.failures import TABLE as FAILURES
 from testbed.flight.folder import write_run_folder
 from testbed.metrics import TABLE as METRICS
@@ -115,7 +115,7 @@ def test_a_file_in_the_folder_comes_before_a_shipped_one(tmp_path: Path) -> None
 
 @pytest.mark.parametrize(
     ("what", "names"),
-    [("failures", FAILURES), ("controllers", SETTINGS), ("aircraft", ["vtail"]), ("metrics", METRICS)],
+    [("failures", FAILURES), ("controllers", CONTROLLERS), ("aircraft", ["vtail"]), ("metrics", METRICS)],
 )
 def test_list(tmp_path: Path, what: str, names: list[str]) -> None:
     result = testbed(tmp_path, "list", what)

@@ -12,7 +12,7 @@ from scenario_files import GOOD, again_as_it_is, problems_of
 
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.shipped import data_root, scenario_files
-from testbed.controllers.config import SETTINGS
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.inputs.problems import BadInput
 from testbed.inputs.yaml_source import dump as dump_tree
 from testbed.inputs.yaml_source import parse
@@ -213,7 +213,7 @@ def test_an_override_mends_the_file(file: Path) -> None:
     assert load_scenario(file, ["controller.epsilon=0.1"])
 
 
-@pytest.mark.parametrize("controller", SETTINGS)
+@pytest.mark.parametrize("controller", CONTROLLERS)
 def test_any_controller_can_be_put_into_any_file(file: Path, controller: str) -> None:
     assert load_scenario(file, [f"controller.type={controller}"]).controller.type == controller
 

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import hashlib
 import math
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, PrivateAttr, field_validator
 
+from testbed.aircraft.control_design import Axis, ControlDesign
 from testbed.aircraft.shipped import find_aircraft
 from testbed.common.cache import Cache
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
+from testbed.inputs.problems import Issue, guess, one_of
 from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import parsed, read_text
-
-Axis = Literal["p_dot", "q_dot", "r_dot", "u_dot"]
+from testbed.inputs.yaml_source import TreePath, parsed, read_text
 
 
 class Reference(Settings):
@@ -107,7 +108,7 @@ class Aircraft(Settings):
     axes: tuple[Axis, ...] = Field(min_length=1)
     actuators: dict[str, Annotated[Servo | MotorActuator, Field(discriminator="kind")]] = Field(min_length=1)
     envelope: Envelope = Envelope()
-    control: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it; the control designer's own settings)
+    control: ControlDesign = ControlDesign()
     _folder: Path = PrivateAttr(default=Path("."))
 
     @field_validator("axes")
@@ -146,6 +147,31 @@ def load_aircraft(name: str) -> Aircraft:
 
 def _checked(file: Path, text: str) -> Aircraft:
     """The aircraft of a YAML file with this text."""
-    aircraft = validated(Aircraft, parsed(text, str(file)))
+    aircraft = validated(Aircraft, parsed(text, str(file)), _unknown_names)
     aircraft._folder = file.parent
     return aircraft
+
+
+def _unknown_names(aircraft: Aircraft) -> Iterator[Issue]:
+    """Names in the `control` block that are no axis or actuator of this aircraft."""
+    names, control = list(aircraft.actuators), aircraft.control
+    for key, axes in control.release.items():
+        path = ("control", "release", key)
+        parts = key.split("+")
+        unknown = [part for part in parts if part not in names]
+        for part in unknown:
+            yield Issue(path, f"{aircraft.name} has no actuator {part!r}", *guess(part, names))
+        in_order = "+".join(name for name in names if name in parts)
+        if not unknown and key != in_order:
+            yield Issue(path, "is not in the order of the actuators", in_order)
+        yield from _unknown_axes(aircraft, path, axes)
+    if "priorities" in control.model_fields_set:
+        yield from _unknown_axes(aircraft, ("control", "priorities"), control.priorities)
+
+
+def _unknown_axes(aircraft: Aircraft, path: TreePath, axes: tuple[Axis, ...]) -> Iterator[Issue]:
+    for i, axis in enumerate(axes):
+        if axis not in aircraft.axes:
+            yield Issue((*path, i), f"{aircraft.name} has no axis {axis}", one_of(aircraft.axes))
+        elif axis in axes[:i]:
+            yield Issue((*path, i), f"names {axis} twice", "each axis once")

@@ -13,9 +13,9 @@ def _aircraft() -> list[tuple[str, str]]:
 
 
 def _controllers() -> list[tuple[str, str]]:
-    from testbed.controllers.config import SETTINGS
+    from testbed.controllers.config import TABLE
 
-    return _described(SETTINGS)
+    return _described(TABLE)
 
 
 def _failures() -> list[tuple[str, str]]:

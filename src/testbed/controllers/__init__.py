@@ -1,56 +1,38 @@
-"""Controllers, by the names that scenarios use. A new one is one file, and one line here and in `settings.SETTINGS`."""
+"""Controllers: what flies the aircraft, from measured state and references to commands.
+
+A new controller is one file, the class of its settings in `config` with its name in `config.TABLE`, and one line in
+`make.CONSTRUCTORS`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Protocol
 
-if TYPE_CHECKING:  # reading a scenario needs the settings beside this file, not numba
+if TYPE_CHECKING:  # reading a scenario needs `config` only
     import numpy as np
-
-    from testbed.controllers.setup import Setup
 
 
 class Controller(Protocol):
-    """What flies the aircraft: built from a `Setup`, bound to a flight's channels, called once a control step."""
+    """What flies the aircraft: built from a `Setup`, bound to a flight's channels, called once a control step.
+
+    Attributes:
+        reasons: (step, text) of each failure that the controller cannot hold or explain, in the order of the flight.
+    """
+
+    @property
+    def reasons(self) -> Iterable[tuple[int, str]]: ...
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight, a row a step: measured states and references (record arrays with the fields of
-        `signals.STATE` and `signals.SETPOINT`), and the telemetry to be filled (`signals.TELEMETRY`)."""
+        """Take the channels of a flight, one row per control step.
+
+        Args:
+            states: [steps] measured states, a record array with the fields of `signals.STATE`.
+            setpoints: [steps] references, a record array with the fields of `signals.SETPOINT`.
+            telemetry: [steps, `signals.telemetry_width`] filled by the controller (`signals.TELEMETRY`).
+        """
         ...
 
     def step(self, step: int) -> Iterable[float]:
-        """Commands [n], servos in radians and motors as throttle, for row `step` of the channels."""
+        """Commands [n] for row `step` of the channels: servos in radians, motors as throttle 0 to 1."""
         ...
-
-
-def _adaptive_inversion(setup: Setup) -> Controller:
-    from testbed.controllers.inversion.controller import InversionController
-
-    return InversionController(setup)
-
-
-def _fixed_inversion(setup: Setup) -> Controller:
-    from testbed.controllers.inversion.controller import InversionController
-
-    return InversionController(setup, adapts=False, monitors=False)
-
-
-def _pid(setup: Setup) -> Controller:
-    from testbed.controllers.pid import PidController
-
-    return PidController(setup)
-
-
-def _indi(setup: Setup) -> Controller:
-    from testbed.controllers.indi import IndiController
-
-    return IndiController(setup)
-
-
-TABLE: dict[str, Callable[[Setup], Any]] = {
-    "adaptive_inversion": _adaptive_inversion,
-    "fixed_inversion": _fixed_inversion,
-    "pid": _pid,
-    "indi": _indi,
-}

@@ -1,7 +1,11 @@
-"""Servos and motors as the controller models them: what the last command has become by now.
+"""Servos and motors as the controller models them: where the commands given so far have moved the actuators.
 
-The regressor of the adaptive law uses these positions, so that lag, rate limits and stops do not read as lost
+The regressor of the adaptive law uses these positions, so that lag, rate limits and stops are not mistaken for lost
 effectiveness: with them, (18) holds for any command.
+
+Letters: m design model (`records.MODEL`), s memory (`records.MEMORY`), i an actuator, dt [s], axial the airspeed along
+the propellers' axis [m/s]. Propeller: T = rho n^2 D^4 C_T(J) and Q = rho n^2 D^5 C_Q(J) with J = axial / (n D), rotor
+speed n in rev/s. Motor: i = (v - n/K_v)/R, torque K_t (i - i_0).
 """
 
 from __future__ import annotations
@@ -14,9 +18,19 @@ NEWTON_STEPS = 4
 
 
 @compiled
-def fourth(x):
-    """x^4 by products: compiled and uncompiled powers differ in the last bit."""
-    return (x * x) * (x * x)
+def axial_speed(y):
+    """Component of airspeed along the body's x axis [m/s]."""
+    return y.airspeed * math.cos(y.alpha) * math.cos(y.beta)
+
+
+@compiled
+def advance_actuators(dt, axial, m, s):
+    """All actuators, one step after their commands."""
+    for i in range(len(s.command)):
+        if m.servo[i]:
+            advance_servo(i, dt, m, s)
+        else:
+            advance_motor(i, dt, axial, m, s)
 
 
 @compiled
@@ -33,28 +47,19 @@ def advance_servo(i, dt, m, s):
 
 
 @compiled
-def coefficient(i, table, advance, m):
-    """C_T or C_Q of propeller i at an advance ratio: linear between its points, constant beyond them."""
-    last = table.shape[1] - 1
-    x = min(max((advance - m.advance_min[i]) / m.advance_step[i], 0.0), float(last))
-    left = min(int(x), last - 1)
-    return table[i, left] + (x - left) * (table[i, left + 1] - table[i, left])
-
-
-@compiled
 def advance_motor(i, dt, axial, m, s):
     """Thrust [scaled], motor torque [N m] and rotor speed [rev/s] one step after `s.command` (throttle).
 
-    The airframe feels the torque of the motor, K_t (i - i_0), at once and the thrust with the rotor's lag.
+    The airframe feels the torque of the motor at once, and the thrust with the rotor's lag.
     """
     n = s.rotor[i]
     diameter = m.diameter[i]
-    pressure = m.density * n * n * fourth(diameter)
-    advance = axial / max(n * diameter, 1e-3)
+    unit_thrust = m.density * n * n * fourth(diameter)
+    advance_ratio = axial / max(n * diameter, 1e-3)
     current = (s.command[i] * m.max_volts[i] - n / m.k_v[i]) / m.resistance[i]
     torque = m.k_t[i] * (current - m.no_load_current[i])
-    load = pressure * diameter * coefficient(i, m.c_torque, advance, m)
-    s.position[i] = pressure * coefficient(i, m.c_thrust, advance, m) / m.scale[i]
+    load = unit_thrust * diameter * coefficient(i, m.c_torque, advance_ratio, m)
+    s.position[i] = unit_thrust * coefficient(i, m.c_thrust, advance_ratio, m) / m.scale[i]
     s.torque[i] = torque
     s.rotor[i] = max(n + dt * (torque - load) / (2.0 * math.pi * m.rotor_inertia[i]), 0.0)
 
@@ -68,29 +73,35 @@ def throttle_for(i, thrust, axial, m, s):
     for _ in range(NEWTON_STEPS):
         t, slope = thrust_and_slope(i, n, axial, m)
         n = max(n - (t - thrust) / slope, slowest)
-    advance = axial / (n * diameter)
-    load = m.density * n * n * fourth(diameter) * diameter * coefficient(i, m.c_torque, advance, m)
+    advance_ratio = axial / (n * diameter)
+    unit_thrust = m.density * n * n * fourth(diameter)
+    load = unit_thrust * diameter * coefficient(i, m.c_torque, advance_ratio, m)
     volts = n / m.k_v[i] + m.resistance[i] * (load / m.k_t[i] + m.no_load_current[i])
     return min(max(volts / m.max_volts[i], 0.0), 1.0)
 
 
 @compiled
 def thrust_and_slope(i, n, axial, m):
-    """Thrust [N] at rotor speed n [rev/s] and its derivative."""
+    """Thrust [N] at rotor speed n [rev/s], and its derivative [N s]."""
     diameter = m.diameter[i]
     step = 1e-3 * n
-    pressure = m.density * fourth(diameter)
-    t = pressure * n * n * coefficient(i, m.c_thrust, axial / (n * diameter), m)
+    unit = m.density * fourth(diameter)
+    t = unit * n * n * coefficient(i, m.c_thrust, axial / (n * diameter), m)
     faster = n + step
-    t2 = pressure * faster * faster * coefficient(i, m.c_thrust, axial / (faster * diameter), m)
+    t2 = unit * faster * faster * coefficient(i, m.c_thrust, axial / (faster * diameter), m)
     return t, max((t2 - t) / step, 1e-3)
 
 
 @compiled
-def advance(dt, axial, m, s):
-    """All actuators, one step after their commands."""
-    for i in range(len(s.command)):
-        if m.servo[i] > 0.5:
-            advance_servo(i, dt, m, s)
-        else:
-            advance_motor(i, dt, axial, m, s)
+def coefficient(i, table, advance_ratio, m):
+    """C_T or C_Q of propeller i at an advance ratio: linear between the table's points, constant beyond them."""
+    last = table.shape[1] - 1
+    x = min(max((advance_ratio - m.advance_min[i]) / m.advance_step[i], 0.0), float(last))
+    left = min(int(x), last - 1)
+    return table[i, left] + (x - left) * (table[i, left + 1] - table[i, left])
+
+
+@compiled
+def fourth(x):
+    """x^4 by products: compiled and uncompiled powers differ in the last bit."""
+    return (x * x) * (x * x)

@@ -1,4 +1,4 @@
-"""What a scenario may say about each controller. A new one is one class here and one line in SETTINGS."""
+"""What a scenario may say about each controller: one class each, named in TABLE."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
-from testbed.aircraft.description import Axis
+from testbed.aircraft.control_design import Axis
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 
 Fraction = Annotated[Number, Field(ge=0, le=1)]
@@ -33,14 +33,16 @@ class PerKind(Settings):
 
 
 class ControllerSettings(Settings):
-    """What all controllers share: axes given up from the start, errors of the design model (section 4)."""
+    """What all controllers share."""
 
     type: str
     released: tuple[Axis, ...] = ()
+    """Axes that are given up from the start, while nothing has failed."""
     model_error: dict[str, Number] = {}  # noqa: RUF012  (pydantic copies it)
+    """Factors on coefficients of the design model, such as `Cm_alpha: 1.2`: its error, the paper's section 4."""
 
 
-_WEIGHTED = {
+_DEFAULTS_OF_WEIGHTED = {
     "threshold": 0.15,
     "persistence_s": 0.2,
     "recovery": 0.8,
@@ -55,36 +57,37 @@ class AdaptiveInversionSettings(ControllerSettings):
 
     type: Literal["adaptive_inversion"] = "adaptive_inversion"
     estimation: Literal["newton", "weighted"] = "newton"
-    """`newton` is the paper's (13); `weighted` gives rows that gusts disturb less weight, for weather and real sensors.
-    It has other defaults: threshold 0.15, persistence_s 0.2, recovery 0.8, filter_rad_s 20, lambda_min -1.2,
-    lambda_max 1.2."""
+    """`newton` is the paper's (13); `weighted` is a Kalman filter that gives the rates that gusts disturb less weight,
+    for weather and real sensors. It has other defaults: threshold 0.15, persistence_s 0.2, recovery 0.8,
+    filter_rad_s 20, lambda_min -1.2, lambda_max 1.2."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
     """Adaptation rate of (13) [1/s]."""
     epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
     """Half-width of g in (14), in units of the actuator's `scale`."""
     threshold: Fraction = 0.1
-    """An actuator with a lower estimate counts as failed."""
+    """An actuator whose estimate stays below this is flagged as failed."""
     recovery: Fraction = Field(default=0.6, validate_default=True)
-    """A failed one with a higher estimate counts as sound again."""
+    """A flagged actuator whose estimate stays above this is no longer flagged."""
     persistence_s: NonNegative = 0.1
     """How long the estimate must stay below the threshold [s]."""
     recovery_s: NonNegative = 1.0
     """How long it must stay above `recovery` [s]."""
-    certain: Positive = 0.15
-    """Standard deviation of an estimate beyond which it is too uncertain to call its actuator failed, for `weighted`."""
-    walk_rts: Positive = 0.1
-    """How fast effectiveness may drift, for `weighted` [1/sqrt(s)]."""
+    flag_std_max: Positive = 0.15
+    """Largest standard deviation of an estimate at which its actuator may be flagged, for `weighted`."""
+    process_noise_per_root_s: Positive = 0.1
+    """Process noise of effectiveness, a random walk, for `weighted` [1/sqrt(s)]."""
     filter_rad_s: NonNegative = 0.0
-    """Two equal lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
+    """Corner of two equal first-order lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
     lambda_min: Number = 0.05
     lambda_max: Positive = 1.1
-    """Estimates are kept between these; for `newton`, which integrates their logarithm, above zero."""
+    """Estimates are kept between `lambda_min` and `lambda_max`. `newton` integrates their logarithm, so for it
+    `lambda_min` is above zero."""
 
     @model_validator(mode="before")
     @classmethod
-    def _defaults_for_weather(cls, value: Any) -> Any:
+    def _defaults_of_weighted(cls, value: Any) -> Any:
         if isinstance(value, dict) and value.get("estimation") == "weighted":
-            return {**_WEIGHTED, **value}
+            return {**_DEFAULTS_OF_WEIGHTED, **value}
         return value
 
     @field_validator("recovery")
@@ -118,9 +121,10 @@ class FixedInversionSettings(ControllerSettings):
 class PidSettings(ControllerSettings):
     """A conventional autopilot: ruddervator mixer, one throttle, cascaded loops scheduled with dynamic pressure.
 
-    It has no axes to give up: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise, and were
-    searched for (CMA-ES, rounded) on healthy flights alone, calm and at W20 25 ft/s, seeds 1 to 16; the inner loops
-    are held to 20 rad/s, 60 deg of phase margin with the servos' lag, each outer one to a third of the one inside.
+    It has no axes to give up: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise. They were
+    found by a search (CMA-ES, rounded) on healthy flights only, in calm air and at W20 = 25 ft/s, seeds 1 to 16. The
+    search kept the inner loops below 20 rad/s (60 deg of phase margin with the servos' lag), and each outer loop below
+    a third of the bandwidth of the loop inside it.
     """
 
     type: Literal["pid"] = "pid"
@@ -128,19 +132,19 @@ class PidSettings(ControllerSettings):
     airspeed_ki: NonNegative = 0.03
     """[1/s2]"""
     u_dot_max: Positive = 4.0
-    """Most acceleration that airspeed may ask for [m/s2]; with 0.7 a climb in a downdraught runs out of speed."""
+    """Largest acceleration that airspeed may ask for [m/s2]. With 0.7, a climb in sinking air loses its airspeed."""
     altitude_kp: NonNegative = 1.5
     altitude_ki: NonNegative = 0.03
     """[rad/(m s)]"""
     climb_max: Positive = 2.0
-    """[m/s]"""
+    """Largest climb rate that altitude may ask for [m/s]."""
     pitch_kp: NonNegative = 6.0
     q_kp: NonNegative = 20.0
     heading_kp: NonNegative = 1.5
     heading_ki: NonNegative = 0.15
     """[1/s2]"""
     roll_kp: NonNegative = 1.5
-    """Yaw rate for bank error; sideslip and dihedral make it roll."""
+    """Yaw rate for an error of bank: yawing makes sideslip, and the dihedral rolls."""
     roll_max_deg: Positive = 30.0
     r_kp: NonNegative = 20.0
 
@@ -150,17 +154,18 @@ class IndiSettings(ControllerSettings):
 
     type: Literal["indi"] = "indi"
     filter_rad_s: NonNegative = 20.0
-    """Two equal lags on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
+    """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
 
 
-SETTINGS: dict[str, type[ControllerSettings]] = {
+TABLE: dict[str, type[ControllerSettings]] = {
     "adaptive_inversion": AdaptiveInversionSettings,
     "fixed_inversion": FixedInversionSettings,
     "pid": PidSettings,
     "indi": IndiSettings,
 }
+"""Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""
 
 if TYPE_CHECKING:
     AnyController = ControllerSettings
 else:
-    AnyController = Annotated[Union[tuple(SETTINGS.values())], Field(discriminator="type")]  # noqa: UP007
+    AnyController = Annotated[Union[tuple(TABLE.values())], Field(discriminator="type")]  # noqa: UP007

@@ -1,22 +1,41 @@
-"""Outer loops: from references to desired rates.
+"""Outer loops: from references to the virtual control nu = x_dc_dot - f_m, the bracket of (6) and (29).
 
-`pid` is the paper's: airspeed through u_dot, altitude through q_dot, heading through p_dot, sideslip through r_dot.
-`regulate` is for modes in which axes are released: it feeds back all states with gains that `modes` designed on the
-design model, because what is left no longer decouples. Both leave the bracket of (29), x_dc_dot - f_m, in `wanted`.
+`pid_loops` is the paper's: airspeed through u_dot, altitude through q_dot, heading through p_dot, sideslip through r_dot.
+`regulate` is for modes with released axes: what is left no longer decouples the axes, so it feeds back all states, with
+gains that `inversion.regulator` designs on the design model.
+
+Letters: y state, ref references, m design model, c settings, k mode, s memory, f and nu of the working memory; their
+fields, shapes and units are in `records`.
 """
 
 from __future__ import annotations
 
 import math
 
+from testbed.common import angles
 from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.records import (
+    AIRSPEED,
+    AIRSPEED_INTEGRAL,
+    ALPHA,
+    ALTITUDE,
+    ALTITUDE_INTEGRAL,
+    BETA,
+    HEADING,
+    HEADING_INTEGRAL,
+    P_DOT,
+    PITCH,
+    Q_DOT,
+    R_DOT,
+    ROLL,
+    U_DOT,
+    P,
+    Q,
+    R,
+)
 
-
-@compiled
-def wrap(angle):
-    """The same angle between -pi and pi."""
-    return (angle + math.pi) % (2.0 * math.pi) - math.pi
+wrap = compiled(angles.wrap)
 
 
 @compiled
@@ -26,80 +45,87 @@ def clip(x, most):
 
 
 @compiled
-def pid(y, ref, m, c, k, s, f, wanted):
-    """The paper's outer loops, each a cascade of proportional loops under one integrator."""
+def pid_loops(y, ref, c, s, f, nu):
+    """The paper's outer loops (section 3), each a cascade of proportional loops under one integrator.
+
+    Fills nu [4] and `s.x_dc_dot` [4].
+    """
     dt, v = c.dt, max(y.airspeed, 1.0)
     e_speed = clip(ref.airspeed - y.airspeed, c.airspeed_error_max)
     e_height = clip(ref.altitude - y.altitude, c.altitude_error_max)
     e_heading = clip(wrap(ref.heading - y.heading), c.heading_error_max)
 
     # airspeed through u_dot
-    s.integral[3] = clip(s.integral[3] + c.airspeed_ki * e_speed * dt, c.u_dot_max)
-    u_dot = clip(c.airspeed_kp * e_speed + s.integral[3] + ref.airspeed_rate, c.u_dot_max)
+    s.airspeed_integral = clip(s.airspeed_integral + c.airspeed_ki * e_speed * dt, c.u_dot_max)
+    s.x_dc_dot[U_DOT] = clip(c.airspeed_kp * e_speed + s.airspeed_integral + ref.airspeed_rate, c.u_dot_max)
 
     # altitude through q_dot: climb rate, then pitch, then pitch rate
-    s.integral[1] += c.altitude_ki * e_height * dt
+    s.pitch_integral += c.altitude_ki * e_height * dt
     climb = clip(c.altitude_kp * e_height + ref.altitude_rate, c.climb_max)
-    pitch = s.integral[1] + climb / v
+    pitch = s.pitch_integral + climb / v
     turn = GRAVITY_M_S2 / v * math.tan(y.roll)
     q = c.pitch_kp * (pitch - y.pitch) + turn * math.sin(y.roll)
-    q_dot = c.q_kp * (q - y.q)
+    s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q)
 
     # heading through p_dot: turn rate, then bank, then roll rate
-    s.integral[0] = clip(s.integral[0] + c.heading_ki * e_heading * dt, 0.5)
-    rate = c.heading_kp * e_heading + ref.heading_rate + s.integral[0]
-    bank = clip(math.atan(v / GRAVITY_M_S2 * rate), c.roll_max)
-    p_dot = c.p_kp * (c.roll_kp * (bank - y.roll) - y.p)
+    s.heading_integral = clip(s.heading_integral + c.heading_ki * e_heading * dt, 0.5)
+    turn_rate = c.heading_kp * e_heading + ref.heading_rate + s.heading_integral
+    bank = clip(math.atan(v / GRAVITY_M_S2 * turn_rate), c.roll_max)
+    s.x_dc_dot[P_DOT] = c.p_kp * (c.roll_kp * (bank - y.roll) - y.p)
 
     # sideslip through r_dot: a coordinated turn, and the nose into the wind
-    s.integral[2] = clip(s.integral[2] + c.sideslip_ki * y.beta * dt, 0.5)
-    r = GRAVITY_M_S2 / v * math.sin(y.roll) * math.cos(y.pitch) + c.sideslip_kp * y.beta + s.integral[2]
-    r_dot = c.r_kp * (r - y.r)
+    s.sideslip_integral = clip(s.sideslip_integral + c.sideslip_ki * y.beta * dt, 0.5)
+    coordinated = GRAVITY_M_S2 / v * math.sin(y.roll) * math.cos(y.pitch)
+    r = coordinated + c.sideslip_kp * y.beta + s.sideslip_integral
+    s.x_dc_dot[R_DOT] = c.r_kp * (r - y.r)
 
-    s.x_dot_desired[0] = p_dot
-    s.x_dot_desired[1] = q_dot
-    s.x_dot_desired[2] = r_dot
-    s.x_dot_desired[3] = u_dot
     for i in range(4):
-        wanted[i] = s.x_dot_desired[i] - f[i]
+        nu[i] = s.x_dc_dot[i] - f[i]
 
 
 @compiled
 def accumulate(integral, error, most, dt):
-    """The integral one step later; an error at its limit may only unwind it, so it neither winds up nor latches."""
+    """The integral one step later. An error at its limit may only unwind it, so that it neither winds up nor latches."""
     if abs(error) < most or error * integral < 0.0:
         return integral + clip(error, most) * dt
     return integral
 
 
 @compiled
-def regulate(y, ref, m, c, k, s, f, wanted):
-    """Hold references about the mode's own trim without cancelling what is stable: x_dc_dot = f_m(x) + v.
+def regulate(y, ref, m, c, k, s, f, nu):
+    """Hold references about the mode's own trim without cancelling what is stable: x_dc_dot = f_m(x) + nu.
 
-    v = -K (x - x_trim) - K_a (a - r_trim) - K_i integral, so the bracket of (29) is v itself; the trim enters as
-    r_trim.
+    nu = -K (x - x_trim) - K_a (a lambda_hat - r_trim) - K_i integral. The trim itself enters the inversion as r_trim.
+    Fills nu [4] and `s.x_dc_dot` [4].
     """
-    e_speed = clip(y.airspeed - ref.airspeed - k.faster, c.airspeed_error_max)
+    e_speed = clip(y.airspeed - ref.airspeed - k.airspeed_offset, c.airspeed_error_max)
     e_height = clip(y.altitude - ref.altitude, c.altitude_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
-    slow = ref.airspeed + k.faster - y.airspeed  # too slow to climb or to turn: height is what can be given
-    e_height += k.protect * max(slow - k.protect_from, 0.0)
-    s.integral[0] = accumulate(s.integral[0], e_speed, c.airspeed_error_max, c.dt)
-    s.integral[1] = accumulate(s.integral[1], e_height, c.altitude_error_max, c.dt)
-    s.integral[2] = accumulate(s.integral[2], e_heading, c.heading_error_max, c.dt)
+    # An aircraft that is too slow can neither climb nor turn: it gives up altitude to regain airspeed.
+    slow = ref.airspeed + k.airspeed_offset - y.airspeed
+    e_height += k.slow_descent * max(slow - k.slow_descent_from, 0.0)
+    integral = s.integral
+    integral[AIRSPEED_INTEGRAL] = accumulate(integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt)
+    integral[ALTITUDE_INTEGRAL] = accumulate(
+        integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt
+    )
+    integral[HEADING_INTEGRAL] = accumulate(integral[HEADING_INTEGRAL], e_heading, c.heading_error_max, c.dt)
     for i in range(4):
-        v = -k.K[i, 0] * e_speed - k.K[i, 1] * (y.alpha - k.x_trim[1]) - k.K[i, 2] * (y.beta - k.x_trim[2])
-        v -= k.K[i, 3] * y.p + k.K[i, 4] * (y.q - ref.heading_rate * math.sin(bank))
-        v -= k.K[i, 5] * (y.r - ref.heading_rate * math.cos(bank))
-        v -= k.K[i, 6] * (y.roll - k.x_trim[6] - bank)
-        v -= k.K[i, 7] * (y.pitch - k.x_trim[7] - ref.altitude_rate / max(y.airspeed, 1.0))
-        v -= k.K[i, 8] * e_heading + k.K[i, 9] * e_height
+        v = -k.K[i, AIRSPEED] * e_speed
+        v -= k.K[i, ALPHA] * (y.alpha - k.x_trim[ALPHA])
+        v -= k.K[i, BETA] * (y.beta - k.x_trim[BETA])
+        v -= k.K[i, P] * y.p + k.K[i, Q] * (y.q - ref.heading_rate * math.sin(bank))
+        v -= k.K[i, R] * (y.r - ref.heading_rate * math.cos(bank))
+        v -= k.K[i, ROLL] * (y.roll - k.x_trim[ROLL] - bank)
+        v -= k.K[i, PITCH] * (y.pitch - k.x_trim[PITCH] - ref.altitude_rate / max(y.airspeed, 1.0))
+        v -= k.K[i, HEADING] * e_heading + k.K[i, ALTITUDE] * e_height
         for j in range(len(s.position)):
             v -= k.K_actuator[i, j] * (s.position[j] * s.lambda_hat[j] - k.r_trim[j])
-        for j in range(3):
-            v -= k.K_integral[i, j] * s.integral[j]
-        wanted[i] = v
-        s.x_dot_desired[i] = f[i] + v
+        for j in range(len(integral)):
+            v -= k.K_integral[i, j] * integral[j]
+        nu[i] = v
+        s.x_dc_dot[i] = f[i] + v
         for j in range(len(s.position)):
-            s.x_dot_desired[i] += m.B[i, j] * k.r_trim[j] * k.alive[j]
+            if k.available[j]:
+                s.x_dc_dot[i] += m.B[i, j] * k.r_trim[j]

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TypeVar
 
+import numpy as np
+
+from testbed.aircraft.control_design import ControlDesign
+from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DesignModel
-from testbed.controllers.gains import ControlDesign
+from testbed.controllers.config import ControllerSettings
+
+S = TypeVar("S", bound=ControllerSettings)
 
 
 @dataclass(frozen=True)
 class ActuatorData:
-    """What a controller is told of one actuator [rad or N]: size of one scaled unit, stops, lag and rate."""
+    """What a controller is told of one actuator [rad or N]: size of one scaled unit, stops, lag and rate limit."""
 
     scale: float
     low: float
@@ -26,12 +33,17 @@ class Setup:
     """All that a controller knows when the flight begins.
 
     Attributes:
+        aircraft: its name, for messages.
         model: f_m and B_m, with the error that the scenario gave it.
+        control: the designer's priorities and gains for this aircraft.
+        actuators: [n] in the order of `model.actuators`.
+        dt_s: control step.
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
         trim_pitch: pitch angle [rad] at the start.
-        settings: the scenario's `controller` block, by name.
+        settings: the scenario's `controller` block.
     """
 
+    aircraft: str
     model: DesignModel
     control: ControlDesign
     actuators: Sequence[ActuatorData]
@@ -39,4 +51,62 @@ class Setup:
     trim_commands: Sequence[float]
     trim_positions: Sequence[float]
     trim_pitch: float
-    settings: Mapping[str, Any] = field(default_factory=dict)
+    settings: ControllerSettings
+
+    @property
+    def scale(self) -> np.ndarray:
+        """[n] rad or N of one scaled unit."""
+        return np.array([a.scale for a in self.actuators])
+
+    @property
+    def limits(self) -> np.ndarray:
+        """[n, 2] lowest and highest scaled position."""
+        return np.array([(a.low / a.scale, a.high / a.scale) for a in self.actuators])
+
+    @property
+    def lags(self) -> np.ndarray:
+        """[n] first-order lags of servos and rotors [rad/s]."""
+        return np.array([a.lag_rad_s for a in self.actuators])
+
+    def settings_as(self, kind: type[S]) -> S:
+        """The scenario's settings if they are of this kind; else, for a controller that is flown in place of the
+        scenario's, this kind's defaults with the axes that the scenario gives up."""
+        if isinstance(self.settings, kind):
+            return self.settings
+        return kind.model_validate(self.settings.model_dump(include={"released", "model_error"}))
+
+
+def setup_for(
+    aircraft: Aircraft,
+    model: DesignModel,
+    settings: ControllerSettings,
+    dt_s: float,
+    commands: Sequence[float],
+    positions: Sequence[float],
+    pitch: float,
+) -> Setup:
+    """The set-up of a flight of this aircraft.
+
+    Args:
+        model: the identified design model; the settings' `model_error` is applied here.
+        commands: [n] actuator commands at the start, in rad and as throttle.
+        positions: [n] actuator positions at the start, in each actuator's `unit` (deg, N).
+        pitch: pitch angle at the start [rad].
+    """
+    units = [math.radians(1.0) if a.kind == "servo" else 1.0 for a in aircraft.actuators.values()]
+    actuators = []
+    for actuator, unit in zip(aircraft.actuators.values(), units, strict=True):
+        low, high = actuator.limits
+        lag, rate = actuator.lag_rad_s, actuator.rate_limit
+        actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
+    return Setup(
+        aircraft=aircraft.name,
+        model=model.with_error(settings.model_error),
+        control=aircraft.control,
+        actuators=actuators,
+        dt_s=dt_s,
+        trim_commands=commands,
+        trim_positions=[position * unit for position, unit in zip(positions, units, strict=True)],
+        trim_pitch=pitch,
+        settings=settings,
+    )

@@ -8,7 +8,7 @@ from pathlib import Path
 from testbed.air.config import Atmosphere, Gust
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.shipped import find_scenario, is_folder_name
-from testbed.controllers.config import SETTINGS
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
@@ -91,10 +91,10 @@ def _drop_settings_of_other_controllers(source: Source) -> None:
     controller = source.tree.get("controller")
     if not isinstance(controller, dict) or not overrides.is_override(source, ("controller", "type")):
         return
-    chosen = SETTINGS.get(str(controller.get("type")))
+    chosen = CONTROLLERS.get(str(controller.get("type")))
     if chosen is None:
         return
-    others = {name for settings in SETTINGS.values() for name in settings.model_fields}
+    others = {name for settings in CONTROLLERS.values() for name in settings.model_fields}
     for name in [n for n in controller if n in others - set(chosen.model_fields)]:
         if not overrides.is_override(source, ("controller", name)):
             del controller[name]

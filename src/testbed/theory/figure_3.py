@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from testbed.theory.ideal import approach_trajectories
 
-# Lines are told apart by dashes and by labels at their ends, never by colour alone.
+# Lines differ in dashes, not only in shade.
 _DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 
 

@@ -23,10 +23,20 @@ from testbed.controllers.inversion.law import (
     invert,
     measured_error,
     monitor,
+    pressure_ratio_of,
     regressor,
     state_function,
 )
-from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
+from testbed.controllers.records import (
+    P_DOT,
+    Q_DOT,
+    R_DOT,
+    memory_dtype,
+    mode_dtype,
+    model_dtype,
+    settings_dtype,
+    work_dtype,
+)
 
 UNLIMITED = 1e12
 """Stops and rates of an actuator that has none; far from overflow when the compiled servo multiplies with
@@ -40,11 +50,11 @@ class IdealPlant:
     Attributes:
         B: [4, n] B_mc of the design model, n <= 4 and of full column rank.
         B_c: [4, n] the real input matrix; the model's where not given.
-        A, bias: f by `law.state_function`: columns alpha, beta, p, q, r. Of the plant and of the model alike.
+        A, bias: f of plant and model, by `law.state_function`; columns alpha, beta, p, q, r.
         bias_error: [4] f - f_m, constant (4.2).
         airspeed: relative to the reference; surfaces act with its square.
         lag, rate: [n] of the real servos, rad/s and 1/s; lag 0 is ideal.
-        modelled: does the model have these servos too, or take them for ideal?
+        modelled: whether the model has these servos too; else it takes them for ideal.
     """
 
     B: np.ndarray
@@ -81,7 +91,7 @@ class History:
         lambda_hat: [steps + 1, n] before each step, and after the last.
         e: [steps, 4] measured error (10) with the modelled actuators.
         r, u, a: [steps, n] reference, command and modelled position.
-        failed: [steps, n] what the monitor says after the step.
+        failed: [steps, n] flags of the monitor after the step.
     """
 
     lambda_hat: np.ndarray
@@ -104,27 +114,40 @@ def move(dt, m, s):
 
 @compiled
 def ideal_loop(
-    r, effectiveness, disturbance, y, models, settings, modes, memories, work, lambda_hat, e_log, log
+    r,
+    effectiveness,
+    disturbance,
+    y,
+    models,
+    settings,
+    modes,
+    memories,
+    works,
+    x_c_dot,
+    lambda_hat,
+    e_log,
+    log,
 ):
     """Equations (5) to (14) in the paper's order, one row of r, Lambda and disturbance per step.
 
     Args:
-        models, memories: two records each: what the controller has, and what the plant has.
+        models, memories, works: two records each: what the controller has, and what the plant has.
+        x_c_dot: [4] working memory: the plant's rates.
         log: [steps, 4, n] filled with r, u, a and the monitor's flags.
     """
     m, plant, c, k, s, p = models[0], models[1], settings[0], modes[0], memories[0], memories[1]
-    f_m, f, z, e, wanted, phi = work[:, 0], work[:, 1], work[:, 2], work[:, 3], work[:, 4], work[:, 6:]
+    w, f_m, f = works[0], works[0].f, works[1].f
     n = len(s.u)
-    pressure = (y.airspeed / m.airspeed) ** 2
+    pressure_ratio = pressure_ratio_of(y, m)
     for step in range(len(r)):
         state_function(y, m, f_m)
         state_function(y, plant, f)
         for i in range(4):  # (5): the rates that this r would give, from which (6) has to find it again
             x_dc_dot = f_m[i]
             for j in range(n):
-                x_dc_dot += m.B[i, j] * pressure * r[step, j]
-            wanted[i] = x_dc_dot - f_m[i]
-        invert(wanted, pressure, m, k, s)
+                x_dc_dot += m.B[i, j] * pressure_ratio * r[step, j]
+            w.nu[i] = x_dc_dot - f_m[i]
+        invert(w.nu, pressure_ratio, m, k, s)
         compensate(m, c, k, s)
         for j in range(n):
             lambda_hat[step, j] = s.lambda_hat[j]
@@ -133,20 +156,19 @@ def ideal_loop(
         move(c.dt, m, s)
         move(c.dt, plant, p)
         for i in range(4):
-            x_c_dot = f[i] + disturbance[step, i]
+            x_c_dot[i] = f[i] + disturbance[step, i]
             for j in range(n):
-                x_c_dot += plant.B[i, j] * pressure * effectiveness[step, j] * p.position[j]
-            z[i] = x_c_dot - f_m[i]
-            work[i, 5] = x_c_dot
-        regressor(pressure, m, s, phi)
-        measured_error(z, phi, s, e)
-        adapt(e, pressure, m, c, s)
+                x_c_dot[i] += plant.B[i, j] * pressure_ratio * effectiveness[step, j] * p.position[j]
+            w.z[i] = x_c_dot[i] - f_m[i]
+        regressor(pressure_ratio, m, s, w.phi)
+        measured_error(w.z, w.phi, s, w.e)
+        adapt(w.e, pressure_ratio, m, c, s)
         monitor(c, s)
-        y.p += c.dt * work[0, 5]
-        y.q += c.dt * work[1, 5]
-        y.r += c.dt * work[2, 5]
+        y.p += c.dt * x_c_dot[P_DOT]
+        y.q += c.dt * x_c_dot[Q_DOT]
+        y.r += c.dt * x_c_dot[R_DOT]
         for i in range(4):
-            e_log[step, i] = e[i]
+            e_log[step, i] = w.e[i]
         for j in range(n):
             log[step, 0, j], log[step, 1, j] = s.r[j], s.u[j]
             log[step, 2, j], log[step, 3, j] = s.position[j], s.failed[j]
@@ -165,11 +187,12 @@ class IdealLoop:
         self._settings = np.zeros(1, settings_dtype(n)).view(np.recarray)
         self._modes = np.zeros(1, mode_dtype(n)).view(np.recarray)
         self._memories = np.zeros(2, memory_dtype(n)).view(np.recarray)
-        self._work = np.zeros((4, 6 + n))
+        self._works = np.zeros(2, work_dtype(n))
+        self._x_c_dot = np.zeros(4)
         self._y = np.zeros(1, record_dtype(STATE)).view(np.recarray)
         self._y["airspeed"] = plant.airspeed
         models, settings = self._models, self._settings
-        models["airspeed"], models["servo"], models["scale"] = 1.0, 1.0, 1.0
+        models["airspeed"], models["servo"], models["scale"] = 1.0, True, 1.0
         models["low"], models["high"], models["rate"] = -UNLIMITED, UNLIMITED, plant.rate
         models["A"], models["bias"] = plant.A, [plant.bias, plant.bias + plant.bias_error]
         models["B"] = [plant.B, plant.B if plant.B_c is None else plant.B_c]
@@ -181,7 +204,7 @@ class IdealLoop:
         settings["dt"], settings["persistence"] = tuning.dt_s, tuning.persistence_s
         settings["recovery_time"] = tuning.recovery_s
         settings["divisor_min"] = tuning.lambda_min
-        self._modes["B_hat_inv"], self._modes["alive"] = models["B_inv"][0], 1.0
+        self._modes["B_hat_inv"], self._modes["available"] = models["B_inv"][0], True
         self._memories["lambda_hat"] = estimate
 
     def start_at(self, position: np.ndarray) -> None:
@@ -208,7 +231,8 @@ class IdealLoop:
             self._settings,
             self._modes,
             self._memories,
-            self._work,
+            self._works,
+            self._x_c_dot,
             lambda_hat,
             e,
             log,

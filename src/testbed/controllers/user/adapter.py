@@ -5,33 +5,34 @@
         def update(self, time_s, state, reference): ...     # -> commands: servos in radians, motors as throttle 0 to 1
 
 `state` is a `State`, as measured, and `reference` a `Reference`, both in SI and radians; commands are one
-number an actuator, in the order of `setup.model.actuators`. It may keep `effectiveness` and `failed`, one number an
-actuator each, logged and judged as estimates and flags; without them it is logged as taking all as whole. A class
-with `bind` and `step` (see `controllers.Controller`) is flown as it is.
+number for each actuator, in the order of `setup.model.actuators`. The object may have the attributes `effectiveness` and
+`failed`, one number for each actuator: they are logged and judged as its estimates and flags. Without them the log has 1
+and 0. A class with `bind` and `step` (see `controllers.Controller`) is flown as it is.
 
-Whatever is wrong with it is said as bad input with the user's file and line: before the flight, or with the time in it.
+What is wrong with the class is reported as bad input with the user's file and line, and with the time if it happens in
+flight.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from testbed.controllers import Controller
-from testbed.controllers.actuator_model import advance
-from testbed.controllers.inversion.controller import model_record
-from testbed.controllers.records import memory_dtype
+from testbed.controllers.actuator_model import advance_actuators, axial_speed
+from testbed.controllers.initial_records import model_record, trimmed_memory
 from testbed.controllers.setup import Setup
 from testbed.controllers.user.loader import Factory, place_of, raised
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
-_WANTED = "update(time_s, state, reference) -> commands"
+_UPDATE = "update(time_s, state, reference) -> commands"
 
 
 class State(NamedTuple):
-    """What is measured (`signals.STATE`): m, m/s, rad, rad/s, rad/s2; airspeed, alpha and beta relative to the air."""
+    """The measured state (`signals.STATE`) [m, m/s, rad, rad/s, rad/s2]; airspeed, alpha and beta are relative to the air."""
 
     north: float
     east: float
@@ -53,7 +54,7 @@ class State(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """What is to be flown (`signals.SETPOINT`): rate-limited, with its rates; m, m/s, rad, per second."""
+    """The references to follow (`signals.SETPOINT`), rate-limited, and their rates [m, m/s, rad; per second]."""
 
     altitude: float
     airspeed: float
@@ -63,29 +64,31 @@ class Reference(NamedTuple):
     heading_rate: float
 
 
+class AsItIs:
+    """A user's class with `bind` and `step`, and with `reasons` if it gives any."""
+
+    def __init__(self, flown: Any) -> None:
+        self._flown = flown
+        self.bind, self.step = flown.bind, flown.step
+
+    @property
+    def reasons(self) -> Sequence[tuple[int, str]]:
+        """See `Controller.reasons`; none if the user's class has no such attribute."""
+        return getattr(self._flown, "reasons", ())
+
+
 class CustomController:
-    """The adapter: gives a user's `update` its records, checks what it answers, and logs it."""
+    """Flies a user's `update`: gives it state and reference, checks the commands that it returns, and logs them."""
+
+    reasons: Sequence[tuple[int, str]] = ()
 
     def __init__(self, setup: Setup, flown: Any, name: str) -> None:
         n = len(setup.actuators)
         self._dt, self._n, self._names = setup.dt_s, n, setup.model.actuators
         self._flown, self._update, self._name = flown, flown.update, name
-        self._scale = np.array([a.scale for a in setup.actuators])
-        limits = np.array([(a.low / a.scale, a.high / a.scale) for a in setup.actuators])
+        self._scale = setup.scale
         self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
-        self._model, self._memory = (
-            model_record(setup, self._scale, limits)[0],
-            np.zeros(1, memory_dtype(n))[0],
-        )
-        self._memory.command[:] = setup.trim_commands
-        self._memory.position[:] = np.asarray(setup.trim_positions) / self._scale
-        self._memory.servo_input[:] = self._memory.servo_lagged[:] = self._memory.position
-        axial = setup.model.airspeed_m_s * math.cos(setup.model.alpha_rad)
-        for i, propulsor in enumerate(setup.model.propulsors):
-            if propulsor is not None:
-                self._memory.rotor[i] = propulsor.speed_at(
-                    setup.trim_positions[i], axial, setup.model.density_kg_m3
-                )
+        self._model, self._memory = model_record(setup)[0], trimmed_memory(setup)[0]
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
@@ -101,7 +104,7 @@ class CustomController:
         except Exception as error:
             raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
         commands = self._checked(answer, "commands", time_s)
-        self._tell(self._telemetry[step], commands, state, time_s)
+        self._write_telemetry(step, commands, time_s)
         return commands
 
     def _checked(self, answer: Any, what: str, time_s: float) -> np.ndarray:
@@ -117,28 +120,30 @@ class CustomController:
             raise BadInput([Problem(problem, self._name, expected=expected)])
         return values
 
-    def _tell(self, row: np.ndarray, commands: np.ndarray, state: State, time_s: float) -> None:
-        """Telemetry: servos as commanded, motors as the thrust that the modelled motor gives (a throttle has none)."""
-        n, s = self._n, self._memory
+    def _write_telemetry(self, step: int, commands: np.ndarray, time_s: float) -> None:
+        """Servos as commanded; motors as the thrust that the modelled motor gives, because a throttle is no thrust."""
+        n, s, row = self._n, self._memory, self._telemetry[step]
         s.command[:] = commands
-        advance(self._dt, state.airspeed * math.cos(state.alpha) * math.cos(state.beta), self._model, s)
+        advance_actuators(self._dt, axial_speed(self._states[step]), self._model, s)
         row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
         for i, (name, default) in enumerate((("effectiveness", 1.0), ("failed", 0.0)), 2):
-            said = getattr(self._flown, name, None)
-            row[i * n : (i + 1) * n] = default if said is None else self._checked(said, name, time_s)
+            kept = getattr(self._flown, name, None)
+            row[i * n : (i + 1) * n] = default if kept is None else self._checked(kept, name, time_s)
 
 
 def adapted(factory: Factory, setup: Setup) -> Controller:
-    """The controller that a user's class makes of a set-up; raises BadInput when it makes none."""
+    """The controller that a user's class makes of a set-up; raises BadInput when the class fails or makes no controller."""
     name = place_of(factory)
     try:
         made = factory(setup)
+    except BadInput:
+        raise  # a controller of the table that refuses the aircraft
     except Exception as error:
         raise BadInput([raised(error, name, "while being made")]) from error
     if callable(getattr(made, "bind", None)) and callable(getattr(made, "step", None)):
-        return made  # type: ignore[no-any-return]
+        return AsItIs(made)
     if not callable(getattr(made, "update", None)):
         known = [word for word in dir(made) if not word.startswith("_")]
         problem = f"{type(made).__name__} has no method update"
-        raise BadInput([Problem(problem, name, expected=_WANTED, suggestion=did_you_mean("update", known))])
+        raise BadInput([Problem(problem, name, expected=_UPDATE, suggestion=did_you_mean("update", known))])
     return CustomController(setup, made, name)

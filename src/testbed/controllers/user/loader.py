@@ -1,4 +1,4 @@
-"""A user's controller class out of a file of theirs; what goes wrong is said with that file and line."""
+"""Loads a user's controller class from a Python file; what goes wrong is reported with that file and line."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
 Factory = Callable[[Setup], Any]
 
 
-_PREFIX = "testbed_user_"  # so that a file called json.py does not become the module json
-
-
-_PLACE = "_testbed_place"  # in the user's module: its file as it was given
+_PREFIX = "testbed_user_"
+"""Of the module's name, so that a file called json.py does not become the module json."""
+_PLACE = "_testbed_place"
+"""Attribute of the user's module: its file as it was given."""
 
 
 def name_of(factory: Factory) -> str:
-    """`module:Class`, the same on every machine; for a class of a file, the file's name is the module."""
+    """`module:Class`, the same on every machine; a class loaded from a file has the file's name for its module."""
     module = getattr(factory, "__module__", "") or ""
     name = getattr(factory, "__qualname__", type(factory).__name__)
     return f"{module.removeprefix(_PREFIX)}:{name}"
 
 
 def place_of(factory: Factory) -> str:
-    """The user's file, as was given, where the class came from one; else its name."""
+    """The file that the class was loaded from, as it was given; `name_of` where it was not loaded from a file."""
     module = sys.modules.get(getattr(factory, "__module__", "") or "")
     return getattr(module, _PLACE, "") or name_of(factory)
 
 
 def load_controller(reference: str) -> Factory:
-    """The class that `my_file.py:MyController` names; runs the file. Raises BadInput with file and line."""
+    """The class that `my_file.py:MyController` names. Runs the file; raises BadInput with file and line."""
     file, colon, name = reference.rpartition(":")
     if not colon or not name.isidentifier() or not file.endswith(".py"):
         raise BadInput([Problem(f"is {reference!r}", "--controller", expected="FILE.py:CLASS")])
@@ -52,7 +52,7 @@ def load_controller(reference: str) -> Factory:
 
 
 def _module(path: Path) -> ModuleType:
-    """A Python file, run; files beside it can be imported from it."""
+    """The module of a Python file, which is run; it may import files beside it."""
     if not path.is_file():
         problem = "is a folder" if path.is_dir() else "there is no such file"
         near = [str(p) for p in path.parent.glob("*.py")] if path.parent.is_dir() else []
@@ -76,7 +76,12 @@ def _module(path: Path) -> ModuleType:
 
 
 def raised(error: Exception, name: str, when: str) -> Problem:
-    """An exception in the user's code: file and line of the last call in their file, and the traceback's last line."""
+    """A problem for an exception in the user's code: the last line of their file in the traceback, and the exception.
+
+    Args:
+        name: their file as it was given.
+        when: such as "at 1.250 s".
+    """
     frames: Sequence[traceback.FrameSummary] = traceback.extract_tb(error.__traceback__)
     theirs = [frame for frame in frames if frame.filename in (name, str(Path(name).resolve()))]
     frame = (theirs or frames)[-1]

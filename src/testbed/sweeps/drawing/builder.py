@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from testbed.controllers.config import SETTINGS
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.inputs.overrides import set_value
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import Scenario, scenario_from
@@ -63,7 +63,7 @@ class Builder:
     def _foreign(self, path: str, values: Mapping[str, Any]) -> bool:
         """Whether a path is a setting that only another of the compared controllers has."""
         first, _, rest = path.partition(".")
-        chosen = SETTINGS.get(str(values.get(TYPE)))
+        chosen = CONTROLLERS.get(str(values.get(TYPE)))
         if first != "controller" or chosen is None or path == TYPE:
             return False
         name = rest.partition(".")[0]
@@ -72,5 +72,5 @@ class Builder:
     @cached_property
     def _settings(self) -> set[str]:
         """Names of settings that any of the compared controllers has."""
-        types = [SETTINGS.get(str(variant.values.get(TYPE))) for variant in self.variants]
+        types = [CONTROLLERS.get(str(variant.values.get(TYPE))) for variant in self.variants]
         return {name for settings in types if settings for name in settings.model_fields}

@@ -1,0 +1,115 @@
+"""The records of the compiled pages as they are when a flight begins: design model, settings, memory of a trimmed flight."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from testbed.common.signals import RATES
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE
+from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
+from testbed.controllers.setup import Setup
+
+_DIVISOR_MIN = 0.1
+"""Least effectiveness that a command is divided by, so that no estimate multiplies a command by more than ten."""
+_JAM_SIGMA = 4.0
+"""Standard deviations of the mean residual beyond which an actuator counts as jammed. Losses with 20 % of model error
+leave at most 2.6 of them for a second, an offset of 5 deg leaves 4.2 and more."""
+_JAM_TIME_S = 1.0
+_JAM_PROCESS_NOISE = 1.0  # scaled/sqrt(s)
+_RESIDUAL_TIME_S = 1.0
+
+
+def model_record(setup: Setup) -> np.ndarray:
+    """The design model as the compiled pages read it: one record of `model_dtype`, in scaled units."""
+    model, scale, limits = setup.model, setup.scale, setup.limits
+    record = np.zeros(1, model_dtype(len(scale)))
+    m = record[0]
+    m.airspeed, m.alpha, m.density = model.airspeed_m_s, model.alpha_rad, model.density_kg_m3
+    m.servo[:] = [kind == "servo" for kind in model.kinds]
+    m.scale[:], m.low[:], m.high[:] = scale, limits[:, 0], limits[:, 1]
+    m.lag[:] = setup.lags
+    m.rate[:] = [a.rate / a.scale for a in setup.actuators]
+    m.trim_position[:] = np.array(model.trim) / scale
+    m.offset[:] = np.array(model.offset_matrix).sum(axis=1)[:4]
+    m.bias[:] = np.array(model.bias)[:4] + m.offset
+    m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
+    m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
+    axial = model.airspeed_m_s * math.cos(model.alpha_rad)
+    for i, p in enumerate(model.propulsors):
+        if p is None:
+            continue
+        _, slope = p.torque_at(model.trim[i], axial, model.density_kg_m3)
+        m.torque_slope[i] = slope * scale[i]
+        m.c_thrust[i], m.c_torque[i] = p.thrust, p.torque
+        m.diameter[i], m.rotor_inertia[i], m.max_volts[i] = p.diameter_m, p.rotor_inertia_kg_m2, p.max_volts
+        m.advance_min[i] = p.advance[0]
+        m.advance_step[i] = (p.advance[1] - p.advance[0]) / (len(p.thrust) - 1)
+        m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
+        m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
+    return record
+
+
+def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) -> np.ndarray:
+    """What the designer and the scenario chose, for the inversion law: one record of `settings_dtype`.
+
+    Args:
+        estimation: the scenario's choices for estimation and monitor; None for a law that does without them.
+    """
+    control = setup.control
+    record = np.zeros(1, settings_dtype(len(setup.actuators)))
+    c = record[0]
+    c.dt, c.divisor_min = setup.dt_s, _DIVISOR_MIN
+    _fill_loops(c, setup)
+    c.noise[:] = [getattr(control.disturbance, rate) for rate in RATES]
+    c.model_error_std[:] = [getattr(control.model_error_std, rate) for rate in RATES]
+    c.model_error_rate, c.coefficient_error = 1.0 / control.model_error_time_s, control.coefficient_error
+    c.jam_sigma, c.jam_time = _JAM_SIGMA, _JAM_TIME_S
+    c.jam_process_noise, c.residual_time = _JAM_PROCESS_NOISE, _RESIDUAL_TIME_S
+    if estimation is not None:
+        _fill_estimation(c, estimation, setup.model.kinds)
+    return record
+
+
+def _fill_loops(c: np.record, setup: Setup) -> None:
+    """Gains and limits of the outer loops, angles in radians."""
+    loops = setup.control.loops
+    for name in (
+        "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
+        "heading_kp", "heading_ki", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
+    ):  # fmt: skip
+        c[name] = getattr(loops, name)
+    c.roll_max = math.radians(loops.roll_max_deg)
+    c.heading_error_max = math.radians(loops.heading_error_max_deg)
+    c.altitude_error_max, c.airspeed_error_max = loops.altitude_error_max_m, loops.airspeed_error_max_m_s
+
+
+def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tuple[str, ...]) -> None:
+    c.adapts, c.weighted = True, chosen.estimation == "weighted"
+    c.gamma[:] = [chosen.gamma.of(kind) for kind in kinds]
+    c.epsilon[:] = [chosen.epsilon.of(kind) for kind in kinds]
+    c.threshold, c.persistence = chosen.threshold, chosen.persistence_s
+    c.recovery, c.recovery_time = chosen.recovery, chosen.recovery_s
+    c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max
+    c.filter_rate, c.process_noise = chosen.filter_rad_s, chosen.process_noise_per_root_s
+    c.flag_std_max = chosen.flag_std_max if c.weighted else math.inf  # (13) has no covariance
+
+
+def trimmed_memory(setup: Setup) -> np.ndarray:
+    """Memory after a long trimmed flight with healthy actuators: one record of `memory_dtype`."""
+    n, model, scale = len(setup.actuators), setup.model, setup.scale
+    record = np.zeros(1, memory_dtype(n))
+    s = record[0]
+    s.lambda_hat[:], s.since_flag[:] = 1.0, math.inf
+    s.P[:n, :n] = np.diag(np.full(n, HEALTHY_VARIANCE))
+    s.command[:] = setup.trim_commands
+    for name in ("r", "u", "position", "servo_input", "servo_lagged"):
+        s[name][:] = np.asarray(setup.trim_positions) / scale
+    axial = model.airspeed_m_s * math.cos(model.alpha_rad)
+    for i, propulsor in enumerate(model.propulsors):
+        if propulsor is not None:
+            s.rotor[i] = propulsor.speed_at(setup.trim_positions[i], axial, model.density_kg_m3)
+    s.pitch_integral = setup.trim_pitch
+    return record

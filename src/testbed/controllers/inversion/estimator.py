@@ -1,0 +1,115 @@
+"""Weighted estimation, for weather and real sensors: a Kalman filter on effectiveness and on the model's own error.
+
+The regression (10) is z = Phi lambda + b + noise, four scalar measurements a step. The states are lambda, a random walk,
+and b, what f_m and B_m leave out of each rate: a first-order Markov process of the rate `model_error_rate` and of the
+variance that `update_model_error_variance` gives. Without b, an error of the model would be read as lost effectiveness,
+and with certainty for an actuator that hardly acts. The noise is what gusts do to each rate, so rates that gusts disturb
+weigh less. Small commands carry little weight by themselves: there is no epsilon.
+
+Letters: y measured state, m design model, c settings, s memory; z, phi and P_h of the working memory; their fields,
+shapes and units are in `records`. pressure_ratio is (V/V_0)^2.
+"""
+
+from __future__ import annotations
+
+from testbed.common.jit import compiled
+from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R
+
+HEALTHY_VARIANCE = 0.01
+"""Variance of an estimate to begin with: 1 with a standard deviation of a tenth."""
+UNKNOWN_VARIANCE = 1.0
+"""Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
+JAM_VARIANCE = 16.0
+"""Variance of a jammed actuator's position [scaled^2] to begin with, and its largest."""
+
+
+@compiled
+def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
+    """Variance of the model's error b in each rate, were each coefficient wrong by `coefficient_error` independently.
+
+    The model is most exact at its own trim, so each term of f_m and of Phi lambda counts by how much it has changed since
+    the trim. The sum is averaged over `residual_time`.
+    """
+    speed = y.airspeed / m.airspeed
+    for i in range(4):
+        alpha = pressure_ratio * m.A[i, D_ALPHA] * (y.alpha - m.alpha)
+        beta = pressure_ratio * m.A[i, D_BETA] * y.beta
+        p, q, r = speed * m.A[i, D_P] * y.p, speed * m.A[i, D_Q] * y.q, speed * m.A[i, D_R] * y.r
+        squares = alpha * alpha + beta * beta + p * p + q * q + r * r
+        for j in range(len(s.lambda_hat)):
+            change = phi[i, j] * s.lambda_hat[j] - pressure_ratio * m.B[i, j] * m.trim_position[j]
+            squares += change * change
+        floor = c.model_error_std[i] * c.model_error_std[i]
+        variance = floor + c.coefficient_error * c.coefficient_error * squares
+        s.model_error_variance[i] += c.dt / c.residual_time * (variance - s.model_error_variance[i])
+
+
+@compiled
+def adapt_weighted(z, phi, P_h, m, c, s):
+    """One step of the filter: (13) with its gain Phi^-1 replaced by a Kalman gain."""
+    predict(c, s)
+    for row in range(4):
+        update_by_rate(row, z[row], phi[row], P_h, c, s)
+    project(m, c, s)
+
+
+@compiled
+def predict(c, s):
+    """Covariance P and model error b one step on: process noise on lambda, b fading towards zero."""
+    n = len(s.lambda_hat)
+    for i in range(n):
+        noise = c.jam_process_noise if s.jammed[i] else c.process_noise
+        most = JAM_VARIANCE if s.jammed[i] else UNKNOWN_VARIANCE
+        s.P[i, i] = min(s.P[i, i] + noise * noise * c.dt, most)
+    fade = 1.0 - c.model_error_rate * c.dt
+    for row in range(4):
+        s.b[row] *= fade
+        for i in range(n + 4):
+            s.P[n + row, i] *= fade
+            s.P[i, n + row] *= fade
+        s.P[n + row, n + row] += 2.0 * c.model_error_rate * c.dt * s.model_error_variance[row]
+
+
+@compiled
+def update_by_rate(row, z, h, P_h, c, s):
+    """Measurement update by one rate: z = h lambda + b[row] + noise of spectral density `c.noise`^2.
+
+    Args:
+        z: measured x_c_dot - f_m of this row.
+        h: [n] this row of Phi.
+        P_h: [n+4] filled with P times (h, unit vector of b[row]).
+    """
+    n = len(s.lambda_hat)
+    error = z - s.b[row]
+    for i in range(n + 4):
+        P_h[i] = s.P[i, n + row]
+        for j in range(n):
+            P_h[i] += s.P[i, j] * h[j]
+    variance = c.noise[row] * c.noise[row] / c.dt + P_h[n + row]
+    for i in range(n):
+        error -= h[i] * s.lambda_hat[i]
+        variance += h[i] * P_h[i]
+    for i in range(n):
+        s.lambda_hat[i] += P_h[i] * error / variance
+    for i in range(4):
+        s.b[i] += P_h[n + i] * error / variance
+    for i in range(n + 4):
+        for j in range(n + 4):
+            s.P[i, j] -= P_h[i] * P_h[j] / variance
+
+
+@compiled
+def project(m, c, s):
+    """Estimates within [lambda_min, lambda_max]; a jammed actuator's position within its stops."""
+    for i in range(len(s.lambda_hat)):
+        low = m.low[i] if s.jammed[i] else c.lambda_min
+        high = m.high[i] if s.jammed[i] else c.lambda_max
+        s.lambda_hat[i] = min(max(s.lambda_hat[i], low), high)
+
+
+@compiled
+def reset_covariance(j, variance, s):
+    """Start state j of the filter again: this variance, and no correlation with the others."""
+    for i in range(len(s.P)):
+        s.P[j, i], s.P[i, j] = 0.0, 0.0
+    s.P[j, j] = variance

@@ -1,0 +1,128 @@
+"""Switching of control modes: which mode is in force for the failures that the monitor has flagged (section 2.3)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from testbed.common.signals import RATES
+from testbed.controllers.inversion.mode_trim import NoSteadyFlight
+from testbed.controllers.inversion.modes import Mode, enumerate_modes
+from testbed.controllers.inversion.regulator import Regulator, design_regulator, regulator_for
+from testbed.controllers.records import AIRSPEED, ALPHA, PITCH, mode_dtype
+from testbed.controllers.setup import Setup
+from testbed.inputs.problems import BadInput, Problem
+
+
+class ModeSwitch:
+    """The control modes of one flight, and the one in force; it begins with the mode for no failure.
+
+    Args:
+        memory: the law's memory, an array of one record: its flags are read here, and its integrals reset.
+
+    Attributes:
+        mode: the mode in force.
+        record: the same as the compiled pages read it, an array of one record of `records.MODE`.
+        reasons: (step, text) of failures that cannot be held or explained, each text once.
+
+    Raises:
+        BadInput: the aircraft cannot be flown in the mode for no failure.
+    """
+
+    def __init__(self, setup: Setup, memory: np.ndarray) -> None:
+        self._setup, self._memory = setup, memory
+        self._modes = enumerate_modes(setup.model, setup.scale, setup.control, setup.settings.released)
+        self._reported: set[object] = set()
+        self.record = np.zeros(1, mode_dtype(len(setup.actuators)))
+        self.reasons: list[tuple[int, str]] = []
+        self.mode = self._modes[()]
+        self._begin()
+
+    def _begin(self) -> None:
+        setup = self._setup
+        if self.mode.refused:
+            expected = (
+                "`control.condition_max` of the aircraft above that, other `scale`s of its actuators, "
+                "or more axes in the controller's `released`"
+            )
+            what = f"{setup.aircraft} cannot be flown by inversion: {self.mode.refused}"
+            raise BadInput([Problem(what, path="controller", expected=expected)])
+        try:
+            regulator = self._regulator(self.mode, {}) if self.mode.released else None
+        except NoSteadyFlight as reason:
+            what = f"{setup.aircraft} cannot be flown with these axes released: {reason}"
+            raise BadInput(
+                [Problem(what, path="controller.released", expected="other axes, or none")]
+            ) from None
+        self._put_in_force(self.mode, regulator, ())
+
+    def switch(self, step: int) -> None:
+        """Put the mode for the flagged failures in force; where there is none that can be flown, the last one stays."""
+        s = self._memory[0]
+        failed = tuple(int(i) for i in np.flatnonzero(s.failed))
+        jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i]}
+        self._note_jams(step, jammed)
+        mode = self._modes.get(failed)
+        if mode is None:
+            return self._report(step, f"{len(failed)} actuators failed: nothing left to control with")
+        if mode.refused:
+            return self._report(step, mode.refused)
+        try:
+            regulator = self._regulator(mode, jammed) if mode.released else None
+        except NoSteadyFlight as reason:
+            return self._report(step, str(reason))
+        if regulator is not None and "altitude" not in regulator.held:
+            self._report(step, _cannot_hold_altitude(mode, regulator), once_for=mode.failed)
+        self.mode = mode
+        self._put_in_force(mode, regulator, failed)
+
+    def _note_jams(self, step: int, jammed: Mapping[int, float]) -> None:
+        for i, position in jammed.items():
+            self._memory[0].designed_position[i] = position
+            name = self._setup.model.actuators[i]
+            what = "not a loss of effectiveness, it acts against its command (jammed, offset or reversed)"
+            self._report(step, f"{name}: {what}")
+
+    def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
+        """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed without them."""
+        if jammed:
+            try:
+                return design_regulator(self._setup, mode, jammed)
+            except NoSteadyFlight:
+                pass
+        return regulator_for(self._setup, mode)
+
+    def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
+        k, s, setup = self.record[0], self._memory[0], self._setup
+        loops = setup.control.loops
+        motor_lost = any(setup.model.kinds[i] == "motor" for i in failed)
+        k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
+        k.redundant = mode.inverse_at_stop is not None
+        k.B_hat_inv_at_stop[:] = 0.0 if mode.inverse_at_stop is None else mode.inverse_at_stop
+        k.available[:] = [i not in failed for i in range(len(setup.actuators))]
+        k.slow_descent = loops.slow_descent_s
+        k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s
+        k.regulated, k.r_trim[:], k.airspeed_offset = regulator is not None, 0.0, 0.0
+        s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
+        s.pitch_integral, s.integral[:] = setup.trim_pitch, 0.0
+        if regulator is not None:
+            k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim
+            k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
+            k.airspeed_offset = regulator.x_trim[AIRSPEED] - setup.model.airspeed_m_s
+
+    def _report(self, step: int, text: str, once_for: object = None) -> None:
+        """Note a text once, or one text for each `once_for`: the mode of a jammed actuator is designed many times."""
+        if (once_for or text) not in self._reported:
+            self._reported.add(once_for or text)
+            self.reasons.append((step, text))
+
+
+def _cannot_hold_altitude(mode: Mode, regulator: Regulator) -> str:
+    slope_deg = math.degrees(regulator.x_trim[PITCH] - regulator.x_trim[ALPHA])
+    return (
+        f"{', '.join(mode.failed)} failed: altitude cannot be held. The remaining input matrix is well conditioned "
+        f"(condition number {mode.condition:.3g}), but the stops leave no level trim at any airspeed; "
+        f"flies at a path angle of about {slope_deg:.1f} deg"
+    )

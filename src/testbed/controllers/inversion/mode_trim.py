@@ -1,0 +1,233 @@
+"""The trim of a control mode: steady flight on the design model with the actuators that are left."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import root
+
+from testbed.aircraft.control_design import Loops
+from testbed.aircraft.design_model import DesignModel
+from testbed.common.frames import level_pitch
+from testbed.controllers.inversion.modes import Mode
+from testbed.controllers.records import AIRSPEED, BETA, REGULATOR_STATE, ROLL
+from testbed.controllers.setup import Setup
+
+_BEYOND_STOPS = 1.3
+"""How far beyond the stops a trim may lie, as a last resort. A model that is 20 % wrong misplaces a trim by as much, and
+any trim near the right one is better than none."""
+_BETA_MAX, _ROLL_MAX, _SLOWEST = 0.25, 0.4, 0.5
+"""Sideslip and bank [rad] and share of the reference airspeed beyond which a solution is no plausible trim."""
+_DESCENT = -0.08  # rad, path angle to start from
+_SYMMETRY = np.diag([-1.0, 1.0, -1.0, 1.0])
+"""How the rates (`signals.RATES`) of an actuator become those of its mirror image."""
+
+_EVERYTHING = ("airspeed", "altitude", "heading")
+
+
+class NoSteadyFlight(ValueError):
+    """With these actuators the design model has no steady flight, or none that can be stabilised."""
+
+
+@dataclass(frozen=True)
+class Remaining:
+    """What there is to fly with after failures.
+
+    Attributes:
+        scale: [n] rad or N of one scaled unit.
+        limits: [n, 2] scaled stops.
+        available: [n] 1 for actuators that are used.
+        effective: [n] 1 for those that act: the available and the jammed.
+        positions: [n] scaled positions of those that are not available: where they are jammed, else at the trim.
+    """
+
+    model: DesignModel
+    scale: np.ndarray
+    limits: np.ndarray
+    available: np.ndarray
+    effective: np.ndarray
+    positions: np.ndarray
+
+    @classmethod
+    def after(cls, setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Remaining:
+        """What remains in a mode, with the scaled positions of jammed actuators."""
+        model, scale = setup.model, setup.scale
+        available = np.array([float(name not in mode.failed) for name in model.actuators])
+        effective, positions = available.copy(), np.array(model.trim) / scale
+        for i, position in jammed.items():
+            effective[i], positions[i] = 1.0, position
+        return cls(model, scale, setup.limits, available, effective, positions)
+
+    @cached_property
+    def unknowns(self) -> tuple[np.ndarray, list[tuple[int, int]]]:
+        """Indices of at most three actuators to solve a trim for, and (follower, leader) of those that are ganged.
+
+        Six accelerations leave room for three actuators. If more are available, those that are most nearly mirror images
+        of each other move together, surfaces before motors: the aircraft then flies symmetrically.
+        """
+        free = [int(i) for i in np.flatnonzero(self.available)]
+        ganged: list[tuple[int, int]] = []
+        for follower, leader in sorted(combinations(free, 2), key=self._mirror_distance):
+            if len(free) - len(ganged) <= 3:
+                break
+            if not {follower, leader} & {i for pair in ganged for i in pair}:
+                ganged.append((follower, leader))
+        followers = [follower for follower, _ in ganged]
+        return np.array([i for i in free if i not in followers]), ganged
+
+    def _mirror_distance(self, pair: tuple[int, int]) -> tuple[bool, float]:
+        """Sorts pairs of actuators: surfaces first, then by how far their effects are from mirror images."""
+        b, kinds = np.array(self.model.input_matrix)[:4] * self.scale, self.model.kinds
+        i, j = pair
+        surfaces = kinds[i] == kinds[j] == "servo"
+        return not surfaces, float(np.linalg.norm(_SYMMETRY @ b[:, i] - b[:, j]))
+
+    def motion(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
+        """[10] derivatives of the state x [10] with actuators at scaled positions a [n]."""
+        return motion(self.model, x, a * self.scale, self.effective)
+
+
+class SteadyFlight(NamedTuple):
+    """A trim: state [10] by `records.REGULATOR_STATE`, and scaled positions [n]."""
+
+    state: np.ndarray
+    positions: np.ndarray
+
+
+@dataclass(frozen=True)
+class TrimProblem:
+    """Steady straight flight on the design model: alpha, beta, roll and three actuators such that nothing accelerates.
+
+    Attributes:
+        remaining: what there is to fly with.
+        freed: "" for level flight at a given airspeed; with fewer actuators one more unknown is needed, "airspeed" (level
+            flight) or "path_angle" (at a given airspeed).
+        stop_factor: the trim may lie within the stops times this.
+    """
+
+    remaining: Remaining
+    freed: str = ""
+    stop_factor: float = 1.0
+
+    def solve(self, airspeeds: Sequence[float]) -> SteadyFlight | None:
+        """The first trim found at these airspeeds [m/s] (to start from, where airspeed is unknown), or None."""
+        for airspeed in airspeeds:
+            for beta in (0.0, 0.08, -0.08):  # to start from
+                flight = self._solve_from(airspeed, beta)
+                if flight is not None:
+                    return flight
+        return None
+
+    def _solve_from(self, airspeed: float, beta: float) -> SteadyFlight | None:
+        left = self.remaining
+        used, _ = left.unknowns
+        start = [left.model.alpha_rad, beta, 0.0]
+        if self.freed:
+            start.append(airspeed if self.freed == "airspeed" else _DESCENT)
+
+        def accelerations(unknowns: np.ndarray) -> np.ndarray:
+            state, a = self._flight(unknowns, airspeed)
+            return _rates(left.model, state, a * left.scale, left.effective)
+
+        found = root(accelerations, np.array([*start, *left.positions[used]]), method="hybr")
+        flight = self._flight(found.x, airspeed)
+        return flight if found.success and self._plausible(flight) else None
+
+    def _flight(self, unknowns: np.ndarray, airspeed: float) -> SteadyFlight:
+        """State and positions for the unknowns: alpha, beta, roll, what is freed, and positions of the actuators used."""
+        used, ganged = self.remaining.unknowns
+        alpha, beta, roll = unknowns[:3]
+        values = {"airspeed": airspeed, "path_angle": 0.0}
+        if self.freed:
+            values[self.freed] = unknowns[3]
+        a = self.remaining.positions.copy()
+        a[used] = unknowns[3 + bool(self.freed) :]
+        for follower, leader in ganged:
+            a[follower] = a[leader]
+        pitch = level_pitch(alpha, beta, roll, values["path_angle"])
+        return SteadyFlight(
+            np.array([values["airspeed"], alpha, beta, 0.0, 0.0, 0.0, roll, pitch, 0.0, 0.0]), a
+        )
+
+    def _plausible(self, flight: SteadyFlight) -> bool:
+        """Within the stops, and no spurious solution far from ordinary flight."""
+        limits, state = self.stop_factor * self.remaining.limits, flight.state
+        airspeed, beta, roll = state[AIRSPEED], state[BETA], state[ROLL]
+        inside = np.all((flight.positions >= limits[:, 0] - 1e-9) & (flight.positions <= limits[:, 1] + 1e-9))
+        slowest = _SLOWEST * self.remaining.model.airspeed_m_s
+        return bool(inside and abs(beta) < _BETA_MAX and abs(roll) < _ROLL_MAX and airspeed > slowest)
+
+
+def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlight, tuple[str, ...]]:
+    """Steady flight with what remains, and which outputs can be held in it.
+
+    With three actuators or more: level at the reference airspeed, or faster if that has no trim; all is held. With two of
+    which one is a motor: level at an unknown airspeed. Else, or where that has no trim: descending.
+
+    Args:
+        title: what failed, for the message.
+
+    Raises:
+        NoSteadyFlight: with fewer than two actuators, or where none of this has a trim.
+    """
+    if left.available.sum() < 2:
+        raise NoSteadyFlight(f"{title}: one actuator cannot hold altitude and heading")
+    for problem, airspeeds, held in _attempts(left, loops):
+        flight = problem.solve(airspeeds)
+        if flight is not None:
+            return flight, held
+    raise NoSteadyFlight(f"{title}: no steady flight within the stops, level or descending")
+
+
+def _attempts(left: Remaining, loops: Loops) -> Iterator[tuple[TrimProblem, list[float], tuple[str, ...]]]:
+    """Trim problems in the order in which they are tried, each with airspeeds to try and with what it holds."""
+    airspeed, motors = left.model.airspeed_m_s, _available_motors(left)
+    if left.available.sum() >= 3:
+        # An aircraft that has only one motor by design has lost none.
+        lost_thrust = len(motors) > 1 and sum(motors) == 1
+        first = loops.lost_thrust_faster_m_s if lost_thrust else 0.0
+        faster = [airspeed + change for change in (first, first + 1.0, first + 2.0, first + 4.0, first + 8.0)]
+        for stop_factor in (1.0, _BEYOND_STOPS):
+            yield TrimProblem(left, stop_factor=stop_factor), faster, _EVERYTHING
+        return
+    around = [airspeed + change for change in (0.0, -2.0, 2.0, -4.0, 4.0, 8.0)]
+    if any(motors):
+        yield TrimProblem(left, "airspeed"), around, ("altitude", "heading")
+    yield TrimProblem(left, "path_angle"), around, ("airspeed", "heading")
+
+
+def _available_motors(left: Remaining) -> list[bool]:
+    return [bool(left.available[i]) for i, kind in enumerate(left.model.kinds) if kind == "motor"]
+
+
+def motion(model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray) -> np.ndarray:
+    """[10] derivatives of the state on the design model (flat earth, body axes).
+
+    Args:
+        x: [10] state by `records.REGULATOR_STATE`.
+        a: [n] actuator positions [rad, N]; effectiveness: [n] of each.
+    """
+    speed, alpha, beta, p, q, r, roll, pitch, _, _ = x
+    p_dot, q_dot, r_dot, u_dot, v_dot, w_dot = _rates(model, x, a, effectiveness)
+    ca, sa, cb, sb = math.cos(alpha), math.sin(alpha), math.cos(beta), math.sin(beta)
+    u, v, w = speed * ca * cb, speed * sb, speed * sa * cb
+    speed_dot = (u * u_dot + v * v_dot + w * w_dot) / speed
+    alpha_dot = (u * w_dot - w * u_dot) / (u * u + w * w)
+    beta_dot = (v_dot - sb * speed_dot) / (speed * cb)
+    turn = q * math.sin(roll) + r * math.cos(roll)
+    roll_dot, pitch_dot = p + math.tan(pitch) * turn, q * math.cos(roll) - r * math.sin(roll)
+    heading_dot = turn / math.cos(pitch)
+    climb = u * math.sin(pitch) - (v * math.sin(roll) + w * math.cos(roll)) * math.cos(pitch)
+    return np.array(
+        [speed_dot, alpha_dot, beta_dot, p_dot, q_dot, r_dot, roll_dot, pitch_dot, heading_dot, climb]
+    )
+
+
+def _rates(model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray) -> np.ndarray:
+    return model.rates(dict(zip(REGULATOR_STATE[:8], map(float, x[:8]), strict=True)), a, effectiveness)

@@ -1,0 +1,148 @@
+"""The outer loop of a mode with released axes: a linear-quadratic regulator about the mode's own trim.
+
+The actuators that are left no longer decouple the axes, so the regulator feeds back all states. It is designed on the
+design model, when the mode is first entered, in three steps: the trim (`mode_trim`), the linear plant about it
+(`linearise`), and the gains (`lq_gains`). It does not cancel what is stable, such as weathercock stability and damping:
+nu of `outer_loops.regulate` is added to f_m, not put in its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import solve_continuous_are
+
+from testbed.aircraft.control_design import RegulatorWeights
+from testbed.common.cache import Cache
+from testbed.common.signals import RATES
+from testbed.controllers.inversion.mode_trim import NoSteadyFlight, Remaining, SteadyFlight, steady_flight
+from testbed.controllers.inversion.modes import Mode
+from testbed.controllers.records import ALTITUDE, INTEGRALS, REGULATOR_STATE
+from testbed.controllers.setup import Setup
+
+_STEP = 1e-6  # of the central differences in `jacobian`
+
+
+@dataclass(frozen=True)
+class Regulator:
+    """Trim and gains of a mode: nu = -K dx - K_actuator da - K_integral integral.
+
+    Attributes:
+        x_trim: [10] state by `records.REGULATOR_STATE`.
+        r_trim: [n] scaled actuator positions at that trim, as if fully effective.
+        K, K_actuator, K_integral: [4, 10], [4, n], [4, 3] gains on state, modelled actuators and integrals.
+        eigenvalues: of the designed loop [rad/s].
+        held: outputs that are held: airspeed, altitude, heading or fewer.
+    """
+
+    x_trim: np.ndarray
+    r_trim: np.ndarray
+    K: np.ndarray
+    K_actuator: np.ndarray
+    K_integral: np.ndarray
+    eigenvalues: np.ndarray
+    held: tuple[str, ...]
+
+
+def linearise(
+    left: Remaining, lags: np.ndarray, flight: SteadyFlight, held: Sequence[str]
+) -> tuple[np.ndarray, np.ndarray]:
+    """A, B of the plant about a trim: states z = (x [10], a [n], integrals of the held outputs), inputs r [n].
+
+    Args:
+        lags: [n] of servos and rotors [rad/s]: a' = lag (r - a).
+    """
+    nx, n = len(REGULATOR_STATE), len(lags)
+    x0, a0 = flight
+    rows = [REGULATOR_STATE.index(name) for name in held]
+
+    def plant(z: np.ndarray, r: np.ndarray) -> np.ndarray:
+        x, a = z[:nx], z[nx : nx + n]
+        return np.concatenate([left.motion(x, a), lags * (r - a), x[rows] - x0[rows]])
+
+    z0 = np.concatenate([x0, a0, np.zeros(len(held))])
+    return jacobian(lambda z: plant(z, a0), z0), jacobian(lambda r: plant(z0, r), a0)
+
+
+def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Gains K of u = -K x that minimise the integral of x'Qx + u'Ru, and the eigenvalues of A - B K
+    (Bryson and Ho, Applied Optimal Control, sec. 5.2).
+
+    Raises:
+        numpy.linalg.LinAlgError: what is unstable cannot be controlled.
+    """
+    K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
+    return K, np.linalg.eigvals(A - B @ K)
+
+
+def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | None = None) -> Regulator:
+    """Linear-quadratic regulator for a mode, with weights by Bryson's rule (Bryson and Ho, sec. 5.2).
+
+    Args:
+        jammed: scaled positions of failed actuators that stand somewhere and act from there.
+
+    Raises:
+        NoSteadyFlight: nothing steady within the stops, or nothing that can be stabilised.
+    """
+    left, weights = Remaining.after(setup, mode, jammed or {}), setup.control.regulator
+    flight, held = steady_flight(left, setup.control.loops, mode.title)
+    nx, n = len(REGULATOR_STATE), len(left.scale)
+    A, B = linearise(left, setup.lags, flight, held)
+    B = B @ mode.inverse  # the inputs are nu
+    # Feedback is from what can be used, to kept axes. While gliding altitude is the energy that is spent: not held.
+    unused = {ALTITUDE} if "altitude" not in held else set()
+    unused |= {nx + i for i in range(n) if not left.available[i]}
+    states = [i for i in range(len(A)) if i not in unused]
+    kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
+    Q = np.diag(1.0 / np.square(_largest_deviations(weights, n, held)[states]))
+    into = mode.inverse[:, kept]
+    R = into.T @ np.diag(left.available / weights.actuator**2) @ into
+    try:
+        K, eigenvalues = lq_gains(A[np.ix_(states, states)], B[np.ix_(states, kept)], Q, R)
+    except np.linalg.LinAlgError:
+        what = "what is left cannot stabilise the aircraft about its trim"
+        raise NoSteadyFlight(f"{mode.title}: {what}") from None
+    gains = np.zeros((4, len(A)))
+    gains[np.ix_(kept, states)] = K
+    integral = np.zeros((4, len(INTEGRALS)))
+    integral[:, [INTEGRALS.index(name) for name in held]] = gains[:, nx + n :]
+    return Regulator(*flight, gains[:, :nx], gains[:, nx : nx + n], integral, eigenvalues, held)
+
+
+def _largest_deviations(weights: RegulatorWeights, n: int, held: Sequence[str]) -> np.ndarray:
+    """[10 + n + held] largest acceptable deviation of each state of `linearise`."""
+    states = [getattr(weights.states, name) for name in REGULATOR_STATE]
+    return np.array([*states, *[weights.actuator] * n, *(getattr(weights.integrals, name) for name in held)])
+
+
+_regulators: Cache[Regulator | str] = Cache(256)
+
+
+def regulator_for(setup: Setup, mode: Mode) -> Regulator:
+    """As `design_regulator`, kept: a design takes longer than a second of flight, and is the same in every flight."""
+    arrays = (setup.scale, mode.inverse, setup.limits, setup.lags)
+    control = setup.control.model_dump_json()
+    key = (setup.model, mode.failed, mode.released, control, *(a.tobytes() for a in arrays))
+
+    def designed() -> Regulator | str:
+        try:
+            return design_regulator(setup, mode)
+        except NoSteadyFlight as reason:
+            return str(reason)
+
+    found = _regulators.get(key, designed)
+    if isinstance(found, str):
+        raise NoSteadyFlight(found)
+    return found
+
+
+def jacobian(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray) -> np.ndarray:
+    """[m, n] derivatives of a function of x [n], by central differences."""
+    columns = []
+    for i in range(len(x)):
+        step = np.zeros(len(x))
+        step[i] = _STEP
+        columns.append((function(x + step) - function(x - step)) / (2.0 * _STEP))
+    return np.array(columns).T

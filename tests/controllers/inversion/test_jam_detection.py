@@ -1,0 +1,119 @@
+"""The GLR test for jams: which actuator, how sure, and what becomes of the estimates."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from vtail_setup import WEATHER, Records, records_of, vtail_setup
+
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE
+from testbed.controllers.inversion.jam_detection import (
+    RECENT_FLAG_S,
+    REDESIGN_AFTER,
+    detect_jam,
+    likeliest_jam,
+    take_for_jammed,
+)
+
+SETUP = vtail_setup(WEATHER)
+N = 4
+
+
+def records() -> Records:
+    made = records_of(SETUP)
+    made.s.model_error_variance[:] = made.c.model_error_std**2
+    return made
+
+
+@pytest.mark.parametrize("actuator", range(N))
+@pytest.mark.parametrize("pressure_ratio", [0.8, 1.5])
+def test_the_offset_of_each_actuator_is_found(actuator: int, pressure_ratio: float) -> None:
+    """A residual along B_i is told from those along the others, with its size."""
+    m, c, _, s, _ = records()
+    factor = pressure_ratio if m.servo[actuator] else 1.0
+    s.residual[:] = 3.0 * factor * m.B[:, actuator]
+    found, offset = likeliest_jam(pressure_ratio, m, c, s)
+    assert found == actuator
+    assert offset == pytest.approx(3.0)
+
+
+def test_the_ratio_is_that_of_weighted_least_squares() -> None:
+    """(fit / its standard deviation)^2 of each actuator by numpy; the largest wins if it is beyond jam_sigma^2."""
+    m, c, _, s, _ = records()
+    s.residual[:] = [0.9, -2.0, 0.8, 0.5]
+    variance = 0.5 * c.noise**2 / c.residual_time + s.model_error_variance
+    ratios = []
+    for i in range(N):
+        root = np.sqrt(variance)
+        column, residual = m.B[:, i] / root, s.residual / root
+        fit, *_ = np.linalg.lstsq(column[:, None], residual, rcond=None)
+        ratios.append(fit[0] ** 2 * (column @ column))
+    best = int(np.argmax(ratios))
+    for factor, expected in ((1.001, -1), (0.999, best)):
+        c.jam_sigma = math.sqrt(ratios[best]) * factor
+        assert likeliest_jam(1.0, m, c, s)[0] == expected
+
+
+def test_a_jam_is_flagged_after_its_time_and_not_before() -> None:
+    m, c, _, s, _ = records()
+    e = 6.0 * np.array(m.B)[:, 0]
+    steps = 0
+    while not detect_jam(e, 1.0, m, c, s):
+        steps += 1
+    assert c.jam_time < steps * c.dt < 3.0 * c.jam_time
+    assert s.jammed.tolist() == [1, 0, 0, 0] and s.failed.tolist() == [1, 0, 0, 0]
+
+
+def test_white_residuals_flag_nothing() -> None:
+    """Negative control: gusts of the expected density, a minute of them."""
+    m, c, _, s, _ = records()
+    rng = np.random.default_rng(8)
+    sigma = c.noise / math.sqrt(c.dt)
+    assert not any(detect_jam(sigma * rng.normal(size=4), 1.0, m, c, s) for _ in range(12000))
+
+
+def test_a_negative_estimate_that_is_certain_is_a_reversal() -> None:
+    m, c, _, s, _ = records()
+    s.lambda_hat[1], s.position[1] = -0.9, 0.5
+    steps = round(c.persistence / c.dt)
+    assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps))
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1
+    assert s.jammed[1] == 1 and s.failed[1] == 1
+    assert s.lambda_hat[1] == pytest.approx(-0.45), "from now on its position"
+
+
+def test_an_uncertain_negative_estimate_is_none() -> None:
+    m, c, _, s, _ = records()
+    s.lambda_hat[1], s.P[1, 1] = -0.9, 1.1 * c.flag_std_max**2
+    assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(400))
+
+
+def test_the_mode_is_designed_again_when_the_jammed_actuator_moves() -> None:
+    m, c, _, s, _ = records()
+    s.jammed[0], s.failed[0], s.lambda_hat[0], s.designed_position[0] = 1, 1, 1.0, 1.0
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 0
+    s.lambda_hat[0] = 1.0 + 1.01 * REDESIGN_AFTER
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1
+
+
+def test_a_jam_takes_back_recent_flags_and_starts_the_estimates_again() -> None:
+    """Flags that the jam may have caused are taken back; an older failure stays one."""
+    m, _, _, s, _ = records()
+    s.lambda_hat[:] = [0.1, 0.4, 0.02, 0.9]
+    s.failed[:] = [1, 0, 1, 0]
+    s.since_flag[:] = [0.9 * RECENT_FLAG_S, math.inf, 1.1 * RECENT_FLAG_S, math.inf]
+    s.b[:], s.residual[:] = 1.0, 1.0
+    take_for_jammed(3, 2.5, m, s)
+    assert s.failed.tolist() == [0, 0, 1, 1] and s.jammed.tolist() == [0, 0, 0, 1]
+    assert s.lambda_hat.tolist() == [1.0, 1.0, 0.02, 2.5]
+    assert not s.b.any() and not s.residual.any()
+    assert np.allclose(np.diag(s.P)[N:], s.model_error_variance)
+    assert np.diag(s.P)[[0, 1, 3]].tolist() == [HEALTHY_VARIANCE, HEALTHY_VARIANCE, JAM_VARIANCE]
+
+
+def test_a_jammed_position_is_within_the_stops() -> None:
+    m, _, _, s, _ = records()
+    take_for_jammed(0, 99.0, m, s)
+    assert s.lambda_hat[0] == m.high[0]

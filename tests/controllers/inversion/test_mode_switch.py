@@ -1,0 +1,124 @@
+"""Which mode is in force, what is said of those that cannot be, and aircraft that cannot be flown at all."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from vtail_setup import WEATHER, vtail_setup
+
+from testbed.controllers.initial_records import trimmed_memory
+from testbed.controllers.inversion.mode_switch import ModeSwitch
+from testbed.controllers.setup import Setup
+from testbed.inputs.problems import BadInput
+
+SETUP = vtail_setup()
+
+
+def switch_of(setup: Setup = SETUP) -> tuple[ModeSwitch, Any]:
+    memory = trimmed_memory(setup)
+    return ModeSwitch(setup, memory), memory[0]
+
+
+def with_control(**changes: Any) -> Setup:
+    return replace(SETUP, control=SETUP.control.model_copy(update=changes))
+
+
+def test_a_flight_begins_with_everything_available() -> None:
+    modes, s = switch_of()
+    k = modes.record[0]
+    assert k.available.tolist() == [1] * 4 and not k.released.any() and not k.regulated and not k.redundant
+    assert np.array(k.B_hat_inv) @ (np.array(SETUP.model.input_matrix)[:4] * SETUP.scale) == pytest.approx(
+        np.eye(4), abs=1e-9
+    )
+    assert s.pitch_integral == SETUP.trim_pitch
+    assert modes.reasons == []
+
+
+def test_a_flagged_tail_puts_its_mode_in_force_and_starts_the_integrals_again() -> None:
+    modes, s = switch_of()
+    s.failed[0], s.heading_integral, s.integral[:] = 1, 0.4, 5.0
+    modes.switch(100)
+    k = modes.record[0]
+    assert modes.mode.failed == ("left_ruddervator",)
+    assert k.available.tolist() == [0, 1, 1, 1] and k.released.tolist() == [0, 0, 1, 0] and k.regulated == 1
+    assert k.K.any() and k.r_trim.any()
+    assert s.heading_integral == 0.0 and not s.integral.any()
+    assert k.slow_descent_from == SETUP.control.loops.protect_from_m_s
+    s.failed[0] = 0
+    modes.switch(200)
+    assert modes.mode.failed == () and not k.regulated and not k.r_trim.any()
+
+
+def test_a_lost_propeller_protects_airspeed_earlier() -> None:
+    modes, s = switch_of()
+    s.failed[2] = 1
+    modes.switch(1)
+    k = modes.record[0]
+    assert k.slow_descent_from == SETUP.control.loops.lost_thrust_protect_from_m_s
+    assert k.airspeed_offset >= SETUP.control.loops.lost_thrust_faster_m_s - 1e-9
+
+
+def test_what_cannot_be_flown_leaves_the_last_mode_and_is_said_once() -> None:
+    modes, s = switch_of()
+    s.failed[0] = 1
+    modes.switch(1)
+    for failed, said in (
+        ((0, 1, 2), "one actuator cannot hold altitude and heading"),
+        ((0, 1, 2, 3), "4 actuators"),
+    ):
+        s.failed[list(failed)] = 1
+        modes.switch(2)
+        modes.switch(3)
+        assert modes.mode.failed == ("left_ruddervator",)
+        assert [step for step, text in modes.reasons if said in text] == [2]
+
+
+def test_a_descent_is_said_with_its_angle() -> None:
+    modes, s = switch_of()
+    s.failed[2:] = 1
+    modes.switch(7)
+    ((step, text),) = modes.reasons
+    assert step == 7 and text.startswith("left_propeller, right_propeller failed: altitude cannot be held.")
+    assert text.endswith("deg") and "path angle of about -" in text
+
+
+def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
+    modes, s = switch_of(vtail_setup(WEATHER))
+    s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 0.6
+    modes.switch(5)
+    assert [text for _, text in modes.reasons] == [
+        "left_ruddervator: not a loss of effectiveness, it acts against its command (jammed, offset or reversed)"
+    ]
+    assert s.designed_position[0] == 0.6
+    assert modes.record[0].r_trim[0] == 0.6
+
+
+def test_a_jam_that_no_trim_balances_is_flown_as_a_loss() -> None:
+    modes, s = switch_of()
+    s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 30.0
+    modes.switch(5)
+    assert modes.mode.failed == ("left_ruddervator",)
+    assert modes.record[0].r_trim[0] == pytest.approx(SETUP.model.trim[0] / SETUP.scale[0])
+
+
+def test_an_aircraft_that_cannot_be_inverted_is_bad_input_before_the_flight() -> None:
+    with pytest.raises(BadInput) as caught:
+        switch_of(with_control(condition_max=2.0))
+    text = str(caught.value)
+    for part in (
+        "controller",
+        "vtail cannot be flown by inversion",
+        "condition number",
+        "is above 2",
+        "condition_max",
+    ):
+        assert part in text
+
+
+def test_released_axes_that_leave_no_steady_flight_are_bad_input() -> None:
+    limits = [replace(a, low=-1e-9, high=1e-9) for a in SETUP.actuators]
+    with pytest.raises(BadInput, match="cannot be flown with these axes released"):
+        switch_of(replace(vtail_setup(WEATHER), actuators=limits))

@@ -1,0 +1,103 @@
+"""The regulator of a mode: derivatives, the linear plant, the gains, and that the designed loop is stable."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.linalg import expm
+from vtail_setup import vtail_setup
+
+from testbed.controllers.inversion.mode_trim import NoSteadyFlight, Remaining, steady_flight
+from testbed.controllers.inversion.modes import Mode, enumerate_modes
+from testbed.controllers.inversion.regulator import (
+    design_regulator,
+    jacobian,
+    linearise,
+    lq_gains,
+    regulator_for,
+)
+from testbed.controllers.records import ALTITUDE
+
+SETUP = vtail_setup()
+MODES = enumerate_modes(SETUP.model, SETUP.scale, SETUP.control)
+REGULATED = [
+    failed for failed, mode in MODES.items() if mode.released and not mode.refused and len(failed) < 3
+]
+
+
+def test_jacobian_of_a_known_function() -> None:
+    found = jacobian(lambda x: np.array([x[0] * x[1], math.sin(x[0]), 3.0]), np.array([0.5, 2.0]))
+    assert found == pytest.approx(np.array([[2.0, 0.5], [math.cos(0.5), 0.0], [0.0, 0.0]]), abs=1e-8)
+
+
+def test_gains_of_the_double_integrator_are_the_textbooks() -> None:
+    """x'' = u, Q = I, R = 1: K = (1, sqrt 3), poles (-sqrt 3 +- i) / 2 (Anderson and Moore, Optimal Control, 1990)."""
+    A, B = np.array([[0.0, 1.0], [0.0, 0.0]]), np.array([[0.0], [1.0]])
+    K, poles = lq_gains(A, B, np.eye(2), np.eye(1))
+    assert pytest.approx(np.array([[1.0, math.sqrt(3.0)]])) == K
+    assert sorted(poles, key=lambda z: z.imag) == pytest.approx(
+        [(-math.sqrt(3) - 1j) / 2, (-math.sqrt(3) + 1j) / 2]
+    )
+
+
+def test_what_is_unstable_and_not_controlled_has_no_gains() -> None:
+    with pytest.raises(np.linalg.LinAlgError):
+        lq_gains(np.array([[1.0]]), np.array([[0.0]]), np.eye(1), np.eye(1))
+
+
+def test_the_linear_plant_moves_as_the_design_model_does() -> None:
+    """A small disturbance for 0.1 s: expm(A t) against small steps of the nonlinear motion, lags and integrals."""
+    left = Remaining.after(SETUP, MODES[(0,)], {})
+    flight, held = steady_flight(left, SETUP.control.loops, "")
+    A, _ = linearise(left, SETUP.lags, flight, held)
+    dz = 1e-3 * np.random.default_rng(2).normal(size=len(A))
+    z, steps = np.concatenate([*flight, np.zeros(3)]) + dz, 4000
+    for _ in range(steps):
+        x, a = z[:10], z[10:14]
+        rates = np.concatenate(
+            [left.motion(x, a), SETUP.lags * (flight.positions - a), (x - flight.state)[[0, ALTITUDE, 8]]]
+        )
+        z = z + 0.1 / steps * rates
+    moved = z - np.concatenate([*flight, np.zeros(3)])
+    assert moved == pytest.approx(expm(0.1 * A) @ dz, abs=2e-5)
+
+
+@pytest.mark.parametrize("failed", REGULATED)
+def test_every_mode_of_the_vtail_is_stable_about_its_trim(failed: tuple[int, ...]) -> None:
+    mode = MODES[failed]
+    regulator = design_regulator(SETUP, mode)
+    assert regulator.eigenvalues.real.max() < 0.0
+    released = [i for i, axis in enumerate(("p_dot", "q_dot", "r_dot", "u_dot")) if axis in mode.released]
+    for gains in (regulator.K, regulator.K_actuator, regulator.K_integral):
+        assert not gains[released].any(), "nothing is asked of a released axis"
+    assert not regulator.K_actuator[:, list(failed)].any(), "nor fed back from a failed actuator"
+    if "altitude" not in regulator.held:
+        assert not regulator.K[:, ALTITUDE].any()
+
+
+def test_bryson_a_smaller_deviation_is_held_more_tightly() -> None:
+    weights = SETUP.control.regulator
+    states = weights.states.model_copy(update={"roll": 0.1})
+    control = SETUP.control.model_copy(update={"regulator": weights.model_copy(update={"states": states})})
+    tight = design_regulator(replace(SETUP, control=control), MODES[(0,)])
+    assert np.abs(tight.K[:, 6]).max() > 1.5 * np.abs(design_regulator(SETUP, MODES[(0,)]).K[:, 6]).max()
+
+
+def test_a_jammed_surface_moves_the_trim() -> None:
+    there = design_regulator(SETUP, MODES[(0,)], {0: 0.6})
+    assert there.r_trim[0] == 0.6
+    assert abs(there.x_trim[2] - design_regulator(SETUP, MODES[(0,)]).x_trim[2]) > 0.01
+
+
+def test_a_regulator_is_kept_and_so_is_that_there_is_none() -> None:
+    assert regulator_for(SETUP, MODES[(2,)]) is regulator_for(SETUP, MODES[(2,)])
+    assert regulator_for(SETUP, MODES[(2,)]) is not regulator_for(SETUP, MODES[(3,)])
+    hopeless = Mode(
+        ("left_ruddervator", "right_ruddervator", "left_propeller"), ("p_dot",), np.zeros((4, 4)), 1.0
+    )
+    for _ in range(2):
+        with pytest.raises(NoSteadyFlight, match="one actuator cannot hold"):
+            regulator_for(SETUP, hopeless)

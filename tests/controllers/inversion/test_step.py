@@ -1,0 +1,83 @@
+"""One control step: the order of figure 2, and what it leaves undone when the failures change."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from vtail_setup import WEATHER, setpoint, trim_state, vtail_setup
+
+from testbed.common.signals import RATES, SETPOINT, STATE, record_dtype, telemetry_width
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
+from testbed.controllers.inversion.mode_switch import ModeSwitch
+from testbed.controllers.inversion.step import adaptive_step, command_step, estimate
+from testbed.controllers.records import REGULATOR_STATE, work_dtype
+from testbed.controllers.setup import Setup
+
+NEWTON = vtail_setup()
+WEIGHTED = vtail_setup(WEATHER)
+MODEL = NEWTON.model
+
+
+def parts_of(setup: Setup, effectiveness: float = 1.0) -> tuple[Any, ...]:
+    """Channels of one step at the trim, measured rates being the design model's with this left tail, and the records."""
+    measured, references = np.zeros(1, record_dtype(STATE)), np.zeros(1, record_dtype(SETPOINT))
+    measured[:] = trim_state(MODEL)
+    x = {name: float(measured[0][name]) for name in REGULATOR_STATE[:8]}
+    rates = MODEL.rates(x, np.array(MODEL.trim), np.array([effectiveness, 1.0, 1.0, 1.0]))
+    for name, value in zip(RATES, rates, strict=False):
+        measured[name] = value
+    references[:] = setpoint(altitude=MODEL.altitude_m, airspeed=MODEL.airspeed_m_s)
+    memory, chosen = trimmed_memory(setup), setup.settings
+    assert isinstance(chosen, AdaptiveInversionSettings)
+    mode = ModeSwitch(setup, memory).record
+    own = (model_record(setup), settings_record(setup, chosen), mode, memory, np.zeros(1, work_dtype(4)))
+    return measured, references, np.zeros((1, telemetry_width(4))), *own
+
+
+@pytest.mark.parametrize("setup", [NEWTON, WEIGHTED], ids=["newton", "weighted"])
+def test_at_the_trim_it_commands_the_trim(setup: Setup) -> None:
+    parts = parts_of(setup)
+    s = parts[6][0]
+    before = s.position.copy()
+    assert adaptive_step(0, parts) == 0
+    assert s.u == pytest.approx(before, abs=1e-3)
+    assert s.lambda_hat == pytest.approx(np.ones(4), abs=1e-4)
+    assert parts[2][0, 4:8].tolist() == s.u.tolist()
+
+
+@pytest.mark.parametrize("setup", [NEWTON, WEIGHTED], ids=["newton", "weighted"])
+def test_the_lost_actuator_is_the_one_whose_estimate_falls(setup: Setup) -> None:
+    parts = parts_of(setup, effectiveness=0.0)
+    m, c, s, w = parts[3][0], parts[4][0], parts[6][0], parts[7][0]
+    y = parts[0][0]
+    from testbed.controllers.inversion.law import state_function
+
+    state_function(y, m, w.f)
+    for _ in range(200):
+        estimate(y, m, c, s, w)
+    assert s.lambda_hat[0] < 0.9
+    assert s.lambda_hat[0] == min(s.lambda_hat)
+
+
+def test_a_step_that_flags_has_not_commanded_yet() -> None:
+    """It waits for the mode of the new failures; `command_step` then fills commands and telemetry."""
+    parts = parts_of(NEWTON, effectiveness=0.0)
+    telemetry, s = parts[2], parts[6][0]
+    for _ in range(2000):
+        telemetry[:] = 0.0
+        if adaptive_step(0, parts):
+            break
+    assert s.failed.tolist() == [1, 0, 0, 0]
+    assert not telemetry.any()
+    command_step(0, parts)
+    assert telemetry[0, 12:16].tolist() == [1.0, 0.0, 0.0, 0.0] and telemetry[0, :8].any()
+
+
+def test_without_adaptation_nothing_is_estimated() -> None:
+    parts = parts_of(NEWTON, effectiveness=0.0)
+    parts[4][0].adapts = 0
+    assert not any(adaptive_step(0, parts) for _ in range(300))
+    assert parts[6][0].lambda_hat.tolist() == [1.0] * 4

@@ -1,0 +1,44 @@
+"""From positions to commands, and the order of the telemetry."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from vtail_setup import axial, records_of, vtail_setup
+
+from testbed.common.signals import RATES, TELEMETRY, telemetry_width
+from testbed.controllers.actuator_model import throttle_for
+from testbed.controllers.commands import command_actuators, write_telemetry
+
+
+def test_servos_get_angles_and_motors_the_throttle_for_their_thrust() -> None:
+    setup = vtail_setup()
+    m, _, _, s, _ = records_of(setup)
+    s.u[:] = [0.3, -0.4, 2.0, 3.0]
+    command_actuators(axial(setup.model), m, s)
+    assert s.command[:2] == pytest.approx(np.array([0.3, -0.4]) * setup.scale[:2])
+    for i, thrust in ((2, 4.0), (3, 6.0)):
+        assert s.command[i] == throttle_for(i, thrust, axial(setup.model), m, s)
+
+
+def test_the_row_has_the_order_of_the_signals() -> None:
+    s = records_of(vtail_setup()).s
+    s.r[:], s.u[:], s.lambda_hat[:] = [1, 2, 3, 4], [5, 6, 7, 8], [0.1, 0.2, 0.3, 0.4]
+    s.failed[:], s.x_dc_dot[:] = [0, 1, 0, 0], [10, 20, 30, 40]
+    row = np.full(telemetry_width(4), np.nan)
+    write_telemetry(row, np.array([0, 0, 1, 0], np.int8), s)
+    of = {name: row[4 * i : 4 * i + 4].tolist() for i, name in enumerate(TELEMETRY)}
+    assert of["reference"] == [1, 2, 3, 4] and of["command"] == [5, 6, 7, 8]
+    assert of["effectiveness_estimate"] == [0.1, 0.2, 0.3, 0.4] and of["failed"] == [0, 1, 0, 0]
+    rates = len(TELEMETRY) * 4
+    assert row[rates : rates + len(RATES)].tolist() == [10, 20, 30, 40]
+    assert row[rates + len(RATES) :].tolist() == [0, 0, 1, 0]
+
+
+def test_a_jammed_actuator_has_no_effectiveness() -> None:
+    """What is estimated of it is its position, which is no effectiveness to be logged."""
+    s = records_of(vtail_setup()).s
+    s.lambda_hat[1], s.jammed[1] = 2.5, 1
+    row = np.zeros(telemetry_width(4))
+    write_telemetry(row, np.zeros(4, np.int8), s)
+    assert row[8:12].tolist() == [1.0, 0.0, 1.0, 1.0]

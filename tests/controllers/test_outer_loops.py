@@ -1,0 +1,134 @@
+"""Outer loops: zero at the trim, each through its own rate, limited; the regulator against its matrix form."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from vtail_setup import WEATHER, records_of, setpoint, trim_state, vtail_setup
+
+from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.outer_loops import accumulate, clip, pid_loops, regulate, wrap
+from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, REGULATOR_STATE, U_DOT
+
+SETUP = vtail_setup()
+MODEL = SETUP.model
+LEVEL = {"altitude": MODEL.altitude_m, "airspeed": MODEL.airspeed_m_s}
+
+
+def desired(reference: dict[str, float], **state: float) -> np.ndarray:
+    """x_dc_dot of one step of the paper's loops at the trim, with these changes."""
+    _, c, _, s, w = records_of(SETUP)
+    w.f[:] = [0.1, 0.2, 0.3, 0.4]
+    pid_loops(trim_state(MODEL, **state), setpoint(**{**LEVEL, **reference}), c, s, w.f, w.nu)
+    assert w.nu == pytest.approx(s.x_dc_dot - w.f), "nu is the bracket of (29)"
+    return np.array(s.x_dc_dot)
+
+
+def test_on_its_references_nothing_is_asked() -> None:
+    assert desired({}) == pytest.approx(np.zeros(4), abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("reference", "through"),
+    [({"airspeed": 18.5}, U_DOT), ({"altitude": 301.0}, Q_DOT), ({"heading": 0.1}, P_DOT)],
+)
+def test_each_error_is_flown_through_its_own_rate(reference: dict[str, float], through: int) -> None:
+    asked = desired(reference)
+    assert asked[through] > 0.0
+    assert np.delete(asked, through) == pytest.approx(np.zeros(3), abs=1e-12)
+
+
+def test_sideslip_is_turned_into_and_the_cascade_has_its_gains() -> None:
+    loops = SETUP.control.loops
+    asked = desired({}, beta=0.05)
+    integral = loops.sideslip_ki * 0.05 * SETUP.dt_s
+    assert asked[R_DOT] == pytest.approx(loops.r_kp * (loops.sideslip_kp * 0.05 + integral))
+    assert desired({}, p=0.2)[P_DOT] == pytest.approx(-loops.p_kp * 0.2)
+    assert desired({}, q=0.2)[Q_DOT] == pytest.approx(-loops.q_kp * 0.2)
+
+
+def test_a_coordinated_turn_is_steady() -> None:
+    """At the bank, pitch rate and yaw rate of a level turn the loops ask for no rotation."""
+    rate, v = 0.1, MODEL.airspeed_m_s
+    bank = math.atan(v * rate / GRAVITY_M_S2)
+    pitch = MODEL.alpha_rad
+    r = GRAVITY_M_S2 / v * math.sin(bank) * math.cos(pitch)
+    q = GRAVITY_M_S2 / v * math.tan(bank) * math.sin(bank)
+    asked = desired({"heading_rate": rate}, roll=bank, q=q, r=r)
+    assert asked[[P_DOT, Q_DOT, R_DOT]] == pytest.approx(np.zeros(3), abs=1e-9)
+
+
+def test_errors_and_demands_are_limited() -> None:
+    loops = SETUP.control.loops
+    far = desired({"airspeed": 99.0, "heading": 3.0})
+    assert far[U_DOT] == loops.u_dot_max
+    assert far[P_DOT] == pytest.approx(desired({"heading": math.radians(loops.heading_error_max_deg)})[P_DOT])
+
+
+def test_the_heading_is_reached_the_short_way() -> None:
+    right, left = (
+        desired({"heading": 0.1}, heading=2.0 * math.pi - 0.1),
+        desired({"heading": 6.1}, heading=0.1),
+    )
+    assert right[P_DOT] > 0.0 > left[P_DOT]
+    assert wrap(3.5) == pytest.approx(3.5 - 2.0 * math.pi)
+
+
+def test_clip() -> None:
+    assert [clip(x, 2.0) for x in (-3.0, -1.0, 0.0, 1.0, 3.0)] == [-2.0, -1.0, 0.0, 1.0, 2.0]
+
+
+def test_an_integral_neither_winds_up_nor_latches() -> None:
+    """Within its limit an error integrates; at it, only back towards zero, and no faster than at the limit."""
+    assert accumulate(3.0, 1.5, 2.0, 0.1) == pytest.approx(3.15)
+    assert accumulate(3.0, 2.0, 2.0, 0.1) == 3.0
+    assert accumulate(0.0, -2.0, 2.0, 0.1) == 0.0
+    assert accumulate(-45.0, 100.0, 5.0, 0.1) == pytest.approx(-44.5)
+
+
+def test_the_regulator_is_its_state_feedback() -> None:
+    """nu = -K dx - K_a da - K_i integral in matrices, about a trim that is not the reference's."""
+    rng = np.random.default_rng(5)
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:] = (
+        rng.normal(size=x.shape) for x in (k.K, k.K_actuator, k.K_integral)
+    )
+    k.x_trim[:], k.r_trim[:] = 0.1 * rng.normal(size=10), rng.normal(size=4)
+    k.airspeed_offset, k.available[:] = 0.5, [1, 1, 0, 1]
+    s.position[:], s.lambda_hat[:], s.integral[:] = (
+        rng.normal(size=4),
+        rng.uniform(0.2, 1.0, 4),
+        [0.3, -0.2, 0.1],
+    )
+    w.f[:] = rng.normal(size=4)
+    changes = dict(zip(REGULATOR_STATE, 0.05 * rng.normal(size=10), strict=True))
+    ref = setpoint(**{**LEVEL, "heading": 0.02, "altitude_rate": 0.7, "heading_rate": 0.05})
+    y = trim_state(MODEL, **{**changes, "airspeed": 18.3, "altitude": 300.4})
+    regulate(y, ref, m, c, k, s, w.f, w.nu)
+
+    bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
+    target = k.x_trim.copy()
+    target[0], target[8], target[9] = 18.5, 0.02, MODEL.altitude_m
+    target[3:6] = 0.0, ref.heading_rate * math.sin(bank), ref.heading_rate * math.cos(bank)
+    target[6] += bank
+    target[7] += 0.7 / y.airspeed
+    dx = np.array([y[name] for name in REGULATOR_STATE]) - target
+    integral = np.array([0.3, -0.2, 0.1]) + SETUP.dt_s * dx[[0, 9, 8]]
+    da = s.position * s.lambda_hat - k.r_trim
+    assert s.integral == pytest.approx(integral)
+    assert w.nu == pytest.approx(-k.K @ dx - k.K_actuator @ da - k.K_integral @ integral)
+    assert s.x_dc_dot == pytest.approx(w.f + w.nu + m.B @ (k.r_trim * k.available))
+
+
+def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
+    k.K[0, 9] = -1.0  # nu of the first row is the altitude error that the regulator sees
+    k.slow_descent, k.slow_descent_from = 2.0, 1.5
+    for missing, altitude_error in ((1.0, 0.0), (1.5, 0.0), (2.5, 2.0)):
+        y = trim_state(MODEL, airspeed=MODEL.airspeed_m_s - missing)
+        k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
+        regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+        assert w.nu[0] == pytest.approx(altitude_error)
