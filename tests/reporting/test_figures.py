@@ -13,7 +13,8 @@ import pytest
 from handmade import ACTUATORS, flight_of, injection, level_log
 
 from testbed.flight.flight import Flight, Outcome
-from testbed.reporting.figures import FIGURES, draw
+from testbed.reporting.figures import TABLE as FIGURES
+from testbed.reporting.figures import draw
 from testbed.reporting.figures.marks import marks, rows_of
 from testbed.reporting.figures.page import thin
 

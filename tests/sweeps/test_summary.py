@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
-from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +10,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from scipy import stats
-from sweep_files import SWEEP, run, table, written
+from sweep_files import SWEEP, table, written
 from sweep_flights import bad, quick
 
 import testbed
@@ -117,59 +115,3 @@ def test_the_worst_runs_come_first(tmp_path: Path) -> None:
     frame = testbed.sweep(written(tmp_path, text), tmp_path / "out", fly=bad)
     plan = load_sweep(tmp_path / "out/sweep.yaml")
     assert list(worst(plan, frame)["run"]) == [2, 4, 0, 1]  # no result; then by altitude error; 3 has passed
-
-
-class Page(HTMLParser):
-    """Collects what a page refers to, and checks that tags close."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.references: list[str] = []
-        self.tags: list[str] = []
-        self.text = ""
-
-    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
-        self.tags.append(tag)
-        self.references += [value or "" for name, value in attributes if name in ("src", "href")]
-
-    def handle_data(self, data: str) -> None:
-        self.text += data
-
-
-def test_the_report_is_one_file_that_fetches_and_runs_nothing(answered: Path) -> None:
-    page = Page()
-    page.feed((answered / "report.html").read_text())
-    assert "script" not in page.tags and page.tags.count("img") >= 4
-    assert all(reference.startswith("data:image/png;base64,") for reference in page.references)
-    for words in (
-        "all requirements",
-        "exact McNemar",
-        "99 % stay within",
-        "PAWN",
-        "How many runs a claim needs",
-    ):
-        assert words in page.text
-    drawn = {f.name for f in (answered / "figures").iterdir()}
-    assert drawn >= {"probabilities.png", "survival.png", "envelope.png", "drivers.png"}
-
-
-def test_the_report_names_commands_that_work(tmp_path: Path) -> None:
-    testbed.sweep(written(tmp_path), tmp_path / "out", runs=4, save_logs="none")
-    commands = re.findall(r"<code>python -m testbed (.*?)</code>", (tmp_path / "out/report.html").read_text())
-    assert commands
-    arguments = commands[0].split()
-    result = run(tmp_path, *arguments, "--out", "again")
-    assert result.returncode == 1, result.stderr
-    rows = (tmp_path / "again/results.csv").read_text().splitlines()[1:]
-    assert set(rows) <= set((tmp_path / "out/results.csv").read_text().splitlines())
-
-
-def test_report_rebuilds_the_same_table_and_summary(answered: Path) -> None:
-    before = {
-        name: (answered / name).read_bytes() for name in ("results.csv", "results.parquet", "summary.json")
-    }
-    for name in before:
-        (answered / name).unlink()
-    result = run(answered.parent, "report", "out")
-    assert result.returncode == 1, result.stderr
-    assert before == {name: (answered / name).read_bytes() for name in before}

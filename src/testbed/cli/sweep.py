@@ -12,6 +12,7 @@ from typing import Any
 from testbed import monte_carlo as api
 from testbed.flight.folder import refuse_existing, write_run_folder
 from testbed.inputs.problems import BadInput, Problem
+from testbed.reporting.numbers import interval, number
 from testbed.sweeps.checks import check
 from testbed.sweeps.folder import results
 from testbed.sweeps.folder.store import flight_label
@@ -73,11 +74,13 @@ def print_answer(found: dict[str, Any]) -> None:
             continue
         print(f"{variant['label'] or found['sweep']}: {total['n']} runs")
         for known, name in [(total, "all requirements"), *((r, r["name"]) for r in variant["requirements"])]:
-            print(f"  {known['estimate']:.3f} ({known['low']:.3f} to {known['high']:.3f})  {name}")
+            print(f"  {interval(known)}  {name}")
     for pair in found["pairs"]:
         if pair["difference"] is not None:
-            interval = f"{pair['difference']:+.3f} ({pair['low']:+.3f} to {pair['high']:+.3f})"
-            print(f"{pair['first']} minus {pair['second']}: {interval}, p = {pair['p_value']:.2g}")
+            difference = interval(pair, "difference", "+.3f")
+            print(
+                f"{pair['first']} minus {pair['second']}: {difference}, p = {number(pair['p_value'], '.2g')}"
+            )
 
 
 def validate(file: str) -> Plan:

@@ -1,4 +1,4 @@
-"""Figures of a sweep: each a function of its plan, its table and its folder, and a line in FIGURES."""
+"""Figures of a sweep: each a function of its plan, its table and its folder, and a line in TABLE."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
     target = folder / "figures"
     target.mkdir(exist_ok=True)
     files = []
-    for name, draw in FIGURES.items():
+    for name, draw in TABLE.items():
         figure = draw(plan, frame, folder)
         if figure is not None:
             files.append(target / f"{name}.png")
@@ -197,7 +197,7 @@ def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 
 Draw = Callable[[Plan, "pd.DataFrame", Path], Figure | None]
 
-FIGURES: dict[str, Draw] = {
+TABLE: dict[str, Draw] = {
     function.__name__: function for function in (probabilities, survival, envelope, detection_delay, drivers)
 }
 

@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from testbed.common.files import replacing
+from testbed.common.plain import plain
 from testbed.sweeps import statistics
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.sensitivity import sensitivity
@@ -42,16 +44,15 @@ def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
             _pair(one[0], one[1], other[0], other[1]) for one, other in itertools.combinations(groups, 2)
         ],
     }
-    plain: dict[str, Any] = _plain(summary)
-    return plain
+    known: dict[str, Any] = plain(summary)
+    return known
 
 
 def write(summary: dict[str, Any], folder: Path) -> None:
     """Write summary.json, whole or not at all."""
-    partial = folder / ".summary.json.partial"
     text = json.dumps(summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    partial.write_text(text + "\n", encoding="utf-8")
-    partial.replace(folder / "summary.json")
+    with replacing(folder / "summary.json") as partial:
+        partial.write_text(text + "\n", encoding="utf-8")
 
 
 def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
@@ -167,14 +168,3 @@ def _pair(one: str, first: pd.DataFrame, other: str, second: pd.DataFrame) -> di
     runs = a.index.intersection(b.index)
     result = statistics.paired(a[runs].tolist(), b[runs].tolist())
     return {"first": one, "second": other, "n": len(runs), **result.plain}
-
-
-def _plain(value: Any) -> Any:
-    """Python's own types; None for a number that is not finite."""
-    if isinstance(value, dict):
-        return {str(key): _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if isinstance(value, np.generic):
-        return _plain(value.item())
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
 
 CHANNELS = {
@@ -38,7 +39,7 @@ def thinned(flight: Flight) -> bytes:
         for j, (signal, command) in enumerate(CHANNELS.values()):
             error = column[signal][rows] - column[command][rows]
             if signal.startswith("heading"):
-                error = np.mod(error + 180.0, 360.0) - 180.0
+                error = wrap_deg(error)
             result[j, : len(rows)] = error
     return result.tobytes()
 

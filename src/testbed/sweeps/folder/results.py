@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import itertools
 import json
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -10,6 +11,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
+from testbed.common.files import replacing
 from testbed.sweeps.plan import Plan
 
 Records = Callable[[], Iterator[Mapping[str, Any]]]
@@ -67,28 +69,18 @@ def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
     kinds = columns(plan, records())
     arrow = {bool: pa.bool_(), int: pa.int64(), float: pa.float64(), str: pa.string()}
     schema = pa.schema([(name, arrow[kind]) for name, kind in kinds.items()])
-    text, parquet = folder / ".results.csv.partial", folder / ".results.parquet.partial"
-    try:
-        with ExitStack() as stack:
-            stream = stack.enter_context(text.open("w", encoding="utf-8", newline=""))
-            writer = csv.writer(stream, lineterminator="\n")
-            writer.writerow(kinds)
-            binary = stack.enter_context(pq.ParquetWriter(parquet, schema, compression="zstd"))
-            group: list[dict[str, Any]] = []
-            for row in rows(plan, records()):
-                flat = {name: _value(row.get(name), kind) for name, kind in kinds.items()}
-                writer.writerow(map(_cell, flat.values()))
-                group.append(flat)
-                if len(group) >= _GROUP:
-                    binary.write_table(pa.Table.from_pylist(group, schema))
-                    group.clear()
-            if group:
-                binary.write_table(pa.Table.from_pylist(group, schema))
-        text.replace(folder / "results.csv")
-        parquet.replace(folder / "results.parquet")
-    finally:
-        for partial in (text, parquet):
-            partial.unlink(missing_ok=True)
+    with ExitStack() as stack:
+        text = stack.enter_context(replacing(folder / "results.csv"))
+        parquet = stack.enter_context(replacing(folder / "results.parquet"))
+        stream = stack.enter_context(text.open("w", encoding="utf-8", newline=""))
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(kinds)
+        binary = stack.enter_context(pq.ParquetWriter(parquet, schema, compression="zstd"))
+        table = ({name: _value(row.get(name), kind) for name, kind in kinds.items()}
+                 for row in rows(plan, records()))  # fmt: skip
+        while group := list(itertools.islice(table, _GROUP)):
+            writer.writerows(map(_cell, row.values()) for row in group)
+            binary.write_table(pa.Table.from_pylist(group, schema))
     return kinds
 
 

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.description import load_aircraft
+from testbed.common.files import replacing
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
@@ -215,13 +216,7 @@ def _shown(value: Any) -> str:
 def _write_whole(file: Path, content: bytes) -> None:
     """Write a file whole or not at all."""
     file.parent.mkdir(parents=True, exist_ok=True)
-    partial = file.with_name(f".{file.name}.partial")
-    try:
-        with partial.open("wb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        partial.replace(file)
-    except BaseException:
-        partial.unlink(missing_ok=True)
-        raise
+    with replacing(file) as partial, partial.open("wb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
