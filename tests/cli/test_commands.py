@@ -14,7 +14,7 @@ from handmade import make_flight
 
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
-from testbed.cli.commands import _write
+from testbed.cli.flight import write
 from testbed.controllers.config import SETTINGS
 from testbed.failures import TYPES
 from testbed.flight.folder import write_run_folder
@@ -146,7 +146,7 @@ def test_a_damaged_run_folder_is_reported(tmp_path: Path) -> None:
 
 def test_default_folders_are_numbered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    folders = [str(_write(make_flight(), None, lambda _: None)) for _ in range(3)]
+    folders = [str(write(make_flight(), None, lambda _: None)) for _ in range(3)]
     assert folders == [f"runs/left-tail-failure{end}" for end in ("", "-2", "-3")]
 
 

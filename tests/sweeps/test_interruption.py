@@ -72,9 +72,9 @@ def test_a_full_disk_keeps_what_had_finished(tmp_path: Path) -> None:
     limited = f"""
 import resource
 from pathlib import Path
-from testbed import monte_carlo as api
+from testbed import monte_carlo
 from testbed.sweeps.run import Options, Stopped, fly_sweep
-plan, folder = api.prepare({str(sweep)!r}, {str(tmp_path / "out")!r}, runs=100)
+plan, folder = monte_carlo.prepare({str(sweep)!r}, {str(tmp_path / "out")!r}, runs=100)
 resource.setrlimit(resource.RLIMIT_FSIZE, (40_000, 40_000))
 try:
     fly_sweep(plan, folder, Options(jobs=2, save_logs="none", fly=sweep_flights.quick))

@@ -1,4 +1,4 @@
-"""A sweep, read and resolved: what run i is. Nothing here flies."""
+"""A sweep file, read and resolved: how many runs it has, and what is drawn for run i. Nothing here flies."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _MAPPINGS = ("set", "vary", "compare")
 
 @dataclass(frozen=True)
 class Plan:
-    """A sweep and what follows from it: `runs` runs, each flown once for every variant."""
+    """A resolved sweep: `runs` runs, each flown once for every variant with the same draw and seed."""
 
     sweep: Sweep
     name: str
@@ -38,7 +38,7 @@ class Plan:
     runs: int
     cases: list[dict[str, Any]] | None = None
     cases_text: str | None = None
-    _blocks: OrderedDict[int, list[dict[str, Any]]] = field(default_factory=OrderedDict, compare=False)
+    _batches: OrderedDict[int, list[dict[str, Any]]] = field(default_factory=OrderedDict, compare=False)
 
     @property
     def variants(self) -> tuple[Variant, ...]:
@@ -54,16 +54,16 @@ class Plan:
 
     @property
     def extendable(self) -> bool:
-        """Whether more runs leave the first ones as they are."""
+        """Whether runs can be added without changing the first ones."""
         return self.sweep.sampling != "latin_hypercube" or self.cases is not None
 
     @property
     def size(self) -> int:
-        """Flights in all; flight k is run k // variants of variant k % variants."""
+        """Number of flights: runs times variants."""
         return self.runs * len(self.variants)
 
     def task(self, k: int) -> Task:
-        """Flight k: the run's draw and seed are the same for every variant."""
+        """Flight number k, from 0: run `k // len(variants)`, variant `k % len(variants)`."""
         run, variant = divmod(k, len(self.variants))
         values = dict(self.draw(run))
         seed = values.pop("seed", None) if self.cases is not None else None
@@ -72,23 +72,23 @@ class Plan:
         )
 
     def draw(self, run: int) -> Mapping[str, Any]:
-        """Drawn values of a run by dotted path; a pure function of (sweep, seed, run)."""
+        """Values drawn for a run, by dotted paths: a pure function of (sweep, seed, run)."""
         if self.cases is not None:
             return self.cases[run]
-        index, offset = divmod(run, sampling.BLOCK)
-        if index not in self._blocks:
-            self._blocks[index] = self._drawn(index)
-            while len(self._blocks) > 4:
-                self._blocks.popitem(last=False)
-        return self._blocks[index][offset]
+        index, offset = divmod(run, sampling.BATCH)
+        if index not in self._batches:
+            self._batches[index] = self._drawn(index)
+            while len(self._batches) > 4:
+                self._batches.popitem(last=False)
+        return self._batches[index][offset]
 
     def _drawn(self, index: int) -> list[dict[str, Any]]:
         sweep, paths = self.sweep, list(self.sweep.vary)
         if sweep.sampling == "grid":
-            first, last = index * sampling.BLOCK, min((index + 1) * sampling.BLOCK, self.runs)
+            first, last = index * sampling.BATCH, min((index + 1) * sampling.BATCH, self.runs)
             points = np.array([sampling.grid_point(self._levels, i) for i in range(first, last)])
         else:
-            points = sampling.block(sweep.sampling, sweep.seed, paths, self.runs, index)
+            points = sampling.batch(sweep.sampling, sweep.seed, paths, self.runs, index)
         columns = [sweep.vary[path].quantiles(points[:, j]) for j, path in enumerate(paths)]
         return [dict(zip(paths, row, strict=True)) for row in zip(*columns, strict=True)]
 
@@ -98,7 +98,7 @@ class Plan:
 
     @cached_property
     def tree(self) -> dict[str, Any]:
-        """The resolved sweep, for sweep.yaml: it flies again as it is, the scenario inside."""
+        """The contents of sweep.yaml: the resolved sweep with the scenario inside, which flies again as it is."""
         sweep = self.sweep
         tree: dict[str, Any] = {"name": self.name, "scenario": self.builder.base.tree, "runs": self.runs}
         tree |= {"seed": sweep.seed, "time_limit_s": sweep.time_limit_s}
@@ -125,6 +125,7 @@ def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
     source = yamlfile.read(find_scenario(path))
     _apply(source, settings)
     sweep = validated(Sweep, source, stand_ins={"scenario": "?"})
+    _refuse_overwritten(sweep, source)
     base = _base(sweep, source)
     for key, value in sweep.set.items():
         overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
@@ -142,7 +143,7 @@ def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
 
 
 def _apply(source: Source, settings: Iterable[str]) -> None:
-    """A key of the sweep goes to it; dotted keys of its mappings stay whole; the rest is for the scenario."""
+    """Set a key of the sweep (`runs`, or `vary.` and a whole dotted path); any other path is set in the scenario."""
     for setting in settings:
         key, equals, text = setting.partition("=")
         first, _, rest = key.strip().partition(".")
@@ -158,8 +159,21 @@ def _apply(source: Source, settings: Iterable[str]) -> None:
         overrides.set_value(source, [first, rest], value.tree, place)
 
 
+def _refuse_overwritten(sweep: Sweep, source: Source) -> None:
+    """Raise BadInput for settings without effect, because `vary` or `compare` set the same in every flight."""
+    later = {path: kind for kind in ("vary", "compare") for path in getattr(sweep, kind)}
+    problems = [
+        source.problem(("set", key), f"has no effect: {kind} sets {path} in every flight", f"no {key} in set")
+        for key in sweep.set
+        for path, kind in later.items()
+        if f"{key}.".startswith(f"{path}.")
+    ]
+    if problems:
+        raise BadInput(problems)
+
+
 def _base(sweep: Sweep, source: Source) -> Source:
-    """The scenario's tree; of one written inside the sweep, with the places it has there."""
+    """The base scenario: a file of its own, or written inside the sweep and then with its places there."""
     if isinstance(sweep.scenario, dict):
         places = {path[1:]: place for path, place in source.places.items() if path[:1] == ("scenario",)}
         return Source(source.file, copy.deepcopy(sweep.scenario), places)

@@ -22,7 +22,7 @@ from testbed.aircraft.shipped import find_aircraft
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.folder.journal import encode
 from testbed.sweeps.plan import load_sweep
-from testbed.sweeps.workers.cluster import fly_parcel, parcel
+from testbed.sweeps.workers.cluster import fly_packed, pack
 from testbed.sweeps.workers.flying import Job, fly_task
 
 pytest.importorskip("distributed", reason="the cluster extra")
@@ -106,9 +106,9 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
     plan = load_sweep(written(tmp_path, SWEEP.replace("set:", f"set:\n  aircraft: {folder}")))
     job = Job(plan.builder, save_logs="none")
     expected = fly_task(job, plan.task(4))
-    sent = parcel(job)
+    packed = pack(job)
     shutil.rmtree(folder)
-    flown = fly_parcel(sent, plan.task(4))
+    flown = fly_packed(packed, plan.task(4))
     assert flown.record["outcome"] == "completed"
     assert (encode(flown.record), flown.history) == (encode(expected.record), expected.history)
 
@@ -116,4 +116,4 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
 def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
     with pytest.raises(BadInput, match="there is no aircraft"):
-        parcel(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))
+        pack(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))

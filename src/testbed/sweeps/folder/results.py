@@ -1,4 +1,4 @@
-"""The table of a sweep: results.csv and results.parquet, written in the order of runs, a row at a time."""
+"""The table of a sweep, results.csv and results.parquet: a row a flight, in the order of runs and variants."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import csv
 import itertools
 import json
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
@@ -16,11 +16,11 @@ from testbed.sweeps.plan import Plan
 
 Records = Callable[[], Iterator[Mapping[str, Any]]]
 _GROUP = 5000
-"""Rows of Parquet held in memory at a time."""
+"""Rows held in memory at a time."""
 
 
 def rows(plan: Plan, records: Iterable[Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
-    """A flat row for each record: its columns are those of results.csv."""
+    """The row of each record, {column: value}."""
     for record in records:
         yield {
             "run": record["run"],
@@ -44,7 +44,7 @@ def _requirements(record: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]:
-    """Name and type of every column; all records are read for it, as a flight may have a metric more."""
+    """{name: type} of every column, in order. All records are read for it: one may have a metric that others lack."""
     kinds: dict[str, set[type]] = {}
     middle: dict[str, None] = {}
     verdicts: dict[str, None] = {}
@@ -62,7 +62,7 @@ def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]
 
 
 def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
-    """Write both files of a folder, whole or not at all; `records()` yields in order, and is read twice."""
+    """Write both files into a folder, whole or not at all; returns the columns. `records` is called twice."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -84,11 +84,6 @@ def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
     return kinds
 
 
-def csv_lines(plan: Plan, records: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
-    """Rows as text, a cell by its column: what results.csv says of these records."""
-    return [{name: _cell(value) for name, value in row.items()} for row in rows(plan, records)]
-
-
 def _type(kinds: set[type]) -> type:
     for kind, members in ((bool, {bool}), (int, {int}), (float, {int, float})):
         if kinds and kinds <= members:
@@ -97,7 +92,7 @@ def _type(kinds: set[type]) -> type:
 
 
 def _value(value: Any, kind: type) -> Any:
-    """A value as its column's type; a mapping or a list as JSON."""
+    """A value as its column's type; in a column of texts, a mapping or a list is JSON."""
     if value is None or (kind is float and isinstance(value, float) and math.isnan(value)):
         return None
     if kind is str and not isinstance(value, str):
