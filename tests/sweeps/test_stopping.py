@@ -1,0 +1,31 @@
+"""A sweep that stops by its own rule stops at the same run on any number of workers."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from sweep_files import SWEEP, written
+from sweep_flights import quick
+
+import testbed
+from testbed.sweeps.statistics import proportion
+
+
+def test_stopping_does_not_depend_on_workers(tmp_path: Path) -> None:
+    text = SWEEP + "stop_when: {half_width: 0.15, confidence: 0.9}\n"
+    tables = []
+    for jobs in (1, 4):
+        testbed.sweep(
+            written(tmp_path, text), tmp_path / f"{jobs}", runs=200, jobs=jobs, fly=quick, figures=False
+        )
+        tables.append((tmp_path / f"{jobs}/results.csv").read_bytes())
+    assert tables[0] == tables[1]
+    summary = json.loads((tmp_path / "1/summary.json").read_text())
+    assert 10 < summary["runs"] < 100
+    runs, passed = summary["runs"], summary["variants"][0]["all_requirements"]["successes"]
+    known = proportion(passed, runs, 0.9, method="exact")
+    assert (known.high - known.low) / 2 <= 0.15
+    rows = (tmp_path / "1/results.csv").read_text().splitlines()[1 : 1 + 2 * (runs - 1)]
+    earlier = proportion(sum(",completed,True," in row for row in rows[::2]), runs - 1, 0.9, method="exact")
+    assert (earlier.high - earlier.low) / 2 > 0.15  # and not a run later than it could
