@@ -68,12 +68,12 @@ def journal_lines(folder: Path) -> int:
     return file.read_bytes().count(b"\n") if file.is_file() else 0
 
 
-def fly_here(plan: Plan, folder: Path, fly: str = "sweep_flights:quick") -> Path:
+def fly_here(plan: Plan, folder: Path, fly: str = "sweep_flights:quick", save_logs: str = "none") -> Path:
     """Fly a whole sweep in this process, with made-up flights: the folder that workers would have left.
 
     For tests of what is done with the results; starting workers would take longer than all the rest.
     """
-    store, job = Store(folder, plan, fly, resume=False), Job(plan.builder, fly, "none")
+    store, job = Store(folder, plan, fly, resume=False), Job(plan.builder, fly, save_logs)
     for k in range(plan.size):
         store.add(k, fly_task(job, plan.task(k)))
     results.write(plan, lambda: (record for _, record in store.records(plan.runs)), folder)

@@ -12,6 +12,7 @@ import pytest
 from sweep_files import flown, script, written
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("terminal", [True, False])
 def test_progress_on_a_terminal_only(tmp_path: Path, terminal: bool) -> None:
     flying = flown(written(tmp_path), tmp_path / "out", "runs=60")

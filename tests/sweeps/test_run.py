@@ -8,12 +8,22 @@ import subprocess
 import time
 from pathlib import Path
 
-import numpy as np
 import pytest
-from sweep_files import SWEEP, command, journal_lines, run, same_rows, script, sorted_files, table, written
+from sweep_files import (
+    SWEEP,
+    flown,
+    fly_here,
+    journal_lines,
+    same_rows,
+    script,
+    sorted_files,
+    table,
+    written,
+)
 from sweep_flights import quick
 
 import testbed
+from testbed.sweeps.plan import load_sweep
 
 
 @pytest.fixture(scope="module")
@@ -24,6 +34,7 @@ def reference(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "out"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("jobs", [2, 4])
 def test_any_number_of_workers_gives_the_same_bytes(reference: Path, tmp_path: Path, jobs: int) -> None:
     testbed.sweep(written(tmp_path), tmp_path / "out", jobs=jobs)
@@ -32,9 +43,11 @@ def test_any_number_of_workers_gives_the_same_bytes(reference: Path, tmp_path: P
     assert (reference / "summary.json").read_bytes() == (tmp_path / "out/summary.json").read_bytes()
 
 
-def test_killed_at_random_instants_and_resumed(reference: Path, tmp_path: Path) -> None:
+@pytest.mark.slow
+def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
     sweep = written(tmp_path)
-    arguments = command("sweep", sweep, "--out", "out", "--jobs", 2, "--resume", "--no-plots")
+    whole = fly_here(load_sweep(sweep), tmp_path / "whole", "sweep_flights:slow")
+    arguments = script(flown(sweep, tmp_path / "out", "jobs=2, resume=True, save_logs='none'"))
     instants = random.Random(5)
     kept: list[int] = []
     for _ in range(4):
@@ -42,18 +55,19 @@ def test_killed_at_random_instants_and_resumed(reference: Path, tmp_path: Path) 
         began = len(kept)
         while process.poll() is None and journal_lines(tmp_path / "out") == (kept[-1] if kept else 0):
             time.sleep(0.01)  # let each attempt get somewhere, then pick an instant
-        time.sleep(instants.uniform(0.0, 0.25))
+        time.sleep(instants.uniform(0.0, 0.1))
         process.kill()
         process.communicate()
         kept.append(journal_lines(tmp_path / "out"))
         assert len(table(tmp_path / "out")) <= 24 and len(kept) == began + 1  # readable as it is
     assert kept == sorted(kept)
     done = subprocess.run(arguments, cwd=tmp_path, capture_output=True, check=False)
-    assert done.returncode == 1, done.stderr
-    same_rows(reference, tmp_path / "out")
+    assert done.returncode == 0, done.stderr
+    same_rows(whole, tmp_path / "out")
     assert not list((tmp_path / "out").rglob(".*partial"))
 
 
+@pytest.mark.slow
 def test_resuming_flies_only_the_rest(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     testbed.sweep(sweep, tmp_path / "out", runs=5, fly=quick, figures=False)
@@ -65,19 +79,7 @@ def test_resuming_flies_only_the_rest(tmp_path: Path) -> None:
     same_rows(tmp_path / "whole", tmp_path / "out")
 
 
-def test_cases_are_flown_as_written(tmp_path: Path) -> None:
-    (tmp_path / "table.csv").write_text(
-        "failures.0.value,failures.0.at_s,seed\n0.25,0.5,77\n0.75,,78\n1,0.1,\n"
-    )
-    text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\n"
-    frame = testbed.sweep(written(tmp_path, text), tmp_path / "out", fly=quick)
-    assert list(frame["failures.0.value"]) == [0.25, 0.75, 1.0]
-    assert list(frame["seed"][:2]) == [77, 78] and frame["seed"][2] > 1
-    assert np.isnan(frame["failures.0.at_s"][1])  # as the scenario has it
-    result = run(tmp_path, "sweep", "out/sweep.yaml", "--only", 1, "--out", "one")
-    assert result.stdout.splitlines()[1].startswith("1,78,"), result.stderr
-
-
+@pytest.mark.slow
 def test_a_full_disk_keeps_what_had_finished(tmp_path: Path) -> None:
     """Files that may not grow beyond 40 kB stand for the disk: the journal's next line does not fit."""
     sweep = written(tmp_path)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
-from sweep_files import table, written
+from sweep_files import fly_here, table, written
 from sweep_flights import quick
 
 import testbed
@@ -30,7 +30,7 @@ CHANGES: list[tuple[list[str], str]] = [
 @pytest.mark.parametrize(("change", "words"), CHANGES)
 def test_a_changed_sweep_is_not_resumed(tmp_path: Path, change: list[str], words: str) -> None:
     sweep = written(tmp_path)
-    testbed.sweep(sweep, tmp_path / "out", settings=["runs=4"], fly=quick, figures=False)
+    fly_here(load_sweep(sweep, ["runs=4"]), tmp_path / "out")
     before = {f: f.read_bytes() for f in (tmp_path / "out").rglob("*") if f.is_file()}
     with pytest.raises(BadInput) as refused:
         testbed.sweep(sweep, tmp_path / "out", settings=["runs=4", *change], resume=True, fly=quick)
@@ -42,7 +42,7 @@ def test_a_changed_sweep_is_not_resumed(tmp_path: Path, change: list[str], words
 
 def test_what_it_was_flown_with_must_be_the_same(tmp_path: Path) -> None:
     sweep = written(tmp_path)
-    testbed.sweep(sweep, tmp_path / "out", fly=quick, figures=False)
+    fly_here(load_sweep(sweep), tmp_path / "out")
     with pytest.raises(BadInput, match="was begun with the function sweep_flights:quick"):
         testbed.sweep(sweep, tmp_path / "out", resume=True)
     with pytest.raises(BadInput, match="exists already, expected a new folder, or --resume"):
@@ -52,7 +52,7 @@ def test_what_it_was_flown_with_must_be_the_same(tmp_path: Path) -> None:
 def test_a_latin_hypercube_cannot_be_made_longer(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     settings = ["sampling=latin_hypercube"]
-    testbed.sweep(sweep, tmp_path / "out", runs=6, settings=settings, fly=quick, figures=False)
+    fly_here(load_sweep(sweep, [*settings, "runs=6"]), tmp_path / "out")
     values = table(tmp_path / "out")["failures.0.value"].to_numpy()[::2]
     assert sorted((values * 6).astype(int)) == list(range(6))  # one in each stratum
     with pytest.raises(BadInput, match="a latin hypercube of 6 runs cannot be made longer"):
@@ -63,9 +63,8 @@ def test_a_latin_hypercube_cannot_be_made_longer(tmp_path: Path) -> None:
     ("which", "keeps"), [("none", lambda p: p & ~p), ("failed", lambda p: ~p), ("all", lambda p: p | ~p)]
 )
 def test_logs_are_kept_as_asked(tmp_path: Path, which: str, keeps: Callable[[pd.Series], pd.Series]) -> None:
-    frame = testbed.sweep(
-        written(tmp_path), tmp_path / "out", runs=6, save_logs=which, fly=quick, figures=False
-    )
+    plan = load_sweep(written(tmp_path), ["runs=6"])
+    frame = table(fly_here(plan, tmp_path / "out", save_logs=which))
     chosen = frame[keeps(frame["passed"])]
     names = {
         f"run-{run:06d}-{kind}.parquet"
@@ -90,6 +89,7 @@ def plan(tmp_path: Path) -> Plan:
     return load_sweep(written(tmp_path), ["runs=20000"])
 
 
+@pytest.mark.slow
 def test_rows_are_neither_held_nor_rewritten(tmp_path: Path, plan: Plan) -> None:
     """The parent's memory for a flight is its offset; the journal grows by each flight's line and by nothing
     else.

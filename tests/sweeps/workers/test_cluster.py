@@ -1,4 +1,4 @@
-"""A real Dask scheduler and two real workers on 127.0.0.1, which have the package and nothing else."""
+"""A Dask scheduler and two workers, real processes on 127.0.0.1 that have the package and nothing else."""
 
 from __future__ import annotations
 
@@ -70,6 +70,7 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
     cluster.close()
 
 
+@pytest.mark.slow
 def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, tmp_path: Path) -> None:
     sweep = written(tmp_path)
     here = testbed.sweep(sweep, tmp_path / "here", runs=60, jobs=2, figures=False)
@@ -91,6 +92,7 @@ def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, t
     assert len(unpacked) == 1  # the aircraft had travelled
 
 
+@pytest.mark.slow
 def test_no_cluster_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("testbed.sweeps.workers.cluster._CONNECT_S", 1)
     with pytest.raises(Exception, match=r"no cluster answers at tcp://127\.0\.0\.1:9") as stopped:
@@ -98,6 +100,7 @@ def test_no_cluster_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert "0 of 24 flights are kept" in str(stopped.value)
 
 
+@pytest.mark.slow
 def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The aircraft's folder, gone after packing, is flown from what was packed; the row is the same."""
     monkeypatch.setenv("TMPDIR", str(tmp_path))

@@ -9,9 +9,11 @@ import subprocess
 import time
 from pathlib import Path
 
+import pytest
 from sweep_files import flown, journal_lines, same_rows, script, written
 
 
+@pytest.mark.slow
 def test_a_worker_killed_from_outside_is_replaced(tmp_path: Path) -> None:
     """Its flight is tried once more, and gives the same row."""
     sweep = written(tmp_path)
@@ -40,6 +42,7 @@ def children(pid: int) -> list[int]:
     return found
 
 
+@pytest.mark.slow
 def test_workers_do_not_outlive_a_killed_parent(tmp_path: Path) -> None:
     flying = flown(written(tmp_path), tmp_path / "out", "runs=900, jobs=2")
     process = subprocess.Popen(script(flying))
