@@ -28,9 +28,7 @@ def test_the_version_is_the_packages(called: Called) -> None:
     assert called("--version") == (0, f"testbed {package.__version__}\n", "")
 
 
-@pytest.mark.parametrize(
-    "command", ["list", "list metrics", "validate scenarios/left_tail_fail.yaml"]
-)
+@pytest.mark.parametrize("command", ["list", "list metrics", "validate scenarios/left_tail_fail.yaml"])
 def test_a_reader_that_goes_away_is_no_error(tmp_path: Path, command: str) -> None:
     """As of `testbed list | head -1`: the pipe's reading end is closed before anything is written to it."""
     reading, writing = os.pipe()
