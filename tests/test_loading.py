@@ -13,7 +13,7 @@ import testbed
 from testbed.flight.flight import Flight
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 
 def test_either_kind_of_folder(tmp_path: Path) -> None:

@@ -11,7 +11,7 @@ from sweep_flights import quick
 import testbed
 from testbed import monte_carlo
 from testbed.inputs.problems import BadInput
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 from testbed.sweeps.run import Options
 
 

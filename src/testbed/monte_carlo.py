@@ -13,7 +13,8 @@ from testbed.sweeps import summary
 from testbed.sweeps.checks import check
 from testbed.sweeps.folder import reading, results
 from testbed.sweeps.folder.store import flight_label, runs_of
-from testbed.sweeps.plan import Plan, load_sweep
+from testbed.sweeps.load import load_sweep
+from testbed.sweeps.plan import Plan
 from testbed.sweeps.run import Options, fly_only, fly_sweep
 from testbed.sweeps.workers.flying import SAVE_LOGS, Fly, fly_task
 

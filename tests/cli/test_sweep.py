@@ -15,7 +15,7 @@ from sweep_files import SWEEP, command, fly_here, journal_lines, run, table, wri
 import testbed
 from testbed.aircraft.shipped import data_root, sweep_files
 from testbed.flight.folder import load as load_flight
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,8 @@ import pytest
 from sweep_files import SWEEP, fly_here, table, written
 
 from testbed.reporting.sweep_figures import TABLE, draw_sweep, remaining_effectiveness
-from testbed.sweeps.plan import Plan, load_sweep
+from testbed.sweeps.load import load_sweep
+from testbed.sweeps.plan import Plan
 
 Flown = tuple[Plan, pd.DataFrame, Path]
 

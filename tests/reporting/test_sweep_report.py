@@ -17,7 +17,7 @@ from testbed import monte_carlo
 from testbed.cli.commands import main
 from testbed.cli.sweep import print_answer
 from testbed.reporting.sweep_report import parts, write_sweep_report
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ from sweep_files import SWEEP, written
 
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.checks import check
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 VALUE = "failures.0.value: {uniform: [0, 1]}"
 

@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 from sweep_files import written
 
-from testbed.inputs.problems import BadInput
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 
 def test_variants_meet_the_same_failures(tmp_path: Path) -> None:
@@ -46,22 +45,3 @@ def test_a_grid_has_every_combination(tmp_path: Path) -> None:
     drawn = [tuple(plan.draw(i).values()) for i in range(plan.runs)]
     actuators = ["left_ruddervator", "right_ruddervator"]
     assert drawn == [(value, actuator) for value in (0.0, 0.5, 1.0) for actuator in actuators]
-
-
-@pytest.mark.parametrize(
-    ("setting", "words"),
-    [
-        ("controller.type=pid", "compare sets controller.type in every flight"),
-        ("failures.0.value=0.5", "vary sets failures.0.value in every flight"),
-    ],
-)
-def test_a_setting_without_effect_is_refused(tmp_path: Path, setting: str, words: str) -> None:
-    """It would be overwritten by every flight's own value, and ignored without a word."""
-    with pytest.raises(BadInput) as refused:
-        load_sweep(written(tmp_path), [setting])
-    key = setting.partition("=")[0]
-    assert str(refused.value) == (
-        f"--set {setting}: set.{key}: has no effect: {words}, expected no {key} in set"
-    )
-    other = load_sweep(written(tmp_path), ["failures.0.until_s=0.8"]).builder.base.tree
-    assert other["failures"][0]["until_s"] == 0.8

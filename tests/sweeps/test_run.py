@@ -23,7 +23,7 @@ from sweep_files import (
 from sweep_flights import quick
 
 import testbed
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,7 @@ import pytest
 from sweep_files import SWEEP, fly_here, table, written
 
 from testbed import monte_carlo
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 from testbed.sweeps.summary import worst
 
 

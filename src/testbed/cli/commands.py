@@ -55,14 +55,7 @@ def parser() -> argparse.ArgumentParser:
     commands = top.add_subparsers(required=True, metavar="COMMAND")
 
     command = _command(commands, "run", _fly, "fly one scenario")
-    _file(command, "scenario", _SCENARIO)
-    command.add_argument("--out", type=Path, metavar="DIR", help="run folder to make (default: runs/<name>)")
-    command.add_argument("--no-plots", action="store_true", help="draw no figures")
-    command.add_argument(
-        "--controller",
-        metavar="FILE.py:CLASS",
-        help="fly a controller class of your own in place of the scenario's",
-    )
+    _add_run(command)
     _add_set(command)
 
     command = _command(commands, "sweep", _sweep, "Monte Carlo: fly many variations of a scenario")
@@ -111,6 +104,17 @@ def _file(command: argparse.ArgumentParser, name: str, description: str, **more:
 def _add_set(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--set", action="append", default=[], metavar="KEY=VALUE", help="change a setting by its dotted path"
+    )
+
+
+def _add_run(command: argparse.ArgumentParser) -> None:
+    _file(command, "scenario", _SCENARIO)
+    command.add_argument("--out", type=Path, metavar="DIR", help="run folder to make (default: runs/<name>)")
+    command.add_argument("--no-plots", action="store_true", help="draw no figures")
+    command.add_argument(
+        "--controller",
+        metavar="FILE.py:CLASS",
+        help="fly a controller class of your own in place of the scenario's",
     )
 
 

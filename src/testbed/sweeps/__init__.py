@@ -1,9 +1,9 @@
 """Monte Carlo sweeps: many flights drawn from one scenario, and what their results say together.
 
-`plan` (of a file checked by `model` and `checks`) says what run i is; `run` flies a plan, with `progress` and
-`stopping`; `summary` evaluates the table of results with `statistics` and `sensitivity`. Run i is a pure function of
-(sweep, seed, i). The packages: `drawing` draws values and makes scenarios of them, `workers` are the processes that
-fly, `folder` is what is kept of each flight, and how it is read back.
+A sweep file is read by `load`, as `model` allows, into a `plan`, which says what run i is: a pure function of (sweep,
+seed, i). `checks` refuses bad ones, `run` flies a plan with `progress` and `stopping`, and `summary` evaluates the
+table of results with `statistics` and `sensitivity`. The packages: `drawing` draws values and makes scenarios of them,
+`workers` are the processes that fly, `folder` is what is kept of each flight, and how it is read back.
 """
 
 from __future__ import annotations

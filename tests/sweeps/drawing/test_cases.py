@@ -10,7 +10,7 @@ from sweep_files import SWEEP, fly_here, table, written
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.drawing.cases import read_cases
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 TABLE = "failures.0.value,failures.0.at_s,seed\n0.25,0.5,77\n0.75,,78\n1,0.1,\n"
 

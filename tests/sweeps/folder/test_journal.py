@@ -11,7 +11,7 @@ from sweep_flights import quick
 import testbed
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.folder.journal import Journal, decode, encode, records
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 
 def test_torn_and_damaged_lines_are_flown_again(tmp_path: Path) -> None:

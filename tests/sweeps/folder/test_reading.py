@@ -12,7 +12,7 @@ from sweep_files import fly_here, table, written
 
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.folder.reading import groups_of, load, unit
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 
 @pytest.fixture(scope="module")

@@ -12,7 +12,8 @@ import pytest
 from sweep_files import SWEEP, written
 
 from testbed.sweeps.folder import results
-from testbed.sweeps.plan import Plan, load_sweep
+from testbed.sweeps.load import load_sweep
+from testbed.sweeps.plan import Plan
 
 CHOICES = "failures.0.value: {choice: [0, 0.5]}"
 

@@ -9,7 +9,7 @@ from sweep_files import SWEEP, same_rows, written
 from sweep_flights import bad
 
 import testbed
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 from testbed.sweeps.workers.child import Child
 from testbed.sweeps.workers.flying import Job
 

@@ -21,7 +21,7 @@ import testbed
 from testbed.aircraft.shipped import find_aircraft
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.folder.journal import encode
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 from testbed.sweeps.workers.cluster import fly_packed, pack
 from testbed.sweeps.workers.flying import Job, fly_task
 

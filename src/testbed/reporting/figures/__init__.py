@@ -1,4 +1,4 @@
-"""Figures of a finished flight. A new one is a function of a flight in a file here and a line in TABLE."""
+"""Figures of a finished flight. A new one is a function of a flight in a file here, and a line in TABLE."""
 
 from __future__ import annotations
 

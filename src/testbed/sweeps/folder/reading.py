@@ -12,7 +12,8 @@ import numpy as np
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.folder import results
 from testbed.sweeps.folder.journal import records
-from testbed.sweeps.plan import Plan, load_sweep
+from testbed.sweeps.load import load_sweep
+from testbed.sweeps.plan import Plan
 
 if TYPE_CHECKING:
     import pandas as pd
