@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -53,3 +56,24 @@ def test_what_the_controller_says_of_a_failure_is_printed(tmp_path: Path) -> Non
     assert result.returncode == 0, result.stdout + result.stderr
     said = [line for line in result.stdout.splitlines() if line.startswith("  controller at 40.")]
     assert len(said) == 1 and "left_ruddervator: not a loss of effectiveness" in said[0]
+
+
+@pytest.mark.slow
+def test_a_first_flight_says_that_it_compiles(tmp_path: Path) -> None:
+    """With nothing compiled before, one line on stderr; with it, nothing."""
+    environment = {**os.environ, "XDG_CACHE_HOME": str(tmp_path / "cache")}
+    environment.pop("NUMBA_CACHE_DIR", None)
+    command = [sys.executable, "-m", "testbed", "run", "scenarios/left_tail_fail.yaml", "--no-plots"]
+    settings = ["--set", "controller={type: pid}", "--set", "requirements=[]", "--set", "duration_s=16"]
+    said = [
+        subprocess.run(
+            [*command, *settings], cwd=tmp_path, env=environment, capture_output=True, text=True, check=True
+        )
+        for _ in range(2)
+    ]
+    assert said[0].stderr == "compiling the control law for the first flight: some seconds, once\n"
+    assert said[1].stderr == ""
+    assert sorted(path.name for path in (tmp_path / "runs").iterdir()) == [
+        "left-tail-failure",
+        "left-tail-failure-2",
+    ]

@@ -12,6 +12,7 @@ import itertools
 import os
 import pickle
 import queue
+import shutil
 import tempfile
 import threading
 import zlib
@@ -162,6 +163,8 @@ def _unpack(packed: PackedJob) -> Job:
         except OSError:  # another process was first
             if not root.is_dir():
                 raise
+        finally:
+            shutil.rmtree(partial, ignore_errors=True)
     return Job(
         builder=job.builder.with_aircraft(str(root / name)),
         fly=job.fly,
