@@ -1,4 +1,4 @@
-"""What the campaigns share: variations of one scenario, flown in processes, each a record (see `sweeps.flying`)."""
+"""Variations of one scenario, flown in several processes; shared by the benchmarks. Records: `sweeps.workers.flying`."""
 
 from __future__ import annotations
 

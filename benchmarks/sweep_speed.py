@@ -11,20 +11,18 @@ import sys
 import tempfile
 from pathlib import Path
 
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 from testbed.sweeps.run import Options, fly_sweep
+
+SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
 
 
 def main(runs: int) -> None:
     """Print the rate of each, and their ratio."""
-    plan = load_sweep("scenarios/sweeps/left_tail_monte_carlo.yaml", [f"runs={runs}"])
+    plan, warm_up = (load_sweep(SWEEP, [f"runs={count}"]) for count in (runs, 1))
     rates = []
     with tempfile.TemporaryDirectory() as folder:
-        fly_sweep(
-            load_sweep("scenarios/sweeps/left_tail_monte_carlo.yaml", ["runs=1"]),
-            Path(folder, "warm"),
-            Options(),
-        )
+        fly_sweep(warm_up, Path(folder, "warm"), Options())
         for jobs in (1, 2):
             flights = fly_sweep(plan, Path(folder, str(jobs)), Options(jobs=jobs, save_logs="none"))
             rates.append(flights.count / flights.wall_s)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -9,21 +10,31 @@ if TYPE_CHECKING:
     from testbed.monte_carlo import sweep as sweep
     from testbed.simulation import fly as fly
 
-__all__ = ["fly", "load", "sweep"]
+    __version__: str
+
+_MODULES = {"fly": "testbed.simulation", "load": "testbed.loading", "sweep": "testbed.monte_carlo"}
+
+__all__ = ["__version__", "fly", "load", "sweep"]
 
 
 def __getattr__(name: str) -> Any:
     """Import on first use: `import testbed` stays quick, and reading results needs no simulator."""
-    if name == "fly":
-        from testbed.simulation import fly
+    if name == "__version__":
+        return _version()
+    if name not in _MODULES:
+        raise AttributeError(f"module 'testbed' has no attribute {name!r}")
+    return getattr(import_module(_MODULES[name]), name)
 
-        return fly
-    if name == "load":
-        from testbed.loading import load
 
-        return load
-    if name == "sweep":
-        from testbed.monte_carlo import sweep
+def __dir__() -> list[str]:
+    """What users need, whether it was imported yet or not."""
+    return __all__
 
-        return sweep
-    raise AttributeError(f"module 'testbed' has no attribute {name!r}")
+
+def _version() -> str:
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("testbed")
+    except PackageNotFoundError:  # run from the repository, not installed
+        return "0+unknown"

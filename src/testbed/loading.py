@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from testbed.inputs.problems import BadInput, Problem
+
 if TYPE_CHECKING:
     import pandas as pd
 
@@ -12,14 +14,31 @@ if TYPE_CHECKING:
 
 
 def load(folder: str | Path) -> Flight | pd.DataFrame:
-    """A run folder as a Flight, a sweep folder as the DataFrame of its results.
+    """A run folder as a Flight, a sweep folder as the DataFrame of its results, a row a flight.
 
-    Needs neither the simulator nor the aircraft of a run. Raises BadInput when the folder is neither.
+    The table's `attrs` hold `name`, `folder`, `summary` (a sentence) and `units` (of each column). Needs neither the
+    simulator nor the aircraft of a run. Raises BadInput when the folder is neither.
     """
-    if (Path(folder) / "sweep.yaml").is_file():
+    if is_sweep_folder(folder):
         from testbed.sweeps.folder import reading
 
         return reading.load(folder)
     from testbed.flight import folder as run_folder
 
     return run_folder.load(folder)
+
+
+def is_sweep_folder(folder: str | Path) -> bool:
+    """Whether a folder is a sweep's, not a run's; raises BadInput when it is neither."""
+    folder = Path(folder)
+    if not folder.is_dir():
+        what = "is a file" if folder.exists() else "there is no such folder"
+        raise BadInput([Problem(what, str(folder), expected="a run folder or a sweep folder")])
+    if (folder / "sweep.yaml").is_file():
+        return True
+    if not any((folder / name).is_file() for name in ("scenario.yaml", "summary.json", "log.csv")):
+        expected = "scenario.yaml, summary.json and log.csv in a run folder, or sweep.yaml in a sweep folder"
+        raise BadInput(
+            [Problem("is neither a run folder nor a sweep folder", str(folder), expected=expected)]
+        )
+    return False

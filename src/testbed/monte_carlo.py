@@ -1,23 +1,27 @@
-"""Sweeps from Python: fly one, and finish a folder with what its table says."""
+"""Sweeps from Python. `sweep` flies one whole; the other functions are its steps, which the command line uses too."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from testbed.common.files import slug
+from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps import summary
 from testbed.sweeps.checks import check
 from testbed.sweeps.folder import reading, results
-from testbed.sweeps.folder.store import runs_of
-from testbed.sweeps.plan import Plan, load_sweep
-from testbed.sweeps.run import Options, fly_sweep
-from testbed.sweeps.workers.flying import SAVE_LOGS, Fly
+from testbed.sweeps.folder.store import flight_label, runs_of
+from testbed.sweeps.load import load_sweep
+from testbed.sweeps.plan import Plan
+from testbed.sweeps.run import Options, fly_only, fly_sweep
+from testbed.sweeps.workers.flying import SAVE_LOGS, Fly, fly_task
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from testbed.flight.flight import Flight
 
 
 def sweep(
@@ -34,12 +38,21 @@ def sweep(
     fly: Fly | None = None,
     figures: bool = True,
 ) -> pd.DataFrame:
-    """Fly a sweep file into a folder and return its table; see `testbed.load` for the table.
+    """Fly a sweep file into a folder and return its table, a row a flight; see `testbed.load` for the table.
 
-    `out` is runs/<name> by default; `settings` are KEY=VALUE as of --set; `jobs` processes (default: one a
-    core), or the `cluster` at an address; `save_logs` none, failed or all. `fly(scenario) -> Flight`, a
-    function at the top of a module, replaces the simulator. Raises BadInput when nothing can be flown,
-    Stopped when it ended before its time.
+    Args:
+        sweep: the sweep's YAML file; a shipped one is found from any folder.
+        out: the sweep folder to make, `runs/<name>` by default.
+        runs, seed: in place of the file's.
+        settings: changes as of `--set`, each KEY=VALUE.
+        jobs: processes; one a core by default.
+        cluster: address of a Dask cluster to fly on instead.
+        resume: fly only what the folder does not have yet.
+        save_logs: which flights' logs to keep: `none`, `failed` or `all`.
+        fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
+        figures: whether to draw figures and write the report.
+
+    Raises BadInput when nothing can be flown, Stopped when the sweep ended early; what was flown is then kept.
     """
     plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume)
     fly_sweep(plan, folder, options(jobs, cluster, save_logs, fly), resume=resume)
@@ -47,13 +60,8 @@ def sweep(
     return reading.load(folder)
 
 
-def default_folder(plan: Plan) -> Path:
-    """runs/<name>."""
-    return Path("runs") / (re.sub(r"[^a-z0-9]+", "-", plan.name.lower()).strip("-") or "sweep")
-
-
 def options(jobs: int | None, cluster: str | None, save_logs: str, fly: Fly | None = None) -> Options:
-    """How to fly, checked."""
+    """How to fly, checked; raises BadInput."""
     problems = []
     if jobs is not None and jobs < 1:
         problems.append(Problem(f"is {jobs}", "--jobs", expected="at least 1"))
@@ -73,12 +81,15 @@ def prepare(
     seed: int | None = None,
     resume: bool = False,
 ) -> tuple[Plan, Path]:
-    """Read and check a sweep; it and its folder. One that is resumed without a number of runs is as long as
-    before.
+    """Read and check a sweep; returns it and its folder. Raises BadInput with everything wrong with it.
+
+    Resumed without a number of runs, it has as many as the folder's sweep.yaml says.
     """
+    if runs is not None and runs < 1:
+        raise BadInput([Problem(f"is {runs}", "--runs", expected="at least 1")])
     given = [f"{name}={value}" for name, value in (("runs", runs), ("seed", seed)) if value is not None]
     plan = load_sweep(file, [*settings, *given])
-    folder = Path(out) if out is not None else default_folder(plan)
+    folder = Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="sweep")
     before = runs_of(folder) if resume and runs is None else None
     if before is not None and before > plan.runs:
         plan = load_sweep(file, [*settings, *given, f"runs={before}"])
@@ -87,7 +98,7 @@ def prepare(
 
 
 def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
-    """Write what a folder's table says: summary.json, figures, report.html; returns the summary."""
+    """Write what a sweep folder's table says: summary.json, figures, report.html; returns the summary."""
     frame = reading.load(folder)
     found = summary.summarize(plan, frame)
     summary.write(found, folder)
@@ -101,10 +112,35 @@ def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
 
 
 def rebuild(folder: Path) -> dict[str, Any]:
-    """Table, summary, figures and report of a folder, of what has finished in it, without flying."""
+    """Write table, summary, figures and report of a sweep folder anew, without flying; returns the summary.
+
+    Of an unfinished sweep, from the flights that have finished. Raises BadInput when none has.
+    """
     plan = reading.load_plan(folder)
+    kept = reading.finished(plan, folder)
+    if not kept:
+        raise BadInput([Problem("no flight has finished in this sweep folder", str(folder))])
+    # The table of a sweep that stopped by its own rule has fewer runs than the journal: it stays as it is.
     stopped = (folder / "results.parquet").is_file() and plan.sweep.stop_when is not None
-    if not stopped:  # of a sweep that stopped by itself the table is shorter than the journal
-        kept = reading.finished(plan, folder)
+    if not stopped:
         results.write(plan, lambda: iter(kept), folder)
     return finish(plan, folder)
+
+
+def fly_run(plan: Plan, run: int, folder: Path, how: Options) -> bool:
+    """Fly one run alone into a new folder: its rows in results.csv, and a run folder for each variant's flight.
+
+    Whether every variant passed. Raises BadInput when there is no such run.
+    """
+    done = fly_only(plan, run, how)
+    records = [flown.record for _, flown in done]
+    folder.mkdir(parents=True)
+    results.write(plan, lambda: iter(records), folder)
+    for task, flown in done:
+        if flown.record["outcome"] in ("timeout", "crashed"):
+            continue  # flown in this process, it would end this process too
+        flights: list[Flight] = []
+        fly_task(how.job(plan), task, keep=flights.append)  # the worker has sent a record, not the whole log
+        for flight in flights:
+            write_run_folder(flight, folder / flight_label(plan, run * len(plan.variants) + task.variant))
+    return all(record["passed"] for record in records)

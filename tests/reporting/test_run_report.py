@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import re
 from html import escape
-from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
 from handmade import flight_of, injection, level_log
+from html_page import Page
 
 from testbed.cli.commands import main
 from testbed.flight.flight import Outcome
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE, measure, readings
-from testbed.reporting.figures import FIGURES, draw
+from testbed.reporting.figures import TABLE as FIGURES
+from testbed.reporting.figures import draw
 from testbed.reporting.run_report import write_report
 
 REQUIREMENTS = [
@@ -33,27 +34,6 @@ REQUIREMENTS = [
 
 def void(_: object) -> None:
     """Drop a value."""
-
-
-class Checker(HTMLParser):
-    """Collects tags and references, and that every tag is closed."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.tags: list[str] = []
-        self.references: list[str] = []
-        self.open: list[str] = []
-        self.feed(text)
-        assert not self.open, self.open
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append(tag)
-        self.references += [value or "" for name, value in attrs if name in ("src", "href", "srcset", "data")]
-        if tag not in ("meta", "img"):
-            self.open.append(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        assert self.open.pop() == tag
 
 
 @pytest.fixture(scope="module")
@@ -80,10 +60,9 @@ def text(folder: Path) -> str:
 
 
 def test_self_contained(text: str) -> None:
-    checked = Checker(text)
-    assert "script" not in checked.tags and "link" not in checked.tags
-    assert len(checked.references) == len(FIGURES)
-    assert all(reference.startswith("data:image/png;base64,") for reference in checked.references)
+    page = Page(text)
+    assert page.fetches_and_runs_nothing()
+    assert len(page.references) == len(FIGURES)
     without_data = re.sub(r"data:[^\"]+", "", text)
     assert not re.search(r"https?:|url\(|@import", without_data)
 
@@ -117,8 +96,8 @@ def test_report_command_rebuilds(folder: Path, text: str, capsys: pytest.Capture
 
 def test_without_figures(tmp_path: Path) -> None:
     made = write_run_folder(flight_of(level_log()), tmp_path / "run", lambda f: void(write_report(f)))
-    checked = Checker((made / "report.html").read_text(encoding="utf-8"))
-    assert "img" not in checked.tags and not list(made.glob(".*"))
+    page = Page((made / "report.html").read_text(encoding="utf-8"))
+    assert "img" not in page.tags and not list(made.glob(".*"))
 
 
 def test_refuses_what_is_no_run_folder(tmp_path: Path) -> None:

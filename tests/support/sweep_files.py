@@ -9,6 +9,10 @@ from pathlib import Path
 import pandas as pd
 
 import testbed
+from testbed.sweeps.folder import results
+from testbed.sweeps.folder.store import Store
+from testbed.sweeps.plan import Plan
+from testbed.sweeps.workers.flying import Job, fly_task
 
 SWEEP = """\
 name: small
@@ -26,7 +30,7 @@ vary:
   controller.model_error.Cm_alpha: {normal: [1.0, 0.1]}
 compare: {controller.type: [adaptive_inversion, fixed_inversion]}
 """
-TESTS = Path(__file__).parent
+SUPPORT = Path(__file__).parent
 
 
 def written(folder: Path, text: str = SWEEP, name: str = "small.yaml") -> Path:
@@ -62,3 +66,27 @@ def sorted_files(folder: Path) -> dict[str, bytes]:
 def journal_lines(folder: Path) -> int:
     file = folder / "journal.jsonl"
     return file.read_bytes().count(b"\n") if file.is_file() else 0
+
+
+def fly_here(plan: Plan, folder: Path, fly: str = "sweep_flights:quick", save_logs: str = "none") -> Path:
+    """Fly a whole sweep in this process, with made-up flights: the folder that workers would have left.
+
+    For tests of what is done with the results; starting workers would take longer than all the rest.
+    """
+    store, job = Store(folder, plan, fly, resume=False), Job(plan.builder, fly, save_logs)
+    for k in range(plan.size):
+        store.add(k, fly_task(job, plan.task(k)))
+    results.write(plan, lambda: (record for _, record in store.records(plan.runs)), folder)
+    store.close()
+    return folder
+
+
+def script(text: str) -> list[str]:
+    """The command of a Python program that flies, with the functions of sweep_flights."""
+    paths = f"import sys; sys.path.insert(0, {str(SUPPORT)!r})"
+    return [sys.executable, "-c", f"{paths}\nimport sweep_flights, testbed\n{text}"]
+
+
+def flown(sweep: Path, out: Path, options: str) -> str:
+    """The line of a program that flies a sweep of slow made-up flights."""
+    return f"testbed.sweep({str(sweep)!r}, {str(out)!r}, {options}, fly=sweep_flights.slow, figures=False)"

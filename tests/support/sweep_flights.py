@@ -38,6 +38,11 @@ def slow(scenario: Scenario) -> Flight:
     return quick(scenario)
 
 
+def lost(scenario: Scenario) -> Flight:
+    """Raises, with an address and more words than a record keeps."""
+    raise ValueError("at 0x7f00deadbeef " + "x" * 1000)
+
+
 def bad(scenario: Scenario) -> Flight:
     """Raises, hangs, or kills its process, as the effectiveness left says; flies otherwise."""
     value = scenario.failures[0].value  # type: ignore[attr-defined]

@@ -1,19 +1,19 @@
-"""Bad sweeps are refused like bad scenarios: every problem, its place, what was expected and meant; nothing
-flies.
-"""
+"""Bad sweeps are refused like bad scenarios: every problem, its place, what was expected and meant; nothing flies."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
-from sweep_files import SWEEP, run, written
+from sweep_files import SWEEP, written
 
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.checks import check
-from testbed.sweeps.plan import load_sweep
+from testbed.sweeps.load import load_sweep
 
 VALUE = "failures.0.value: {uniform: [0, 1]}"
+
+
 REFUSED: list[tuple[str, str, list[str]]] = [
     (VALUE, "failures.0.vaule: {uniform: [0, 1]}", [":11: failures.0.vaule: unknown key, did you mean value?"]),
     (VALUE, "failures.3.value: {uniform: [0, 1]}",
@@ -91,38 +91,3 @@ def test_bad_cases_are_refused_by_line(tmp_path: Path) -> None:
     with pytest.raises(BadInput) as refused:
         check(load_sweep(written(tmp_path, text)))
     assert "failures.0.value: is 7 (run 1), expected less than or equal to 1.5" in str(refused.value)
-
-
-@pytest.mark.parametrize(
-    "arguments",
-    [["sweep"], ["sweep", "--only", "1"], ["validate"], ["sweep", "--cluster", "tcp://127.0.0.1:1"]],
-)
-def test_the_command_line_says_it_and_leaves_nothing(tmp_path: Path, arguments: list[str]) -> None:
-    file = written(tmp_path, SWEEP.replace("unif", "unfi", 2))
-    result = run(tmp_path, arguments[0], file.name, *arguments[1:])
-    assert result.returncode == 2
-    assert result.stderr.splitlines() == [
-        "small.yaml:10: vary.failures.0.at_s: unknown distribution 'unfiorm', did you mean uniform?",
-        "small.yaml:11: vary.failures.0.value: unknown distribution 'unfiorm', did you mean uniform?",
-    ]
-    assert result.stdout == "" and [p.name for p in tmp_path.iterdir()] == [file.name]
-
-
-@pytest.mark.parametrize(
-    ("arguments", "words"),
-    [
-        (["--jobs", "0"], "--jobs: is 0, expected at least 1"),
-        (["--runs", "0"], "--runs: is 0, expected at least 1"),
-        (["--save-logs", "some"], "--save-logs: is 'some', expected none, failed or all"),
-        (["--only", "12"], "--only: there is no run 12, expected 0 to 11"),
-        (["--set", "bogus.path=1"], "--set bogus.path=1: bogus: unknown key, expected one of "),
-    ],
-)
-def test_bad_options_are_refused(tmp_path: Path, arguments: list[str], words: str) -> None:
-    result = run(tmp_path, "sweep", written(tmp_path).name, *arguments)
-    assert result.returncode == 2 and result.stderr.startswith(words), result.stderr
-
-
-def test_the_shipped_sweeps_are_valid(tmp_path: Path) -> None:
-    result = run(tmp_path, "validate", "scenarios/sweeps/left_tail_monte_carlo.yaml")
-    assert (result.returncode, result.stderr) == (0, "")

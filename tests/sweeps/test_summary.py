@@ -1,95 +1,23 @@
-"""What a sweep says: right draws, the drivers that were put in, the worst runs, the report."""
+"""summary.json says what the table says."""
 
 from __future__ import annotations
 
 import json
-import re
-from html.parser import HTMLParser
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-import pandas as pd
 import pytest
-from scipy import stats
-from sweep_files import SWEEP, run, table, written
-from sweep_flights import bad, quick
+from sweep_files import SWEEP, fly_here, table, written
 
-import testbed
-from testbed.sweeps.drawing.distributions import Distribution
-from testbed.sweeps.drawing.sampling import SAMPLINGS, block, hashed
-from testbed.sweeps.plan import load_sweep
-from testbed.sweeps.sensitivity import sensitivity
+from testbed import monte_carlo
+from testbed.sweeps.load import load_sweep
 from testbed.sweeps.summary import worst
-
-DRAWS: list[tuple[dict[str, object], Any]] = [
-    ({"uniform": [4, 10]}, stats.uniform(4, 6)),
-    ({"normal": [1.0, 0.1]}, stats.norm(1.0, 0.1)),
-    ({"log_uniform": [0.1, 10]}, stats.loguniform(0.1, 10)),
-    ({"weibull_min": {"c": 1.5, "scale": 2}}, stats.weibull_min(1.5, scale=2)),
-    ({"triang": [0.3, 1, 2]}, stats.triang(0.3, 1, 2)),
-]
-
-
-@pytest.mark.parametrize("sampling", [s for s in SAMPLINGS if s != "grid"])
-@pytest.mark.parametrize(("spec", "law"), DRAWS, ids=[str(list(spec)) for spec, _ in DRAWS])
-def test_draws_follow_their_distribution(sampling: str, spec: dict[str, object], law: Any) -> None:
-    points = block(sampling, 11, ["a", "b"], 1024, 0)
-    values = Distribution.model_validate(spec).quantiles(points[:, 1])
-    assert all(type(value) is float for value in values)
-    assert stats.kstest(values, law.cdf).pvalue > 0.01
-    assert abs(np.corrcoef(points.T)[0, 1]) < 0.1
-
-
-def test_discrete_draws_have_their_weights() -> None:
-    u = block("sobol", 11, ["a"], 1024, 0)[:, 0]
-    choice = Distribution.model_validate({"choice": ["a", "b", "c"], "weights": [1, 0, 3]}).quantiles(u)
-    assert abs(choice.count("a") - 256) <= 1 and choice.count("b") == 0
-    whole = Distribution.model_validate({"integers": [3, 6]}).quantiles(u)
-    assert {whole.count(k) for k in (3, 4, 5, 6)} == {256} and all(type(value) is int for value in whole)
-    poisson = Distribution.model_validate({"poisson": {"mu": 4}}).quantiles(u)
-    assert all(type(value) is int for value in poisson) and abs(np.mean(poisson) - 4) < 0.05
-
-
-def test_extreme_draws_are_finite() -> None:
-    values = Distribution.model_validate({"normal": [0, 1]}).quantiles(np.array([0.0, 1.0]))
-    assert values[0] < -8 and values[1] > 8 and np.isfinite(values).all()
-
-
-def test_seeds_are_fit_for_the_engine() -> None:
-    """31 bits, never 0 or 1, no two alike, and neighbours uncorrelated."""
-    seeds = [hashed(7, "run", i) for i in range(5000)]
-    assert min(seeds) >= 2 and max(seeds) < 2**31 and len(set(seeds)) == 5000
-    assert abs(np.corrcoef(seeds[:-1], seeds[1:])[0, 1]) < 0.05
-    assert hashed(7, "run", 1) != hashed(7, "draw", 1) != hashed(71, "run")
-
-
-def test_the_inputs_that_matter_are_found() -> None:
-    rng = np.random.default_rng(3)
-    frame = pd.DataFrame({"a": rng.random(600), "b": rng.choice(["x", "y"], 600), "c": rng.random(600)})
-    frame["passed"] = (frame["a"] > 0.6) | ((frame["b"] == "y") & (frame["a"] > 0.3))
-    frame["error"] = 3 * frame["a"] + (frame["b"] == "y") + 0.1 * rng.standard_normal(600)
-    found = sensitivity(frame, ["a", "b", "c"], ["passed", "error"])
-    for output in ("passed", "error"):
-        inputs = found[output]["inputs"]
-        assert [inputs[n]["matters"] for n in "abc"] == [True, True, False]
-        assert inputs["a"]["pawn"] > inputs["b"]["pawn"] > inputs["c"]["pawn"]
-    # variance 9/12 of 9/12 + 1/4 + 0.01: closed form of the first-order index
-    assert found["error"]["inputs"]["a"]["s1"] == pytest.approx(0.75 / 1.01, abs=0.06)
-    assert found["error"]["inputs"]["b"]["s1"] == pytest.approx(0.25 / 1.01, abs=0.06)
-
-
-def test_sensitivity_of_too_little_is_refused() -> None:
-    frame = pd.DataFrame({"a": np.linspace(0, 1, 300), "passed": [True] * 295 + [False] * 5})
-    assert "fewer than 10 flights differ" in sensitivity(frame, ["a"], ["passed"])["passed"]["reason"]
-    assert "at least 100" in sensitivity(frame[:60], ["a"], ["passed"])["passed"]["reason"]
-    assert sensitivity(frame.assign(a=1.0), ["a"], ["passed"])["passed"]["reason"] == "nothing varies"
 
 
 @pytest.fixture(scope="module")
 def answered(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("answered")
-    testbed.sweep(written(folder), folder / "out", runs=150, jobs=2, fly=quick, save_logs="none")
+    plan = load_sweep(written(folder), ["runs=150"])
+    monte_carlo.finish(plan, fly_here(plan, folder / "out"), figures=False)
     return folder / "out"
 
 
@@ -112,64 +40,8 @@ def test_the_summary_counts_the_table(answered: Path) -> None:
 
 
 def test_the_worst_runs_come_first(tmp_path: Path) -> None:
-    (tmp_path / "table.csv").write_text("failures.0.value\n0.05\n0.45\n0.4\n0.9\n0.01\n")
+    (tmp_path / "table.csv").write_text("failures.0.value\n0.05\n0.45\n0.1\n0.9\n0.01\n")
     text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\n"
-    frame = testbed.sweep(written(tmp_path, text), tmp_path / "out", fly=bad)
-    plan = load_sweep(tmp_path / "out/sweep.yaml")
+    plan = load_sweep(written(tmp_path, text))
+    frame = table(fly_here(plan, tmp_path / "out", "sweep_flights:bad"))
     assert list(worst(plan, frame)["run"]) == [2, 4, 0, 1]  # no result; then by altitude error; 3 has passed
-
-
-class Page(HTMLParser):
-    """Collects what a page refers to, and checks that tags close."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.references: list[str] = []
-        self.tags: list[str] = []
-        self.text = ""
-
-    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
-        self.tags.append(tag)
-        self.references += [value or "" for name, value in attributes if name in ("src", "href")]
-
-    def handle_data(self, data: str) -> None:
-        self.text += data
-
-
-def test_the_report_is_one_file_that_fetches_and_runs_nothing(answered: Path) -> None:
-    page = Page()
-    page.feed((answered / "report.html").read_text())
-    assert "script" not in page.tags and page.tags.count("img") >= 4
-    assert all(reference.startswith("data:image/png;base64,") for reference in page.references)
-    for words in (
-        "all requirements",
-        "exact McNemar",
-        "99 % stay within",
-        "PAWN",
-        "How many runs a claim needs",
-    ):
-        assert words in page.text
-    drawn = {f.name for f in (answered / "figures").iterdir()}
-    assert drawn >= {"probabilities.png", "survival.png", "envelope.png", "drivers.png"}
-
-
-def test_the_report_names_commands_that_work(tmp_path: Path) -> None:
-    testbed.sweep(written(tmp_path), tmp_path / "out", runs=4, save_logs="none")
-    commands = re.findall(r"<code>python -m testbed (.*?)</code>", (tmp_path / "out/report.html").read_text())
-    assert commands
-    arguments = commands[0].split()
-    result = run(tmp_path, *arguments, "--out", "again")
-    assert result.returncode == 1, result.stderr
-    rows = (tmp_path / "again/results.csv").read_text().splitlines()[1:]
-    assert set(rows) <= set((tmp_path / "out/results.csv").read_text().splitlines())
-
-
-def test_report_rebuilds_the_same_table_and_summary(answered: Path) -> None:
-    before = {
-        name: (answered / name).read_bytes() for name in ("results.csv", "results.parquet", "summary.json")
-    }
-    for name in before:
-        (answered / name).unlink()
-    result = run(answered.parent, "report", "out")
-    assert result.returncode == 1, result.stderr
-    assert before == {name: (answered / name).read_bytes() for name in before}

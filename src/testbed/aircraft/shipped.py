@@ -55,3 +55,8 @@ def find_scenario(path: str | Path) -> Path:
 def scenario_files() -> list[Path]:
     """Scenario files that come with the testbed."""
     return sorted((data_root() / "scenarios").glob("*.yaml"))
+
+
+def sweep_files() -> list[Path]:
+    """Sweep files that come with the testbed."""
+    return sorted((data_root() / "scenarios" / "sweeps").glob("*.yaml"))

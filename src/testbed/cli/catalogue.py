@@ -1,38 +1,76 @@
-"""What there is: each table that a scenario can name something of, with the first line of each docstring."""
+"""What there is: each table that a scenario can name something of, with one line on what each entry means."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
+from itertools import takewhile
+from pathlib import Path
+
+Entries = list[tuple[str, str]]
+"""Name, and what it means."""
 
 
-def _aircraft() -> list[tuple[str, str]]:
+def _aircraft() -> Entries:
     from testbed.aircraft.description import load_aircraft
     from testbed.aircraft.shipped import aircraft_names
 
     return [(name, load_aircraft(name).description) for name in aircraft_names()]
 
 
-def _controllers() -> list[tuple[str, str]]:
+def _controllers() -> Entries:
     from testbed.controllers.config import TABLE
 
     return _described(TABLE)
 
 
-def _failures() -> list[tuple[str, str]]:
+def _failures() -> Entries:
     from testbed.failures import TABLE
 
     return _described(TABLE)
 
 
-def _metrics() -> list[tuple[str, str]]:
+def _metrics() -> Entries:
     from testbed.metrics import TABLE
 
     return _described(TABLE)
 
 
-def _described(table: Mapping[str, object]) -> list[tuple[str, str]]:
+def _scenarios() -> Entries:
+    from testbed.aircraft.shipped import scenario_files
+
+    return _files(scenario_files())
+
+
+def _sweeps() -> Entries:
+    from testbed.aircraft.shipped import sweep_files
+
+    return _files(sweep_files())
+
+
+def _described(table: Mapping[str, object]) -> Entries:
     """Names, each with the first line of its docstring."""
     return [(name, (entry.__doc__ or "").strip().partition("\n")[0]) for name, entry in table.items()]
 
 
-LISTS = {"aircraft": _aircraft, "controllers": _controllers, "failures": _failures, "metrics": _metrics}
+def _files(files: Iterable[Path]) -> Entries:
+    """Shipped files by the path that commands take, each with the comment that it begins with, else its name."""
+    from testbed.aircraft.shipped import data_root
+
+    return [(str(file.relative_to(data_root())), _about(file)) for file in files]
+
+
+def _about(file: Path) -> str:
+    lines = file.read_text(encoding="utf-8").splitlines()
+    comment = takewhile(lambda line: line.startswith("#"), lines)
+    return " ".join(line.lstrip("# ") for line in comment) or file.stem.replace("_", " ")
+
+
+TABLE: dict[str, Callable[[], Entries]] = {
+    "aircraft": _aircraft,
+    "controllers": _controllers,
+    "failures": _failures,
+    "metrics": _metrics,
+    "scenarios": _scenarios,
+    "sweeps": _sweeps,
+}
+"""What `testbed list` can list."""

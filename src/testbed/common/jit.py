@@ -97,3 +97,10 @@ def bound(function: F, *like: Any) -> F:
         with _one_at_a_time():
             function.compile(types)
     return function.overloads[types].entry_point  # type: ignore[attr-defined, no-any-return]
+
+
+def has_compiled() -> bool:
+    """Whether compiled code of these sources is kept already; else the first flight compiles for some seconds."""
+    if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
+        return True
+    return _FOLDER is not None and next(_FOLDER.rglob("*.nbi"), None) is not None

@@ -1,36 +1,16 @@
-"""The report of a run folder: one HTML file with everything in it, no script, nothing from the network."""
+"""The report of a run folder: verdict, requirements, events, figures and metrics of one flight."""
 
 from __future__ import annotations
 
-import base64
-import math
-from collections.abc import Iterable
 from html import escape
 from pathlib import Path
-from typing import Any
 
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
-from testbed.metrics import TABLE
-from testbed.reporting.figures import FIGURES
+from testbed.metrics import TABLE as METRICS
+from testbed.reporting import html
+from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.figures.marks import describe
-
-_STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; color: #1a1a1a; }
-body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
-.verdict { padding: .7rem 1rem; border-left: .5rem solid; font-size: 1.1rem; }
-.met { border-color: #2e7d32; } .missed { border-color: #b22222; background: #fdf1f0; }
-table { border-collapse: collapse; width: 100%; }
-caption { text-align: left; color: #555; padding-bottom: .3rem; }
-th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #ddd; vertical-align: top; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-tr.missed td:first-child { font-weight: bold; color: #b22222; }
-img { max-width: 100%; } figure { margin: 1.5rem 0; } figcaption { color: #555; }
-pre { background: #f4f4f4; padding: .7rem 1rem; overflow-x: auto; }
-@media print { body { max-width: none; } figure, tr { break-inside: avoid; } }
-"""
-
 
 _AGAIN = """<h2>Fly it again</h2>
 <p>In this folder; with the same versions of testbed and JSBSim the log is the same to the last digit.</p>
@@ -43,16 +23,7 @@ def write_report(folder: str | Path) -> Path:
     Raises BadInput when it is not a run folder.
     """
     folder = Path(folder)
-    file = folder / "report.html"
-    partial = folder / ".report.html.partial"
-    partial.write_text(page(load(folder), folder), encoding="utf-8")
-    partial.replace(file)
-    return file
-
-
-def page(flight: Flight, folder: Path) -> str:
-    """The report as HTML, with the figures found in `folder/figures`."""
-    name = escape(flight.scenario.name)
+    flight = load(folder)
     parts = (
         _verdict(flight),
         _requirements(flight),
@@ -61,9 +32,7 @@ def page(flight: Flight, folder: Path) -> str:
         _metrics(flight),
         _AGAIN,
     )
-    head = f'<meta charset="utf-8"><title>{name}</title><style>{_STYLE}</style>'
-    body = "\n".join(parts)
-    return f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n{body}\n</body></html>\n'
+    return html.write_page(folder / "report.html", flight.scenario.name, parts)
 
 
 def _verdict(flight: Flight) -> str:
@@ -87,66 +56,46 @@ def _requirements(flight: Flight) -> str:
     if not flight.requirements:
         return ""
     rows = (
-        _row(
-            ["met" if r["passed"] else "NOT MET", r["name"], r.get("reason", "")],
-            [r["value"], r.get("margin")],
+        html.row(
+            [
+                "met" if r["passed"] else "NOT MET",
+                r["name"],
+                r.get("reason", ""),
+                r["value"],
+                r.get("margin"),
+            ],
             "met" if r["passed"] else "missed",
         )
         for r in flight.requirements
     )
-    caption = "Value: the worst seen. Margin: how far it is inside the limit; negative is outside."
-    return _table("Requirements", caption, ("verdict", "requirement", "remark", "value", "margin"), rows)
+    caption = "Value: the worst seen. Margin: the distance to the limit; negative when the limit is broken."
+    heads = ("verdict", "requirement", "remark", "value", "margin")
+    return "<h2>Requirements</h2>\n" + html.table(heads, rows, caption)
 
 
 def _events(flight: Flight) -> str:
-    rows = (
-        _row([f"{event['time_s']:.3f}", str(event["kind"]).replace("_", " "), describe(event)])
-        for event in flight.events
-    )
     if not flight.events:
         return "<h2>Events</h2>\n<p>Nothing broke, and nothing was flagged.</p>"
-    return _table("Events", "", ("time [s]", "kind", "what"), rows)
+    rows = (
+        html.row([f"{event['time_s']:.3f}", str(event["kind"]).replace("_", " "), describe(event)])
+        for event in flight.events
+    )
+    return "<h2>Events</h2>\n" + html.table(("time [s]", "kind", "what"), rows)
+
+
+def _figures(folder: Path) -> str:
+    shown = html.figures(folder, {name: caption for name, (caption, _) in FIGURES.items()})
+    return "\n".join(["<h2>Figures</h2>", *shown]) if shown else ""
 
 
 def _metrics(flight: Flight) -> str:
-    rows = (_row([name, definition(name)], [value]) for name, value in flight.metrics.items())
-    caption = "A dash is a metric that has no value in this flight."
-    return _table("Metrics", caption, ("metric", "definition and [unit]", "value"), rows)
+    rows = (html.row([name, definition(name), value]) for name, value in flight.metrics.items())
+    caption = "A dash: the metric has no value in this flight."
+    heads = ("metric", "definition and [unit]", "value")
+    return "<h2>Metrics</h2>\n" + html.table(heads, rows, caption)
 
 
 def definition(metric: str) -> str:
     """First line of a metric's docstring; nothing for one that this version does not know."""
-    function = TABLE.get(metric)
+    function = METRICS.get(metric)
     return (function.__doc__ or "").strip().partition("\n")[0] if function else ""
-
-
-def _figures(folder: Path) -> str:
-    parts = []
-    for name, (caption, _) in FIGURES.items():
-        file = folder / f"{name}.png"
-        if file.is_file():
-            data = base64.b64encode(file.read_bytes()).decode("ascii")
-            image = f'<img alt="{escape(caption)}" src="data:image/png;base64,{data}">'
-            parts.append(f"<figure>{image}<figcaption>{escape(caption)}</figcaption></figure>")
-    return "<h2>Figures</h2>\n" + "\n".join(parts) if parts else ""
-
-
-def _table(title: str, caption: str, heads: Iterable[str], rows: Iterable[str]) -> str:
-    head = "".join(f"<th>{escape(text)}</th>" for text in heads)
-    above = f"<caption>{escape(caption)}</caption>" if caption else ""
-    body = "\n".join(rows)
-    return (
-        f"<h2>{title}</h2>\n<table>{above}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody></table>"
-    )
-
-
-def _row(texts: Iterable[str], numbers: Iterable[Any] = (), kind: str = "") -> str:
-    cells = [f"<td>{escape(text)}</td>" for text in texts]
-    cells += [f'<td class="number">{_number(value)}</td>' for value in numbers]
-    return (f'<tr class="{kind}">' if kind else "<tr>") + "".join(cells) + "</tr>"
-
-
-def _number(value: Any) -> str:
-    if value is None or not math.isfinite(value):
-        return "-"
-    return f"{value:.4g}"

@@ -1,4 +1,4 @@
-"""Figures of a sweep: each a function of its plan, its table and its folder, and a line in FIGURES."""
+"""Figures of a sweep. A new one is a function of a plan, its table and its folder, and a name in TABLE."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from testbed.sweeps.folder import histories
-from testbed.sweeps.folder.reading import unit
+from testbed.sweeps.folder.reading import groups_of, unit
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.statistics import proportion
-from testbed.sweeps.summary import groups_of, requirement_titles
+from testbed.sweeps.summary import requirement_titles
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -22,17 +22,17 @@ _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 """Okabe and Ito's, told apart by colour-blind readers too."""
 _BINS = 10
 _CHUNK = 2000
-"""Histories read at a time."""
+"""Error histories that are read at a time."""
 _MOST = 20_000
-"""Histories whose quantiles are drawn."""
+"""Most error histories from which quantiles are taken."""
 
 
 def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
-    """Draw every figure there is something for into folder/figures; returns the files."""
+    """Draw every figure for which the table has data into folder/figures; returns the files."""
     target = folder / "figures"
     target.mkdir(exist_ok=True)
     files = []
-    for name, draw in FIGURES.items():
+    for name, draw in TABLE.items():
         figure = draw(plan, frame, folder)
         if figure is not None:
             files.append(target / f"{name}.png")
@@ -61,7 +61,7 @@ def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | Non
 
 
 def survival(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """Share of flights that pass against the effectiveness that a failure leaves, with its 95 % band."""
+    """Share of flights that pass, against the effectiveness that the failure leaves, with its 95 % band."""
     path = remaining_effectiveness(plan, frame)
     if path is None:
         return None
@@ -84,7 +84,7 @@ def survival(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 
 
 def remaining_effectiveness(plan: Plan, frame: pd.DataFrame) -> str | None:
-    """The varied value that an effectiveness failure leaves; else the first varied number."""
+    """Path of the varied effectiveness that a failure leaves; else of the first varied number, if there is one."""
     tree = plan.builder.base.tree
     numbers = [p for p in plan.paths if frame[p].dtype.kind in "fi" and frame[p].nunique() > 1]
     for path in numbers:
@@ -97,7 +97,7 @@ def remaining_effectiveness(plan: Plan, frame: pd.DataFrame) -> str | None:
 
 
 def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """Median, 5 to 95 % and the worst flight, of the errors against time, for each variant."""
+    """Altitude and heading error against time: median, 5 to 95 % and worst flight, for each variant."""
     count, channels = len(plan.variants), list(histories.CHANNELS)[:2]
     figure, grid = _figure(1.0 + 4.2 * count, 5.6, rows=len(channels), columns=count)
     times = histories.times_s(float(plan.builder.scenario(plan.task(0)).duration_s))
@@ -121,10 +121,10 @@ def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 
 
 def _band(folder: Path, flights: np.ndarray, channel: int) -> tuple[Any, ...] | None:
-    """(5 %, median, 95 % of the flights still flying; the flight with the largest error; its number).
+    """(5 % quantile, median, 95 % quantile, worst flight's error, worst flight's number); None without histories.
 
-    The largest is sought among all, a chunk at a time; of very many flights, every so many-th makes the
-    quantiles.
+    Quantiles are over the flights still flying at each time. All flights are searched for the worst one; of more
+    than _MOST flights, an evenly spaced part gives the quantiles.
     """
     file, every = folder / "histories.f32", -(-len(flights) // _MOST)
     sampled, largest, worst, number = [], -1.0, None, -1
@@ -146,7 +146,7 @@ def _band(folder: Path, flights: np.ndarray, channel: int) -> tuple[Any, ...] | 
 
 
 def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """Cumulative share of detections against their delay."""
+    """Share of detections that have come within a delay, against that delay."""
     if "detection_delay_s" not in frame or not frame["detection_delay_s"].notna().any():
         return None
     figure, axes = _figure(7.0, 4.0)
@@ -167,7 +167,7 @@ def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | N
 
 
 def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """PAWN index of each input on passing, and what chance alone would give."""
+    """PAWN index of each varied value on passing, beside the index that chance alone would give."""
     from testbed.sweeps.sensitivity import sensitivity
 
     found = {
@@ -197,7 +197,7 @@ def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 
 Draw = Callable[[Plan, "pd.DataFrame", Path], Figure | None]
 
-FIGURES: dict[str, Draw] = {
+TABLE: dict[str, Draw] = {
     function.__name__: function for function in (probabilities, survival, envelope, detection_delay, drivers)
 }
 

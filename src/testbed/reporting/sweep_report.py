@@ -1,190 +1,188 @@
-"""report.html of a sweep: one file, readable anywhere, with nothing to fetch and nothing to run."""
+"""The report of a sweep folder, written from summary.json alone: any value in it may be absent (None)."""
 
 from __future__ import annotations
 
-import base64
-import html
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator
+from html import escape
 from pathlib import Path
 from typing import Any
 
-_STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; max-width: 60rem;
-       margin: 2rem auto; padding: 0 1rem; color: #222 }
-table { border-collapse: collapse; margin: .6rem 0 1.4rem }
-th, td { border-bottom: 1px solid #ddd; padding: .25rem .8rem .25rem 0;
-         text-align: left; vertical-align: top }
-th { font-weight: 600 } td.n { text-align: right; font-variant-numeric: tabular-nums }
-code { background: #f3f3f3; padding: .1rem .3rem } img { max-width: 100% } .note { color: #666 }
-"""
+from testbed.reporting import html
+from testbed.reporting.html import Html
+from testbed.reporting.numbers import interval, number
+
+Summary = dict[str, Any]
+
 _CAPTIONS = {
     "probabilities": "Probability that each requirement is met, with 95 % intervals (Wilson).",
-    "survival": "Share of flights that pass, by what the failure leaves; 95 % intervals of each tenth.",
-    "envelope": "Errors against time: median, 5 to 95 % of those still flying, and the largest.",
-    "detection_delay": "Delay of detections, over the flights that had one.",
-    "drivers": "What drives passing: PAWN index of each varied value (Pianosi and Wagener 2018).",
+    "survival": "Share of flights that pass, against the effectiveness that the failure leaves; 95 % intervals.",
+    "envelope": "Errors against time: median, 5 to 95 % of the flights still flying, and the largest.",
+    "detection_delay": "Detection delays of the flights in which something was detected.",
+    "drivers": "Which varied values decide whether a flight passes: PAWN index (Pianosi and Wagener 2018).",
 }
 
 
 def write_sweep_report(folder: str | Path) -> Path:
-    """Write report.html from summary.json and figures/ of a sweep folder; raises OSError when they are
-    missing.
-    """
+    """Write report.html from summary.json and figures/ of a sweep folder; OSError when they are missing."""
     folder = Path(folder)
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    parts = (_head, _probabilities, _pairs, _figures, _excursions, _sensitivity, _worst, _needed)
-    body = "\n".join(line for part in parts for line in part(summary, folder))
-    title = html.escape(summary["sweep"])
-    page = (
-        f'<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title>\n'
-        f"<style>{_STYLE}</style></head><body>\n<h1>{title}</h1>\n{body}\n</body></html>\n"
-    )
-    partial = folder / ".report.html.partial"
-    partial.write_text(page, encoding="utf-8")
-    return partial.replace(folder / "report.html")
+    return html.write_page(folder / "report.html", summary["sweep"], parts(summary, folder))
 
 
-def _head(summary: dict[str, Any], folder: Path) -> Iterable[str]:
-    asked = summary["runs_asked"]
-    state = "" if summary["complete"] else f" (of {asked} asked for)"
-    many = (
-        f", each flown by {len(summary['variants'])} variants under the same draws"
-        if summary["pairs"]
-        else ""
-    )
-    drawn = f"sampling {html.escape(summary['sampling'])}, seed {summary['seed']}"
-    yield f"<p>{summary['runs']} runs{state}{many}; {drawn}.</p>"
+def parts(summary: Summary, folder: Path) -> Iterator[str]:
+    """The sections of the report, as HTML, in their order."""
+    yield from _head(summary)
+    yield from _probabilities(summary)
+    yield from _pairs(summary)
+    yield from html.figures(folder / "figures", _CAPTIONS)
+    yield from _excursions(summary)
+    yield from _sensitivity(summary)
+    yield from _worst(summary, folder)
+    yield from _runs_needed(summary)
+
+
+def _head(summary: Summary) -> Iterator[str]:
+    state = "" if summary["complete"] else f" (of {summary['runs_asked']} asked for)"
+    count = len(summary["variants"])
+    each = f", each flown by {count} variants under the same draws" if count > 1 else ""
+    drawn = f"sampling {escape(summary['sampling'])}, seed {summary['seed']}"
+    yield f"<h1>{escape(summary['sweep'])}</h1>\n<p>{summary['runs']} runs{state}{each}; {drawn}.</p>"
     if not summary["probabilistic"]:
-        yield "<p class=note>No random sample: shares are of the cases flown, not probabilities.</p>"
+        yield html.note("These runs are no random sample: shares are of the runs flown, not probabilities.")
 
 
-def _probabilities(summary: dict[str, Any], folder: Path) -> Iterable[str]:
+def _probabilities(summary: Summary) -> Iterator[str]:
     variants = summary["variants"]
-    yield "<h2>How often the requirements are met</h2>"
-    rows = [["<b>all requirements</b>", *(_share(v["all_requirements"]) for v in variants)]]
+    total = Html("<b>all requirements</b>")
+    rows = [html.row([total, *(_share(variant["all_requirements"]) for variant in variants)])]
     for j, requirement in enumerate(variants[0]["requirements"] if variants else []):
-        rows.append([html.escape(requirement["name"]), *(_share(v["requirements"][j]) for v in variants)])
-    rows.append(["how flights ended", *(_outcomes(v["outcomes"]) for v in variants)])
-    yield _table(["", *(html.escape(v["label"]) or "probability" for v in variants)], rows)
-    yield (
-        "<p class=note>Estimate and 95 % interval by Wilson; Clopper-Pearson in summary.json. A flight "
-        "without a result counts as having met nothing.</p>"
+        rows.append(html.row([requirement["name"], *(_share(v["requirements"][j]) for v in variants)]))
+    rows.append(html.row(["how flights ended", *(_outcomes(v["outcomes"]) for v in variants)]))
+    yield "<h2>How often the requirements are met</h2>"
+    yield html.table(["", *(variant["label"] or "probability" for variant in variants)], rows)
+    yield html.note(
+        "Estimate and 95 % interval by Wilson; Clopper-Pearson in summary.json. A flight without a result "
+        "counts as having met nothing."
     )
 
 
 def _share(known: dict[str, Any]) -> str:
-    if known["estimate"] is None:
-        return "no runs"
-    return f"{known['estimate']:.3f} <span class=note>({known['low']:.3f} to {known['high']:.3f})</span>"
+    return "no runs" if known["estimate"] is None else interval(known)
 
 
-def _outcomes(outcomes: dict[str, int]) -> str:
-    return "<br>".join(f"{count} {html.escape(name.replace('_', ' '))}" for name, count in outcomes.items())
+def _outcomes(outcomes: dict[str, int]) -> Html:
+    return Html("<br>".join(f"{count} {escape(_words(name))}" for name, count in outcomes.items()))
 
 
-def _pairs(summary: dict[str, Any], folder: Path) -> Iterable[str]:
+def _pairs(summary: Summary) -> Iterator[str]:
     if not summary["pairs"]:
         return
-    yield "<h2>Compared, run by run</h2>"
     rows = [
-        [f"{html.escape(p['first'])} minus {html.escape(p['second'])}",
-         f"{p['difference']:+.3f} ({p['low']:+.3f} to {p['high']:+.3f})",
-         str(p["only_first"]), str(p["only_second"]), f"{p['p_value']:.2g}"]
-        for p in summary["pairs"] if p["difference"] is not None
-    ]  # fmt: skip
-    yield _table(
-        ["", "difference in P(all)", "only the first passed", "only the second passed", "p (exact McNemar)"],
-        rows,
+        html.row(
+            [
+                f"{pair['first']} minus {pair['second']}",
+                interval(pair, "difference", "+.3f"),
+                pair["only_first"],
+                pair["only_second"],
+                number(pair["p_value"], ".2g"),
+            ]
+        )
+        for pair in summary["pairs"]
+    ]
+    heads = (
+        "",
+        "difference in P(all)",
+        "only the first passed",
+        "only the second passed",
+        "p (exact McNemar)",
+    )
+    yield "<h2>Compared, run by run</h2>"
+    yield html.table(heads, rows)
+
+
+def _excursions(summary: Summary) -> Iterator[str]:
+    metrics = [(v["label"], name, m) for v in summary["variants"] for name, m in v["metrics"].items()]
+    shares = list(metrics[0][2]["tolerance_bounds"]) if metrics else []
+    rows = [
+        html.row(
+            [
+                label,
+                name,
+                *(metric[of] for of in ("median", "p95", "largest")),
+                *(number(metric["tolerance_bounds"][share], absent="too few") for share in shares),
+            ]
+        )
+        for label, name, metric in metrics
+        if metric["n"]
+    ]
+    stays = (f"{100 * float(share):g} % stay within" for share in shares)
+    yield "<h2>How large the errors became</h2>"
+    yield html.table(["", "metric", "median", "95 %", "largest", *stays], rows)
+    yield html.note(
+        "The last columns are upper bounds that hold with 95 % confidence for any distribution (order "
+        "statistics, Wilks 1941). A lost flight counts as an infinite error. 'too few': more runs are needed "
+        "for such a bound."
     )
 
 
-def _figures(summary: dict[str, Any], folder: Path) -> Iterable[str]:
-    for name, caption in _CAPTIONS.items():
-        file = folder / "figures" / f"{name}.png"
-        if file.is_file():
-            data = base64.b64encode(file.read_bytes()).decode()
-            yield f'<figure><img alt="{html.escape(caption)}" src="data:image/png;base64,{data}">'
-            yield f"<figcaption class=note>{html.escape(caption)}</figcaption></figure>"
+def _sensitivity(summary: Summary) -> Iterator[str]:
+    rows = [
+        row
+        for variant in summary["variants"]
+        for output, result in variant["sensitivity"].items()
+        for row in _sensitivity_rows(variant["label"], output, result)
+    ]
+    yield "<h2>Which varied values drive the result</h2>"
+    yield html.table(["", "result", "varied value", "PAWN", "share of variance (RBD-FAST)"], rows)
 
 
-def _excursions(summary: dict[str, Any], folder: Path) -> Iterable[str]:
-    yield "<h2>How far it went</h2>"
-    rows = []
-    for variant in summary["variants"]:
-        for name, metric in variant["metrics"].items():
-            if metric["n"]:
-                bounds = [_number(bound) for bound in metric["tolerance_bounds"].values()]
-                rows.append([html.escape(variant["label"]), html.escape(name), *(_number(metric[k]) for k in
-                             ("median", "p95", "largest")), *bounds])  # fmt: skip
-    shares = list(
-        next((m["tolerance_bounds"] for v in summary["variants"] for m in v["metrics"].values()), {})
-    )
-    yield _table(
-        ["", "metric", "median", "95 %", "largest", *(f"{100 * float(s):g} % stay within" for s in shares)],
-        rows,
-    )
-    yield (
-        "<p class=note>The last columns hold with 95 % confidence, whatever the distribution (order "
-        "statistics, Wilks 1941); a lost flight counts as infinitely far. 'too few': even the largest of so "
-        "few runs says less.</p>"
-    )
+def _sensitivity_rows(label: str, output: str, result: dict[str, Any]) -> Iterator[Html]:
+    if "reason" in result:
+        yield html.row([label, output, Html(f'<span class="note">{escape(result["reason"])}</span>'), "", ""])
+    inputs = result.get("inputs", {})
+    for name in sorted(inputs, key=lambda name: -(inputs[name]["pawn"] or 0.0)):
+        index = inputs[name]
+        by_chance = (
+            ""
+            if index["matters"] or index["pawn"] is None
+            else ' <span class="note">no more than chance</span>'
+        )
+        share = number(index["s1"], ".2f")
+        if index["s1"] is not None:
+            share += f" ± {number(index['s1_half_width'], '.2f', absent='unknown')}"
+        yield html.row([label, output, Html(escape(name) + by_chance), number(index["pawn"], ".2f"), share])
 
 
-def _sensitivity(summary: dict[str, Any], folder: Path) -> Iterable[str]:
-    yield "<h2>What drives it</h2>"
-    rows = []
-    for variant in summary["variants"]:
-        for output, result in variant["sensitivity"].items():
-            where = [html.escape(variant["label"]), html.escape(output)]
-            if "reason" in result:
-                rows.append([*where, f"<span class=note>{html.escape(result['reason'])}</span>", "", ""])
-            for name, index in sorted(result.get("inputs", {}).items(), key=lambda item: -item[1]["pawn"]):
-                matters = "" if index["matters"] else " <span class=note>no more than chance</span>"
-                s1 = (
-                    f"{index['s1']:.2f} &plusmn; {index['s1_half_width']:.2f}"
-                    if index["s1"] is not None
-                    else ""
-                )
-                rows.append([*where, html.escape(name) + matters, f"{index['pawn']:.2f}", s1])
-    yield _table(["", "result", "input", "PAWN", "share of variance (RBD-FAST)"], rows)
-
-
-def _worst(summary: dict[str, Any], folder: Path) -> Iterable[str]:
+def _worst(summary: Summary, folder: Path) -> Iterator[str]:
     yield "<h2>The worst runs</h2>"
     rows = [
-        [html.escape(variant["label"]), str(flight["run"]), html.escape(flight["outcome"].replace("_", " ")),
-         f"<code>python -m testbed sweep {html.escape(folder.name)}/sweep.yaml --only {flight['run']}</code>"]
-        for variant in summary["variants"] for flight in variant["worst"]
-    ]  # fmt: skip
-    yield (
-        _table(["", "run", "ended", "flies it again, from the folder above this one"], rows)
-        if rows
-        else "<p>None failed.</p>"
-    )
+        html.row([variant["label"], str(flight["run"]), _words(flight["outcome"]), _again(folder, flight)])
+        for variant in summary["variants"]
+        for flight in variant["worst"]
+    ]
+    heads = ("", "run", "ended", "flies it again, from the folder above this one")
+    yield html.table(heads, rows) if rows else "<p>None failed.</p>"
 
 
-def _needed(summary: dict[str, Any], folder: Path) -> Iterable[str]:
-    yield "<h2>How many runs a claim needs</h2>"
+def _again(folder: Path, flight: dict[str, Any]) -> Html:
+    command = f"python -m testbed sweep {folder.name}/sweep.yaml --only {flight['run']}"
+    return Html(f"<code>{escape(command)}</code>")
+
+
+def _runs_needed(summary: Summary) -> Iterator[str]:
     rows = []
     for variant in summary["variants"]:
         needed = variant["runs_needed"]
         for claim, runs in needed["claim_without_a_failure"].items():
-            now = needed["claim_with_failures_as_now"][claim]
-            rows.append([html.escape(variant["label"]), f"P(all) is at least {claim}, with 95 % confidence",
-                         str(runs), str(now) if now else "not at the present share"])  # fmt: skip
+            words = f"P(all) is at least {claim}, with 95 % confidence"
+            now = number(needed["claim_with_failures_as_now"][claim], absent="not at the present share")
+            rows.append(html.row([variant["label"], words, number(runs), now]))
         for width, runs in needed["half_width"].items():
-            rows.append([html.escape(variant["label"]), f"P(all) to &plusmn; {width}", "", str(runs)])
-    yield _table(["", "claim", "runs without a failure", "runs with the failures seen so far"], rows)
+            rows.append(html.row([variant["label"], f"P(all) to ± {width}", "", number(runs)]))
+    yield "<h2>How many runs a claim needs</h2>"
+    yield html.table(["", "claim", "runs without a failure", "runs with the failures seen so far"], rows)
 
 
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    top = "".join(f"<th>{cell}</th>" for cell in head)
-    body = "\n".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
-    return f"<table><tr>{top}</tr>\n{body}</table>"
-
-
-def _number(value: Any) -> str:
-    if value is None:
-        return "too few"
-    return html.escape(value) if isinstance(value, str) else f"{value:.4g}"
+def _words(name: str) -> str:
+    return name.replace("_", " ")

@@ -1,4 +1,4 @@
-"""Before anything flies: the base scenario, the first draws, and the ends of every range must be valid."""
+"""Checks before anything flies: the first draws, and the ends of every range, must make valid scenarios."""
 
 from __future__ import annotations
 
@@ -15,17 +15,19 @@ from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.plan import Plan
 
 _DRAWS = 16
-"""Runs whose scenarios are made and checked before flying; all the others are when their turn comes."""
-_OTHERS = 3
-"""An end of a range is refused when it is invalid with each of so many draws of all the rest."""
+"""Runs whose scenarios are checked before flying; the others are checked when they are flown."""
+_COMPANIONS = 3
+"""The end of a range is refused if it is invalid together with each of so many draws of the other values."""
 _MOST = 20
-"""Problems shown of the cases of a table."""
+"""Problems of a table of cases after which the rest of it is not checked."""
 
 
 def check(plan: Plan) -> None:
     """Raise BadInput with everything that is wrong with the scenarios of a sweep."""
     checker = _Checker(plan)
-    found = list(dict.fromkeys(checker.ends()))  # first: they cite the number that the user wrote
+    found = list(
+        dict.fromkeys(checker.ends())
+    )  # first, because these problems show the number that the user wrote
     if not found:
         found = list(dict.fromkeys(checker.draws()))
     if found:
@@ -38,7 +40,7 @@ class _Checker:
         self._catalogs: dict[str, Mapping[str, bool]] = {}
 
     def draws(self) -> Iterator[Problem]:
-        """Problems of the first runs; of a table of cases, of all."""
+        """Problems of the first runs; with a table of cases, of all runs."""
         plan, found = self._plan, 0
         for run in range(plan.runs if plan.cases is not None else min(plan.runs, _DRAWS)):
             for variant in range(len(plan.variants)):
@@ -54,7 +56,7 @@ class _Checker:
                 return
 
     def ends(self) -> Iterator[Problem]:
-        """Lowest and highest value of every bounded range, and every option of every choice."""
+        """Problems of the lowest and highest value of every bounded range, and of every option of every choice."""
         plan = self._plan
         for path, distribution in plan.sweep.vary.items():
             for value in distribution.bounds:
@@ -62,9 +64,9 @@ class _Checker:
                     yield from self._always(path, value, variant)
 
     def _always(self, path: str, value: Any, variant: int) -> list[Problem]:
-        """Problems of a value that it has whatever else is drawn."""
+        """Problems of a value that are there whatever else is drawn."""
         found: list[Problem] = []
-        for run in range(min(self._plan.runs, _OTHERS)):
+        for run in range(min(self._plan.runs, _COMPANIONS)):
             task = self._plan.task(run * len(self._plan.variants) + variant)
             found = self.problems(replace(task, values={**task.values, path: value}))
             if not found:
@@ -82,7 +84,7 @@ class _Checker:
         return unknown_names(scenario, aircraft, signals, METRICS, self._catalog(aircraft))
 
     def _catalog(self, aircraft: Aircraft) -> Mapping[str, bool]:
-        """Properties of the loaded model: kept, as loading is slow."""
+        """Properties of the JSBSim model, loaded once for each aircraft because loading is slow."""
         key = str(aircraft.folder)
         if key not in self._catalogs:
             from testbed.plant.jsbsim import property_catalog

@@ -1,4 +1,4 @@
-"""The model of a sweep file: every key, its default and its range."""
+"""What a sweep file may say: every key, its default and its range."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from testbed.sweeps.drawing.distributions import Distribution
 
 
 class StopWhen(Settings):
-    """Stop as soon as P(all requirements met) of every compared variant is known this closely."""
+    """Stop as soon as P(all requirements met) is known to +- half_width for every variant, at this confidence."""
 
     half_width: Annotated[Number, Field(gt=0, lt=0.5)]
     confidence: Annotated[Number, Field(gt=0, lt=1)] = 0.95
@@ -24,20 +24,20 @@ class Sweep(Settings):
     scenario: Text | dict[str, Any]
     """A scenario file, relative to the sweep's; or a whole scenario."""
     runs: Annotated[int, Field(strict=True, gt=0)] | None = None
-    """Default: 1000; with `cases` or a grid all of them."""
+    """Default: 1000; with `cases` or a grid, as many as these have."""
     seed: Whole = 1
     sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
     levels: Annotated[int, Field(strict=True, gt=1)] = 5
-    """Of each continuous value in a grid."""
+    """Number of levels of each continuous value in a grid."""
     set: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it)
-    """Changes to the scenario, for all runs, by dotted paths."""
+    """Changes to the scenario for all runs, by dotted paths."""
     vary: dict[str, Distribution] = {}  # noqa: RUF012
     cases: Text | None = None
-    """A CSV table of explicit runs, one a row, columns being dotted paths; relative to the sweep's file."""
+    """A CSV table of runs instead of `vary`, one a row, columns being dotted paths; relative to the sweep's file."""
     compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
     stop_when: StopWhen | None = None
     time_limit_s: Positive = 300.0
-    """Wall time after which a flight counts as hung."""
+    """Wall time [s] after which a flight counts as hung."""
 
     @field_validator("vary", "compare")
     @classmethod

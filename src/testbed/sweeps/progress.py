@@ -1,4 +1,4 @@
-"""How far a sweep is: a bar on a terminal, nothing elsewhere."""
+"""How far a sweep is: a bar on stderr if that is a terminal, else nothing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from testbed.sweeps.plan import Plan
 
 
 class Progress:
-    """Flights done, rate, time left, and the share that passed so far of each variant."""
+    """Flights done, their rate, the time left, and the share of each variant's flights that passed so far."""
 
     def __init__(self, plan: Plan, done: int) -> None:
         self._plan = plan

@@ -1,4 +1,4 @@
-"""Fly a sweep into its folder: fly what is missing, keep each flight at once, then write what they say."""
+"""Fly a sweep into its folder: fly what is missing, keep each flight as it finishes, then write the table."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from testbed.sweeps.workers.flying import Fly, Job, fly_reference
 
 
 class Stopped(Exception):
-    """The sweep ended before its time; what had finished is kept, and --resume goes on."""
+    """The sweep ended early. What had finished is kept, and --resume flies the rest."""
 
 
 @dataclass(frozen=True)
 class Flights:
-    """What was flown by this call: flights, seconds flown, seconds it took."""
+    """What one call has flown: number of flights, seconds of flight, seconds of wall time."""
 
     count: int
     flown_s: float
@@ -41,7 +41,7 @@ class Flights:
 
 @dataclass(frozen=True)
 class Options:
-    """How to fly, none of which changes a row: processes, cluster, logs to keep, the function that flies."""
+    """How to fly: processes or a cluster, logs to keep, function that flies. Only the last can change a row."""
 
     jobs: int | None = None
     cluster: str | None = None
@@ -49,15 +49,14 @@ class Options:
     fly: Fly | None = None
 
     def job(self, plan: Plan) -> Job:
-        """What the workers must know."""
+        """What the workers need."""
         return Job(plan.builder, fly_reference(self.fly), self.save_logs, plan.sweep.time_limit_s)
 
 
 def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
-    """Fly what a folder is missing of a sweep, and write its table.
+    """Fly the flights that a folder does not have yet, and write its table.
 
-    Raises BadInput when it cannot begin, Stopped when it could not finish: interrupted, disk full, cluster
-    gone.
+    Raises BadInput when it cannot begin, Stopped when it ended early: Ctrl-C, disk full, cluster gone.
     """
     job = options.job(plan)
     store = Store(folder, plan, job.fly, resume=resume)
@@ -83,29 +82,29 @@ def _kept(store: Store, why: str) -> str:
 
 
 def _fly_missing(store: Store, job: Job, options: Options) -> tuple[Flights, int]:
-    """Fly until all is there or enough is known; returns also how many runs count."""
-    plan, prefix = store.plan, _Prefix(store)
+    """Fly until nothing is missing, or the sweep's own rule stops it; returns also how many runs count."""
+    plan, complete = store.plan, _CompleteRuns(store)
     begun, count, flown_s = time.perf_counter(), 0, 0.0
-    prefix.advance()
+    complete.advance()
     with Progress(plan, len(store)) as progress:
-        flying = _flying(job, prefix, options)
+        flying = _flying(job, complete, options)
         with closing(flying):
             for task, flown in flying:
                 store.add(task.run * len(plan.variants) + task.variant, flown)
                 count += 1
                 flown_s += flown.record.get("end_time_s", 0.0)
                 progress.add(task.variant, flown.record["passed"])
-                if prefix.advance():
+                if complete.advance():
                     break
-    runs = prefix.stopping.stopped_at or plan.runs
+    runs = complete.stopping.stopped_at or plan.runs
     return Flights(count, flown_s, max(time.perf_counter() - begun, 1e-9)), runs
 
 
-def _flying(job: Job, prefix: _Prefix, options: Options) -> Generator[pool.Done, None, None]:
-    missing = prefix.missing()
+def _flying(job: Job, complete: _CompleteRuns, options: Options) -> Generator[pool.Done, None, None]:
+    missing = complete.missing()
     first = next(missing, None)
     if first is None:
-        return  # and start no process
+        return  # nothing to fly: start no process
     tasks = itertools.chain([first], missing)
     if options.cluster is not None:
         yield from cluster.fly_on_cluster(job, tasks, options.cluster)
@@ -113,8 +112,11 @@ def _flying(job: Job, prefix: _Prefix, options: Options) -> Generator[pool.Done,
         yield from pool.fly_locally(job, tasks, options.jobs)
 
 
-class _Prefix:
-    """The runs from the first on that are complete, and what to fly next."""
+class _CompleteRuns:
+    """The runs that are complete, counted from the first without a gap; and the flights still to fly.
+
+    The stopping rule is fed from these, in order, so that it never depends on which flight finished first.
+    """
 
     def __init__(self, store: Store) -> None:
         self._store = store
@@ -122,7 +124,7 @@ class _Prefix:
         self.stopping = Stopping(store.plan.sweep.stop_when, len(store.plan.variants))
 
     def advance(self) -> bool:
-        """Judge every run that has become complete, in order; whether enough is known."""
+        """Feed the stopping rule with every run that has become complete; whether the sweep may stop."""
         store, n = self._store, len(self._store.plan.variants)
         while self.stopping.stopped_at is None and self._runs < store.plan.runs:
             flights = range(self._runs * n, (self._runs + 1) * n)
@@ -134,7 +136,7 @@ class _Prefix:
         return self.stopping.stopped_at is not None
 
     def missing(self) -> Iterator[Task]:
-        """Tasks still to fly, in order."""
+        """Flights still to fly, in order."""
         store = self._store
         for k in range(store.plan.size):
             if self.stopping.stopped_at is not None:

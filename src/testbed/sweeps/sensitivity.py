@@ -1,9 +1,9 @@
-"""Which inputs drive the result: given-data sensitivity, from the flights that were flown anyway (SALib).
+"""Which varied values drive the result: sensitivity indices from the flights flown anyway, by SALib.
 
-PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves, in Kolmogorov-Smirnov distance,
-when one input is known to lie in one tenth of its range; the median over the tenths. Made-up inputs that
-cannot matter show how large it gets by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010):
-the share of the variance of the result that one input explains alone.
+PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves (Kolmogorov-Smirnov distance) when one
+input is restricted to one tenth of its range; the median over the tenths. Random inputs that were not flown show how
+large the index becomes by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010): the share of the
+variance of the result that one input explains alone.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     import pandas as pd
 
 LEAST_RUNS = 100
-"""With fewer, a tenth of the range holds too few flights."""
+"""With fewer runs, a tenth of the range holds too few flights."""
 _LEAST_OF_EACH = 10
 _TENTHS = 10
 _DUMMIES = 20
 
 
 def sensitivity(frame: pd.DataFrame, inputs: Sequence[str], outputs: Sequence[str]) -> dict[str, Any]:
-    """{output: {"inputs": {input: {pawn, pawn_by_chance, matters, s1, s1_half_width}}}} of one variant's
-    rows.
+    """{output: {"inputs": {input: indices}}} of one variant's rows; {output: {"reason": why}} if there are too few.
 
-    An output about which nothing can be said is {"reason": why}.
+    Indices: `pawn`, `pawn_by_chance`, `matters` (above chance), `s1` (share of variance), `s1_half_width` (of its
+    95 % interval). A number that is not finite, as a half-width may be, becomes None in summary.json.
     """
     return {output: _of_output(frame, inputs, output) for output in outputs}
 
@@ -77,7 +77,7 @@ def _too_few(y: np.ndarray, output: str, varied: Sequence[str]) -> str:
 
 
 def _ranks(values: pd.Series, rng: np.random.Generator) -> np.ndarray:
-    """Ranks in (0, 1), ties in random order: equal values then share their tenths; names become numbers."""
+    """Ranks in (0, 1) of numbers or names; equal values are ranked in random order."""
     codes = (
         values.factorize(sort=True)[0] if values.dtype.kind not in "fiub" else values.to_numpy(dtype=float)
     )

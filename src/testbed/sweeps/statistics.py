@@ -1,8 +1,7 @@
-"""What counted flights say, with their uncertainty. Each function cites its method; docs/sweeps.md says which
-is used.
+"""Probabilities and bounds from counted flights, with their uncertainty. Each function cites its method.
 
 Runs are taken as independent. Latin hypercubes and scrambled Sobol points cover the inputs more evenly than
-independent draws do, so for these the intervals are, if anything, wider than need be.
+independent draws; for these the intervals are rather too wide than too narrow.
 """
 
 from __future__ import annotations

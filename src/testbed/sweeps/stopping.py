@@ -1,6 +1,4 @@
-"""When a sweep knows enough: judged in run order on what is complete, so that it never depends on who was
-first.
-"""
+"""The rule by which a sweep may stop early: the probability of passing is known closely enough."""
 
 from __future__ import annotations
 
@@ -11,12 +9,10 @@ from testbed.sweeps.statistics import proportion
 
 
 class Stopping:
-    """Feed it each completed run's verdicts in run order; `stopped_at` is then the number of runs that
-    suffice.
+    """Feed it the verdicts of each run, in the order of runs; `stopped_at` is the number of runs once it is enough.
 
-    Judged after every run up to 100, then after every further percent: often enough, and little work.
-    Intervals are exact (Clopper-Pearson), as looking repeatedly makes any interval optimistic and these err
-    on the safe side.
+    The rule is checked after every run up to 100, then each time the number of runs has grown by 1 %. It uses exact
+    intervals (Clopper-Pearson): checking repeatedly makes any interval too narrow, and exact ones are rather too wide.
     """
 
     def __init__(self, rule: StopWhen | None, variants: int) -> None:
@@ -27,7 +23,7 @@ class Stopping:
         self.stopped_at: int | None = None
 
     def add(self, passed: Sequence[bool]) -> bool:
-        """Count one more run, one verdict a variant; whether to stop."""
+        """Count one more run, with a verdict for each variant; whether to stop."""
         if self.stopped_at is not None or self._rule is None:
             return self.stopped_at is not None
         self.runs += 1

@@ -1,4 +1,4 @@
-"""What a sweep's table says: summary.json. Nothing in it depends on the clock or on who flew."""
+"""summary.json of a sweep, from its table. Nothing in it depends on the clock or on the machine."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from testbed.common.files import replacing
+from testbed.common.plain import plain
 from testbed.sweeps import statistics
+from testbed.sweeps.folder.reading import groups_of
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.sensitivity import sensitivity
 
@@ -25,7 +28,7 @@ WORST = 5
 
 
 def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
-    """Contents of summary.json, of the finished flights of a sweep."""
+    """Contents of summary.json, from the finished flights; a number that is not finite is None."""
     groups = list(groups_of(plan, frame))
     probabilistic = plan.cases is None and plan.sweep.sampling != "grid"
     summary = {
@@ -42,32 +45,34 @@ def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
             _pair(one[0], one[1], other[0], other[1]) for one, other in itertools.combinations(groups, 2)
         ],
     }
-    plain: dict[str, Any] = _plain(summary)
-    return plain
+    known: dict[str, Any] = plain(summary)
+    return known
 
 
 def write(summary: dict[str, Any], folder: Path) -> None:
     """Write summary.json, whole or not at all."""
-    partial = folder / ".summary.json.partial"
     text = json.dumps(summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    partial.write_text(text + "\n", encoding="utf-8")
-    partial.replace(folder / "summary.json")
+    with replacing(folder / "summary.json") as partial:
+        partial.write_text(text + "\n", encoding="utf-8")
 
 
 def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
-    """Columns that are metrics."""
+    """Names of the columns that are metrics."""
     others = {"run", "seed", "outcome", "passed", "reason", "end_time_s", *plan.paths, *plan.sweep.compare}
     return [name for name in frame.columns if name not in others and not name.startswith("requirements.")]
 
 
 def requirement_titles(plan: Plan) -> list[str]:
-    """What each requirement says, in order."""
+    """The title of each requirement, in order."""
     return [requirement.title for requirement in plan.builder.scenario(plan.task(0)).requirements]
 
 
 def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
-    """The worst flights that did not pass: without a result, then lost (the earliest first), then by unmet
-    requirements and by the largest altitude error."""
+    """The worst flights that did not pass, the worst first.
+
+    Flights without a result come first, then lost ones (the earliest first), then by the number of unmet requirements
+    and by the largest altitude error.
+    """
     failed = rows[~rows["passed"]]
     flown = failed["outcome"].isin(["completed", "ground_contact", "envelope_exceeded", "diverged"])
     verdicts = [
@@ -83,17 +88,6 @@ def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
     order = failed.assign(**{f"_{name}": key for name, key in keys.items()})
     ranked = order.sort_values([f"_{name}" for name in keys], ascending=False, kind="stable")
     return ranked[list(rows.columns)].head(count)
-
-
-def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFrame]]:
-    """Each variant's label and rows: every len(variants)-th row, told by its compared values."""
-    for variant in plan.variants:
-        mask = np.ones(len(frame), dtype=bool)
-        for path, value in variant.values.items():
-            column = frame[path].astype(object)
-            text = len(column) and isinstance(column.iloc[0], str) and not isinstance(value, str)
-            mask &= (column == (json.dumps(value, ensure_ascii=False) if text else value)).to_numpy()
-        yield variant.label, frame[mask]
 
 
 def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
@@ -128,7 +122,7 @@ def _requirements(plan: Plan, rows: pd.DataFrame) -> Iterator[dict[str, Any]]:
 
 
 def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:
-    """Quantiles of what was measured, and bounds in which a lost flight counts as infinitely bad."""
+    """Quantiles of a metric, and its tolerance bounds, for which a lost flight counts as infinite."""
     values = rows[name].to_numpy(dtype=float)
     known = values[np.isfinite(values)]
     lost = (rows["outcome"] != "completed").to_numpy()
@@ -149,7 +143,7 @@ def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:
 
 
 def _runs_needed(passed: int, n: int) -> dict[str, Any]:
-    """For claims about P(all), and for knowing it more closely."""
+    """Runs needed for claims about P(all requirements met), and to know it more closely."""
     share = passed / n if n else 0.5
     return {
         "claim_without_a_failure": {f"{c:g}": statistics.runs_needed(c) for c in CLAIMS},
@@ -162,19 +156,8 @@ def _runs_needed(passed: int, n: int) -> dict[str, Any]:
 
 
 def _pair(one: str, first: pd.DataFrame, other: str, second: pd.DataFrame) -> dict[str, Any]:
-    """Only runs that both have flown."""
+    """Two variants compared, over the runs that both have flown."""
     a, b = first.set_index("run")["passed"], second.set_index("run")["passed"]
     runs = a.index.intersection(b.index)
     result = statistics.paired(a[runs].tolist(), b[runs].tolist())
     return {"first": one, "second": other, "n": len(runs), **result.plain}
-
-
-def _plain(value: Any) -> Any:
-    """Python's own types; None for a number that is not finite."""
-    if isinstance(value, dict):
-        return {str(key): _plain(item) for key, item in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(item) for item in value]
-    if isinstance(value, np.generic):
-        return _plain(value.item())
-    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,4 +1,4 @@
-"""A real Dask scheduler and two real workers on 127.0.0.1, which have the package and nothing else."""
+"""A Dask scheduler and two workers, real processes on 127.0.0.1 that have the package and nothing else."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ import testbed
 from testbed.aircraft.shipped import find_aircraft
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.folder.journal import encode
-from testbed.sweeps.plan import load_sweep
-from testbed.sweeps.workers.cluster import fly_parcel, parcel
+from testbed.sweeps.load import load_sweep
+from testbed.sweeps.workers.cluster import fly_packed, pack
 from testbed.sweeps.workers.flying import Job, fly_task
 
 pytest.importorskip("distributed", reason="the cluster extra")
@@ -70,6 +70,7 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
     cluster.close()
 
 
+@pytest.mark.slow
 def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, tmp_path: Path) -> None:
     sweep = written(tmp_path)
     here = testbed.sweep(sweep, tmp_path / "here", runs=60, jobs=2, figures=False)
@@ -91,6 +92,7 @@ def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, t
     assert len(unpacked) == 1  # the aircraft had travelled
 
 
+@pytest.mark.slow
 def test_no_cluster_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("testbed.sweeps.workers.cluster._CONNECT_S", 1)
     with pytest.raises(Exception, match=r"no cluster answers at tcp://127\.0\.0\.1:9") as stopped:
@@ -98,6 +100,7 @@ def test_no_cluster_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert "0 of 24 flights are kept" in str(stopped.value)
 
 
+@pytest.mark.slow
 def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The aircraft's folder, gone after packing, is flown from what was packed; the row is the same."""
     monkeypatch.setenv("TMPDIR", str(tmp_path))
@@ -106,9 +109,9 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
     plan = load_sweep(written(tmp_path, SWEEP.replace("set:", f"set:\n  aircraft: {folder}")))
     job = Job(plan.builder, save_logs="none")
     expected = fly_task(job, plan.task(4))
-    sent = parcel(job)
+    packed = pack(job)
     shutil.rmtree(folder)
-    flown = fly_parcel(sent, plan.task(4))
+    flown = fly_packed(packed, plan.task(4))
     assert flown.record["outcome"] == "completed"
     assert (encode(flown.record), flown.history) == (encode(expected.record), expected.history)
 
@@ -116,4 +119,4 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
 def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
     with pytest.raises(BadInput, match="there is no aircraft"):
-        parcel(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))
+        pack(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))

@@ -1,4 +1,4 @@
-"""Figures of a finished flight. A new one is a function of a flight in a file here and a line in FIGURES."""
+"""Figures of a finished flight. A new one is a function of a flight in a file here, and a line in TABLE."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def _rates(flight: Flight) -> Figure:
     return rates(flight)
 
 
-FIGURES: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
+TABLE: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
     "states": ("States against their references (the paper's figure 4)", _states),
     "actuators": ("What each actuator is asked for and does (figure 5)", _actuators),
     "effectiveness": ("Effectiveness: estimates against truth (figure 6)", _effectiveness),
@@ -46,9 +46,9 @@ FIGURES: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
 
 
 def draw(flight: Flight, folder: str | Path) -> list[Path]:
-    """Write `folder/figures/<name>.png` for each of FIGURES; returns the files in that order."""
+    """Write `folder/figures/<name>.png` for each of TABLE; returns the files in that order."""
     from testbed.reporting.figures.page import save
 
     figures = Path(folder) / "figures"
     figures.mkdir(parents=True, exist_ok=True)
-    return [save(make(flight), figures / f"{name}.png") for name, (_, make) in FIGURES.items()]
+    return [save(make(flight), figures / f"{name}.png") for name, (_, make) in TABLE.items()]

@@ -1,4 +1,4 @@
-"""What happened in a flight, as vertical lines that can be told apart in grey."""
+"""The events of a flight as vertical lines, whose styles differ in grey print too."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ STYLES: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class Mark:
-    """A vertical line at a time, and the words for it; no words for one of too many."""
+    """A vertical line at a time [s], its label, and its style; the label is empty when there are too many events."""
 
     time_s: float
     label: str
@@ -28,7 +28,7 @@ class Mark:
 
 
 def marks(events: Sequence[Mapping[str, Any]], actuators: Collection[str] = ()) -> list[Mark]:
-    """A mark for each event, in order of time; what happens at one time in one way shares a mark."""
+    """A mark for each event, in order of time; events of one kind at the same time share a mark."""
     texts: dict[tuple[float, str], list[str]] = {}
     for event in events:
         if event["kind"] in STYLES:
@@ -74,9 +74,10 @@ def _broken(event: Mapping[str, Any]) -> str:
 
 
 def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
-    """(mark, row of its label, side of its text that is at the line), so that no two labels touch.
+    """Where each label goes so that no two touch: (mark, row, horizontal alignment of the text at its line).
 
-    Later labels of a crowd go into lower rows, so that no line crosses the words of another.
+    `span` is the time axis [s], `width` its length [inches]. Where labels are close, later ones go into lower rows, so
+    that no line crosses the label of another.
     """
     inch = width / (span[1] - span[0])
     placed: list[tuple[float, float, int]] = []

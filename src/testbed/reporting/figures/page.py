@@ -29,11 +29,11 @@ _BLOCKS = 900  # stretches of time that lines are thinned to: about the width of
 TRUTH: dict[str, Any] = {"color": "black", "linestyle": "-", "linewidth": 1.3}
 """What the aircraft did."""
 WIDE: dict[str, Any] = {"color": "0.62", "linestyle": "-", "linewidth": 3.4, "solid_capstyle": "butt"}
-"""What an actuator did: wide, as what it was told lies on top of it."""
+"""What an actuator did: wide, because its command is drawn on top."""
 REFERENCE: dict[str, Any] = {"color": "#0072B2", "linestyle": (0, (5, 2)), "linewidth": 1.5}
-"""What it was to do, or what the controller believes."""
+"""A reference, or a controller's estimate."""
 COMMAND: dict[str, Any] = {"color": "#D55E00", "linestyle": "-", "linewidth": 1.0}
-"""What an actuator was told."""
+"""An actuator's command."""
 LIMIT: dict[str, Any] = {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth": 1.1}
 """Stops and thresholds."""
 SHADE: dict[str, Any] = {"facecolor": "0.9", "edgecolor": "0.7", "hatch": "////", "linewidth": 0, "zorder": 0}
@@ -42,7 +42,7 @@ SHADE: dict[str, Any] = {"facecolor": "0.9", "edgecolor": "0.7", "hatch": "////"
 
 @dataclass
 class Page:
-    """A figure in the making: `panels` from top to bottom, all over `time_s`."""
+    """A figure while it is drawn: `panels` from top to bottom, all over `time_s`."""
 
     figure: Figure
     panels: list[Axes]
@@ -56,7 +56,7 @@ class Page:
     def line(
         self, panel: Axes, values: np.ndarray, label: str, style: dict[str, Any], wraps: bool = False
     ) -> None:
-        """Draw a signal, thinned to what can be seen; one that `wraps` is not joined across its jumps."""
+        """Draw a signal, with as many points as can be seen. If it `wraps`, its jumps of a full turn are not drawn."""
         time, values = thin(self.time_s, values)
         if wraps:
             jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
@@ -64,16 +64,16 @@ class Page:
         panel.plot(time, values, label=label, **style)
 
     def shade(self, panel: Axes, flag: np.ndarray, label: str) -> None:
-        """Hatch the times at which a flag is up."""
+        """Hatch the times at which a flag is set."""
         edges = np.flatnonzero(np.diff(np.concatenate(([False], flag > 0.5, [False])).astype(np.int8)))
         end = self.flight.end_time_s
         for first, last in edges.reshape(-1, 2)[:200]:
             until = self.time_s[last] if last < len(self.time_s) else end
             panel.axvspan(self.time_s[first], until, label=label, **SHADE)
-            label = "_"  # one entry in the key
+            label = "_"  # one entry in the legend
 
     def finish(self) -> Figure:
-        """The key, from all panels together, each entry once."""
+        """Add the legend, of all panels together, with each entry once; returns the figure."""
         entries: dict[str, Any] = {}
         for panel in self.panels:
             for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
@@ -141,7 +141,7 @@ def _panels(figure: Figure, top: float, heights: Sequence[float], span: tuple[fl
 
 
 def _lane(figure: Figure, panel: Axes, lane: Sequence[tuple[Mark, int, str]], tall: float) -> None:
-    """Each event once, in words, above the first panel; its line goes up to them."""
+    """Name each event once, above the first panel, where its line leads."""
     box = panel.get_position()
     axes = figure.add_axes((box.x0, box.y1, box.width, tall / figure.get_figheight()))
     axes.set_xlim(panel.get_xlim())
@@ -157,7 +157,7 @@ def _lane(figure: Figure, panel: Axes, lane: Sequence[tuple[Mark, int, str]], ta
 
 
 def thin(time: np.ndarray, values: np.ndarray, blocks: int = _BLOCKS) -> tuple[np.ndarray, np.ndarray]:
-    """Fewer points that look like all: first, last, lowest and highest of each of so many stretches."""
+    """(time, values) with fewer points that look the same: first, last, lowest and highest of each of `blocks` parts."""
     each = len(values) // blocks
     if each <= 4:
         return time, values
@@ -170,7 +170,7 @@ def thin(time: np.ndarray, values: np.ndarray, blocks: int = _BLOCKS) -> tuple[n
 
 
 def frame(panel: Axes, least: float, *signals: np.ndarray) -> None:
-    """Limits of the y axis: all that is finite, with some air, and `least` or more, to keep noise small."""
+    """Set the limits of the y axis: all finite values with a margin, and at least `least`, so that noise looks small."""
     values = np.concatenate(signals) if signals else np.zeros(0)
     values = values[np.isfinite(values) & (np.abs(values) < 1e6)]
     low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)

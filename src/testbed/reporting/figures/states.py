@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
+from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
 from testbed.reporting.figures.page import REFERENCE, TRUTH, frame, page
 
@@ -30,7 +31,7 @@ def states(flight: Flight) -> Figure:
             wanted = sheet.column(reference)
             if name == "heading_deg":
                 wanted = np.unwrap(wanted, period=360.0)
-                values = wanted + np.mod(values - wanted + 180.0, 360.0) - 180.0  # beside the reference
+                values = wanted + wrap_deg(values - wanted)  # on the same turn as the reference
             sheet.line(panel, wanted, "reference", REFERENCE)
             signals = [values, wanted]
         sheet.line(panel, values, "flown", TRUTH, wraps=name in ("roll_deg", "heading_deg"))

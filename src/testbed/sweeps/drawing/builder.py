@@ -1,4 +1,4 @@
-"""From drawn values to the scenario of one flight; small enough to travel to every worker."""
+"""From drawn values to the scenario of one flight. A Builder is small: it is sent to every worker."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from testbed.inputs.overrides import set_value
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import Scenario, scenario_from
 
-TYPE = "controller.type"
+_TYPE = "controller.type"
 
 
 @dataclass(frozen=True)
 class Variant:
-    """One of what is compared: a name for it, and its values by dotted paths."""
+    """One of the things compared, such as a controller: its name, and its values by dotted paths."""
 
     label: str
     values: Mapping[str, Any]
@@ -26,7 +26,7 @@ class Variant:
 
 @dataclass(frozen=True)
 class Task:
-    """One flight of a sweep: run, which variant, and what was drawn for the run."""
+    """One flight of a sweep: its run, its variant (an index), and the seed and values drawn for the run."""
 
     run: int
     variant: int
@@ -36,7 +36,7 @@ class Task:
 
 @dataclass(frozen=True)
 class Builder:
-    """The base scenario's tree, the variants, and where in the sweep file each varied path is written."""
+    """The base scenario's tree, the variants, and the place in the sweep file of each varied path."""
 
     base: Source
     variants: tuple[Variant, ...]
@@ -51,20 +51,20 @@ class Builder:
         base = self.base
         source = Source(base.file, copy.deepcopy(base.tree), dict(base.places), list(base.problems))
         for path, value in values.items():
-            if not self._foreign(path, values):
+            if not self._of_another_controller(path, values):
                 set_value(source, path.split("."), copy.deepcopy(value), self.places.get(path, "sweep"))
         source.tree["seed"] = seed
         return source
 
     def with_aircraft(self, folder: str) -> Builder:
-        """The same, flying the aircraft of this folder: where a worker has unpacked it."""
+        """The same, but with the aircraft of this folder, where a worker has unpacked it."""
         return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": folder}))
 
-    def _foreign(self, path: str, values: Mapping[str, Any]) -> bool:
-        """Whether a path is a setting that only another of the compared controllers has."""
+    def _of_another_controller(self, path: str, values: Mapping[str, Any]) -> bool:
+        """Whether a path is a setting that this variant's controller does not have, but another variant's has."""
         first, _, rest = path.partition(".")
-        chosen = CONTROLLERS.get(str(values.get(TYPE)))
-        if first != "controller" or chosen is None or path == TYPE:
+        chosen = CONTROLLERS.get(str(values.get(_TYPE)))
+        if first != "controller" or chosen is None or path == _TYPE:
             return False
         name = rest.partition(".")[0]
         return name in self._settings and name not in chosen.model_fields
@@ -72,5 +72,5 @@ class Builder:
     @cached_property
     def _settings(self) -> set[str]:
         """Names of settings that any of the compared controllers has."""
-        types = [CONTROLLERS.get(str(variant.values.get(TYPE))) for variant in self.variants]
+        types = [CONTROLLERS.get(str(variant.values.get(_TYPE))) for variant in self.variants]
         return {name for settings in types if settings for name in settings.model_fields}

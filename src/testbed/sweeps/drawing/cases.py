@@ -1,4 +1,4 @@
-"""Explicit runs, one a row of a CSV table; columns are dotted paths, cells are YAML values."""
+"""Runs written out in a CSV table, one a row: columns are dotted paths, cells are YAML values."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
 
 Cases = tuple[list[dict[str, Any]], str, dict[str, str]]
+"""The values of each run by dotted paths, the text of the table, and the place of each column."""
 
 
 def read_cases(file: Path, missing: Problem) -> Cases:
-    """(values of each row, the text, place of each column); an empty cell leaves the scenario as it is.
+    """Read a table of runs; an empty cell leaves the scenario as it is.
 
     Raises BadInput: `missing` when there is no such file, else every cell that cannot be read.
     """

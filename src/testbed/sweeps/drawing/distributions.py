@@ -1,4 +1,4 @@
-"""What a varied value may be drawn from: each law by its inverse, so that every sampler can use it."""
+"""What a varied value may be drawn from: each distribution by its inverse, so that every sampling can use it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from testbed.inputs.problems import did_you_mean
 from testbed.inputs.yaml_source import describe
 
 _OPEN = 2.0**-53
-"""Distance kept from 0 and 1, where an unbounded distribution is infinite."""
+"""Probabilities keep this distance from 0 and 1, where the inverse of an unbounded distribution is infinite."""
 
 _OWN = {
     "uniform": ("[low, high]", 2),
@@ -61,7 +61,7 @@ class Distribution(Settings):
         return self
 
     def quantiles(self, u: np.ndarray) -> list[Any]:
-        """Values at these probabilities, as plain Python values."""
+        """Values at these probabilities [n], as Python's own types."""
         if self.name == "choice":
             steps = np.cumsum(self._weights)[:-1]
             return [self.parameters[k] for k in np.searchsorted(steps / self._weights.sum(), u, side="right")]
@@ -86,7 +86,10 @@ class Distribution(Settings):
         return [kind(low), kind(high)] if math.isfinite(low) and math.isfinite(high) else []
 
     def grid(self, levels: int) -> np.ndarray:
-        """Probabilities of a grid's levels: each option or whole number once; both ends if there are."""
+        """Probabilities of a grid's levels: each option or whole number once, else `levels` of them.
+
+        A bounded range includes both ends; an unbounded one has the middles of equally likely parts.
+        """
         if self.name == "choice":
             ends = np.concatenate([[0.0], np.cumsum(self._weights) / self._weights.sum()])
             return (ends[:-1] + ends[1:]) / 2.0

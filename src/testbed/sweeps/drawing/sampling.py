@@ -1,7 +1,7 @@
-"""Points of the unit cube, block by block, and seeds: each a pure function of the sweep's seed and the index.
+"""Points of the unit cube, and seeds: each a pure function of the sweep's seed and the number of the run.
 
-Sobol and Halton sequences and independent draws can be continued: the first 1000 points of 2000 are those of
-1000. A latin hypercube belongs to its number of runs and cannot.
+Sobol and Halton sequences and independent draws can be continued: of 2000 runs, the first 1000 are the same as those
+of a sweep of 1000. A latin hypercube cannot be continued: its points depend on how many there are.
 """
 
 from __future__ import annotations
@@ -13,38 +13,40 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.stats import qmc
 
-SAMPLINGS = ("sobol", "latin_hypercube", "halton", "random", "grid")
-BLOCK = 1024
-"""Points made at a time; a power of two, as Sobol sequences want."""
+BATCH = 1024
+"""Points made at a time: a power of two, for which a Sobol sequence is balanced."""
 
 
 def hashed(*words: object) -> int:
-    """31 bits from any words, never 0 or 1: JSBSim takes these for no seed; neighbouring ones correlate."""
+    """A seed of 31 bits from any words, never 0 or 1: JSBSim takes these two for "no seed".
+
+    A hash, because JSBSim's random numbers from neighbouring seeds are correlated.
+    """
     digest = hashlib.sha256("\0".join(map(str, words)).encode()).digest()
     return 2 + int.from_bytes(digest[:8], "big") % (2**31 - 3)
 
 
-def block(sampling: str, seed: int, names: Sequence[str], runs: int, index: int) -> np.ndarray:
-    """[BLOCK, dimensions] points BLOCK * index and on of a sampling; fewer where a latin hypercube ends."""
+def batch(sampling: str, seed: int, names: Sequence[str], runs: int, index: int) -> np.ndarray:
+    """Points number BATCH * index and on, [BATCH, dimensions]; a latin hypercube may end with fewer."""
     rng = np.random.default_rng(hashed(seed, "sampling"))
-    first = BLOCK * index
+    first = BATCH * index
     if sampling == "latin_hypercube":
-        return np.asarray(qmc.LatinHypercube(len(names), rng=rng).random(runs)[first : first + BLOCK])
+        return np.asarray(qmc.LatinHypercube(len(names), rng=rng).random(runs)[first : first + BATCH])
     if sampling == "random":
         return np.column_stack([_independent(seed, name, index) for name in names])
     sequence = (qmc.Sobol if sampling == "sobol" else qmc.Halton)(len(names), rng=rng)
     if first:
         sequence.fast_forward(first)
-    return np.asarray(sequence.random(BLOCK))
+    return np.asarray(sequence.random(BATCH))
 
 
 def _independent(seed: int, name: str, index: int) -> np.ndarray:
-    """One stream for each varied value: varying one more leaves the others' draws as they are."""
-    return np.random.default_rng(hashed(seed, "draw", name, index)).random(BLOCK)
+    """A random stream for each varied value, so that varying another value does not change the draws of this one."""
+    return np.random.default_rng(hashed(seed, "draw", name, index)).random(BATCH)
 
 
 def grid_point(levels: Sequence[np.ndarray], index: int) -> np.ndarray:
-    """Probabilities of point `index` of a grid; the last varied value changes fastest."""
+    """Point `index` of a grid, as probabilities; the last varied value changes fastest."""
     point = []
     for values in reversed(levels):
         index, k = divmod(index, len(values))
@@ -53,5 +55,5 @@ def grid_point(levels: Sequence[np.ndarray], index: int) -> np.ndarray:
 
 
 def grid_size(levels: Sequence[np.ndarray]) -> int:
-    """Points of the whole grid."""
+    """Number of points of the whole grid."""
     return math.prod(len(values) for values in levels)

@@ -1,7 +1,7 @@
-"""Time histories of every flight, thinned to 200 points: one fixed-size slot a flight in one file.
+"""Error histories: how three errors went during each flight, at 200 times, in one file histories.f32.
 
-A slot is written where it belongs, so the file is never rewritten, grows with what is flown, can be mapped
-into memory a part at a time, and is the same whatever order flights finish in.
+Every flight has a record of the same size, at a place given by its number. So the file is never rewritten, is the same
+in whatever order flights finish, and can be read in part.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
 
 CHANNELS = {
@@ -18,18 +19,19 @@ CHANNELS = {
     "heading_error_deg": ("heading_deg", "heading_command_deg"),
     "airspeed_error_m_s": ("airspeed_m_s", "airspeed_command_m_s"),
 }
+"""Error: (signal, its command), both columns of the log."""
 POINTS = 200
 SHAPE = (len(CHANNELS), POINTS)
-SLOT_BYTES = 4 * len(CHANNELS) * POINTS
+RECORD_BYTES = 4 * len(CHANNELS) * POINTS
 
 
 def times_s(duration_s: float) -> np.ndarray:
-    """[POINTS] times of the points of a flight of this length."""
+    """Times of the points [s], [POINTS], of a flight of this duration [s]."""
     return np.arange(POINTS) * (duration_s / POINTS)
 
 
-def thinned(flight: Flight) -> bytes:
-    """A flight's slot: float32 [channels, points]; NaN after the flight's end."""
+def history(flight: Flight) -> bytes:
+    """A flight's record: float32 [channels, points], little-endian; NaN after the flight's end."""
     result = np.full(SHAPE, np.nan, dtype="<f4")
     if len(flight.data):
         column = {name: flight.data[:, j] for j, name in enumerate(flight.columns)}
@@ -38,26 +40,26 @@ def thinned(flight: Flight) -> bytes:
         for j, (signal, command) in enumerate(CHANNELS.values()):
             error = column[signal][rows] - column[command][rows]
             if signal.startswith("heading"):
-                error = np.mod(error + 180.0, 360.0) - 180.0
+                error = wrap_deg(error)
             result[j, : len(rows)] = error
     return result.tobytes()
 
 
 class Histories:
-    """The file of slots, for writing."""
+    """histories.f32, open for writing."""
 
     def __init__(self, file: Path) -> None:
         self._handle = os.open(file, os.O_RDWR | os.O_CREAT, 0o666)
 
-    def put(self, k: int, slot: bytes) -> None:
-        """Write flight k's slot; raises OSError when the disk is full."""
-        offset = k * SLOT_BYTES
-        while slot:
-            written = os.pwrite(self._handle, slot, offset)
-            slot, offset = slot[written:], offset + written
+    def put(self, k: int, record: bytes) -> None:
+        """Write the record of flight number k; raises OSError when the disk is full."""
+        offset = k * RECORD_BYTES
+        while record:
+            written = os.pwrite(self._handle, record, offset)
+            record, offset = record[written:], offset + written
 
     def close(self) -> None:
-        """Have it on disk."""
+        """Close the file, with everything on disk."""
         try:
             os.fsync(self._handle)
         finally:
@@ -65,11 +67,11 @@ class Histories:
 
 
 def read(file: Path, flights: np.ndarray) -> np.ndarray:
-    """[flights, channels, points] slots of these flights, mapped and copied; those never written are NaN."""
+    """The histories of these flights (by number), [flights, channels, points]; NaN for those not there."""
     result = np.full((len(flights), *SHAPE), np.nan, dtype=np.float32)
     size = file.stat().st_size if file.is_file() else 0
-    there = flights < size // SLOT_BYTES
+    there = flights < size // RECORD_BYTES
     if there.any():
-        slots = np.memmap(file, dtype="<f4", mode="r", shape=(size // SLOT_BYTES, *SHAPE))
-        result[there] = slots[flights[there]]
+        mapped = np.memmap(file, dtype="<f4", mode="r", shape=(size // RECORD_BYTES, *SHAPE))
+        result[there] = mapped[flights[there]]
     return result

@@ -1,8 +1,8 @@
-"""What has finished, kept at once: one JSON line a flight, only ever appended to.
+"""journal.jsonl: one line of JSON for each finished flight, written at once. Lines are only ever appended.
 
-Each line carries a checksum of itself. A line torn by kill -9 or a full disk, or damaged later, is no record:
-that flight is flown again. A lock keeps a second process out; the system drops it when its holder dies,
-however.
+The first line says with what the sweep is flown (see `store`). Each further line is a flight's record (see
+`workers.flying`), and ends in a checksum. A line that is incomplete or damaged does not count: its flight is flown
+again. A lock keeps a second process out; the system releases it when the process that holds it ends in any way.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from testbed.inputs.problems import BadInput, Problem
 
 _MARK = b',"crc32":"'
 _SYNC_S = 1.0
-"""At most so much work is lost to a power cut; a killed process loses none."""
+"""Seconds of work that a power cut may cost at most; a killed process loses none."""
 
 
 def encode(record: Mapping[str, Any]) -> bytes:
-    """A record as its line."""
+    """The line of a record."""
     body = json.dumps(record, separators=(",", ":"), ensure_ascii=False).encode()[:-1]
     return body + _MARK + f"{zlib.crc32(body):08x}".encode() + b'"}\n'
 
 
 def decode(line: bytes) -> dict[str, Any] | None:
-    """The record of a line, or None when the line is torn or damaged."""
+    """The record of a line; None when the line is incomplete or damaged."""
     body, mark, tail = line.rpartition(_MARK)
     if not mark or tail != f'{zlib.crc32(body):08x}"}}\n'.encode():
         return None
@@ -39,7 +39,7 @@ def decode(line: bytes) -> dict[str, Any] | None:
 
 
 def records(file: Path) -> Iterator[tuple[int, dict[str, Any]]]:
-    """(offset, record) of every whole line, one at a time."""
+    """(offset, record) of every line that counts, one at a time; `offset` is the line's first byte in the file."""
     offset = 0
     with file.open("rb") as stream:
         for line in stream:
@@ -50,10 +50,10 @@ def records(file: Path) -> Iterator[tuple[int, dict[str, Any]]]:
 
 
 class Journal:
-    """The file, open for appending by this process alone."""
+    """The journal, open for appending by this process alone."""
 
     def __init__(self, file: Path) -> None:
-        """Open or make it; BadInput when another process has it open, OSError when it cannot be had."""
+        """Open or make it. BadInput when another process has it open, OSError when it cannot be opened."""
         self.file = file
         self._handle = os.open(file, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o666)
         try:
@@ -61,15 +61,15 @@ class Journal:
         except BlockingIOError:
             os.close(self._handle)
             raise BadInput([Problem("is being flown by another process", str(file.parent))]) from None
-        self._end = self._mend()
+        self._end = self._cut_incomplete_line()
         self._synced = time.monotonic()
 
     def append(self, record: Mapping[str, Any]) -> int:
-        """Write one record, whole or not at all, and return its offset; OSError when the disk is full."""
+        """Append one record, whole or not at all, and return its offset. Raises OSError when the disk is full."""
         line, offset = encode(record), self._end
         try:
             written = os.write(self._handle, line)
-            while written < len(line):  # a nearly full disk takes a part, and refuses the next
+            while written < len(line):  # a nearly full disk writes a part, and refuses the rest
                 written += os.write(self._handle, line[written:])
             if time.monotonic() - self._synced > _SYNC_S:
                 os.fsync(self._handle)
@@ -91,14 +91,14 @@ class Journal:
         return record
 
     def close(self) -> None:
-        """Have it all on disk, and let others in."""
+        """Close the journal, with everything on disk; another process may then open it."""
         try:
             os.fsync(self._handle)
         finally:
             os.close(self._handle)
 
-    def _mend(self) -> int:
-        """Cut off what a kill left of a last line; the end of the file then."""
+    def _cut_incomplete_line(self) -> int:
+        """Cut off an incomplete last line, which a killed process may leave; returns the end of the file."""
         size = os.fstat(self._handle).st_size
         end, chunk = size, 1 << 16
         while end:

@@ -1,15 +1,19 @@
-"""A sweep's folder as a DataFrame; needs no simulator, and reads unfinished ones too."""
+"""A sweep's folder as a DataFrame, finished or not; needs no simulator."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.folder import results
 from testbed.sweeps.folder.journal import records
-from testbed.sweeps.plan import Plan, load_sweep
+from testbed.sweeps.load import load_sweep
+from testbed.sweeps.plan import Plan
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,15 +24,11 @@ _UNITS = {
 }  # fmt: skip
 
 
-def is_sweep_folder(folder: str | Path) -> bool:
-    """Whether a folder is a sweep's, finished or not."""
-    return (Path(folder) / "sweep.yaml").is_file()
-
-
 def load(folder: str | Path) -> pd.DataFrame:
-    """The table of a sweep folder, a row a flight, with dtypes; `attrs["units"]` has each column's unit.
+    """The table of a sweep folder, a row a flight; of an unfinished sweep, of the flights that have finished.
 
-    Of an unfinished sweep, the flights that have finished. Raises BadInput when it is not a sweep folder.
+    `attrs` has the sweep's `name`, its `folder`, a `summary` in one sentence, and `units` {column: unit}.
+    Raises BadInput when it is not a sweep folder.
     """
     folder = Path(folder)
     plan = load_plan(folder)
@@ -39,25 +39,50 @@ def load(folder: str | Path) -> pd.DataFrame:
         raise BadInput([problem]) from None
     for name in ["outcome", *plan.sweep.compare]:
         frame[name] = frame[name].astype("category")
-    frame.attrs["units"] = {name: unit(name) for name in frame.columns}
-    frame.attrs["folder"] = str(folder)
+    frame.attrs |= {
+        "name": plan.name,
+        "folder": str(folder),
+        "summary": _sentence(plan, frame),
+        "units": {name: unit(name) for name in frame.columns},
+    }
     return frame
 
 
 def load_plan(folder: Path) -> Plan:
     """The sweep of a folder; raises BadInput when there is none."""
-    if not is_sweep_folder(folder):
-        raise BadInput([Problem("is missing from the sweep folder", str(folder / "sweep.yaml"))])
-    return load_sweep(folder / "sweep.yaml")
+    file = folder / "sweep.yaml"
+    if not file.is_file():
+        raise BadInput([Problem("is missing from the sweep folder", str(file))])
+    return load_sweep(file)
+
+
+def _sentence(plan: Plan, frame: pd.DataFrame) -> str:
+    """`small: 12 of 12 runs flown; passed: adaptive_inversion 11 of 12, pid 3 of 12`."""
+    shares = ", ".join(
+        f"{label} {int(np.count_nonzero(rows['passed']))} of {len(rows)}".strip()
+        for label, rows in groups_of(plan, frame)
+    )
+    return f"{plan.name}: {frame['run'].nunique()} of {plan.runs} runs flown; passed: {shares}"
 
 
 def finished(plan: Plan, folder: Path) -> list[Mapping[str, Any]]:
-    """What the journal has, in the order of runs; read without locking, beside a sweep being flown."""
+    """The journal's records in the order of runs; may be read while the sweep is flown."""
     return sorted(_flights(folder), key=lambda record: (record["run"], record["variant"]))
 
 
+def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFrame]]:
+    """Each variant's label and its rows, found by the compared values."""
+    for variant in plan.variants:
+        mask = np.ones(len(frame), dtype=bool)
+        for path, value in variant.values.items():
+            column = frame[path].astype(object)
+            text = len(column) and isinstance(column.iloc[0], str) and not isinstance(value, str)
+            mask &= (column == (json.dumps(value, ensure_ascii=False) if text else value)).to_numpy()
+        yield variant.label, frame[mask]
+
+
 def unit(column: str) -> str:
-    """Unit of a column by the end of its name; "" when it has none."""
+    """Unit of a column, from the end of its name; "" when it has none."""
     last = column.rpartition(".")[2]
     return next((unit for ending, unit in _UNITS.items() if last.endswith(ending)), "")
 

@@ -1,24 +1,26 @@
-"""The table of a sweep: results.csv and results.parquet, written in the order of runs, a row at a time."""
+"""The table of a sweep, results.csv and results.parquet: a row a flight, in the order of runs and variants."""
 
 from __future__ import annotations
 
 import csv
+import itertools
 import json
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
+from testbed.common.files import replacing
 from testbed.sweeps.plan import Plan
 
 Records = Callable[[], Iterator[Mapping[str, Any]]]
 _GROUP = 5000
-"""Rows of Parquet held in memory at a time."""
+"""Rows held in memory at a time."""
 
 
 def rows(plan: Plan, records: Iterable[Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
-    """A flat row for each record: its columns are those of results.csv."""
+    """The row of each record, {column: value}."""
     for record in records:
         yield {
             "run": record["run"],
@@ -42,7 +44,7 @@ def _requirements(record: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]:
-    """Name and type of every column; all records are read for it, as a flight may have a metric more."""
+    """{name: type} of every column, in order. All records are read for it: one may have a metric that others lack."""
     kinds: dict[str, set[type]] = {}
     middle: dict[str, None] = {}
     verdicts: dict[str, None] = {}
@@ -60,41 +62,26 @@ def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]
 
 
 def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
-    """Write both files of a folder, whole or not at all; `records()` yields in order, and is read twice."""
+    """Write both files into a folder, whole or not at all; returns the columns. `records` is called twice."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
     kinds = columns(plan, records())
     arrow = {bool: pa.bool_(), int: pa.int64(), float: pa.float64(), str: pa.string()}
     schema = pa.schema([(name, arrow[kind]) for name, kind in kinds.items()])
-    text, parquet = folder / ".results.csv.partial", folder / ".results.parquet.partial"
-    try:
-        with ExitStack() as stack:
-            stream = stack.enter_context(text.open("w", encoding="utf-8", newline=""))
-            writer = csv.writer(stream, lineterminator="\n")
-            writer.writerow(kinds)
-            binary = stack.enter_context(pq.ParquetWriter(parquet, schema, compression="zstd"))
-            group: list[dict[str, Any]] = []
-            for row in rows(plan, records()):
-                flat = {name: _value(row.get(name), kind) for name, kind in kinds.items()}
-                writer.writerow(map(_cell, flat.values()))
-                group.append(flat)
-                if len(group) >= _GROUP:
-                    binary.write_table(pa.Table.from_pylist(group, schema))
-                    group.clear()
-            if group:
-                binary.write_table(pa.Table.from_pylist(group, schema))
-        text.replace(folder / "results.csv")
-        parquet.replace(folder / "results.parquet")
-    finally:
-        for partial in (text, parquet):
-            partial.unlink(missing_ok=True)
+    with ExitStack() as stack:
+        text = stack.enter_context(replacing(folder / "results.csv"))
+        parquet = stack.enter_context(replacing(folder / "results.parquet"))
+        stream = stack.enter_context(text.open("w", encoding="utf-8", newline=""))
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(kinds)
+        binary = stack.enter_context(pq.ParquetWriter(parquet, schema, compression="zstd"))
+        table = ({name: _value(row.get(name), kind) for name, kind in kinds.items()}
+                 for row in rows(plan, records()))  # fmt: skip
+        while group := list(itertools.islice(table, _GROUP)):
+            writer.writerows(map(_cell, row.values()) for row in group)
+            binary.write_table(pa.Table.from_pylist(group, schema))
     return kinds
-
-
-def csv_lines(plan: Plan, records: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
-    """Rows as text, a cell by its column: what results.csv says of these records."""
-    return [{name: _cell(value) for name, value in row.items()} for row in rows(plan, records)]
 
 
 def _type(kinds: set[type]) -> type:
@@ -105,7 +92,7 @@ def _type(kinds: set[type]) -> type:
 
 
 def _value(value: Any, kind: type) -> Any:
-    """A value as its column's type; a mapping or a list as JSON."""
+    """A value as its column's type; in a column of texts, a mapping or a list is JSON."""
     if value is None or (kind is float and isinstance(value, float) and math.isnan(value)):
         return None
     if kind is str and not isinstance(value, str):

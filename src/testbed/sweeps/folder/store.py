@@ -1,17 +1,14 @@
-"""A sweep's folder while it is flown: what it is a sweep of, and what has finished. Nothing is ever
-rewritten.
+"""A sweep's folder while it is flown: which sweep it is, and which flights have finished.
 
-sweep.yaml       the resolved sweep, scenario inside; written first, flies again as it is
-journal.jsonl    first line: the versions and aircraft it is flown with; then a line a finished flight
-histories.f32    a slot a flight
-logs/            run-000012-adaptive_inversion.parquet, as --save-logs asks
+sweep.yaml       the resolved sweep with the scenario inside; it flies again as it is
+cases.csv        its table of runs, if it has one
+journal.jsonl    first line: versions, aircraft and function that it is flown with; then a line a finished flight
+histories.f32    error histories, a record of fixed size a flight
+logs/            run-000012-adaptive_inversion.parquet: whole logs, as --save-logs says
 """
 
 from __future__ import annotations
 
-import hashlib
-import importlib.metadata
-import json
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -19,30 +16,22 @@ from typing import Any
 
 import numpy as np
 
-from testbed.aircraft.description import load_aircraft
-from testbed.flight.folder import FolderExists
+from testbed.common.files import replacing
 from testbed.inputs import yaml_source as yamlfile
-from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.yaml_source import describe
 from testbed.sweeps.folder.histories import Histories
 from testbed.sweeps.folder.journal import Journal, records
+from testbed.sweeps.folder.resuming import flown_with, refuse_changed, refuse_other
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.workers.flying import Flown
 
-_FREE = ("name", "runs", "stop_when")
-"""Keys that may differ when a sweep is resumed: they change no row."""
-_VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
-
 
 class Store:
-    """The folder, open for one process. `missing()` are the flights still to be flown."""
+    """The folder, open for this process alone. Flights go by their number k, see `Plan.task`."""
 
     def __init__(self, folder: Path, plan: Plan, fly: str, *, resume: bool) -> None:
-        """Make the folder, or go on with it; raises BadInput when it is another sweep's, or there and not
-        resumed.
-        """
+        """Make the folder or open it again. Raises BadInput when it holds another sweep, or exists without `resume`."""
         self.folder, self.plan = folder, plan
-        _refuse_other(folder, plan, resume)
+        refuse_other(folder, plan, resume)
         folder.mkdir(parents=True, exist_ok=True)
         self.journal = Journal(folder / "journal.jsonl")
         try:
@@ -61,37 +50,34 @@ class Store:
         return bool(self._offsets[k] >= 0)
 
     def __len__(self) -> int:
-        """Flights that have finished."""
+        """Number of flights that have finished."""
         return int(np.count_nonzero(self._offsets >= 0))
 
     def add(self, k: int, flown: Flown) -> None:
-        """Keep a finished flight; the journal's line comes last and makes it count. Raises OSError on a full
-        disk.
+        """Keep a finished flight. It counts from its journal line on, which is written last.
+
+        Raises OSError when the disk is full.
         """
         if k in self:
             return
         if flown.log:
-            _write_whole(self.folder / "logs" / f"{self.label(k)}.parquet", flown.log)
+            _write_whole(self.folder / "logs" / f"{flight_label(self.plan, k)}.parquet", flown.log)
         if flown.history:
             self._histories.put(k, flown.history)
         self._offsets[k] = self.journal.append(flown.record)
 
     def record(self, k: int) -> dict[str, Any]:
-        """What was kept of flight k."""
+        """The journal's record of flight k."""
         return self.journal.read(int(self._offsets[k]))
 
     def records(self, runs: int) -> Iterator[tuple[int, dict[str, Any]]]:
-        """(k, record) of the finished flights of the first so many runs, in order, one at a time."""
+        """(k, record) of the finished flights of the first `runs` runs, in order, one at a time."""
         for k in range(runs * len(self.plan.variants)):
             if k in self:
                 yield k, self.record(k)
 
-    def label(self, k: int) -> str:
-        """A flight's name in file names."""
-        return flight_label(self.plan, k)
-
     def close(self) -> None:
-        """Have it all on disk, and let others in."""
+        """Close the folder, with everything on disk; another process may then open it."""
         try:
             self._histories.close()
         finally:
@@ -103,125 +89,36 @@ class Store:
         return int(record["run"]) * len(self.plan.variants) + int(record["variant"])
 
     def _begin(self, fly: str) -> None:
-        """The first line of a new journal; of one there is already, that it can be gone on with here."""
-        header = {
-            "journal": 1,
-            "fly": fly,
-            "aircraft_sha256": aircraft_digest(self.plan),
-            "versions": versions(),
-        }
+        """Write the first line of a new journal; of an existing one, check that it was begun with the same versions."""
+        now = flown_with(self.plan, fly)
         first = next((record for _, record in records(self.journal.file)), None)
         if first is None:
-            self.journal.append(header)
+            self.journal.append(now)
         else:
-            problems = [
-                Problem(f"was begun with {what}", str(self.folder)) for what in _changed(first, header)
-            ]
-            if problems:
-                raise BadInput(problems)
-        # From here on the folder is this sweep's; it may say that it is longer than before.
+            refuse_changed(first, now, self.folder)
+        # Now it is certain that the folder is this sweep's. The sweep may have more runs than before.
         if self.plan.cases_text is not None:
             _write_whole(self.folder / "cases.csv", self.plan.cases_text.encode())
         _write_whole(self.folder / "sweep.yaml", yamlfile.dump(self.plan.tree).encode())
 
 
 def flight_label(plan: Plan, k: int) -> str:
-    """`run-000012-adaptive_inversion`: a flight's name in file names."""
+    """The name of flight k in file names: `run-000012-adaptive_inversion`."""
     run, variant = divmod(k, len(plan.variants))
     label = "".join(c if c.isalnum() or c in "_-." else "-" for c in plan.variants[variant].label)
     return f"run-{run:06d}" + (f"-{label}" if label else "")
 
 
 def runs_of(folder: Path) -> int | None:
-    """How many runs the sweep in a folder has; None when there is none."""
+    """Number of runs of the sweep in a folder; None when there is no sweep."""
     file = folder / "sweep.yaml"
     return int(yamlfile.read(file).tree["runs"]) if file.is_file() else None
-
-
-def versions() -> dict[str, str]:
-    """What a flight's last bit may depend on."""
-    found = {}
-    for name in _VERSIONS:
-        try:
-            found[name] = importlib.metadata.version(name)
-        except importlib.metadata.PackageNotFoundError:  # run from the repository, not installed
-            found[name] = ""
-    return found
-
-
-def aircraft_digest(plan: Plan) -> str:
-    """Of the YAML and XML files of the aircraft flown by the base scenario."""
-    folder = load_aircraft(str(plan.builder.base.tree["aircraft"])).folder
-    digest = hashlib.sha256()
-    for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
-        digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
-    return digest.hexdigest()
-
-
-def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
-    if before.get("fly") != now["fly"]:
-        yield f"the function {before.get('fly')}, this is {now['fly']}"
-    if before.get("aircraft_sha256") != now["aircraft_sha256"]:
-        yield "other files of the aircraft: they have changed since"
-    for name, version in now["versions"].items():
-        old = before.get("versions", {}).get(name)
-        if old != version:
-            yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
-
-
-def _refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
-    """Only an empty place, or with --resume the same sweep, and no shorter than it is."""
-    file = folder / "sweep.yaml"
-    if not os.path.lexists(folder) or (folder.is_dir() and not any(folder.iterdir())):
-        return
-    journal = folder / "journal.jsonl"
-    if not resume:
-        what = "a new folder, or --resume to go on with this one"
-        raise FolderExists([Problem("exists already", str(folder), expected=what)])
-    if not file.is_file():
-        if not journal.is_file():
-            raise BadInput([Problem("is not the folder of a sweep", str(folder))])
-        return  # killed in its first instant, before it had said what it is
-    before = yamlfile.read(file).tree
-    now = yamlfile.parse(yamlfile.dump(plan.tree)).tree
-    problems = [
-        Problem(what, str(file), None, path, "an unchanged sweep") for path, what in _differences(before, now)
-    ]
-    if plan.runs < before["runs"]:
-        problems.append(Problem(f"has {before['runs']} already", str(file), None, "runs", "at least as many"))
-    if plan.runs > before["runs"] and not plan.extendable:
-        what = f"a latin hypercube of {before['runs']} runs cannot be made longer: its strata are for so many"
-        problems.append(Problem(what, str(file), None, "runs", "sobol, halton or random for that"))
-    if plan.cases_text is not None and (folder / "cases.csv").read_text(encoding="utf-8") != plan.cases_text:
-        problems.append(Problem("the table has changed", str(file), None, "cases", "an unchanged sweep"))
-    if problems:
-        raise BadInput(problems)
-
-
-def _differences(before: Any, now: Any, path: str = "") -> Iterator[tuple[str, str]]:
-    """(dotted path, what) of everything that differs and matters."""
-    if isinstance(before, dict) and isinstance(now, dict):
-        for key in [*before, *(key for key in now if key not in before)]:
-            if path or key not in _FREE:
-                yield from _differences(before.get(key), now.get(key), f"{path}.{key}".lstrip("."))
-    elif before != now:
-        yield path, f"was {_shown(before)}, is now {_shown(now)}"
-
-
-def _shown(value: Any) -> str:
-    return json.dumps(value)[:80] if isinstance(value, list) else describe(value)
 
 
 def _write_whole(file: Path, content: bytes) -> None:
     """Write a file whole or not at all."""
     file.parent.mkdir(parents=True, exist_ok=True)
-    partial = file.with_name(f".{file.name}.partial")
-    try:
-        with partial.open("wb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        partial.replace(file)
-    except BaseException:
-        partial.unlink(missing_ok=True)
-        raise
+    with replacing(file) as partial, partial.open("wb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())

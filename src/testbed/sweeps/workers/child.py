@@ -1,7 +1,8 @@
-"""A worker process: takes tasks from one pipe, answers on another, and can die without taking anyone along.
+"""A worker process: it takes tasks from one pipe and answers on another. It may crash or hang without harm to others.
 
-`python -m testbed.sweeps.workers.child READ WRITE` is the process; `Child` is its handle. Not multiprocessing's own
-pool: the processes of that wait for ever for one that was killed, and a Dask worker may not start them.
+`python -m testbed.sweeps.workers.child READ WRITE` is the process, `Child` its handle in the parent. This is not
+multiprocessing's pool, because that waits for ever when one of its processes is killed, and because a Dask worker may
+not start one.
 """
 
 from __future__ import annotations
@@ -22,14 +23,15 @@ from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.workers.flying import Flown, Job, fly_task, not_flown
 
 _START_S = 300.0
-"""A process that has not started by then never will; a first compile takes some seconds."""
+"""Longest time a process may take to start [s]."""
 _GRACE_S = 10.0
+"""The process ends itself so long after its time limit, should its parent be gone [s]."""
 _ATTEMPTS = 2
-"""A process may be killed from outside, for memory say: its flight is tried once more before it counts."""
+"""Attempts at a flight whose process dies: the first may have been killed for something else, such as memory."""
 
 
 class Child:
-    """One worker process, made when first needed and again when it died."""
+    """One worker process, started when it is first needed, and again after it has died."""
 
     def __init__(self, job: Job) -> None:
         self._job = job
@@ -37,9 +39,9 @@ class Child:
         self._closed = threading.Event()
 
     def fly(self, task: Task) -> Flown:
-        """Fly one task. One that hangs or kills the process is a record with its reason.
+        """Fly one task. If it hangs, or ends the process, the result is a record with its reason.
 
-        Raises BadInput when no process can be started, InterruptedError when closed meanwhile.
+        Raises BadInput when no process can be started, InterruptedError when it is closed meanwhile.
         """
         died = 0
         for _ in range(_ATTEMPTS):
@@ -53,20 +55,18 @@ class Child:
         return not_flown(task, "crashed", f"the process was ended by {_cause(died)}")
 
     def close(self) -> None:
-        """End the process, whatever it does; a flight under way raises InterruptedError in its thread."""
+        """End the process at once; a call of `fly` in another thread then raises InterruptedError."""
         self._closed.set()
         if self._process is not None:
             self._process.kill()
 
     def kill(self) -> int:
-        """End the process and return its status as subprocess does."""
+        """End the process and return its exit status, negative for a signal."""
         process, self._process = self._process, None
         if process is None:
             return 0
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(
-                1.0
-            )  # it has closed its pipe and is about to be gone: its own status is the true one
+            process.wait(1.0)  # a process that ends by itself has a status of its own, which says why
         process.kill()
         self._to.close()
         self._from.close()
@@ -135,7 +135,7 @@ def _cause(status: int) -> str:
 
 
 def _environment(job: Job) -> dict[str, str]:
-    """One thread for each process: two that share the cores by threads are slower than one."""
+    """The process's environment: one thread each, because processes with several threads compete for the cores."""
     single = dict.fromkeys(
         ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"
     )
@@ -147,8 +147,8 @@ def _environment(job: Job) -> dict[str, str]:
 
 
 def main(read: int, write: int) -> None:
-    """The process: one task after the other, until the pipe closes."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the parent, which closes the pipe
+    """What the process does: fly one task after the other, until the pipe closes."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C, and closes the pipe
     tasks, answers = Connection(read, writable=False), Connection(write, readable=False)
     job: Job = pickle.loads(tasks.recv_bytes())
     sys.path += [entry for entry in job.search_path if entry not in sys.path]
@@ -158,7 +158,7 @@ def main(read: int, write: int) -> None:
             task = tasks.recv()
         except EOFError:
             return
-        # The kernel's own alarm: it ends a hung process even when the parent is no more.
+        # An alarm of the operating system ends a hung process even when its parent is gone.
         signal.setitimer(signal.ITIMER_REAL, job.time_limit_s + _GRACE_S)
         flown = fly_task(job, task)
         signal.setitimer(signal.ITIMER_REAL, 0)

@@ -1,7 +1,7 @@
-"""The same flights on a Dask cluster: whatever a flight needs travels with it, workers have only the package.
+"""The same flights on a Dask cluster. Its workers need only this package: everything else is sent with each task.
 
-Every flight runs in a child process of the Dask worker, so that crashes and hangs end in the same rows as at
-home. A Dask worker that dies takes no flight along: the scheduler gives its tasks to another.
+Every flight runs in a child process of a Dask worker, so that crashes and hangs give the same rows as on one machine.
+When a Dask worker dies, the scheduler gives its tasks to another.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import itertools
 import os
 import pickle
 import queue
+import shutil
 import tempfile
 import threading
 import zlib
@@ -28,26 +29,26 @@ from testbed.sweeps.workers.flying import Flown, Job
 
 _CONNECT_S = 20
 _AHEAD = 3
-"""Tasks sent for each thread of the cluster: enough to keep it busy, few enough to hold in memory."""
+"""Tasks sent ahead for each thread of the cluster, so that none waits for work."""
 _TRIES = 5
-"""How often a flight is sent again whose workers died under it."""
+"""How often a flight is sent at most, when its Dask workers die."""
 
 
 @dataclass(frozen=True)
-class Parcel:
-    """A sweep's job and its aircraft's files, compressed, with the name of its content."""
+class PackedJob:
+    """A sweep's job with the files of its aircraft, compressed; `digest` identifies the content."""
 
     digest: str
     content: bytes
 
 
-def parcel(job: Job) -> Parcel:
+def pack(job: Job) -> PackedJob:
     """Pack a job with every file of its aircraft's folder."""
     folder = load_aircraft(str(job.builder.base.tree["aircraft"])).folder
     files = sorted(f for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
-    packed = {str(file.relative_to(folder.parent)): file.read_bytes() for file in files}
-    content = zlib.compress(pickle.dumps((job, folder.name, packed)))
-    return Parcel(hashlib.sha256(content).hexdigest()[:32], content)
+    contents = {str(file.relative_to(folder.parent)): file.read_bytes() for file in files}
+    content = zlib.compress(pickle.dumps((job, folder.name, contents)))
+    return PackedJob(hashlib.sha256(content).hexdigest()[:32], content)
 
 
 def fly_on_cluster(
@@ -66,35 +67,35 @@ def fly_on_cluster(
         client = Client(address, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
         raise BadInput([Problem(f"no cluster answers at {address}: {error}")]) from None
-    sent = parcel(job)
+    packed = pack(job)
     feed = iter(tasks)
     with client:
-        pending = {_submit(client, sent, task): (task, 1) for task in itertools.islice(feed, _room(client))}
+        pending = {_submit(client, packed, task): (task, 1) for task in itertools.islice(feed, _room(client))}
         completed = as_completed(list(pending), loop=client.loop)
         for future in completed:
             task, tries = pending.pop(future)
             if future.status == "finished":
                 yield task, future.result()
                 following = list(itertools.islice(feed, max(0, _room(client) - len(pending))))
-                again = [(_submit(client, sent, t), (t, 1)) for t in following]
+                again = [(_submit(client, packed, t), (t, 1)) for t in following]
             else:
-                _explain(future, tries, address)
-                again = [(_submit(client, sent, task), (task, tries + 1))]
+                _raise_unless_worth_retrying(future, tries, address)
+                again = [(_submit(client, packed, task), (task, tries + 1))]
             for new, sent_again in again:
                 pending[new] = sent_again
                 completed.add(new)
 
 
-def _submit(client: Any, sent: Parcel, task: Task) -> Any:
-    return client.submit(fly_parcel, sent, task, pure=False, retries=0)
+def _submit(client: Any, packed: PackedJob, task: Task) -> Any:
+    return client.submit(fly_packed, packed, task, pure=False, retries=0)
 
 
 def _room(client: Any) -> int:
     return _AHEAD * max(1, sum(client.nthreads().values()))
 
 
-def _explain(future: Any, tries: int, address: str) -> None:
-    """Raise unless sending the flight again may help: its worker died, or its data was lost."""
+def _raise_unless_worth_retrying(future: Any, tries: int, address: str) -> None:
+    """Raise BadInput unless sending the flight again may help, because its worker died or its data was lost."""
     if future.status == "error":
         error = future.exception()
         if isinstance(error, BadInput):
@@ -106,52 +107,52 @@ def _explain(future: Any, tries: int, address: str) -> None:
         raise BadInput([Problem(f"the cluster at {address} failed: {words}")])
 
 
-def fly_parcel(sent: Parcel, task: Task) -> Flown:
-    """On a worker: fly one task in a child process, kept for the next task of the same sweep."""
-    crew = _crew(sent)
-    child = crew.take()
+def fly_packed(packed: PackedJob, task: Task) -> Flown:
+    """On a Dask worker: fly one task in a child process, which is kept for the next task of the same sweep."""
+    children = _children(packed)
+    child = children.take()
     try:
         return child.fly(task)
     finally:
-        crew.idle.put(child)
+        children.idle.put(child)
 
 
 @dataclass
-class _Crew:
-    """The child processes of a Dask worker for one sweep."""
+class _Children:
+    """The child processes of a Dask worker for one sweep; `idle` are those that fly nothing just now."""
 
     job: Job
     idle: queue.LifoQueue[Child] = field(default_factory=queue.LifoQueue)
 
     def take(self) -> Child:
+        """An idle process, or a new one."""
         try:
             return self.idle.get_nowait()
         except queue.Empty:
             return Child(self.job)
 
-    def dismiss(self) -> None:
+    def close(self) -> None:
+        """End the idle processes."""
         while not self.idle.empty():
             self.idle.get_nowait().close()
 
 
-_crews: dict[str, _Crew] = {}
-_crews_lock = threading.Lock()
+_by_digest: dict[str, _Children] = {}
+_by_digest_lock = threading.Lock()
 
 
-def _crew(sent: Parcel) -> _Crew:
-    with _crews_lock:
-        if sent.digest not in _crews:
-            for old in _crews.values():  # an earlier sweep's
-                old.dismiss()
-            _crews.clear()
-            _crews[sent.digest] = _Crew(_unpack(sent))
-        return _crews[sent.digest]
+def _children(packed: PackedJob) -> _Children:
+    with _by_digest_lock:
+        if packed.digest not in _by_digest:
+            _close_all()  # an earlier sweep's
+            _by_digest[packed.digest] = _Children(_unpack(packed))
+        return _by_digest[packed.digest]
 
 
-def _unpack(sent: Parcel) -> Job:
-    """The job, its aircraft in a folder named by its content; another process may unpack the same at once."""
-    job, name, files = pickle.loads(zlib.decompress(sent.content))
-    root = Path(tempfile.gettempdir()) / f"testbed-{os.getuid()}-{sent.digest}"
+def _unpack(packed: PackedJob) -> Job:
+    """The job, with its aircraft unpacked into a folder named by the digest, which other processes may share."""
+    job, name, files = pickle.loads(zlib.decompress(packed.content))
+    root = Path(tempfile.gettempdir()) / f"testbed-{os.getuid()}-{packed.digest}"
     if not root.is_dir():
         partial = Path(tempfile.mkdtemp(prefix="testbed-unpacking-"))
         for file, content in files.items():
@@ -159,9 +160,11 @@ def _unpack(sent: Parcel) -> Job:
             (partial / file).write_bytes(content)
         try:
             partial.rename(root)
-        except OSError:  # the other was first
+        except OSError:  # another process was first
             if not root.is_dir():
                 raise
+        finally:
+            shutil.rmtree(partial, ignore_errors=True)
     return Job(
         builder=job.builder.with_aircraft(str(root / name)),
         fly=job.fly,
@@ -172,6 +175,7 @@ def _unpack(sent: Parcel) -> Job:
 
 
 @atexit.register
-def _dismiss_all() -> None:
-    for crew in _crews.values():
-        crew.dismiss()
+def _close_all() -> None:
+    for children in _by_digest.values():
+        children.close()
+    _by_digest.clear()

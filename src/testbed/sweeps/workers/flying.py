@@ -1,4 +1,9 @@
-"""One flight of a sweep, in a worker: fly it, and keep what its row, its history and its log need."""
+"""One flight of a sweep, in a worker process: fly it, and say what is kept of it.
+
+The record of a flight, which becomes a line of the journal and a row of the table: `run`, `variant`, `seed`, `values`
+(those drawn), `outcome`, `passed`, `reason` (why there is no result), `end_time_s`, `metrics`, and `requirements`
+[[passed, value], ...]. A flight without a result has no `end_time_s`, `metrics` and `requirements`.
+"""
 
 from __future__ import annotations
 
@@ -16,18 +21,18 @@ from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario
 from testbed.sweeps.drawing.builder import Builder, Task
-from testbed.sweeps.folder.histories import thinned
+from testbed.sweeps.folder.histories import history
 
 Fly = Callable[[Scenario], Flight]
 FLY = "testbed.simulation:fly"
 SAVE_LOGS = ("none", "failed", "all")
-_WORDS = 300
-"""Longest reason kept."""
+_LONGEST_REASON = 300
+"""Longest reason that is kept [characters]."""
 
 
 @dataclass(frozen=True)
 class Job:
-    """What a worker must know to fly any flight of a sweep."""
+    """What a worker needs to fly any flight of a sweep."""
 
     builder: Builder
     fly: str = FLY
@@ -39,7 +44,7 @@ class Job:
 
 @dataclass(frozen=True)
 class Flown:
-    """What came of one flight: its record, its thinned history, its log as Parquet."""
+    """What is kept of one flight: its record, its error history, and its log as Parquet or nothing."""
 
     record: dict[str, Any]
     history: bytes = b""
@@ -47,9 +52,7 @@ class Flown:
 
 
 def fly_reference(fly: Fly | None) -> str:
-    """A function as `module:name`, so that worker processes can import it; raises BadInput when they could
-    not.
-    """
+    """A function as `module:name`, for worker processes to import; raises BadInput when they could not."""
     if fly is None:
         return FLY
     module, name = getattr(fly, "__module__", ""), getattr(fly, "__qualname__", "<")
@@ -60,10 +63,7 @@ def fly_reference(fly: Fly | None) -> str:
 
 
 def fly_task(job: Job, task: Task, keep: Callable[[Flight], object] = lambda _: None) -> Flown:
-    """Fly one task; whatever goes wrong in Python is a record with its reason, never an exception.
-
-    `keep` is given the whole flight.
-    """
+    """Fly one task; an exception becomes a record with its reason. `keep` is called with the whole flight."""
     try:
         scenario = job.builder.scenario(task)
     except BadInput as error:
@@ -83,7 +83,7 @@ def not_flown(task: Task, outcome: str, reason: str) -> Flown:
     reason = re.sub(
         r"0x[0-9a-f]{6,}", "0x...", " ".join(reason.split())
     )  # addresses differ between processes
-    return Flown({**_head(task), "outcome": outcome, "passed": False, "reason": reason[:_WORDS]})
+    return Flown({**_head(task), "outcome": outcome, "passed": False, "reason": reason[:_LONGEST_REASON]})
 
 
 def _head(task: Task) -> dict[str, Any]:
@@ -101,15 +101,15 @@ def _flown(job: Job, task: Task, flight: Flight) -> Flown:
         "requirements": [[bool(r["passed"]), _number(r["value"])] for r in flight.requirements],
     }
     wanted = job.save_logs == "all" or (job.save_logs == "failed" and not flight.passed)
-    return Flown(record, thinned(flight), _parquet(flight) if wanted else b"")
+    return Flown(record, history(flight), _parquet(flight) if wanted else b"")
 
 
 def _parquet(flight: Flight) -> bytes:
-    """The log in single precision: the flight itself can be had again, bit for bit, with --only."""
+    """The log in single precision; `--only` flies the flight again, bit for bit."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    # Straight from the bytes: pa.array would import pandas, 60 MB in every worker.
+    # From the memory itself: pa.array would import pandas, which takes 60 MB in every worker.
     columns = [
         _column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))
     ]
@@ -129,7 +129,7 @@ def _number(value: Any) -> float:
 
 
 def _place_free(problem: Problem) -> str:
-    """A problem without file and line: these are the machine's, not the run's."""
+    """A problem without file and line, which may differ from machine to machine."""
     return str(Problem(problem.what, "", None, problem.path, problem.expected, problem.suggestion))
 
 

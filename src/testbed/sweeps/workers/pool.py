@@ -1,4 +1,4 @@
-"""Local processes: a thread looks after each, so that a slow, hung or dead one keeps no other waiting."""
+"""Worker processes on this machine. Each has a thread, so that a slow or hung process keeps no other waiting."""
 
 from __future__ import annotations
 
@@ -15,14 +15,12 @@ Done = tuple[Task, Flown]
 
 
 def default_jobs() -> int:
-    """Processes to use: the cores that this process may run on."""
+    """Number of cores that this process may run on."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def fly_locally(job: Job, tasks: Iterable[Task], jobs: int | None = None) -> Generator[Done, None, None]:
-    """Fly every task in `jobs` processes; yields each as it finishes, in no order. Closing it ends the
-    processes.
-    """
+    """Fly every task in `jobs` processes; yields each as it finishes. Closing the generator ends the processes."""
     feed = _Feed(tasks)
     done: queue.Queue[Done | BaseException | None] = queue.Queue(maxsize=64)
     children = [Child(job) for _ in range(jobs or default_jobs())]
@@ -53,7 +51,7 @@ def fly_locally(job: Job, tasks: Iterable[Task], jobs: int | None = None) -> Gen
 
 
 class _Feed:
-    """Tasks, one at a time, for several threads."""
+    """Gives tasks to several threads, one at a time."""
 
     def __init__(self, tasks: Iterable[Task]) -> None:
         self._tasks = iter(tasks)

@@ -1,0 +1,26 @@
+"""`testbed identify`: find an aircraft's design model, the one that controllers know, and store it beside it."""
+
+from __future__ import annotations
+
+from testbed.aircraft.description import load_aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
+from testbed.inputs.problems import BadInput, Problem
+
+
+def identify(name: str, *, check: bool) -> bool:
+    """Find the design model and store it; with `check`, only say whether the stored one is the same."""
+    from testbed.plant.identification import identify
+
+    aircraft = load_aircraft(name)
+    file = aircraft.folder / DESIGN_MODEL
+    model = identify(aircraft)
+    if check:
+        same = file.is_file() and load_design_model(file).agrees_with(model)
+        print(f"{file}: {'as identified' if same else 'differs from what is identified now'}")
+        return same
+    try:
+        model.save(file)
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
+    print(f"wrote {file}")
+    return True

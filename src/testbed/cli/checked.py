@@ -1,0 +1,67 @@
+"""Input read and checked whole before anything flies: what `testbed validate` does, and `testbed run` first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, TypeVar
+
+from testbed.inputs.problems import BadInput, Problem
+
+if TYPE_CHECKING:
+    from testbed.scenario.load import Scenario
+
+Result = TypeVar("Result")
+
+
+def validate(files: Iterable[str]) -> None:
+    """Check scenario and sweep files, and print those that are in order; BadInput with all problems of the rest."""
+    problems: list[Problem] = []
+    for file in files:
+        if collect(problems, partial(_valid, file)) is not None:
+            print(f"{file}: ok")
+    if problems:
+        raise BadInput(problems)
+
+
+def collect(problems: list[Problem], function: Callable[[], Result]) -> Result | None:
+    """Result of a function; None if it refuses its input, and then its problems are added to `problems`."""
+    try:
+        return function()
+    except BadInput as error:
+        problems += error.problems
+        return None
+
+
+def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
+    """The scenario in a file, checked also against the log's columns, the metrics and the JSBSim model."""
+    from testbed.aircraft.description import load_aircraft
+    from testbed.flight.columns import all_columns
+    from testbed.metrics import TABLE as METRICS
+    from testbed.scenario.checks import unknown_names
+    from testbed.scenario.load import load_scenario
+
+    scenario = load_scenario(file, settings)
+    aircraft = load_aircraft(scenario.aircraft)
+    properties: Mapping[str, bool] = {}
+    if scenario.failures:  # loading the model takes longer than all else here, and only failures need it
+        from testbed.plant.jsbsim import property_catalog
+
+        properties = property_catalog(aircraft)
+    problems = unknown_names(scenario, aircraft, all_columns(aircraft, scenario), METRICS, properties)
+    if problems:
+        raise BadInput(problems)
+    return scenario
+
+
+def _valid(file: str) -> object:
+    """The scenario or the sweep in a file, checked."""
+    from testbed.aircraft.shipped import find_scenario
+    from testbed.inputs import yaml_source
+    from testbed.sweeps import is_sweep
+
+    if not is_sweep(yaml_source.read(find_scenario(file)).tree):
+        return checked(file)
+    from testbed import monte_carlo
+
+    return monte_carlo.prepare(file)

@@ -1,0 +1,116 @@
+"""Whether a sweep may be flown into a folder: a new one, or (resumed) one that was begun with all the same.
+
+The same sweep, by its sweep.yaml; the same aircraft, versions and function that flies, by the journal's first line.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import json
+import os
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from testbed.aircraft.description import load_aircraft
+from testbed.flight.folder import FolderExists
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.yaml_source import describe
+from testbed.sweeps.plan import Plan
+
+_FREE = ("name", "runs", "stop_when")
+"""Keys of sweep.yaml that may change when a sweep is resumed, because no row depends on them."""
+_VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
+
+
+def flown_with(plan: Plan, fly: str) -> dict[str, Any]:
+    """The journal's first line: what the bytes of every flight depend on beside the sweep itself."""
+    return {
+        "journal": 1,
+        "fly": fly,
+        "aircraft_sha256": _aircraft_digest(plan),
+        "versions": _versions(),
+    }
+
+
+def refuse_changed(before: Mapping[str, Any], now: Mapping[str, Any], folder: Path) -> None:
+    """Raise BadInput when a folder was begun with anything else than it is flown with now."""
+    problems = [Problem(f"was begun with {what}", str(folder)) for what in _changed(before, now)]
+    if problems:
+        raise BadInput(problems)
+
+
+def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
+    """Raise BadInput unless the folder is new or empty or, with `resume`, holds this sweep with no more runs."""
+    file = folder / "sweep.yaml"
+    if not os.path.lexists(folder) or (folder.is_dir() and not any(folder.iterdir())):
+        return
+    journal = folder / "journal.jsonl"
+    if not resume:
+        what = "a new folder, or --resume to go on with this one"
+        raise FolderExists([Problem("exists already", str(folder), expected=what)])
+    if not file.is_file():
+        if not journal.is_file():
+            raise BadInput([Problem("is not the folder of a sweep", str(folder))])
+        return  # it was killed before it could write sweep.yaml
+    before = yamlfile.read(file).tree
+    now = yamlfile.parse(yamlfile.dump(plan.tree)).tree
+    problems = [
+        Problem(what, str(file), None, path, "an unchanged sweep") for path, what in _differences(before, now)
+    ]
+    if plan.runs < before["runs"]:
+        problems.append(Problem(f"has {before['runs']} already", str(file), None, "runs", "at least as many"))
+    if plan.runs > before["runs"] and not plan.extendable:
+        what = f"a latin hypercube of {before['runs']} runs cannot be made longer: its points depend on their number"
+        problems.append(Problem(what, str(file), None, "runs", "sobol, halton or random for that"))
+    if plan.cases_text is not None and (folder / "cases.csv").read_text(encoding="utf-8") != plan.cases_text:
+        problems.append(Problem("the table has changed", str(file), None, "cases", "an unchanged sweep"))
+    if problems:
+        raise BadInput(problems)
+
+
+def _differences(before: Any, now: Any, path: str = "") -> Iterator[tuple[str, str]]:
+    """(dotted path, what) of every difference that could change a row."""
+    if isinstance(before, dict) and isinstance(now, dict):
+        for key in [*before, *(key for key in now if key not in before)]:
+            if path or key not in _FREE:
+                yield from _differences(before.get(key), now.get(key), f"{path}.{key}".lstrip("."))
+    elif before != now:
+        yield path, f"was {_shown(before)}, is now {_shown(now)}"
+
+
+def _shown(value: Any) -> str:
+    return json.dumps(value)[:80] if isinstance(value, list) else describe(value)
+
+
+def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
+    if before.get("fly") != now["fly"]:
+        yield f"the function {before.get('fly')}, this is {now['fly']}"
+    if before.get("aircraft_sha256") != now["aircraft_sha256"]:
+        yield "other files of the aircraft, which have changed since"
+    for name, version in now["versions"].items():
+        old = before.get("versions", {}).get(name)
+        if old != version:
+            yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
+
+
+def _versions() -> dict[str, str]:
+    """Versions of the packages that the last bit of a flight may depend on."""
+    found = {}
+    for name in _VERSIONS:
+        try:
+            found[name] = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:  # run from the repository, not installed
+            found[name] = ""
+    return found
+
+
+def _aircraft_digest(plan: Plan) -> str:
+    """SHA-256 of the aircraft's files: XML, YAML and design model."""
+    folder = load_aircraft(str(plan.builder.base.tree["aircraft"])).folder
+    digest = hashlib.sha256()
+    for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
+        digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
+    return digest.hexdigest()

@@ -1,0 +1,120 @@
+"""Reading a sweep file: YAML, then the settings of --set, then the typed keys, then the resolved plan."""
+
+from __future__ import annotations
+
+import copy
+import itertools
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from testbed.aircraft.shipped import find_scenario
+from testbed.inputs import overrides
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput
+from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source, TreePath, describe
+from testbed.sweeps.drawing import sampling
+from testbed.sweeps.drawing.builder import Builder, Variant
+from testbed.sweeps.drawing.cases import read_cases
+from testbed.sweeps.model import Sweep
+from testbed.sweeps.plan import Plan
+
+DEFAULT_RUNS = 1000
+_MAPPINGS = ("set", "vary", "compare")
+"""Keys of a sweep whose own keys are dotted paths of the scenario."""
+
+
+def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
+    """Read and resolve a sweep file; raises BadInput with every problem of its own keys.
+
+    `settings` are KEY=VALUE: a key of the sweep (`runs=10`), else a dotted path of the scenario
+    (`duration_s=2`), changed for all runs. The scenarios that it draws are checked by `checks.check`.
+    """
+    source = yamlfile.read(find_scenario(path))
+    _apply(source, settings)
+    sweep = validated(Sweep, source, stand_ins={"scenario": "?"})
+    _refuse_overwritten(sweep, source)
+    base = _base(sweep, source)
+    for key, value in sweep.set.items():
+        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
+    paths = [("vary", path) for path in sweep.vary] + [("compare", path) for path in sweep.compare]
+    places = {path: _place(source, (kind, path)) for kind, path in paths}
+    cases, text = None, None
+    if sweep.cases is not None:
+        file = Path(source.file).parent / sweep.cases
+        cases, text, case_places = read_cases(file, source.problem(("cases",), "there is no such file"))
+        places |= case_places
+    variants = tuple(_variants(sweep))
+    name = sweep.name or Path(path).stem.replace("_", " ")
+    runs = _runs(sweep, source, cases)
+    return Plan(sweep, name, Builder(base, variants, places), runs, cases, text)
+
+
+def _apply(source: Source, settings: Iterable[str]) -> None:
+    """Set a key of the sweep (`runs`, or `vary.` and a whole dotted path); any other path is set in the scenario."""
+    for setting in settings:
+        key, equals, text = setting.partition("=")
+        first, _, rest = key.strip().partition(".")
+        if equals and first not in Sweep.model_fields:
+            first, rest = "set", key.strip()
+        if not equals or first not in _MAPPINGS or not rest:
+            overrides.apply(source, [setting])
+            continue
+        place = f"--set {setting}"
+        value = yamlfile.parse(text)
+        if source.tree.get(first) is None:
+            source.tree[first] = {}
+        overrides.set_value(source, [first, rest], value.tree, place)
+
+
+def _refuse_overwritten(sweep: Sweep, source: Source) -> None:
+    """Raise BadInput for settings without effect, because `vary` or `compare` set the same in every flight."""
+    later = {path: kind for kind in ("vary", "compare") for path in getattr(sweep, kind)}
+    problems = [
+        source.problem(("set", key), f"has no effect: {kind} sets {path} in every flight", f"no {key} in set")
+        for key in sweep.set
+        for path, kind in later.items()
+        if f"{key}.".startswith(f"{path}.")
+    ]
+    if problems:
+        raise BadInput(problems)
+
+
+def _base(sweep: Sweep, source: Source) -> Source:
+    """The base scenario: a file of its own, or written inside the sweep and then with its places there."""
+    if isinstance(sweep.scenario, dict):
+        places = {path[1:]: place for path, place in source.places.items() if path[:1] == ("scenario",)}
+        return Source(source.file, copy.deepcopy(sweep.scenario), places)
+    beside = Path(source.file).parent / sweep.scenario
+    try:
+        return yamlfile.read(beside if beside.exists() else find_scenario(sweep.scenario))
+    except BadInput as error:
+        missing = [p for p in error.problems if p.line is None and p.what == "there is no such file"]
+        if not missing:
+            raise
+        raise BadInput([source.problem(("scenario",), f"there is no file {sweep.scenario!r}", "",
+                                       missing[0].suggestion)]) from None  # fmt: skip
+
+
+def _place(source: Source, path: TreePath) -> str:
+    file, line = source.place(path)
+    return file if line is None else f"{file}:{line}"
+
+
+def _variants(sweep: Sweep) -> Iterator[Variant]:
+    for values in itertools.product(*sweep.compare.values()):
+        label = ", ".join(
+            v if isinstance(v, str) else f"{path} {v}" for path, v in zip(sweep.compare, values, strict=True)
+        )
+        yield Variant(label, dict(zip(sweep.compare, values, strict=True)))
+
+
+def _runs(sweep: Sweep, source: Source, cases: list[dict[str, Any]] | None) -> int:
+    total: int | None = None if cases is None else len(cases)
+    if cases is None and sweep.sampling == "grid":
+        total = sampling.grid_size([d.grid(sweep.levels) for d in sweep.vary.values()])
+    if total is not None and sweep.runs is not None and sweep.runs > total:
+        what = f"is {describe(sweep.runs)}, there are {total}"
+        raise BadInput([source.problem(("runs",), what, f"at most {total}, or no runs for all")])
+    return sweep.runs or total or DEFAULT_RUNS

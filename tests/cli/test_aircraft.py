@@ -1,0 +1,33 @@
+"""`testbed identify`: the stored design model is the one that is identified."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from command_line import testbed
+
+from testbed.aircraft.description import load_aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL
+
+
+@pytest.mark.slow
+def test_identify_writes_what_it_then_agrees_with(tmp_path: Path) -> None:
+    """On a copy of the v-tail: written anew it is the stored one; a changed number is noticed, and mended."""
+    folder = shutil.copytree(load_aircraft("vtail").folder, tmp_path / "aircraft" / "vtail")
+    model = folder / DESIGN_MODEL
+    name = str(folder)
+    assert testbed(tmp_path, "identify", name, "--check").returncode == 0
+    text = model.read_text()
+    model.write_text(text.replace('"altitude_m": 300', '"altitude_m": 301'))
+    assert model.read_text() != text
+    differs = testbed(tmp_path, "identify", name, "--check")
+    assert (differs.returncode, differs.stdout) == (1, f"{model}: differs from what is identified now\n")
+    assert testbed(tmp_path, "identify", name).stdout == f"wrote {model}\n"
+    assert testbed(tmp_path, "identify", name, "--check").returncode == 0
+    model.write_text("{}")
+    damaged = testbed(tmp_path, "identify", name, "--check")
+    assert damaged.returncode == 2
+    assert damaged.stderr.startswith(f"{model}: is no design model: ")
+    assert testbed(tmp_path, "identify", "vtial").returncode == 2

@@ -1,0 +1,112 @@
+"""`testbed sweep`: what it refuses, what it prints, and what it keeps when it is interrupted."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+from command_line import Called
+from sweep_files import SWEEP, command, fly_here, journal_lines, run, table, written
+
+import testbed
+from testbed.aircraft.shipped import data_root, sweep_files
+from testbed.flight.folder import load as load_flight
+from testbed.sweeps.load import load_sweep
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["sweep"], ["sweep", "--only", "1"], ["validate"], ["sweep", "--cluster", "tcp://127.0.0.1:1"]],
+)
+def test_a_bad_sweep_is_refused_and_leaves_nothing(here: Path, called: Called, arguments: list[str]) -> None:
+    file = written(here, SWEEP.replace("unif", "unfi", 2))
+    status, out, err = called(arguments[0], file.name, *arguments[1:])
+    assert status == 2
+    assert err.splitlines() == [
+        "small.yaml:10: vary.failures.0.at_s: unknown distribution 'unfiorm', did you mean uniform?",
+        "small.yaml:11: vary.failures.0.value: unknown distribution 'unfiorm', did you mean uniform?",
+    ]
+    assert out == "" and [p.name for p in here.iterdir()] == [file.name]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--jobs", "0"], "--jobs: is 0, expected at least 1"),
+        (["--runs", "0"], "--runs: is 0, expected at least 1"),
+        (["--save-logs", "some"], "--save-logs: is 'some', expected none, failed or all"),
+        (["--only", "12"], "--only: there is no run 12, expected 0 to 11"),
+        (["--set", "bogus.path=1"], "--set bogus.path=1: bogus: unknown key, expected one of "),
+    ],
+)
+def test_bad_options_are_refused(here: Path, called: Called, arguments: list[str], words: str) -> None:
+    status, _, err = called("sweep", written(here).name, *arguments)
+    assert status == 2 and err.startswith(words), err
+
+
+def test_the_shipped_sweeps_are_valid(here: Path, called: Called) -> None:
+    for file in sweep_files():
+        name = str(file.relative_to(data_root()))
+        assert called("validate", name) == (0, f"{name}: ok\n", "")
+
+
+def test_a_sweep_folder_is_reported_without_flying(here: Path, called: Called) -> None:
+    fly_here(load_sweep(written(here)), here / "out")
+    status, out, err = called("report", "out")
+    assert (status, err) == (1, "")  # not every flight has passed
+    assert out.startswith("adaptive_inversion: 12 runs\n  ") and "minus fixed_inversion: +0.000 (" in out
+    assert {"summary.json", "report.html", "figures"} <= {path.name for path in (here / "out").iterdir()}
+
+
+def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) -> None:
+    folder = fly_here(load_sweep(written(here)), here / "out")
+    journal = (folder / "journal.jsonl").read_bytes().splitlines(keepends=True)
+    (folder / "journal.jsonl").write_bytes(journal[0])
+    assert called("report", "out") == (2, "", "out: no flight has finished in this sweep folder\n")
+
+
+@pytest.mark.slow
+def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
+    testbed.sweep(written(tmp_path), tmp_path / "whole", jobs=1, figures=False)
+    reference = tmp_path / "whole"
+    result = run(tmp_path, "sweep", reference / "sweep.yaml", "--only", 5, "--out", "one")
+    assert result.returncode in (0, 1), result.stderr
+    lines = (reference / "results.csv").read_text().splitlines()
+    rows = [line for line in lines if line.startswith("5,")]
+    assert (tmp_path / "one/results.csv").read_text().splitlines()[1:] == rows
+    assert result.stdout.splitlines()[1:3] == rows
+    row = dict(zip(lines[0].split(","), rows[1].split(","), strict=True))
+    flight = load_flight(tmp_path / "one/run-000005-fixed_inversion")
+    assert flight.metrics["altitude_error_max_m"] == float(row["altitude_error_max_m"])
+    again = testbed.fly(tmp_path / "one/run-000005-fixed_inversion/scenario.yaml")  # alone, without any sweep
+    assert again.summary == flight.summary
+
+
+@pytest.mark.slow
+def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
+    sweep = written(tmp_path)
+    arguments = command("sweep", sweep, "--out", "out", "--runs", 400, "--jobs", 2, "--no-plots")
+    process = subprocess.Popen(
+        arguments,
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    while journal_lines(tmp_path / "out") < 10:
+        assert process.poll() is None
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to every process of the group
+    out, err = process.communicate()
+    assert process.returncode == 130
+    assert "interrupted" in err and "of 800 flights are kept, --resume flies the rest" in err
+    assert "Traceback" not in err and out == ""
+    kept = journal_lines(tmp_path / "out") - 1
+    assert 9 <= kept == len(table(tmp_path / "out"))
+    report = run(tmp_path, "report", "out")  # of what there is
+    assert report.returncode == 1 and "adaptive_inversion" in report.stdout

@@ -1,0 +1,20 @@
+"""Marks of events: no two labels touch, and many events do not bury the figure."""
+
+from __future__ import annotations
+
+from handmade import injection
+
+from testbed.reporting.figures.marks import marks, rows_of
+
+
+def test_labels_do_not_overlap() -> None:
+    crowd = marks([injection(t) for t in (1.0, 1.1, 1.2, 9.0, 9.9)])
+    placed = rows_of(crowd, (0.0, 10.0), 8.0)
+    assert len({row for _, row, _ in placed[:3]}) == 3
+    assert placed[-1][2] == "right"  # has no room to the right
+
+
+def test_chatter_does_not_bury_the_figure() -> None:
+    chatter = [{"time_s": 0.02 * k, "kind": "release", "axis": "p_dot"} for k in range(400)]
+    labels = [mark.label for mark in marks(chatter) if mark.label]
+    assert len(labels) < 15 and labels[-1] == "and 388 more events"

@@ -1,0 +1,45 @@
+"""Draws follow the distribution that the sweep file names."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from testbed.sweeps.drawing.distributions import Distribution
+from testbed.sweeps.drawing.sampling import batch as block
+
+DRAWS: list[tuple[dict[str, object], Any]] = [
+    ({"uniform": [4, 10]}, stats.uniform(4, 6)),
+    ({"normal": [1.0, 0.1]}, stats.norm(1.0, 0.1)),
+    ({"log_uniform": [0.1, 10]}, stats.loguniform(0.1, 10)),
+    ({"weibull_min": {"c": 1.5, "scale": 2}}, stats.weibull_min(1.5, scale=2)),
+    ({"triang": [0.3, 1, 2]}, stats.triang(0.3, 1, 2)),
+]
+
+
+@pytest.mark.parametrize("sampling", ["sobol", "latin_hypercube", "halton", "random"])
+@pytest.mark.parametrize(("spec", "law"), DRAWS, ids=[str(list(spec)) for spec, _ in DRAWS])
+def test_draws_follow_their_distribution(sampling: str, spec: dict[str, object], law: Any) -> None:
+    points = block(sampling, 11, ["a", "b"], 1024, 0)
+    values = Distribution.model_validate(spec).quantiles(points[:, 1])
+    assert all(type(value) is float for value in values)
+    assert stats.kstest(values, law.cdf).pvalue > 0.01
+    assert abs(np.corrcoef(points.T)[0, 1]) < 0.1
+
+
+def test_discrete_draws_have_their_weights() -> None:
+    u = block("sobol", 11, ["a"], 1024, 0)[:, 0]
+    choice = Distribution.model_validate({"choice": ["a", "b", "c"], "weights": [1, 0, 3]}).quantiles(u)
+    assert abs(choice.count("a") - 256) <= 1 and choice.count("b") == 0
+    whole = Distribution.model_validate({"integers": [3, 6]}).quantiles(u)
+    assert {whole.count(k) for k in (3, 4, 5, 6)} == {256} and all(type(value) is int for value in whole)
+    poisson = Distribution.model_validate({"poisson": {"mu": 4}}).quantiles(u)
+    assert all(type(value) is int for value in poisson) and abs(np.mean(poisson) - 4) < 0.05
+
+
+def test_extreme_draws_are_finite() -> None:
+    values = Distribution.model_validate({"normal": [0, 1]}).quantiles(np.array([0.0, 1.0]))
+    assert values[0] < -8 and values[1] > 8 and np.isfinite(values).all()

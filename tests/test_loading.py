@@ -1,0 +1,42 @@
+"""`testbed.load`: either kind of folder, and words for what is neither."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from handmade import make_flight
+from sweep_files import fly_here, written
+
+import testbed
+from testbed.flight.flight import Flight
+from testbed.flight.folder import write_run_folder
+from testbed.inputs.problems import BadInput
+from testbed.sweeps.load import load_sweep
+
+
+def test_either_kind_of_folder(tmp_path: Path) -> None:
+    run = testbed.load(write_run_folder(make_flight(), tmp_path / "run"))
+    sweep = testbed.load(fly_here(load_sweep(written(tmp_path), ["runs=2"]), tmp_path / "sweep"))
+    assert isinstance(run, Flight) and isinstance(sweep, pd.DataFrame)
+    assert len(sweep) == 4 and set(sweep.attrs) == {"name", "folder", "summary", "units"}
+
+
+def test_what_is_neither_is_refused_in_words(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    for name, words in (
+        ("none", "there is no such folder, expected a run folder or a sweep folder"),
+        ("file", "is a file, expected a run folder or a sweep folder"),
+        (".", "is neither a run folder nor a sweep folder, expected scenario.yaml"),
+    ):
+        with pytest.raises(BadInput) as refused:
+            testbed.load(tmp_path / name)
+        assert len(refused.value.problems) == 1 and words in str(refused.value)
+
+
+def test_a_run_folder_with_a_file_missing_says_which(tmp_path: Path) -> None:
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    (folder / "summary.json").unlink()
+    with pytest.raises(BadInput, match=r"summary\.json: is missing from the run folder"):
+        testbed.load(folder)

@@ -1,0 +1,35 @@
+"""The package as it is imported: four names, quickly, each from its own module when it is first used."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+import testbed
+
+HEAVY = ("numpy", "pandas", "matplotlib", "numba", "scipy", "jsbsim", "pyarrow", "yaml", "pydantic")
+
+
+def run(program: str) -> str:
+    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout
+
+
+def test_its_names_are_shown_and_there() -> None:
+    assert dir(testbed) == ["__version__", "fly", "load", "sweep"]
+    assert all(callable(getattr(testbed, name)) for name in ("fly", "load", "sweep"))
+    assert testbed.__version__ and testbed.__version__[0].isdigit()
+    with pytest.raises(AttributeError, match="has no attribute 'land'"):
+        testbed.land  # noqa: B018
+
+
+def test_importing_it_imports_nothing_heavy() -> None:
+    program = f"import sys, testbed; dir(testbed); print(sorted(set({HEAVY}) & set(sys.modules)))"
+    assert run(program) == "[]\n"
+
+
+def test_reading_needs_no_simulator() -> None:
+    simulator = ("numba", "jsbsim", "testbed.simulation", "testbed.plant.jsbsim")
+    program = f"import sys, testbed; testbed.load; print(sorted(set({simulator}) & set(sys.modules)))"
+    assert run(program) == "[]\n"
