@@ -491,7 +491,7 @@ def test_prop_loss_motor_still_tracks() -> None:
 
 
 def test_the_catalogue_is_of_this_code(tmp_path: Path) -> None:
-    assert failures_catalogue.stale(ROOT / "docs") == []  # not part of an installed package
+    assert failures_catalogue.stale(ROOT / "docs" / "reference") == []  # not part of an installed package
     assert len(failures_catalogue.stale(tmp_path)) == 1 + len(TYPES)  # negative control: nothing is there
 
 
