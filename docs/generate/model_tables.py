@@ -130,7 +130,7 @@ def _named(kind: Any) -> str:
     if origin in (tuple, list):
         return f"list of {_named(arguments[0])}"
     if origin is dict:
-        return f"name: {_named(arguments[1])}, any number"
+        return f"names, each with: {_named(arguments[1])}"
     return "mapping" if models(kind) else _WORDS.get(kind, str(kind))
 
 

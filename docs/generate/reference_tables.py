@@ -51,7 +51,8 @@ def subcommands() -> dict[str, argparse.ArgumentParser]:
 
 def top_options() -> str:
     """Options of the program itself."""
-    return markdown(("option", "meaning"), _options(parser()))
+    rows = list(_options(parser()))
+    return markdown(("option", "meaning"), rows) if rows else ""
 
 
 def _command(name: str, command: argparse.ArgumentParser) -> str:
