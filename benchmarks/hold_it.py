@@ -203,7 +203,11 @@ def summary_row(group: str, results: Sequence[Result]) -> str:
     worst = max(results, key=lambda result: max(map(result.severity, result.records)))
     cell, flown = results[0].cell, sum(len(result.records) for result in results)
     failed = sum(len(result.failed) for result in results)
-    asked = "no false alarm; errors not judged" if cell.long else f"{cell.altitude_m:g} m, {cell.heading_deg:g} deg"
+    asked = (
+        "no false alarm; errors not judged"
+        if cell.long
+        else f"{cell.altitude_m:g} m, {cell.heading_deg:g} deg"
+    )
     altitude, heading = (_most(result.worst(i) for result in results) for i in (0, 1))
     parts = (
         group, f"{cell.w20_ft_s:g}", asked, f"{altitude:.1f} m", f"{heading:.1f} deg",
@@ -326,7 +330,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--group", choices=GROUPS, action="append", help="only these rows")
     parser.add_argument("--jobs", type=int, help="processes (default: one a core)")
     parser.add_argument("--quick", action="store_true", help="2 seeds")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "docs" / "results" / "hold_it.md")
+    parser.add_argument(
+        "--out", type=Path, default=Path(__file__).parents[1] / "docs" / "results" / "hold_it.md"
+    )
     options = parser.parse_args(arguments)
     seeds = range(options.first_seed, options.first_seed + (2 if options.quick else options.seeds))
     table = [cell for cell in cells(options.w20) if not options.group or cell.group in options.group]

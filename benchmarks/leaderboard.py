@@ -164,7 +164,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--only", nargs="+", choices=TYPES, metavar="TYPE", help="only these types of failure"
     )
     parser.add_argument("--jobs", type=int, help="processes (default: one a core)")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "docs" / "results" / "leaderboard.md")
+    parser.add_argument(
+        "--out", type=Path, default=Path(__file__).parents[1] / "docs" / "results" / "leaderboard.md"
+    )
     options = parser.parse_args(arguments)
     seeds = range(options.first_seed, options.first_seed + (1 if options.quick else options.seeds))
     kinds = [(t, f) for t, f in failures() if not options.only or f["type"] in options.only]

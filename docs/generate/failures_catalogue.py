@@ -1,4 +1,4 @@
-"""Write docs/reference/failures.md and its figures from the table of failures; every figure is a flight.
+"""Write docs/failures.md and its figures from the table of failures; every figure is a flight.
 
 python docs/generate/failures_catalogue.py            fly, draw and write
 python docs/generate/failures_catalogue.py --check    write nothing; exit 1 if anything is not as it would be written
@@ -100,7 +100,7 @@ def rows() -> Iterator[str]:
 
 
 def page() -> str:
-    """docs/reference/failures.md."""
+    """docs/failures.md."""
     text = (Path(__file__).with_name("failures_catalogue.md")).read_text(encoding="utf-8")
     return text.replace("{rows}", "\n".join(rows()))
 

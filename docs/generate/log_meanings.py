@@ -17,10 +17,10 @@ _MEANINGS = (
     (r"beta_deg", "True sideslip, positive with the wind from the right, gusts included."),
     (r"[pqr]_deg_s", "True body rate: p roll, q pitch, r yaw."),
     (r"\w+_command_(m|m_s|deg)", "Reference that the controller is given: the command, approached at `command_rates`."),
-    (r"[pqr]_dot_deg_s2|u_dot_m_s2", "State rate as the controller measures it: angular acceleration, or acceleration along body x."),
+    (r"[pqr]_dot_deg_s2|u_dot_m_s2", "Measured state rate: angular acceleration, or acceleration along body x."),
     (r"\w_dot_desired_\w+", "State rate that the outer loops ask for."),
     (r"\w_dot_released", "1 while the axis is given up."),
-    (r"A_reference", "r of (6): the position that the inversion asks for with a healthy actuator, in the unit of the aircraft's YAML."),
+    (r"A_reference", "r of (6): the position that a healthy actuator would need, in the unit of the aircraft's YAML."),
     (r"A_command", "u: the position that the actuator is commanded to, in the same unit."),
     (r"A_position", "What the servo or the propeller does, as if it were fully effective, in the same unit."),
     (r"A_effectiveness", "True effectiveness: 1 is healthy, 0 is lost."),
@@ -28,7 +28,7 @@ _MEANINGS = (
     (r"A_failed", "1 while the controller's monitor flags the actuator as failed."),
     (r"\w+_measured_\w+", "Reading of the sensor, as the controller gets it."),
     (r"\w_dot_true_\w+", "True state rate, beside the measured one."),
-    (r"wind_(north|east|down)_m_s", "Velocity of the air over the ground: it blows towards north, east, down. Turbulence included."),
+    (r"wind_(north|east|down)_m_s", "Velocity of the air over the ground, towards north, east, down, turbulence included."),
 )  # fmt: skip
 
 

@@ -46,8 +46,12 @@ _MOTOR = {
     "throttle-max-norm": ("throttle", "Highest throttle."),
     "power-lost": ("0 or 1", "1: no current flows, and the propeller windmills."),
     "effectiveness": ("1", "Factor on the propeller's thrust and torque: 1 is healthy, 0 is lost."),
-    "throttle-norm": ("throttle", "Function: what the engine gets, after all of the above. Its output is `fcs/throttle-pos-norm[ENGINE]`."),
-    "lost-thrust-lbs": ("lbf", "Function of an external force along body x, (`effectiveness` - 1) times the engine's thrust: what is lost, so 0 or below. A moment does the same to the torque."),
+    "throttle-norm": ("throttle", "Function: what the engine gets, written to `fcs/throttle-pos-norm[ENGINE]`."),
+    "lost-thrust-lbs": (
+        "lbf",
+        "External force along body x: (`effectiveness` - 1) times the engine's thrust, so 0 or below. An external moment "
+        "does the same to the torque.",
+    ),
 }  # fmt: skip
 
 

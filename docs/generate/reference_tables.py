@@ -10,13 +10,13 @@ import re
 import textwrap
 import tomllib
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 
 import log_meanings
 import model_tables
 import property_tables
 
 from testbed.aircraft.description import load_aircraft
-from testbed.aircraft.shipped import data_root
 from testbed.cli.commands import parser
 from testbed.controllers.config import SETTINGS
 from testbed.flight.columns import all_columns
@@ -25,6 +25,8 @@ from testbed.scenario.model import Scenario
 from testbed.sensors.channels import CHANNELS
 from testbed.sensors.faults import TYPES as FAULTS
 from testbed.sensors.mems import MEMS
+
+_ROOT = Path(__file__).parents[2]
 
 
 def markdown(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
@@ -80,7 +82,9 @@ def _options(command: argparse.ArgumentParser) -> Iterable[tuple[str, str]]:
         if action.choices and not action.metavar:
             value = "one of " + ", ".join(map(str, action.choices))
         name = ", ".join(action.option_strings) or action.dest
-        default = "" if action.default in (None, False, [], argparse.SUPPRESS) else f" (default: {action.default})"
+        default = (
+            "" if action.default in (None, False, [], argparse.SUPPRESS) else f" (default: {action.default})"
+        )
         word = f"{name} {value}" if action.option_strings else f"{action.metavar or name}"
         more = f"; {value}" if value.startswith("one of") and not action.option_strings else ""
         meaning = f"{action.help or ''}{more}{default}"
@@ -115,7 +119,9 @@ def log_columns() -> str:
     rows: dict[str, list[str]] = {}
     for name in names:
         rows.setdefault(log_meanings.meaning(name), []).append(f"`{name}`")
-    return markdown(("column", "meaning"), ((", ".join(columns), meaning) for meaning, columns in rows.items()))
+    return markdown(
+        ("column", "meaning"), ((", ".join(columns), meaning) for meaning, columns in rows.items())
+    )
 
 
 def _weather() -> Scenario:
@@ -145,17 +151,19 @@ def sensor_channels() -> str:
 
 def sensor_faults() -> str:
     """Each type of sensor fault."""
-    return markdown(("type", "what it does"), ((f"`{name}`", first_line(kind)) for name, kind in FAULTS.items()))
+    return markdown(
+        ("type", "what it does"), ((f"`{name}`", first_line(kind)) for name, kind in FAULTS.items())
+    )
 
 
 def packages() -> str:
     """The layers of the package from the top, as import-linter checks them, each with its docstring's first line."""
-    settings = tomllib.loads((data_root() / "pyproject.toml").read_text(encoding="utf-8"))
+    settings = tomllib.loads((_ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     layers = settings["tool"]["importlinter"]["contracts"][0]["layers"]
     rows = []
     for layer in layers:
         for name in layer.split(" | "):
-            module = data_root() / "src" / "testbed" / name
+            module = _ROOT / "src" / "testbed" / name
             file = module / "__init__.py" if module.is_dir() else module.with_suffix(".py")
             doc = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8"))) or ""
             rows.append((f"`{name}`", doc.partition("\n\n")[0]))

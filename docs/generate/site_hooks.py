@@ -13,14 +13,17 @@ import sys
 from pathlib import Path
 from typing import Any
 
-sys.path.insert(0, str(Path(__file__).parent))
+_ROOT = Path(__file__).parents[2]
+sys.path[:0] = [
+    str(Path(__file__).parent),
+    str(_ROOT / "src"),
+]  # the site is of this checkout, whatever is installed
 
-import model_tables
-import reference_tables
+import model_tables  # noqa: E402
+import reference_tables  # noqa: E402
 
 _TABLE = re.compile(r"^<!-- (table|keys): (\S+)(?: without ([\w ]+))? -->$", flags=re.MULTILINE)
 _FILE = re.compile(r"^<!-- file: (\S+\.py) -->$", flags=re.MULTILINE)
-_ROOT = Path(__file__).parents[2]
 _INLINE = re.compile(r'<span class="arithmatex">\\\((.*?)\\\)</span>', flags=re.DOTALL)
 _BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=re.DOTALL)
 
