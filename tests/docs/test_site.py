@@ -123,8 +123,9 @@ def test_every_page_opens_from_disk(
 def test_search_works_from_disk(site: Path, browser: Any) -> None:
     window = Page(browser, 1280, "light")
     window.open(site / "index.html")
-    window.page.locator("input.md-search__input").click()
-    window.page.locator("input.md-search__input").fill("hardover")
+    field = window.page.locator("input.md-search__input")
+    field.click()
+    field.press_sequentially("hardover")
     window.page.locator(".md-search-result__item").first.wait_for(timeout=20_000)
     assert not window.wrong
     window.context.close()
