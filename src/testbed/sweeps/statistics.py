@@ -1,4 +1,4 @@
-"""What counted flights say, with their uncertainty. Each function cites its method; docs/explanation/sweeps.md says which
+"""What counted flights say, with their uncertainty. Each function cites its method; docs/sweeps.md says which
 is used.
 
 Runs are taken as independent. Latin hypercubes and scrambled Sobol points cover the inputs more evenly than
