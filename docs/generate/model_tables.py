@@ -85,6 +85,11 @@ def models(kind: Any) -> list[Model]:
     return list(dict.fromkeys(model for part in get_args(kind) for model in models(part)))
 
 
+def alternatives(model: Model, field: str) -> dict[str, Model]:
+    """The models that a field chooses from, by the key that tells them apart: `pid`, `indi`."""
+    return {_kind(each): each for each in models(model.model_fields[field].annotation)}
+
+
 def _below(kind: Model) -> Iterator[tuple[str, str]]:
     """(field, docstring below it) of a class that is written in a file."""
     try:

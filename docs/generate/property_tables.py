@@ -10,8 +10,10 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from xml.etree import ElementTree
 
+import model_tables
+
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.failures import TYPES
+from testbed.scenario.model import Scenario
 
 Markdown = Callable[[Sequence[str], Iterable[Sequence[str]]], str]
 
@@ -99,7 +101,7 @@ def writers(aircraft: Aircraft, actuator: str, prefix: str) -> dict[str, list[st
     """Failure types that write each property below a prefix."""
     found: dict[str, list[str]] = {}
     kind = aircraft.actuators[actuator].kind
-    for name, failure in TYPES.items():
+    for name, failure in model_tables.alternatives(Scenario, "failures").items():
         if kind not in failure.examples:
             continue
         fields = {"type": name, "actuator": actuator, "at_s": 1.0, **failure.examples[kind]}

@@ -18,13 +18,12 @@ import property_tables
 
 from testbed.aircraft.description import load_aircraft
 from testbed.cli.commands import parser
-from testbed.controllers.config import SETTINGS
 from testbed.flight.columns import all_columns
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
 from testbed.sensors.channels import CHANNELS
-from testbed.sensors.faults import TYPES as FAULTS
 from testbed.sensors.mems import MEMS
+from testbed.sensors.settings import SensorSettings
 
 _ROOT = Path(__file__).parents[2]
 
@@ -95,7 +94,7 @@ def controllers() -> str:
     """A section for each controller: what it is, its settings."""
     return "\n\n".join(
         f"## `{name}`\n\n{model_tables.described(kind)}\n\n{model_tables.table(kind, leave_out=('type',))}"
-        for name, kind in SETTINGS.items()
+        for name, kind in model_tables.alternatives(Scenario, "controller").items()
     )
 
 
@@ -151,8 +150,9 @@ def sensor_channels() -> str:
 
 def sensor_faults() -> str:
     """Each type of sensor fault."""
+    faults = model_tables.alternatives(SensorSettings, "faults")
     return markdown(
-        ("type", "what it does"), ((f"`{name}`", first_line(kind)) for name, kind in FAULTS.items())
+        ("type", "what it does"), ((f"`{name}`", first_line(kind)) for name, kind in faults.items())
     )
 
 
