@@ -183,5 +183,7 @@ def _yaml(value: Any) -> str:
 
 
 def cell(text: str) -> str:
-    """Text that stays in its cell."""
-    return " ".join(text.split()).replace("|", "\\|")
+    """Text that stays in its cell: on one line, and with bars that do not end it; those in code do not."""
+    parts = " ".join(text.split()).split("`")
+    parts[::2] = [part.replace("|", "\\|") for part in parts[::2]]
+    return "`".join(parts)
