@@ -103,6 +103,12 @@ def test_every_table_that_a_page_asks_for_is_made() -> None:
         site_hooks.on_page_markdown("<!-- table: nonsense -->")
 
 
+def test_every_package_says_what_it_is() -> None:
+    rows = reference_tables.packages().splitlines()[2:]
+    assert len(rows) > 15
+    assert not [row for row in rows if row.endswith("|  |")]
+
+
 def test_equations_become_mathml() -> None:
     pytest.importorskip("latex2mathml", reason="the site's own dependency: pip install '.[docs]'")
     made = site_hooks.on_page_content(r'<p>a <span class="arithmatex">\(B_m \lt 1\)</span></p>')

@@ -1,1 +1,0 @@
-"""Figures and reports of flights and sweeps, made from what is on disk."""
