@@ -18,6 +18,7 @@ from testbed.aircraft.description import Aircraft
 from testbed.inputs.base import Number, Positive, Settings
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
+from testbed.sensors.settings import SENSORS
 from testbed.sweeps.model import Sweep
 
 DOCS = ROOT / "docs"
@@ -101,6 +102,13 @@ def test_every_table_that_a_page_asks_for_is_made() -> None:
     assert asked > 10
     with pytest.raises(KeyError):
         site_hooks.on_page_markdown("<!-- table: nonsense -->")
+
+
+def test_every_setting_of_a_sensor_is_on_its_page() -> None:
+    """The page writes U for the sensor's unit: one row serves all sensors."""
+    page = (DOCS / "reference" / "sensors.md").read_text(encoding="utf-8")
+    fields = SENSORS["gyro"].model_fields
+    assert not [name for name in fields if f"`{name.replace('_deg_s', '_U')}`" not in page]
 
 
 def test_every_package_says_what_it_is() -> None:
