@@ -1,4 +1,4 @@
-"""Every controller against every type of failure, the same seeds. Writes docs/leaderboard.md.
+"""Every controller against every type of failure, the same seeds. Writes docs/results/leaderboard.md.
 
 python benchmarks/leaderboard.py            # 3 seeds, calm and W20 25 ft/s, some 1000 flights
 python benchmarks/leaderboard.py --quick    # 1 seed
@@ -107,17 +107,20 @@ Flown = Mapping[str, Sequence[Sequence[Record]]]
 
 
 def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Sequence[int]) -> str:
-    """The Markdown of docs/leaderboard.md; what was flown by W20 [ft/s]."""
+    """The Markdown of docs/results/leaderboard.md; what was flown by W20 [ft/s]."""
     lines = [
         "# Leaderboard: every controller against every type of failure",
         "",
         "<!-- Written by python benchmarks/leaderboard.py: change that, not this. -->",
         "",
-        f"MEMS sensors, seeds {', '.join(map(str, seeds))}; the turns and climbs of [hold_it](hold_it.md), failure at "
-        f"{FAILURE_S:g} s, end at 110 s. Baselines are tuned on healthy flights alone.",
-        f"Recovered: altitude within {BAND['altitude']:g} m and heading within {BAND['heading']:g} deg of their "
-        "references to stay. Effort: median `control_effort_per_s`, in thousands.",
-        "Worst errors and effort are of those that survived.",
+        "This page compares the built-in controllers over every type of failure, flown by each with the same seeds.",
+        "",
+        f"MEMS sensors, seeds {', '.join(map(str, seeds))}; the turns and climbs of [Hold it](hold_it.md), failure at "
+        f"{FAILURE_S:g} s, end at 110 s. `fixed_inversion`, `pid` and `indi` were tuned on healthy flights alone.",
+        "",
+        f"**Recovered** means: from some time after the failure on, altitude stays within {BAND['altitude']:g} m and heading "
+        f"within {BAND['heading']:g} deg of their references. **Effort** is the median of `control_effort_per_s`, in thousands.",
+        "Worst errors and effort are of the flights that survived.",
     ]
     for w20, records in weathers.items():
         lines += ["", f"## {title(w20)}", ""]
@@ -133,9 +136,9 @@ def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Seque
         "",
         "## By failure",
         "",
-        "Each cell: flights survived; slowest recovery of these (`never` if any did not); worst excursions of",
-        "altitude and heading from the failure on; effort. With a failure that is none of effectiveness (stuck, bias,",
-        "reversal, ...) the paper's assumption does not hold.",
+        "Each cell has: flights survived; the slowest recovery of these (`never` if one of them did not recover); the largest",
+        "errors of altitude and heading after the failure; effort. Failures such as stuck, bias and reversal are no loss of",
+        "effectiveness, so the paper's assumption does not hold for them.",
     ]
     for w20, records in weathers.items():
         lines += ["", f"### {title(w20)}: by failure", ""]
@@ -161,7 +164,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--only", nargs="+", choices=FAILURES, metavar="TYPE", help="only these types of failure"
     )
     parser.add_argument("--jobs", type=int, help="processes (default: one a core)")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parents[1] / "docs" / "leaderboard.md")
+    parser.add_argument(
+        "--out", type=Path, default=Path(__file__).parents[1] / "docs" / "results" / "leaderboard.md"
+    )
     options = parser.parse_args(arguments)
     seeds = range(options.first_seed, options.first_seed + (1 if options.quick else options.seeds))
     kinds = [(t, f) for t, f in failures() if not options.only or f["type"] in options.only]

@@ -1,4 +1,4 @@
-"""The README's results: the shipped scenarios' requirements, measured now, with and without adaptation.
+"""docs/results/paper_table.md: the shipped scenarios' requirements, measured now, with and without adaptation.
 
 python benchmarks/results_table.py
 """

@@ -133,7 +133,7 @@ def benchmark(*options: str) -> subprocess.CompletedProcess[str]:
 @pytest.mark.slow
 @pytest.mark.parametrize("sensors", ["ideal", "mems"])
 def test_a_step_costs_at_most_four_of_jsbsim_alone(sensors: str) -> None:
-    """The guard; on a quiet machine it is about half of that (docs/performance.md)."""
+    """The guard; on a quiet machine it is about half of that (docs/results/performance.md)."""
     done = benchmark("--rounds", "5", "--sensors", sensors, "--guard", "4")
     found = json.loads(done.stdout)
     assert done.returncode == 0, found

@@ -1,6 +1,6 @@
 """Write the page of failures and its figures from the table of failures; every figure is a flight.
 
-python docs/generate/failures_catalogue.py            fly, draw and write docs/failures.md and docs/figures/failures/
+python docs/generate/failures_catalogue.py            fly, draw and write docs/reference/failures.md and its figures
 python docs/generate/failures_catalogue.py --check    write nothing; exit 1 if anything is not as it would be written
 python docs/generate/failures_catalogue.py --out D    the same in folder D instead of docs
 """
@@ -143,9 +143,11 @@ def main(arguments: list[str]) -> int:
     parser.add_argument(
         "--check", action="store_true", help="write nothing; exit 1 if anything is out of date"
     )
-    parser.add_argument("--out", type=Path, metavar="DOCS", help="folder of the page (default: docs)")
+    parser.add_argument(
+        "--out", type=Path, metavar="DOCS", help="folder of the page (default: docs/reference)"
+    )
     options = parser.parse_args(arguments)
-    docs = options.out or data_root() / "docs"
+    docs = options.out or data_root() / "docs" / "reference"
     if not options.check:
         write(docs)
         return 0

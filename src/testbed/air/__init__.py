@@ -1,0 +1,1 @@
+"""The air that the aircraft flies in: wind, gusts and turbulence."""

@@ -31,13 +31,17 @@ class Gust(Settings):
     """
 
     at_s: NonNegative
+    """When it begins."""
     magnitude_m_s: Vector
     """Velocity of the air along x, y, z: forward, right, down of the body or the flight path (wind)."""
     frame: Literal["body", "wind", "ned"] = "body"
+    """Axes of `magnitude_m_s`: of the body, of the flight path, or north, east, down."""
     length_m: Positive | None = None
+    """Distance of the rise; either this or `duration_s`."""
     duration_s: Positive | None = None
-    """Distance, or time, of the rise; the whole gust takes twice this and `hold_s`."""
+    """Time of the rise. The whole gust takes twice this, and `hold_s`."""
     hold_s: NonNegative = 0.0
+    """How long the full velocity is held."""
 
     @model_validator(mode="after")
     def _one_size(self) -> Gust:
@@ -55,9 +59,11 @@ class Atmosphere(Settings):
     """Steady wind, blowing towards north, east, down; gusts; turbulence by MIL-F-8785C's wind at 20 ft."""
 
     wind_m_s: Vector = (0.0, 0.0, 0.0)
+    """Steady wind over the ground; it blows towards north, east, down."""
     turbulence: Literal["light", "moderate", "severe"] | None = None
     """MIL-F-8785C's words for W20 = 15, 30 and 45 kt; instead of `turbulence_w20_m_s`."""
     turbulence_w20_m_s: NonNegative = Field(default=0.0, validate_default=True)
+    """W20 of MIL-F-8785C, the wind at 20 ft, which sets the intensity of turbulence; 0 is none."""
     gusts: tuple[Gust, ...] = ()
 
     @field_validator("turbulence_w20_m_s")

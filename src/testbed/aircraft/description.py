@@ -56,10 +56,15 @@ class Actuator(Settings):
     """
 
     kind: str
+    """What kind of actuator it is."""
     prefix: Text
+    """Where its block of properties is in the JSBSim model: `fcs/left-ruddervator`."""
     unit: Text
+    """Unit of `limits`, `rate_limit`, `scale` and the log's columns: `deg` for a servo, `N` for a motor."""
     limits: tuple[Number, Number]
+    """Lowest and highest position that the controller may ask for."""
     scale: Positive = 1.0
+    """Position that counts as one unit in the scaled input matrix, so that servos and motors compare."""
 
     @field_validator("limits")
     @classmethod
@@ -77,8 +82,11 @@ class Servo(Actuator):
 
     kind: Literal["servo"] = "servo"
     pointmass: Whole | None = None
+    """Number of the surface's point mass in the JSBSim model, if it has one."""
     rate_limit: Positive
+    """Fastest movement, in `unit` per second."""
     lag_rad_s: Positive
+    """Bandwidth of the first-order lag."""
 
 
 class MotorActuator(Actuator):
@@ -86,6 +94,7 @@ class MotorActuator(Actuator):
 
     kind: Literal["motor"] = "motor"
     engine: Whole
+    """Number of its engine in the JSBSim model."""
     motor: Motor
     rate_limit: Positive = 1e9
     """Thrust [N/s] is limited by nothing but the rotor's lag."""
@@ -102,11 +111,16 @@ class Aircraft(Settings):
     """aircraft/<name>/<name>.yaml, checked. `folder` is where it and the JSBSim model are."""
 
     name: Text
+    """Name of the aircraft."""
     description: str = ""
+    """One line for `testbed list`."""
     model: Text
+    """Name of the JSBSim model: MODEL.xml in the aircraft's folder."""
     reference: Reference
     axes: tuple[Axis, ...] = Field(min_length=1)
+    """State rates that are controlled directly, x_c of the paper, in order of priority."""
     actuators: dict[str, Annotated[Servo | MotorActuator, Field(discriminator="kind")]] = Field(min_length=1)
+    """Each actuator by its name. Its order is that of commands everywhere."""
     envelope: Envelope = Envelope()
     control: ControlDesign = ControlDesign()
     _folder: Path = PrivateAttr(default=Path("."))

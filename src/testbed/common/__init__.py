@@ -1,0 +1,1 @@
+"""What every package may use: units, angles, frames, signals, the clock, random streams, files, compiling."""

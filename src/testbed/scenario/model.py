@@ -45,19 +45,26 @@ class Scenario(Settings):
     """All that determines a flight, besides the files of its aircraft."""
 
     name: Text
+    """Title of the flight; the run folder is named after it."""
     aircraft: Text
+    """Name of a shipped aircraft, or a folder as `./mine`."""
     duration_s: Positive
+    """How long the flight lasts, if nothing ends it earlier."""
     rate_hz: Whole = Field(default=200, gt=0)
+    """Control steps a second."""
     physics_hz: Whole = Field(default=0, validate_default=True)
     """Physics steps a second, a whole multiple of `rate_hz`; 0 is `rate_hz`."""
     log_hz: Whole = Field(default=0, validate_default=True)
     """Logged rows a second, `rate_hz` divided by a whole number; 0 is `rate_hz`."""
     seed: Whole = 1
+    """What everything random is drawn from: gusts, sensor errors, failures at random."""
     initial: Initial
     controller: AnyController = AdaptiveInversionSettings()
+    """Who flies, and with which settings."""
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
     command_rates: CommandRates = CommandRates()
     failures: tuple[AnyFailure, ...] = ()
+    """What breaks, and when."""
     sensors: Sensors = Sensors()
     atmosphere: Atmosphere = Atmosphere()
     requirements: tuple[Requirement, ...] = ()

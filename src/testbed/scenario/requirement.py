@@ -15,14 +15,23 @@ class Requirement(Settings):
     """
 
     name: Text | None = None
+    """Title in the verdict; made of the other keys if left out."""
     metric: Text | None = None
+    """A metric of the flight; either this or `signal`."""
     signal: Text | None = None
+    """A column of the log."""
     from_s: NonNegative | None = None
+    """Start of the time window of a `signal`; default: of the flight."""
     until_s: Positive | None = None
+    """End of the time window; default: of the flight."""
     at_most: Number | None = None
+    """Highest value allowed."""
     at_least: Number | None = None
+    """Lowest value allowed."""
     within: NonNegative | None = None
+    """Largest distance allowed from `of`."""
     of: Number | Text | None = None
+    """A number, or another column of the log."""
 
     @field_validator("until_s")
     @classmethod

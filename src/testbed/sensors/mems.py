@@ -1,6 +1,6 @@
 """The sensors of a small UAV, `sensors: mems`: MEMS inertial sensors, a barometer, a pitot tube, vanes.
 
-Datasheet-class values; what each is like and where it comes from is in docs/sensors.md. They are written from
+Datasheet-class values; what each is like and where it comes from is in docs/reference/sensors.md. They are written from
 memory of the datasheets named there, not copied from them.
 """
 

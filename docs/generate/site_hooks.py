@@ -1,0 +1,57 @@
+"""What mkdocs calls while it builds the site: fills in the tables that come from the code, and sets equations.
+
+A page asks for a table by a line of its own, `<!-- table: metrics -->` or, for the keys of a model of the package,
+`<!-- keys: testbed.scenario.model:Scenario -->`, perhaps with `without` and keys that have pages of their own. A line
+`<!-- file: examples/my_controller.py -->` asks for a file. Nothing generated is committed, so nothing can be stale.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+_ROOT = Path(__file__).parents[2]
+sys.path[:0] = [
+    str(Path(__file__).parent),
+    str(_ROOT / "src"),
+]  # the site is of this checkout, whatever is installed
+
+import model_tables  # noqa: E402
+import reference_tables  # noqa: E402
+
+_TABLE = re.compile(r"^<!-- (table|keys): (\S+)(?: without ([\w ]+))? -->$", flags=re.MULTILINE)
+_FILE = re.compile(r"^<!-- file: (\S+\.py) -->$", flags=re.MULTILINE)
+_INLINE = re.compile(r'<span class="arithmatex">\\\((.*?)\\\)</span>', flags=re.DOTALL)
+_BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=re.DOTALL)
+
+
+def on_page_markdown(markdown: str, **_: Any) -> str:
+    """The page with tables and files in place of what asks for them; one that does not exist stops the build."""
+    return _FILE.sub(_file, _TABLE.sub(_table, markdown))
+
+
+def _file(asked: re.Match[str]) -> str:
+    path = Path(asked.group(1))
+    return f"```python\n{(_ROOT / path).read_text(encoding='utf-8').rstrip()}\n```"
+
+
+def _table(asked: re.Match[str]) -> str:
+    kind, name, closed = asked.groups()
+    if kind == "keys":
+        return model_tables.keys(name, (closed or "").split())
+    return reference_tables.TABLES[name]()
+
+
+def on_page_content(content: str, **_: Any) -> str:
+    """Equations as MathML, which browsers draw by themselves: no script, no fonts, no network."""
+    content = _BLOCK.sub(lambda found: _math(found, "block"), content)
+    return _INLINE.sub(lambda found: _math(found, "inline"), content)
+
+
+def _math(found: re.Match[str], display: str) -> str:
+    from latex2mathml.converter import convert
+
+    return str(convert(html.unescape(found.group(1)).strip(), display=display))
