@@ -13,71 +13,30 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from operator import call
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import jsbsim
 import numpy as np
 
+from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
-from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
+from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
 from testbed.inputs.problems import BadInput, Problem
-
-if TYPE_CHECKING:
-    from testbed.aircraft.description import Aircraft
-
-# Earth radii where flights start, on the equator (WGS84): of the meridian, and of the equator.
-_MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
-
-# Property and factor to SI of each of `signals.STATE`.
-_STATE_PROPERTIES = (
-    ("position/lat-geod-rad", _MERIDIAN_M),
-    ("position/long-gc-rad", _EQUATOR_M),
-    ("position/h-sl-ft", METRES_PER_FOOT),
-    ("velocities/vt-fps", METRES_PER_FOOT),
-    ("velocities/h-dot-fps", METRES_PER_FOOT),
-    ("attitude/phi-rad", 1.0),
-    ("attitude/theta-rad", 1.0),
-    ("attitude/psi-rad", 1.0),
-    ("aero/alpha-rad", 1.0),
-    ("aero/beta-rad", 1.0),
-    ("velocities/p-rad_sec", 1.0),
-    ("velocities/q-rad_sec", 1.0),
-    ("velocities/r-rad_sec", 1.0),
-    ("accelerations/pdot-rad_sec2", 1.0),
-    ("accelerations/qdot-rad_sec2", 1.0),
-    ("accelerations/rdot-rad_sec2", 1.0),
-    ("accelerations/udot-ft_sec2", METRES_PER_FOOT),
+from testbed.plant.properties import (
+    AIR_DATA,
+    INTEGRATORS,
+    SET_WIND_FPS,
+    STATE_PROPERTIES,
+    TOTAL_WIND_FPS,
+    command_property,
+    position_property,
 )
-ACCELERATIONS = (
-    ("accelerations/udot-ft_sec2", METRES_PER_FOOT),
-    ("accelerations/vdot-ft_sec2", METRES_PER_FOOT),
-    ("accelerations/wdot-ft_sec2", METRES_PER_FOOT),
-    ("accelerations/pdot-rad_sec2", 1.0),
-    ("accelerations/qdot-rad_sec2", 1.0),
-    ("accelerations/rdot-rad_sec2", 1.0),
-)
-# The air's velocity is set through JSBSim's gust and not through its wind, which run_ic overwrites.
-_SET_WIND = tuple(f"atmosphere/gust-{axis}-fps" for axis in ("north", "east", "down"))
-_TOTAL_WIND = tuple(f"atmosphere/total-wind-{axis}-fps" for axis in ("north", "east", "down"))
-_AIR_DATA = (
-    ("velocities/vt-fps", METRES_PER_FOOT),
-    ("aero/alpha-rad", 1.0),
-    ("aero/beta-rad", 1.0),
-    ("attitude/phi-rad", 1.0),
-    ("attitude/theta-rad", 1.0),
-    ("attitude/psi-rad", 1.0),
-)
+
 _MILSPEC_TURBULENCE = 3
-_INTEGRATORS = tuple(
-    f"simulation/integrator/{kind}/{of}"
-    for kind in ("rate", "position")
-    for of in ("rotational", "translational")
-)
 
-_exhaust = deque[bool](
-    maxlen=0
-).extend  # takes every item of an iterator and keeps none: the fastest loop over calls
+# Takes every item of an iterator and keeps none: the fastest way to make an iterator's calls.
+_exhaust = deque[bool](maxlen=0).extend
 
 
 class _Listener(jsbsim.FGLogger):
@@ -139,17 +98,17 @@ class Plant:
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
         self.step: Callable[[], object] = self._run if substeps == 1 else self._run_substeps
-        reads = [*_STATE_PROPERTIES, *map(_position, aircraft.actuators.values())]
+        reads = [*STATE_PROPERTIES, *map(position_property, aircraft.actuators.values())]
         reads += [(f"{a.prefix}/effectiveness", 1.0) for a in aircraft.actuators.values()]
         self._getters = [self.getter(name) for name, _ in reads]
         self.factors = np.array([factor for _, factor in reads])
         self.raw = np.empty(len(reads))
         self._bytes = memoryview(self.raw).cast("B")  # type: ignore[arg-type]
         self._pack = struct.Struct(f"{len(reads)}d").pack_into
-        self._commands = [self.setter(_command(a)) for a in aircraft.actuators.values()]
+        self._commands = [self.setter(command_property(a)) for a in aircraft.actuators.values()]
         self._wind = np.zeros(3)
-        self._put_wind = [self.setter(name) for name in _SET_WIND]
-        self._total_wind = [self.getter(name) for name in _TOTAL_WIND]
+        self._put_wind = [self.setter(name) for name in SET_WIND_FPS]
+        self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
 
     def getter(self, name: str) -> Callable[[], float]:
         """Function that reads a property, in JSBSim's unit; KeyError if there is none (JSBSim itself would create it)."""
@@ -188,7 +147,7 @@ class Plant:
 
     def position(self, index: int) -> float:
         """Position of one actuator [rad, or N as if fully effective]."""
-        value = float(self.read()[len(_STATE_PROPERTIES) + index])
+        value = float(self.read()[len(STATE_PROPERTIES) + index])
         servo = list(self.aircraft.actuators.values())[index].kind == "servo"
         return value / DEGREES_PER_RADIAN if servo else value
 
@@ -222,7 +181,7 @@ class Plant:
 
     def air_data(self) -> tuple[float, float, float, float, float, float]:
         """Airspeed [m/s], alpha, beta, roll, pitch, heading [rad] now."""
-        airspeed, alpha, beta, roll, pitch, heading = (self[name] * factor for name, factor in _AIR_DATA)
+        airspeed, alpha, beta, roll, pitch, heading = (self[name] * factor for name, factor in AIR_DATA)
         return airspeed, alpha, beta, roll, pitch, heading
 
     def specific_force_reader(self, axis: str) -> Callable[[], float]:
@@ -270,12 +229,12 @@ class Plant:
         self._thaw()
 
     def _freeze(self) -> None:
-        self._schemes = [self._fdm[name] for name in _INTEGRATORS]
-        for name in _INTEGRATORS:
+        self._schemes = [self._fdm[name] for name in INTEGRATORS]
+        for name in INTEGRATORS:
             self._fdm[name] = 0
 
     def _thaw(self) -> None:
-        for name, scheme in zip(_INTEGRATORS, self._schemes, strict=True):
+        for name, scheme in zip(INTEGRATORS, self._schemes, strict=True):
             self._fdm[name] = scheme
 
     def __getitem__(self, name: str) -> float:
@@ -297,16 +256,6 @@ def _split(row: str) -> tuple[str, str]:
     """Name and access of a row of JSBSim's catalog: `fcs/left-servo (RW)`."""
     name, _, access = row.rpartition(" (")
     return name.strip(), access
-
-
-def _command(actuator: Any) -> str:
-    return f"{actuator.prefix}/{'command-rad' if actuator.kind == 'servo' else 'command-norm'}"
-
-
-def _position(actuator: Any) -> tuple[str, float]:
-    if actuator.kind == "servo":
-        return f"{actuator.prefix}/position-rad", DEGREES_PER_RADIAN
-    return f"propulsion/engine[{actuator.engine}]/thrust-lbs", NEWTONS_PER_POUND
 
 
 def _broken_model(folder: Path, model: str, why: str) -> BadInput:

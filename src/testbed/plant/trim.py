@@ -17,7 +17,8 @@ from testbed.aircraft.description import Aircraft, Servo
 from testbed.common.cache import Cache
 from testbed.common.frames import level_pitch
 from testbed.inputs.problems import BadInput, Problem
-from testbed.plant.jsbsim import ACCELERATIONS, Plant
+from testbed.plant.jsbsim import Plant
+from testbed.plant.properties import ACCELERATIONS
 
 SETTLE_S = 1.5
 """More than 40 time constants of rotors and servos: after it they are steady."""

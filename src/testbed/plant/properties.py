@@ -1,0 +1,67 @@
+"""What JSBSim calls the signals that are read and written, and the factor from its unit to SI."""
+
+from __future__ import annotations
+
+from testbed.aircraft.description import MotorActuator, Servo
+from testbed.common.signals import STATE
+from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
+
+Property = tuple[str, float]
+"""Name, and factor to SI."""
+
+# Radii of the Earth where flights start, on the equator (WGS84): along the meridian, and of the equator.
+_MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
+
+_OF: dict[str, Property] = {
+    "north": ("position/lat-geod-rad", _MERIDIAN_M),
+    "east": ("position/long-gc-rad", _EQUATOR_M),
+    "altitude": ("position/h-sl-ft", METRES_PER_FOOT),
+    "airspeed": ("velocities/vt-fps", METRES_PER_FOOT),
+    "climb_rate": ("velocities/h-dot-fps", METRES_PER_FOOT),
+    "roll": ("attitude/phi-rad", 1.0),
+    "pitch": ("attitude/theta-rad", 1.0),
+    "heading": ("attitude/psi-rad", 1.0),
+    "alpha": ("aero/alpha-rad", 1.0),
+    "beta": ("aero/beta-rad", 1.0),
+    "p": ("velocities/p-rad_sec", 1.0),
+    "q": ("velocities/q-rad_sec", 1.0),
+    "r": ("velocities/r-rad_sec", 1.0),
+    "p_dot": ("accelerations/pdot-rad_sec2", 1.0),
+    "q_dot": ("accelerations/qdot-rad_sec2", 1.0),
+    "r_dot": ("accelerations/rdot-rad_sec2", 1.0),
+    "u_dot": ("accelerations/udot-ft_sec2", METRES_PER_FOOT),
+    "v_dot": ("accelerations/vdot-ft_sec2", METRES_PER_FOOT),
+    "w_dot": ("accelerations/wdot-ft_sec2", METRES_PER_FOOT),
+}
+
+STATE_PROPERTIES = tuple(_OF[name] for name in STATE)
+"""By `signals.STATE`."""
+
+ACCELERATIONS = tuple(_OF[name] for name in ("u_dot", "v_dot", "w_dot", "p_dot", "q_dot", "r_dot"))
+"""Of the body axes: what a trim makes zero."""
+
+AIR_DATA = tuple(_OF[name] for name in ("airspeed", "alpha", "beta", "roll", "pitch", "heading"))
+"""What tells how the aircraft moves through the air, and its attitude."""
+
+# The air's velocity is set through JSBSim's gust and not through its wind, which run_ic overwrites.
+SET_WIND_FPS = tuple(f"atmosphere/gust-{axis}-fps" for axis in ("north", "east", "down"))
+TOTAL_WIND_FPS = tuple(f"atmosphere/total-wind-{axis}-fps" for axis in ("north", "east", "down"))
+
+INTEGRATORS = tuple(
+    f"simulation/integrator/{kind}/{of}"
+    for kind in ("rate", "position")
+    for of in ("rotational", "translational")
+)
+"""Schemes by which JSBSim integrates the motion of the airframe; 0 holds it still."""
+
+
+def command_property(actuator: Servo | MotorActuator) -> str:
+    """Command of an actuator: radians of a servo, throttle from 0 to 1 of a motor."""
+    return f"{actuator.prefix}/{'command-rad' if isinstance(actuator, Servo) else 'command-norm'}"
+
+
+def position_property(actuator: Servo | MotorActuator) -> Property:
+    """Position of a servo, thrust of a motor's propeller; its factor is to degrees or newtons, not to SI."""
+    if isinstance(actuator, Servo):
+        return f"{actuator.prefix}/position-rad", DEGREES_PER_RADIAN
+    return f"propulsion/engine[{actuator.engine}]/thrust-lbs", NEWTONS_PER_POUND
