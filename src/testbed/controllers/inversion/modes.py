@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -96,10 +96,10 @@ def _mode(
     inverse = np.zeros((b.shape[1], 4))
     mode = Mode(names, axes, inverse, condition)
     if refused:
-        return Mode(names, axes, inverse, condition, f"{mode.title}: {refused}")
+        return replace(mode, refused=f"{mode.title}: {refused}")
     inverse[np.ix_(available, kept)] = np.linalg.pinv(remaining)
     at_stop = _inverses_at_stop(b, kept, available) if len(available) > len(kept) else None
-    return Mode(names, axes, inverse, condition, inverse_at_stop=at_stop)
+    return replace(mode, inverse_at_stop=at_stop)
 
 
 def _refusal(axes: int, actuators: int, condition: float, condition_max: float) -> str:
