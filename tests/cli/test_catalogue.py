@@ -9,7 +9,7 @@ from command_line import Called
 
 from testbed.aircraft.shipped import find_scenario, scenario_files, sweep_files
 from testbed.cli.catalogue import TABLE
-from testbed.controllers import TABLE as CONTROLLERS
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.metrics import TABLE as METRICS
 
 KNOWN = {

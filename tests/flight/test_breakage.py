@@ -10,8 +10,8 @@ import pytest
 from handmade import at, injection, level_log, readings_of
 
 from testbed.flight.breakage import LOST, broken, broken_since
+from testbed.flight.columns import stretches
 from testbed.flight.events import controller_events
-from testbed.flight.rows import stretches
 from testbed.metrics import measure
 
 BIAS = [injection(1.0, type="bias", failure=0)]

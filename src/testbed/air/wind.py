@@ -12,9 +12,9 @@ from typing import Protocol
 import numpy as np
 
 from testbed.air.config import COLUMNS, Atmosphere, Gust, severity
-from testbed.common.clock import first_step_at
 from testbed.common.frames import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
+from testbed.common.signals import first_step_at
 
 
 class Air(Protocol):

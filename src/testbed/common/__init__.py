@@ -1,1 +1,1 @@
-"""What every package may use: units, angles, frames, signals, the clock, random streams, files, compiling."""
+"""What every package may use: units, angles, frames, signals, random streams, files, compiling."""

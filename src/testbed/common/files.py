@@ -1,11 +1,15 @@
-"""Files written whole or not at all, and names made fit for files."""
+"""What every file needs: written whole or not at all, a name that fits, values that fit JSON."""
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
+
+import numpy as np
 
 
 def slug(name: str, otherwise: str) -> str:
@@ -25,3 +29,18 @@ def replacing(file: Path) -> Iterator[Path]:
         partial.replace(file)
     finally:
         partial.unlink(missing_ok=True)
+
+
+def plain(value: Any) -> Any:
+    """Python's own types, for JSON; None for a number that is not finite.
+
+    Mappings become dicts with text keys; lists, tuples and numpy arrays become lists; numpy's numbers become
+    Python's. Anything else is returned as it is.
+    """
+    if isinstance(value, Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray | np.generic):
+        return plain(value.tolist())
+    if isinstance(value, list | tuple):
+        return [plain(item) for item in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value

@@ -1,4 +1,4 @@
-"""What is exchanged each control step: names, order, frames and signs.
+"""What is exchanged each control step: names, order, frames and signs; and which step a time is.
 
 Frames: body axes, x forward, y right, z down, origin at the centre of gravity; north-east-down for navigation.
 Angles are in radians and right-handed: roll right, nose up and nose right are positive; heading is 0 to 2 pi from
@@ -12,9 +12,12 @@ numpy record, so nothing is copied.
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 import numpy as np
+
+_ROUNDING = 1e-9  # of a step: 0.3 s at 200 Hz is 60.00000000000001 steps, and means step 60
 
 STATE = (
     "north", "east", "altitude", "airspeed", "climb_rate",
@@ -52,3 +55,8 @@ def record_dtype(names: tuple[str, ...]) -> np.dtype:
 def as_records(rows: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
     """View contiguous float64 rows [N, len(names)] as N records: same memory, fields by name."""
     return rows.view(record_dtype(names)).reshape(len(rows))
+
+
+def first_step_at(time_s: float, rate_hz: float) -> int:
+    """The first control step at or after a time [s]; step k is at k / rate, for every part of a flight."""
+    return math.ceil(time_s * rate_hz - _ROUNDING)

@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from testbed.flight.rows import row_at, stretches
+from testbed.flight.columns import row_at, stretches
 
 LOST = 0.1
 """An actuator with this much true effectiveness or less is lost, whatever a controller's own threshold."""

@@ -1,4 +1,4 @@
-"""The log of a flight: what its columns are called, and how they are made of what the loop recorded."""
+"""The log of a flight: what its columns are called, how they are made of what the loop recorded, and finding rows."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from testbed.scenario.load import Scenario
 from testbed.sensors.channels import log_columns as sensor_columns
 
 _DEG = 180.0 / math.pi
+_SAME_TIME_S = 1e-9  # times this near are one: a row's time is a quotient, a user's a decimal number
 _TRUTH = (
     ("north_m", "north", 1.0), ("east_m", "east", 1.0), ("altitude_m", "altitude", 1.0),
     ("airspeed_m_s", "airspeed", 1.0), ("climb_rate_m_s", "climb_rate", 1.0),
@@ -131,3 +132,22 @@ def _columns(aircraft: Aircraft) -> Iterator[_Column]:
             f"{name}_effectiveness_estimate", "telemetry", of_actuator["effectiveness_estimate"] + i
         )
         yield _Column(f"{name}_failed", "telemetry", of_actuator["failed"] + i)
+
+
+def row_at(time_s: np.ndarray, instant_s: float) -> int:
+    """First row at or after an instant [s]; the number of rows where the log ends before it.
+
+    `time_s` [rows] is the log's time, ascending.
+    """
+    return int(np.searchsorted(time_s, instant_s - _SAME_TIME_S))
+
+
+def row_spacing_s(time_s: np.ndarray) -> float:
+    """Time between two rows of the log [s]; 0 in a log of one row."""
+    return float(time_s[1] - time_s[0]) if len(time_s) > 1 else 0.0
+
+
+def stretches(flag: np.ndarray) -> list[tuple[int, int]]:
+    """[first row, row after the last) of each unbroken stretch of rows in which a flag [rows] of bools is up."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], flag, [False])).astype(np.int8)))
+    return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]

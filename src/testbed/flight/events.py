@@ -9,7 +9,7 @@ import numpy as np
 
 from testbed.common.signals import RATES
 from testbed.flight.breakage import broken_since
-from testbed.flight.rows import stretches
+from testbed.flight.columns import stretches
 
 
 def controller_events(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from testbed.common.plain import plain
+from testbed.common.files import plain
 from testbed.flight import display
 from testbed.scenario.load import Scenario
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from testbed.common.angles import wrap_deg
-from testbed.flight.rows import row_at, row_spacing_s
+from testbed.flight.columns import row_at, row_spacing_s
 from testbed.scenario.requirement import Requirement
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.description import Aircraft
-from testbed.common.clock import first_step_at
+from testbed.common.signals import first_step_at
 from testbed.failures import Capture, Course, Failure, same_property
 from testbed.flight.columns import Recorded, reader
 from testbed.injection.receipt import RECEIPT_STEPS, Hold, Watch, reads_back

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from testbed.common.angles import wrap_deg
-from testbed.flight import rows
+from testbed.flight.columns import row_at, row_spacing_s
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import Scenario
 
@@ -42,7 +42,7 @@ class Readings:
     @property
     def step_s(self) -> float:
         """Time between rows [s]."""
-        return rows.row_spacing_s(self.time_s)
+        return row_spacing_s(self.time_s)
 
     def error(self, quantity: str) -> np.ndarray:
         """Altitude, airspeed or heading minus its reference [m, m/s, deg]; headings the short way round."""
@@ -65,7 +65,7 @@ class Readings:
 
     def row_at(self, time_s: float) -> int:
         """First row at or after a time."""
-        return rows.row_at(self.time_s, time_s)
+        return row_at(self.time_s, time_s)
 
 
 def readings(flight: Flight) -> Readings:

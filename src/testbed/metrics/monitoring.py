@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from testbed.flight.breakage import broken, lost
-from testbed.flight.rows import stretches
+from testbed.flight.columns import stretches
 from testbed.metrics.flight_view import Readings
 
 NOTICEABLE_S = 2.0

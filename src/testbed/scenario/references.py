@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from testbed.common.clock import first_step_at
-from testbed.common.signals import SETPOINT
+from testbed.common.signals import SETPOINT, first_step_at
 from testbed.scenario.model import Scenario
 
 _FIELDS = (

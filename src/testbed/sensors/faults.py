@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Un
 
 from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
 
-from testbed.common.clock import first_step_at
+from testbed.common.signals import first_step_at
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 from testbed.inputs.problems import guess
 from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of, names, unit_of

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from testbed.common.files import replacing
-from testbed.common.plain import plain
+from testbed.common.files import plain, replacing
 from testbed.sweeps import statistics
 from testbed.sweeps.folder.reading import groups_of
 from testbed.sweeps.plan import Plan
