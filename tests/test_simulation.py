@@ -123,26 +123,3 @@ def test_an_edited_aircraft_flies_as_in_a_new_process(
     subprocess.run(command, check=True)
     assert here == (tmp_path / "elsewhere").read_bytes()
     assert here != before, "the edit makes a difference"
-
-
-def benchmark(*options: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, str(ROOT / "benchmarks" / "closed_loop.py"), *options]
-    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("sensors", ["ideal", "mems"])
-def test_a_step_costs_at_most_four_of_jsbsim_alone(sensors: str) -> None:
-    """The guard; on a quiet machine it is about half of that (docs/results/performance.md)."""
-    done = benchmark("--rounds", "5", "--sensors", sensors, "--guard", "4")
-    found = json.loads(done.stdout)
-    assert done.returncode == 0, found
-    assert found["ratio"] == pytest.approx(found["closed_loop_us"] / found["bare_us"], rel=0.01)
-    assert {"steps_per_s", "real_time_factor", "outside_ms"} <= set(found)
-
-
-@pytest.mark.slow
-def test_the_guard_can_refuse() -> None:
-    done = benchmark("--rounds", "1", "--guard", "1")
-    assert done.returncode == 1
-    assert "is above 1" in done.stderr

@@ -52,13 +52,6 @@ def test_the_example_flies_from_the_command_line_and_from_python(tmp_path: Path)
     assert again.summary == flown.summary
 
 
-def test_the_documents_have_the_example_whole() -> None:
-    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
-    code = EXAMPLE.read_text(encoding="utf-8").split('"""\n', 1)[1].strip()
-    assert any(code in page.read_text(encoding="utf-8") for page in pages)
-    assert len([line for line in code.splitlines() if line.strip()]) <= 25
-
-
 def test_one_with_bind_and_step_flies_as_it_is(tmp_path: Path) -> None:
     flight = fly(scenario(tmp_path, "pid", 2), controller=CONSTRUCTORS[FixedInversionSettings])
     assert (flight.data == fly(scenario(tmp_path, "fixed_inversion", 2)).data).all()
