@@ -8,6 +8,7 @@ import sys
 import time
 from pathlib import Path
 
+import numba
 import numpy as np
 
 from testbed.common import jit
@@ -24,6 +25,17 @@ def test_compiled_and_bound_give_what_the_function_gives() -> None:
     one, other = np.arange(3.0), np.ones(3)
     add = jit.bound(fast, other, other)
     assert np.array_equal(add(one, other), plus(one, other))
+
+
+def test_kept_types_are_numbas_own() -> None:
+    """Of arrays of any layout, of records, and of tuples of them."""
+    record = np.zeros(2, np.dtype((np.record, [("x", np.float64, (3,)), ("flag", np.int8)])))
+    frozen = np.zeros(3)
+    frozen.flags.writeable = False
+    values = [1, 1.5, np.zeros(3), np.zeros((2, 3)), np.zeros((2, 3)).T, np.zeros(6)[::2], record, frozen]
+    values += [(np.zeros(3), np.zeros(3)), (record, (1, np.zeros((2, 3))))]
+    for value in [*values, *values]:  # made, then kept
+        assert jit._type_of(value) == numba.typeof(value)
 
 
 def test_uncompiled_the_function_is_left_as_it_is() -> None:

@@ -16,6 +16,9 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
+import numpy as np
+
+from testbed.common.cache import Cache
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -92,11 +95,25 @@ def bound(function: F, *like: Any) -> F:
     """
     if not isinstance(function, numba.core.dispatcher.Dispatcher):
         return function  # NUMBA_DISABLE_JIT: the plain Python function
-    types = tuple(map(numba.typeof, like))
+    types = tuple(map(_type_of, like))
     if types not in function.overloads:
         with _one_at_a_time():
             function.compile(types)
     return function.overloads[types].entry_point  # type: ignore[attr-defined, no-any-return]
+
+
+_array_types: Cache[Any] = Cache(256)
+
+
+def _type_of(value: Any) -> Any:
+    """numba's type of an argument. Those of arrays are kept: numba takes 0.1 ms to make the type of a record."""
+    if isinstance(value, tuple):
+        return numba.types.Tuple([_type_of(item) for item in value])
+    if not isinstance(value, np.ndarray):
+        return numba.typeof(value)
+    flags = value.flags
+    key = (value.dtype, value.ndim, flags.c_contiguous, flags.f_contiguous, flags.writeable, flags.aligned)
+    return _array_types.get(key, lambda: numba.typeof(value))
 
 
 def has_compiled() -> bool:
