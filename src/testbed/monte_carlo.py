@@ -43,7 +43,8 @@ def sweep(
     Args:
         sweep: the sweep's YAML file; a shipped one is found from any folder.
         out: the sweep folder to make, `runs/<name>` by default.
-        runs, seed: in place of the file's.
+        runs: number of runs, in place of the file's.
+        seed: from which everything is drawn, in place of the file's.
         settings: changes as of `--set`, each KEY=VALUE.
         jobs: processes; one a core by default.
         cluster: address of a Dask cluster to fly on instead.

@@ -38,11 +38,23 @@ def test_what_is_a_folder(name: str, folder: bool) -> None:
     assert is_folder_name(name) == folder
 
 
-def test_an_unknown_aircraft() -> None:
+def test_an_unknown_aircraft(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(BadInput, match=r"no aircraft 'vtial', expected .*vtail.*, did you mean vtail\?"):
         find_aircraft("vtial")
-    with pytest.raises(BadInput, match=r"there is no aircraft in '\./vtail', expected vtail\.yaml"):
-        find_aircraft("./vtail")
+    monkeypatch.chdir(tmp_path)
+    file = tmp_path / "heavy" / "heavy.yaml"
+    file.parent.mkdir()
+    file.write_text("")
+    (tmp_path / "empty").mkdir()
+    assert find_aircraft("./heavy") == file
+    for name, problem in {
+        "./hevy": r"there is no folder './hevy', .* did you mean \./heavy\?",
+        "./empty": r"'./empty' has no empty\.yaml",
+        "./heavy/heavy.yaml": r"is a file, expected an aircraft's folder, did you mean \./heavy\?",
+        "heavy": r"no aircraft 'heavy', .* did you mean \./heavy\?",
+    }.items():
+        with pytest.raises(BadInput, match=problem):
+            find_aircraft(name)
 
 
 def test_a_scenario_from_any_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,7 +11,7 @@ import pytest
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.common.signals import STATE
 from testbed.inputs.problems import BadInput
-from testbed.plant.jsbsim import Plant, property_catalog
+from testbed.plant.jsbsim import NoProperty, Plant, property_catalog
 from testbed.plant.trim import Trim, begin_at
 
 HZ = 200
@@ -96,7 +96,7 @@ def test_a_row_has_positions_and_effectiveness(vtail: Aircraft, level: Trim) -> 
 def test_an_unknown_property_is_not_created(vtail: Aircraft) -> None:
     plant = Plant(vtail, HZ)
     for use in (plant.getter, plant.setter, plant.__getitem__):
-        with pytest.raises(KeyError):
+        with pytest.raises(NoProperty, match=r"vtail\.xml: has no property fcs/no-such-property"):
             use("fcs/no-such-property")
     assert "fcs/no-such-property" not in plant.catalog()
 

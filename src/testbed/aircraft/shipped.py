@@ -33,10 +33,31 @@ def find_aircraft(name: str) -> Path:
         return file
     names = aircraft_names()
     if is_folder_name(name):
-        raise BadInput([Problem(f"there is no aircraft in {name!r}", expected=f"{file.name} in that folder")])
+        raise BadInput([_no_folder(name, folder)])
+    close = f"./{name}" if _is_aircraft(Path(name)) else did_you_mean(name, names)
     expected = f"{one_of(names)} or a folder as ./{name}"
-    raise BadInput(
-        [Problem(f"no aircraft {name!r}", expected=expected, suggestion=did_you_mean(name, names))]
+    raise BadInput([Problem(f"no aircraft {name!r}", expected=expected, suggestion=close)])
+
+
+def _is_aircraft(folder: Path) -> bool:
+    return (folder / f"{folder.name}.yaml").is_file()
+
+
+def _folder_name(folder: Path) -> str:
+    """A folder as `find_aircraft` takes it: with a slash in it, so that it is no name of a shipped aircraft."""
+    return str(folder) if is_folder_name(str(folder)) else f"./{folder}"
+
+
+def _no_folder(name: str, folder: Path) -> Problem:
+    """What is wrong with a path that leads to no aircraft's folder."""
+    if folder.is_file():
+        beside = _folder_name(Path(name).parent) if _is_aircraft(folder.parent) else ""
+        return Problem(f"{name!r} is a file", expected="an aircraft's folder", suggestion=beside)
+    here = folder.parent.iterdir() if folder.parent.is_dir() else iter(())
+    near = [_folder_name(Path(name).with_name(each.name)) for each in here if _is_aircraft(each)]
+    what = f"{name!r} has no {folder.name}.yaml" if folder.is_dir() else f"there is no folder {name!r}"
+    return Problem(
+        what, expected="a folder with a YAML file of its name", suggestion=did_you_mean(name, near)
     )
 
 

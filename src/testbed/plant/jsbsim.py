@@ -22,7 +22,7 @@ from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, did_you_mean
 from testbed.plant.properties import (
     AIR_DATA,
     INTEGRATORS,
@@ -55,6 +55,11 @@ class _Listener(jsbsim.FGLogger):
             self.warnings.append(message.strip())
 
 
+class NoProperty(BadInput):
+    """The JSBSim model has no property of this name: a prefix or an engine's number in the aircraft's YAML is wrong, or
+    the model lacks a part of an actuator's block."""
+
+
 class Plant:
     """One aircraft flown by JSBSim.
 
@@ -65,7 +70,7 @@ class Plant:
 
     Raises:
         BadInput: JSBSim cannot load the model.
-        KeyError: the model lacks a property that one of the aircraft's actuators needs.
+        NoProperty: the model lacks a property that one of the aircraft's actuators needs.
 
     Attributes:
         step: advances by one control step. With one physics step in it, this is JSBSim's own `run`, without a call around it.
@@ -90,9 +95,9 @@ class Plant:
         try:
             loaded = self._fdm.load_model(aircraft.model)
         except jsbsim.BaseError as error:
-            raise _broken_model(folder, aircraft.model, str(error)) from None
+            raise _broken_model(aircraft, str(error)) from None
         if not loaded:
-            raise _broken_model(folder, aircraft.model, "; ".join(listener.warnings))
+            raise _broken_model(aircraft, "; ".join(listener.warnings))
         self._fdm.disable_output()
         self.warnings = tuple(listener.warnings)
         self._manager = self._fdm.get_property_manager()
@@ -111,16 +116,19 @@ class Plant:
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
 
     def getter(self, name: str) -> Callable[[], float]:
-        """Function that reads a property, in JSBSim's unit; KeyError if there is none (JSBSim itself would create it)."""
+        """Function that reads a property, in JSBSim's unit; raises NoProperty if there is none (JSBSim itself would create it)."""
         return self._node(name).get_double_value
 
     def setter(self, name: str) -> Callable[[float], bool]:
-        """Function that writes a property, in JSBSim's unit; KeyError if there is none."""
+        """Function that writes a property, in JSBSim's unit; raises NoProperty if there is none."""
         return self._node(name).set_double_value
 
     def _node(self, name: str) -> Any:
         if not self._manager.hasNode(name):
-            raise KeyError(name)
+            close = did_you_mean(name, self.catalog())
+            raise NoProperty(
+                [Problem(f"has no property {name}", _model_file(self.aircraft), suggestion=close)]
+            )
         return self._manager.get_node(name)
 
     def catalog(self) -> dict[str, bool]:
@@ -258,5 +266,10 @@ def _split(row: str) -> tuple[str, str]:
     return name.strip(), access
 
 
-def _broken_model(folder: Path, model: str, why: str) -> BadInput:
-    return BadInput([Problem(file=str(folder / f"{model}.xml"), what=f"JSBSim cannot load it: {why}")])
+def _model_file(aircraft: Aircraft) -> str:
+    """The aircraft's JSBSim model, to say what is wrong with it."""
+    return str(Path(aircraft.folder).resolve() / f"{aircraft.model}.xml")
+
+
+def _broken_model(aircraft: Aircraft, why: str) -> BadInput:
+    return BadInput([Problem(f"JSBSim cannot load it: {why}", _model_file(aircraft))])
