@@ -1,4 +1,4 @@
-"""Fly a scenario: assemble everything new, loop in lockstep with the plant, judge what was recorded."""
+"""Fly a scenario: make every part new, run them in lockstep with the plant, and judge what was recorded."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from testbed.scenario.references import references
 from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
 
 _OUTCOMES = {
-    GOES_ON: Outcome.completed,  # to its last step
+    GOES_ON: Outcome.completed,  # the last step was reached without any of the others
     DIVERGED: Outcome.diverged,
     ON_THE_GROUND: Outcome.ground_contact,
     OUTSIDE_ENVELOPE: Outcome.envelope_exceeded,
@@ -46,11 +46,11 @@ _OUTCOMES = {
 
 @dataclass
 class Assembly:
-    """Everything that takes part in one flight; made new for it.
+    """Everything that takes part in one flight; all of it is made for this flight.
 
     Attributes:
-        references: [steps, 6] by `signals.SETPOINT`.
-        flown_by: the user's controller that flies in place of the scenario's, or empty.
+        references: [steps, 6] rate-limited references by `signals.SETPOINT`.
+        flown_by: name of the user's controller that flies in place of the scenario's, or empty.
     """
 
     scenario: Scenario
@@ -65,9 +65,10 @@ class Assembly:
 
 
 def fly(scenario: Scenario | str | Path, controller: Callable[[Setup], Any] | None = None) -> Flight:
-    """Fly a scenario, or the file of one; a pure function of it and of the aircraft's files.
+    """Fly a scenario. The flight is a pure function of the scenario, the aircraft's files and the user's controller, if any.
 
     Args:
+        scenario: a scenario, or the path of its file.
         controller: a class of the user's own that flies in place of the scenario's (see `controllers.user`).
 
     Raises:
@@ -81,7 +82,7 @@ def fly(scenario: Scenario | str | Path, controller: Callable[[Setup], Any] | No
 
 
 def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
-    """Make plant, weather, controller, failures and sensors, the aircraft in trimmed flight; raises BadInput."""
+    """Make plant, weather, controller, failures and sensors, and put the aircraft into trimmed flight; raises BadInput."""
     aircraft = load_aircraft(scenario.aircraft)
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
     _check_names(scenario, aircraft, plant)
@@ -104,7 +105,11 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
 
 
 def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
-    """The loop. Each control step k, t = k / rate: inject, read the truth, measure, command, log, end?, step."""
+    """The loop, until the last control step or until the flight ends early; returns how it ended, and what was recorded.
+
+    In each control step k, at time k / rate: inject failures, set the wind, read and log the truth, measure, command, stop if
+    the flight has ended, advance the plant.
+    """
     plant, controller, injector = parts.plant, parts.controller, parts.injector
     weather, sensors = parts.weather, parts.sensors
     steps, n = parts.scenario.steps, len(parts.aircraft.actuators)
@@ -138,7 +143,7 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
 
 
 def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
-    """Events, metrics and verdicts of what was recorded."""
+    """The flight, with its log, events, metrics and verdicts on the requirements."""
     scenario, aircraft, steps = parts.scenario, parts.aircraft, len(recorded[0])
     names = all_columns(aircraft, scenario)
     more = {**parts.sensors.columns(recorded[0]), **parts.weather.columns(steps)}
@@ -168,7 +173,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
 
 
 def _events(parts: Assembly, log: dict[str, np.ndarray], steps: int) -> list[dict[str, Any]]:
-    """What was injected, what the controller flagged and released, and its reasons, in order of time."""
+    """Injections, sensor faults, what the controller flagged and released, and its reasons, in order of time."""
     injections = parts.injector.receipts
     events = [
         *injections,
@@ -195,7 +200,7 @@ def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
 
 
 def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
-    """What the controller is told."""
+    """What the controller is told before the flight."""
     return setup_for(
         aircraft,
         stored(aircraft),

@@ -9,22 +9,22 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Protocol
 
-if TYPE_CHECKING:  # reading a scenario needs `config` only
+if TYPE_CHECKING:  # reading a scenario imports this package for `config` alone
     import numpy as np
 
 
 class Controller(Protocol):
-    """What flies the aircraft: built from a `Setup`, bound to a flight's channels, called once a control step.
+    """What flies the aircraft: made from a `Setup`, bound to the arrays of a flight, then called once in each control step.
 
     Attributes:
-        reasons: (step, text) of each failure that the controller cannot hold or explain, in the order of the flight.
+        reasons: (control step, text) of each failure that the controller cannot hold or cannot explain, in order of time.
     """
 
     @property
     def reasons(self) -> Iterable[tuple[int, str]]: ...
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight, one row per control step.
+        """Take the arrays of a flight (its channels), with one row for each control step.
 
         Args:
             states: [steps] measured states, a record array with the fields of `signals.STATE`.
@@ -34,5 +34,5 @@ class Controller(Protocol):
         ...
 
     def step(self, step: int) -> Iterable[float]:
-        """Commands [n] for row `step` of the channels: servos in radians, motors as throttle 0 to 1."""
+        """Commands [n] for row `step` of the channels: servos in radians, motors as throttle from 0 to 1."""
         ...

@@ -1,11 +1,11 @@
-"""Servos and motors as the controller models them: where the commands given so far have moved the actuators.
+"""Servos and motors as the controller models them: the positions to which the commands so far have moved the actuators.
 
 The regressor of the adaptive law uses these positions, so that lag, rate limits and stops are not mistaken for lost
 effectiveness: with them, (18) holds for any command.
 
 Letters: m design model (`records.MODEL`), s memory (`records.MEMORY`), i an actuator, dt [s], axial the airspeed along
 the propellers' axis [m/s]. Propeller: T = rho n^2 D^4 C_T(J) and Q = rho n^2 D^5 C_Q(J) with J = axial / (n D), rotor
-speed n in rev/s. Motor: i = (v - n/K_v)/R, torque K_t (i - i_0).
+speed n in rev/s. Motor: current I = (voltage - n/K_v)/R, torque K_t (I - i_0).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def axial_speed(y):
 
 @compiled
 def advance_actuators(dt, axial, m, s):
-    """All actuators, one step after their commands."""
+    """Advance the model of each actuator by one control step with its command in `s.command`."""
     for i in range(len(s.command)):
         if m.servo[i]:
             advance_servo(i, dt, m, s)
@@ -35,7 +35,7 @@ def advance_actuators(dt, axial, m, s):
 
 @compiled
 def advance_servo(i, dt, m, s):
-    """Position of servo i one step after `s.command`: first-order lag (bilinear), rate limit, stops [scaled]."""
+    """Advance the position [scaled] of servo i by one step: first-order lag (bilinear), then rate limit, then stops."""
     x = s.command[i] / m.scale[i]
     a = m.lag[i] * dt
     lagged = (a * (x + s.servo_input[i]) + (2.0 - a) * s.servo_lagged[i]) / (2.0 + a)
@@ -48,7 +48,7 @@ def advance_servo(i, dt, m, s):
 
 @compiled
 def advance_motor(i, dt, axial, m, s):
-    """Thrust [scaled], motor torque [N m] and rotor speed [rev/s] one step after `s.command` (throttle).
+    """Advance thrust [scaled], motor torque [N m] and rotor speed [rev/s] of motor i by one step with its throttle.
 
     The airframe feels the torque of the motor at once, and the thrust with the rotor's lag.
     """
@@ -66,7 +66,10 @@ def advance_motor(i, dt, axial, m, s):
 
 @compiled
 def throttle_for(i, thrust, axial, m, s):
-    """Throttle that gives a thrust [N] once the rotor is steady, by Newton's method on the rotor speed."""
+    """Throttle, 0 to 1, that gives a thrust [N] once the rotor is steady: Newton's method on the rotor speed.
+
+    The search stays at or above `slowest`, the rotor speed at the last advance ratio of the tables.
+    """
     diameter = m.diameter[i]
     slowest = axial / ((m.advance_min[i] + m.advance_step[i] * (m.c_thrust.shape[1] - 1)) * diameter)
     n = max(s.rotor[i], slowest)
@@ -82,7 +85,7 @@ def throttle_for(i, thrust, axial, m, s):
 
 @compiled
 def thrust_and_slope(i, n, axial, m):
-    """Thrust [N] at rotor speed n [rev/s], and its derivative [N s]."""
+    """Thrust [N] at rotor speed n [rev/s], and its derivative with n [N s], at least 1e-3 so that Newton's step is finite."""
     diameter = m.diameter[i]
     step = 1e-3 * n
     unit = m.density * fourth(diameter)

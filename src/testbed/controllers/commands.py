@@ -11,7 +11,7 @@ from testbed.controllers.actuator_model import throttle_for
 
 @compiled
 def command_actuators(axial, m, s):
-    """Commands for the positions `s.u`: servo deflections [rad], and the throttles that give the thrusts."""
+    """Fill `s.command` for the positions `s.u` [scaled]: servo deflections [rad], and the throttles that give the thrusts."""
     for i in range(len(s.u)):
         if m.servo[i]:
             s.command[i] = s.u[i] * m.scale[i]
@@ -24,14 +24,14 @@ def write_telemetry(row, released, s):
     """Fill one row of telemetry, in the order of `signals.TELEMETRY`.
 
     Args:
-        row: [`signals.telemetry_width`].
+        row: [`signals.telemetry_width`] to be filled.
         released: [4] flags of the rates that are given up.
     """
     n = len(s.u)
     for i in range(n):
         row[i] = s.r[i]
         row[n + i] = s.u[i]
-        row[2 * n + i] = 0.0 if s.jammed[i] else s.lambda_hat[i]
+        row[2 * n + i] = 0.0 if s.jammed[i] else s.lambda_hat[i]  # of a jammed one this is its position
         row[3 * n + i] = s.failed[i]
     for i in range(4):
         row[4 * n + i] = s.x_dc_dot[i]

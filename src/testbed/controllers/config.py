@@ -1,4 +1,4 @@
-"""What a scenario may say about each controller: one class each, named in TABLE."""
+"""Settings of the controllers in a scenario: one class for each type of controller, listed in TABLE."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Fraction = Annotated[Number, Field(ge=0, le=1)]
 
 
 class PerKind(Settings):
-    """One number for each kind of actuator; a plain number is for both."""
+    """One number for each kind of actuator; a plain number stands for both."""
 
     servo: Positive
     motor: Positive
@@ -37,9 +37,9 @@ class ControllerSettings(Settings):
 
     type: str
     released: tuple[Axis, ...] = ()
-    """Axes that are given up from the start, while nothing has failed."""
+    """Axes that are given up while no actuator is flagged as failed."""
     model_error: dict[str, Number] = {}  # noqa: RUF012  (pydantic copies it)
-    """Factors on coefficients of the design model, such as `Cm_alpha: 1.2`: its error, the paper's section 4."""
+    """Factors on coefficients of the design model, such as `Cm_alpha: 1.2`, to study model error (the paper's section 4)."""
 
 
 _DEFAULTS_OF_WEIGHTED = {
@@ -57,8 +57,8 @@ class AdaptiveInversionSettings(ControllerSettings):
 
     type: Literal["adaptive_inversion"] = "adaptive_inversion"
     estimation: Literal["newton", "weighted"] = "newton"
-    """`newton` is the paper's (13); `weighted` is a Kalman filter that gives the rates that gusts disturb less weight,
-    for weather and real sensors. It has other defaults: threshold 0.15, persistence_s 0.2, recovery 0.8,
+    """`newton` is the paper's (13). `weighted` is a Kalman filter for weather and real sensors: the more gusts disturb a
+    rate, the less weight it has. With `weighted` these defaults differ: threshold 0.15, persistence_s 0.2, recovery 0.8,
     filter_rad_s 20, lambda_min -1.2, lambda_max 1.2."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
     """Adaptation rate of (13) [1/s]."""
@@ -71,17 +71,17 @@ class AdaptiveInversionSettings(ControllerSettings):
     persistence_s: NonNegative = 0.1
     """How long the estimate must stay below the threshold [s]."""
     recovery_s: NonNegative = 1.0
-    """How long it must stay above `recovery` [s]."""
+    """How long the estimate must stay above `recovery` [s]."""
     flag_std_max: Positive = 0.15
     """Largest standard deviation of an estimate at which its actuator may be flagged, for `weighted`."""
     process_noise_per_root_s: Positive = 0.1
-    """Process noise of effectiveness, a random walk, for `weighted` [1/sqrt(s)]."""
+    """Process noise of effectiveness, which `weighted` models as a random walk [1/sqrt(s)]."""
     filter_rad_s: NonNegative = 0.0
     """Corner of two equal first-order lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
     lambda_min: Number = 0.05
     lambda_max: Positive = 1.1
-    """Estimates are kept between `lambda_min` and `lambda_max`. `newton` integrates their logarithm, so for it
-    `lambda_min` is above zero."""
+    """Estimates are kept between `lambda_min` and `lambda_max`. `newton` integrates the logarithm of an estimate, so its
+    `lambda_min` must be above zero."""
 
     @model_validator(mode="before")
     @classmethod
@@ -121,7 +121,7 @@ class FixedInversionSettings(ControllerSettings):
 class PidSettings(ControllerSettings):
     """A conventional autopilot: ruddervator mixer, one throttle, cascaded loops scheduled with dynamic pressure.
 
-    It has no axes to give up: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise. They were
+    It never gives up an axis: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise. They were
     found by a search (CMA-ES, rounded) on healthy flights only, in calm air and at W20 = 25 ft/s, seeds 1 to 16. The
     search kept the inner loops below 20 rad/s (60 deg of phase margin with the servos' lag), and each outer loop below
     a third of the bandwidth of the loop inside it.
@@ -132,7 +132,7 @@ class PidSettings(ControllerSettings):
     airspeed_ki: NonNegative = 0.03
     """[1/s2]"""
     u_dot_max: Positive = 4.0
-    """Largest acceleration that airspeed may ask for [m/s2]. With 0.7, a climb in sinking air loses its airspeed."""
+    """Largest acceleration that airspeed may ask for [m/s2]. With 0.7, airspeed is lost in a climb through sinking air."""
     altitude_kp: NonNegative = 1.5
     altitude_ki: NonNegative = 0.03
     """[rad/(m s)]"""
@@ -144,13 +144,13 @@ class PidSettings(ControllerSettings):
     heading_ki: NonNegative = 0.15
     """[1/s2]"""
     roll_kp: NonNegative = 1.5
-    """Yaw rate for an error of bank: yawing makes sideslip, and the dihedral rolls."""
+    """Yaw rate for an error of bank: yawing causes sideslip, and with dihedral sideslip causes roll."""
     roll_max_deg: Positive = 30.0
     r_kp: NonNegative = 20.0
 
 
 class IndiSettings(ControllerSettings):
-    """Incremental nonlinear dynamic inversion: measured rates stand in for the model's; no estimates, no monitor."""
+    """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates, no monitor."""
 
     type: Literal["indi"] = "indi"
     filter_rad_s: NonNegative = 20.0

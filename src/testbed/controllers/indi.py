@@ -1,16 +1,16 @@
-"""Incremental nonlinear dynamic inversion: what the model does not know is measured, not modelled.
+"""Incremental nonlinear dynamic inversion: the effect of everything but the actuators is measured, not modelled.
 
 u = u_f + B^-1 (nu - x_c_dot_f) (Sieberling, Chu and Mulder, J. Guidance 33 (2010) 1732; Smeur, Chu and de Croon,
-J. Guidance 39 (2016) 450): to the position that the modelled actuators have reached is added what the difference between
-desired and measured rates asks for. Measured rates are noisy and have to be filtered. The actuators' positions pass the
-same filter, so that both belong to the same moment (Smeur's synchronisation).
+J. Guidance 39 (2016) 450). The command is the position that the modelled actuators have reached, plus an increment for the
+difference between desired and measured rates. Measured rates are noisy and have to be filtered (subscript f). The actuators'
+positions pass the same filter, so that both have the same delay (Smeur's synchronisation).
 
-Positions enter by their effect, Phi 1 (`law.regressor`), which has the dynamic pressure and the motor torque of the
-moment: B u_f = (Phi 1)_f. With all axes controlled, nu is the desired rates of the paper's outer loops. With an axis
-released the outer loop is the adaptive law's regulator, which asks for f_m(x) + nu and so keeps what is stable; then f_m
-is subtracted from the measured rates before the filter, not after it.
+The positions enter as their effect on the rates, B u_f = (Phi 1)_f (`law.regressor`, with 1 a vector of ones), which takes
+the present dynamic pressure and motor torque into account. With all axes controlled, nu is the desired rates of the paper's
+outer loops. With an axis released, the outer loop is the adaptive law's regulator. It keeps f_m, and with it the natural
+stability, so f_m is subtracted from the measured rates too, before the filter.
 
-It neither estimates nor monitors: the next increment makes up for a lost actuator as for any other error.
+There is neither estimation nor monitor: the next increment corrects for a lost actuator as for any other error.
 
 Letters: y state, ref references, m design model, c settings, k control mode, s memory, w working memory; their fields,
 shapes and units are in `records`.
@@ -37,7 +37,11 @@ from testbed.controllers.setup import Setup
 
 @compiled
 def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
-    """z = (x_c_dot - Phi 1)_f, into z [4]: what moves the rates beside the actuators; in a regulated mode less f_m."""
+    """z = (x_c_dot - Phi 1)_f, into z [4]: the part of the measured rates that the actuators do not make.
+
+    In a regulated mode f_m is subtracted too. `m.offset` is added back: it is the constant part of the propellers' torque,
+    which Phi contains, but which belongs to f_m because B is linear.
+    """
     regressor(pressure_ratio, m, s, phi)
     z[0], z[1], z[2], z[3] = y.p_dot, y.q_dot, y.r_dot, y.u_dot
     for i in range(4):
@@ -49,7 +53,7 @@ def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
 
 @compiled
 def indi_step(step, parts):
-    """Measure, ask the outer loops, increment, allocate and command; arguments as of `inversion.step.adaptive_step`."""
+    """One control step: remainder, outer loops, increment, allocation, commands; arguments as in `inversion.step.adaptive_step`."""
     states, setpoints, telemetry, models, settings, modes, memories, works = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
@@ -70,10 +74,10 @@ def indi_step(step, parts):
 class IndiController:
     """Incremental inversion with the records, the mode for no failure and the outer loops of the inversion controller.
 
-    Its estimates are logged as 1: it acts as if all actuators were healthy.
+    It takes all actuators for healthy, so its estimates are logged as 1.
 
     Raises:
-        BadInput: as of `InversionController`.
+        BadInput: as in `InversionController`.
     """
 
     def __init__(self, setup: Setup) -> None:

@@ -1,4 +1,4 @@
-"""The records of the compiled pages as they are when a flight begins: design model, settings, memory of a trimmed flight."""
+"""The records of the compiled functions at the beginning of a flight: design model, settings, memory in trimmed flight."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from testbed.controllers.records import memory_dtype, model_dtype, settings_dtyp
 from testbed.controllers.setup import Setup
 
 _DIVISOR_MIN = 0.1
-"""Least effectiveness that a command is divided by, so that no estimate multiplies a command by more than ten."""
+"""Least estimate that a reference is divided by: adaptation multiplies no reference by more than ten."""
 _JAM_SIGMA = 4.0
-"""Standard deviations of the mean residual beyond which an actuator counts as jammed. Losses with 20 % of model error
-leave at most 2.6 of them for a second, an offset of 5 deg leaves 4.2 and more."""
+"""Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed. Lost effectiveness with
+20 % of model error stays above 2.6 for less than a second; an offset of 5 deg stays at 4.2 or above."""
 _JAM_TIME_S = 1.0
 _JAM_PROCESS_NOISE = 1.0  # scaled/sqrt(s)
 _RESIDUAL_TIME_S = 1.0
 
 
 def model_record(setup: Setup) -> np.ndarray:
-    """The design model as the compiled pages read it: one record of `model_dtype`, in scaled units."""
+    """The design model as the compiled functions read it: one record of `model_dtype`, in scaled units."""
     model, scale, limits = setup.model, setup.scale, setup.limits
     record = np.zeros(1, model_dtype(len(scale)))
     m = record[0]
@@ -53,10 +53,10 @@ def model_record(setup: Setup) -> np.ndarray:
 
 
 def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) -> np.ndarray:
-    """What the designer and the scenario chose, for the inversion law: one record of `settings_dtype`.
+    """The settings of the inversion law, from the aircraft's designer and the scenario: one record of `settings_dtype`.
 
     Args:
-        estimation: the scenario's choices for estimation and monitor; None for a law that does without them.
+        estimation: the scenario's settings of estimation and monitor; None for a law without them.
     """
     control = setup.control
     record = np.zeros(1, settings_dtype(len(setup.actuators)))
@@ -94,11 +94,11 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
     c.recovery, c.recovery_time = chosen.recovery, chosen.recovery_s
     c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max
     c.filter_rate, c.process_noise = chosen.filter_rad_s, chosen.process_noise_per_root_s
-    c.flag_std_max = chosen.flag_std_max if c.weighted else math.inf  # (13) has no covariance
+    c.flag_std_max = chosen.flag_std_max if c.weighted else math.inf  # (13) gives no variance to compare
 
 
 def trimmed_memory(setup: Setup) -> np.ndarray:
-    """Memory after a long trimmed flight with healthy actuators: one record of `memory_dtype`."""
+    """Memory in steady trimmed flight with healthy actuators: one record of `memory_dtype`."""
     n, model, scale = len(setup.actuators), setup.model, setup.scale
     record = np.zeros(1, memory_dtype(n))
     s = record[0]

@@ -1,8 +1,8 @@
 """Outer loops: from references to the virtual control nu = x_dc_dot - f_m, the bracket of (6) and (29).
 
 `pid_loops` is the paper's: airspeed through u_dot, altitude through q_dot, heading through p_dot, sideslip through r_dot.
-`regulate` is for modes with released axes: what is left no longer decouples the axes, so it feeds back all states, with
-gains that `inversion.regulator` designs on the design model.
+`regulate` is for modes with released axes. The actuators that are left no longer decouple the axes, so it feeds back all
+states. Its gains are designed on the design model by `inversion.regulator`.
 
 Letters: y state, ref references, m design model, c settings, k mode, s memory, f and nu of the working memory; their
 fields, shapes and units are in `records`.
@@ -40,13 +40,13 @@ wrap = compiled(angles.wrap)
 
 @compiled
 def clip(x, most):
-    """x within +-most."""
+    """x limited to the range from -most to most."""
     return min(max(x, -most), most)
 
 
 @compiled
 def pid_loops(y, ref, c, s, f, nu):
-    """The paper's outer loops (section 3), each a cascade of proportional loops under one integrator.
+    """The paper's outer loops (section 3): each is a cascade of proportional loops, with an integrator in the outermost.
 
     Fills nu [4] and `s.x_dc_dot` [4].
     """
@@ -68,13 +68,13 @@ def pid_loops(y, ref, c, s, f, nu):
     s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q)
 
     # heading through p_dot: turn rate, then bank, then roll rate
-    s.heading_integral = clip(s.heading_integral + c.heading_ki * e_heading * dt, 0.5)
+    s.heading_integral = clip(s.heading_integral + c.heading_ki * e_heading * dt, 0.5)  # rad/s
     turn_rate = c.heading_kp * e_heading + ref.heading_rate + s.heading_integral
     bank = clip(math.atan(v / GRAVITY_M_S2 * turn_rate), c.roll_max)
     s.x_dc_dot[P_DOT] = c.p_kp * (c.roll_kp * (bank - y.roll) - y.p)
 
-    # sideslip through r_dot: a coordinated turn, and the nose into the wind
-    s.sideslip_integral = clip(s.sideslip_integral + c.sideslip_ki * y.beta * dt, 0.5)
+    # sideslip through r_dot: the yaw rate of a coordinated turn, and a yaw rate towards the relative wind
+    s.sideslip_integral = clip(s.sideslip_integral + c.sideslip_ki * y.beta * dt, 0.5)  # rad/s
     coordinated = GRAVITY_M_S2 / v * math.sin(y.roll) * math.cos(y.pitch)
     r = coordinated + c.sideslip_kp * y.beta + s.sideslip_integral
     s.x_dc_dot[R_DOT] = c.r_kp * (r - y.r)
@@ -85,7 +85,8 @@ def pid_loops(y, ref, c, s, f, nu):
 
 @compiled
 def accumulate(integral, error, most, dt):
-    """The integral one step later. An error at its limit may only unwind it, so that it neither winds up nor latches."""
+    """Integral of an error one control step of `dt` [s] later, with anti-windup: an error at its limit `most` (either sign)
+    may reduce the integral, but not increase it."""
     if abs(error) < most or error * integral < 0.0:
         return integral + clip(error, most) * dt
     return integral
@@ -93,16 +94,20 @@ def accumulate(integral, error, most, dt):
 
 @compiled
 def regulate(y, ref, m, c, k, s, f, nu):
-    """Hold references about the mode's own trim without cancelling what is stable: x_dc_dot = f_m(x) + nu.
+    """Follow the references about the mode's own trim: x_dc_dot = f_m(x) + B_m r_trim + nu.
 
-    nu = -K (x - x_trim) - K_a (a lambda_hat - r_trim) - K_i integral. The trim itself enters the inversion as r_trim.
+    f_m is kept and not cancelled, so natural stability and damping remain. `law.invert` adds r_trim, so that nu is only
+
+        nu = -K (x - x_trim) - K_actuator (a lambda_hat - r_trim) - K_integral integral
+
+    where x_trim has the airspeed, altitude, heading, climb rate and turn rate of the references.
     Fills nu [4] and `s.x_dc_dot` [4].
     """
     e_speed = clip(y.airspeed - ref.airspeed - k.airspeed_offset, c.airspeed_error_max)
     e_height = clip(y.altitude - ref.altitude, c.altitude_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
-    # An aircraft that is too slow can neither climb nor turn: it gives up altitude to regain airspeed.
+    # A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed.
     slow = ref.airspeed + k.airspeed_offset - y.airspeed
     e_height += k.slow_descent * max(slow - k.slow_descent_from, 0.0)
     integral = s.integral

@@ -1,10 +1,11 @@
 """A conventional autopilot: a mixer and cascaded loops, gains scheduled with dynamic pressure.
 
-What a designer would fly on this aircraft without an inversion. The tails are mixed into an elevator (their sum) and a
+The autopilot that a designer would give this aircraft without an inversion. The tails are mixed into an elevator (their sum) and a
 rudder (their difference), the propellers into one throttle. Altitude commands pitch, and pitch the elevator. Heading
-commands bank; bank has no control of its own, so it commands the rudder: yaw makes sideslip, and dihedral rolls. Nothing
-is cancelled, nothing is estimated; integrators find the trim. The design model gives the mixer (so that gains are rates
-per error, and gains of one aircraft are near those of another), the trim to start from, and the motors' throttle curve.
+commands bank. There are no ailerons, so bank commands the rudder: yawing causes sideslip, and with dihedral sideslip causes
+roll. No dynamics are cancelled and nothing is estimated; integrators find the trim. The design model gives the trim to start
+from, the motors' throttle curve, and the mixer. With this mixer the gains are rates per error, so those of one aircraft are
+near those of another.
 
 Structure: Stevens, Lewis and Johnson, Aircraft Control and Simulation, 3rd ed., sec. 4.4 to 4.6; bank by rudder and
 dihedral as on a two-axis glider. How the gains were found: `PidSettings`.
@@ -34,20 +35,21 @@ GAINS = (
     "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
     "heading_kp", "heading_ki", "roll_kp", "roll_max", "r_kp",
 )  # fmt: skip
-"""Fields of the gains' record: those of `PidSettings`, with the angle in radians."""
+"""Fields of the gains' record: those of `PidSettings`, with `roll_max` in radians."""
 
-# The loops see at most these errors.
+# Errors are limited to these before they enter the loops.
 AIRSPEED_ERROR_MAX = 2.0  # m/s
 ALTITUDE_ERROR_MAX = 5.0  # m
 HEADING_ERROR_MAX = 0.35  # rad
 HEADING_INTEGRAL_MAX = 0.3  # rad/s
 PRESSURE_RATIO_MIN = 0.2
-"""Surfaces deflect at most five times as much as at the reference airspeed."""
+"""Least dynamic pressure over that at the reference that the mixer divides by. So at low airspeed a surface deflects at most
+five times as far as at the reference airspeed for the same desired rate."""
 
 
 @compiled
 def longitudinal(y, ref, dt, g, s):
-    """Desired q_dot from altitude and u_dot from airspeed, about the trim, into `s.x_dc_dot`."""
+    """Desired u_dot from airspeed, and q_dot from altitude through pitch and pitch rate, into `s.x_dc_dot`."""
     v = max(y.airspeed, 1.0)
     e_speed = clip(ref.airspeed - y.airspeed, AIRSPEED_ERROR_MAX)
     e_height = clip(ref.altitude - y.altitude, ALTITUDE_ERROR_MAX)
@@ -63,7 +65,7 @@ def longitudinal(y, ref, dt, g, s):
 
 @compiled
 def lateral(y, ref, dt, g, s):
-    """Desired r_dot from heading, into `s.x_dc_dot`: turn rate, then bank, then the yaw rate that rolls to that bank."""
+    """Desired r_dot from heading, into `s.x_dc_dot`: turn rate, then bank, then the yaw rate that brings this bank about."""
     v = max(y.airspeed, 1.0)
     e_heading = clip(wrap(ref.heading - y.heading), HEADING_ERROR_MAX)
     s.heading_integral = clip(s.heading_integral + g.heading_ki * e_heading * dt, HEADING_INTEGRAL_MAX)
@@ -75,7 +77,7 @@ def lateral(y, ref, dt, g, s):
 
 @compiled
 def mix(pressure_ratio, mixer, m, s):
-    """Elevator, rudder and thrust for `s.x_dc_dot`, as scaled positions about the trim, within the stops."""
+    """Positions for the desired rates `s.x_dc_dot`: the mixer's, about the trim, into `s.r`; limited to the stops, into `s.u`."""
     for i in range(len(s.u)):
         x = 0.0
         for j in range(4):
@@ -86,12 +88,12 @@ def mix(pressure_ratio, mixer, m, s):
 
 @compiled
 def pid_step(step, parts):
-    """Loops, mixer, commands for one measured state.
+    """One control step: loops, mixer and commands for one measured state.
 
     Args:
         step: row of the channels.
         parts: states, setpoints and telemetry (see `Controller.bind`), then model, gains and memory, each an array of one
-            record, the mixer [n, 4], the flags of released axes [4], none, and the time step [s].
+            record, the mixer [n, 4], the flags of released axes [4] (all 0), and the control step [s].
     """
     states, setpoints, telemetry, models, gains, memories, mixer, released, dt = parts
     y, ref, m, g, s = states[step], setpoints[step], models[0], gains[0], memories[0]
@@ -105,7 +107,7 @@ def pid_step(step, parts):
 
 
 class PidController:
-    """Mixer and loops. Estimates are logged as 1, for it acts as if all actuators were healthy; no axis is ever released.
+    """Mixer and loops. It takes all actuators for healthy, so its estimates are logged as 1; it never releases an axis.
 
     Args:
         setup: design model (mixer, trim, throttle curve), stops, gains in `settings`.
@@ -132,7 +134,7 @@ class PidController:
 
 
 def gains_record(settings: PidSettings) -> np.ndarray:
-    """The gains as the compiled page reads them, one record of GAINS."""
+    """The gains as the compiled functions read them: one record of GAINS."""
     record = np.zeros(1, np.dtype((np.record, [(name, np.float64) for name in GAINS])))
     for name in GAINS:
         record[0][name] = (
@@ -142,7 +144,7 @@ def gains_record(settings: PidSettings) -> np.ndarray:
 
 
 def mixer_of(b: np.ndarray, kinds: tuple[str, ...]) -> np.ndarray:
-    """[n, 4] from rates to scaled positions: q_dot and r_dot by the surfaces, u_dot by equal thrust; p_dot by nothing.
+    """[n, 4] from desired rates to scaled positions: surfaces make q_dot and r_dot, equal thrusts make u_dot, nothing makes p_dot.
 
     Args:
         b: [4, n] scaled input matrix.

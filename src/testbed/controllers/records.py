@@ -1,17 +1,17 @@
 """The records of the compiled control law, field by field: name, shape, unit, meaning, and the paper's equation.
 
-A record is a block of memory with named fields that numba reads as Python does, so the law's pages say `m.B[i, j]` as
-the paper does, compiled or not. The letters on those pages:
+A record is a block of memory with named fields. Compiled and uncompiled functions read it alike, so the law is written with
+the paper's symbols: `m.B[i, j]`. The compiled functions name the records by one letter:
 
     y     measured state, `signals.STATE`             k     control mode in force, MODE
     ref   references, `signals.SETPOINT`              s     memory from step to step, MEMORY
     m     design model f_m, B_m, MODEL                w     working memory of one step, WORK: f, z, e, nu, phi, P_h
     c     settings, SETTINGS
 
-Actuator quantities are scaled: a position divided by the actuator's `scale`, so that one unit is about the same authority
-for a tail as for a propeller, and one epsilon serves all in (14). Where the unit is "scaled", this is meant. n is the
-number of actuators; rows of four are `signals.RATES`, [rad/s2] for p_dot, q_dot and r_dot and [m/s2] for u_dot ("x_c" as
-a unit).
+The unit "scaled" is an actuator's position [rad or N] divided by its `scale`. One scaled unit of a tail and one of a
+propeller have about the same authority, so one epsilon serves all actuators in (14). The unit "x_c" is that of the
+controlled rates, four rows by `signals.RATES`: [rad/s2] for p_dot, q_dot and r_dot, [m/s2] for u_dot. n is the number of
+actuators.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ D_ALPHA, D_BETA, D_P, D_Q, D_R = range(len(COLUMNS))
 """Columns of A: derivatives by `design_model.COLUMNS`."""
 
 REGULATOR_STATE = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
-"""State that a mode's regulator feeds back, as deviations from the mode's trim and the references."""
+"""States that a mode's regulator feeds back, as deviations from the mode's trim or from the references."""
 AIRSPEED, ALPHA, BETA, P, Q, R, ROLL, PITCH, HEADING, ALTITUDE = range(len(REGULATOR_STATE))
 INTEGRALS = ("airspeed", "altitude", "heading")
 """Errors that a mode's regulator integrates."""
@@ -58,12 +58,12 @@ MODEL = (
     Field("airspeed", (), "m/s", "V_0 of the reference condition"),
     Field("alpha", (), "rad", "alpha_0 of the reference condition"),
     Field("density", (), "kg/m3", "of the air at the reference condition"),
-    Field("bias", (4,), "x_c", "f_m at the reference, without gravity, with all propellers healthy", "(2)"),
-    Field("offset", (4,), "x_c", "what healthy propellers add to `bias`: their torque is affine in thrust"),
+    Field("bias", (4,), "x_c", "f_m at the reference condition, gravity apart; it includes `offset`", "(2)"),
+    Field("offset", (4,), "x_c", "effect of the part of propeller torque that does not vary with thrust"),
     Field("A", (4, len(COLUMNS)), "x_c per rad, rad/s", "derivatives of f_m, columns D_ALPHA to D_R", "(2)"),
     Field("B", (4, _N), "x_c per scaled unit", "B_m, input matrix with rotors at steady speed", "(2)"),
     Field("B_inv", (_N, 4), "scaled units per x_c", "B_m^-1 (pseudo-inverse)", "(6)"),
-    Field("B_torque", (4, _N), "x_c per N m", "effect of motor torque beyond that of the steady rotor in B"),
+    Field("B_torque", (4, _N), "x_c per N m", "effect of torque beyond `torque_slope` times thrust"),
     Field("servo", (_N,), "flag", "the actuator is a servo; else a motor with a propeller"),
     Field("scale", (_N,), "rad or N", "size of one scaled unit"),
     Field("low", (_N,), "scaled", "lower stop"),
@@ -73,10 +73,10 @@ MODEL = (
     Field(
         "trim_position", (_N,), "scaled", "position at the reference trim; a failed actuator is sent there"
     ),
-    Field("torque_slope", (_N,), "N m per scaled unit", "steady motor torque over thrust, at the reference"),
+    Field("torque_slope", (_N,), "N m per scaled unit", "dQ/dT of steady motor torque, at the reference"),
     Field("diameter", (_N,), "m", "D of the propeller"),
     Field("advance_min", (_N,), "1", "first advance ratio J of the propeller's tables"),
-    Field("advance_step", (_N,), "1", "step of J in the propeller's tables"),
+    Field("advance_step", (_N,), "1", "interval of J in the propeller's tables"),
     Field("c_thrust", (_N, PROPELLER_POINTS), "1", "thrust coefficient C_T(J)"),
     Field("c_torque", (_N, PROPELLER_POINTS), "1", "torque coefficient C_Q(J)"),
     Field("rotor_inertia", (_N,), "kg m2", "of rotor and propeller"),
@@ -96,13 +96,13 @@ SETTINGS = (
     Field("epsilon", (_N,), "scaled", "half-width of g", "(14)"),
     Field("lambda_min", (), "1", "lower bound of the estimates"),
     Field("lambda_max", (), "1", "upper bound of the estimates"),
-    Field("divisor_min", (), "1", "least estimate that a reference is divided by: u = r / lambda_hat", "(5)"),
+    Field("divisor_min", (), "1", "least lambda_hat by which r is divided", "section 2.2.1"),
     Field("filter_rate", (), "rad/s", "corner of the two lags on both sides of the regression; 0 for none"),
-    Field("threshold", (), "1", "an estimate that stays below it flags its actuator", "section 2.3"),
-    Field("persistence", (), "s", "how long it must stay below", "section 2.3"),
-    Field("recovery", (), "1", "an estimate that stays above it takes the flag back"),
-    Field("recovery_time", (), "s", "how long it must stay above"),
-    Field("flag_std_max", (), "1", "largest standard deviation of an estimate at which it may flag"),
+    Field("threshold", (), "1", "an actuator is flagged if its estimate stays below this", "section 2.3"),
+    Field("persistence", (), "s", "how long the estimate must stay below `threshold`", "section 2.3"),
+    Field("recovery", (), "1", "a flag is removed when the estimate stays above this"),
+    Field("recovery_time", (), "s", "how long the estimate must stay above `recovery`"),
+    Field("flag_std_max", (), "1", "largest standard deviation of an estimate that may raise a flag"),
     Field("process_noise", (), "1/sqrt(s)", "of effectiveness, modelled as a random walk"),
     Field(
         "jam_process_noise",
@@ -110,28 +110,28 @@ SETTINGS = (
         "scaled/sqrt(s)",
         "of a jammed actuator's position, modelled as a random walk",
     ),
-    Field("noise", (4,), "x_c/sqrt(Hz)", "root of the spectral density of what gusts do to each rate"),
-    Field("model_error_std", (4,), "x_c", "standard deviation of the model's error at its own trim"),
+    Field("noise", (4,), "x_c/sqrt(Hz)", "disturbance by gusts, root of its two-sided spectral density"),
+    Field("model_error_std", (4,), "x_c", "standard deviation of the model error at the model's own trim"),
     Field("model_error_rate", (), "1/s", "one over the correlation time of the model's error"),
     Field("coefficient_error", (), "1", "relative error to expect of each coefficient of f_m and B_m"),
-    Field("residual_time", (), "s", "averaging time of the residual and of the model-error variance"),
-    Field("jam_sigma", (), "1", "standard deviations of residual beyond which an actuator may be jammed"),
-    Field("jam_time", (), "s", "how long it must stay beyond `jam_sigma`"),
+    Field("residual_time", (), "s", "time constant of the means of residual and model-error variance"),
+    Field("jam_sigma", (), "1", "fitted offset over its standard deviation that indicates a jam"),
+    Field("jam_time", (), "s", "how long an offset must stay beyond `jam_sigma` to be a jam"),
     Field("airspeed_kp", (), "1/s", "u_dot for airspeed error"),
-    Field("airspeed_ki", (), "1/s2", "its integral gain"),
+    Field("airspeed_ki", (), "1/s2", "integral gain of the airspeed loop"),
     Field("u_dot_max", (), "m/s2", "largest u_dot that airspeed may ask for"),
     Field("altitude_kp", (), "1/s", "climb rate for altitude error"),
-    Field("altitude_ki", (), "rad/(m s)", "its integral gain, on pitch"),
+    Field("altitude_ki", (), "rad/(m s)", "integral gain of the altitude loop, on pitch"),
     Field("climb_max", (), "m/s", "largest climb rate that altitude may ask for"),
     Field("pitch_kp", (), "1/s", "pitch rate for pitch error"),
     Field("q_kp", (), "1/s", "q_dot for pitch-rate error"),
     Field("heading_kp", (), "1/s", "turn rate for heading error"),
-    Field("heading_ki", (), "1/s2", "its integral gain"),
+    Field("heading_ki", (), "1/s2", "integral gain of the heading loop"),
     Field("roll_max", (), "rad", "largest bank that heading may ask for"),
     Field("roll_kp", (), "1/s", "roll rate for bank error"),
     Field("p_kp", (), "1/s", "p_dot for roll-rate error"),
     Field("sideslip_kp", (), "1/s", "yaw rate for sideslip"),
-    Field("sideslip_ki", (), "1/s2", "its integral gain"),
+    Field("sideslip_ki", (), "1/s2", "integral gain of the sideslip loop"),
     Field("r_kp", (), "1/s", "r_dot for yaw-rate error"),
     Field("heading_error_max", (), "rad", "heading error is limited to this"),
     Field("altitude_error_max", (), "m", "altitude error is limited to this"),
@@ -140,7 +140,7 @@ SETTINGS = (
 """c: what the control designer and the scenario chose."""
 
 MODE = (
-    Field("regulated", (), "flag", "axes are released, and the outer loop is the mode's regulator"),
+    Field("regulated", (), "flag", "the outer loop is the mode's regulator, because axes are released"),
     Field("redundant", (), "flag", "there are more available actuators than kept axes"),
     Field("available", (_N,), "flag", "the actuator is used; a failed one is not"),
     Field("released", (4,), "flag", "the rate is given up", "section 2.3"),
@@ -149,11 +149,11 @@ MODE = (
         "B_hat_inv_at_stop",
         (_N, _N, 4),
         "scaled per x_c",
-        "the same while actuator [first index] is at a stop",
+        "as B_hat_inv without the actuator of the first index, for while that one is at a stop",
     ),
-    Field("slow_descent", (), "s", "altitude to give up for each m/s of missing airspeed"),
-    Field("slow_descent_from", (), "m/s", "missing airspeed at which that begins"),
-    Field("airspeed_offset", (), "m/s", "airspeed of the mode's trim over the reference condition's"),
+    Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
+    Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
+    Field("airspeed_offset", (), "m/s", "airspeed of the mode's trim minus that of the reference condition"),
     Field("r_trim", (_N,), "scaled", "r at the mode's own trim"),
     Field("x_trim", (_X,), "m/s, rad, rad/s, m", "state at the mode's own trim, by REGULATOR_STATE"),
     Field("K", (4, _X), "x_c per state", "regulator gains on the state"),
@@ -169,23 +169,23 @@ MEMORY = (
         "lambda_hat",
         (_N,),
         "1",
-        "effectiveness estimates; of a jammed actuator its position [scaled]",
+        "effectiveness estimates; for a jammed actuator its estimated position [scaled]",
         "(13)",
     ),
     Field("r", (_N,), "scaled", "reference actuator position", "(6), (29)"),
-    Field("u", (_N,), "scaled", "commanded actuator position, r / lambda_hat within the stops", "(5)"),
+    Field("u", (_N,), "scaled", "commanded position, r / lambda_hat within the stops", "section 2.2.1"),
     Field("x_dc_dot", (4,), "x_c", "desired rates", "(6)"),
     Field("command", (_N,), "rad or throttle", "last command"),
     Field("position", (_N,), "scaled", "a, modelled position: servo deflection or thrust if fully effective"),
-    Field("servo_input", (_N,), "scaled", "command of the step before, for the servo's lag"),
-    Field("servo_lagged", (_N,), "scaled", "the servo's lag before rate limit and stops"),
+    Field("servo_input", (_N,), "scaled", "command of the step before, for the bilinear lag"),
+    Field("servo_lagged", (_N,), "scaled", "output of the servo's lag, before rate limit and stops"),
     Field("rotor", (_N,), "rev/s", "modelled rotor speed"),
     Field("torque", (_N,), "N m", "modelled motor torque"),
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),
     Field("since_flag", (_N,), "s", "time since the flag was set or taken back"),
     Field("jammed", (_N,), "flag", "the actuator acts against its command: jammed, offset or reversed"),
-    Field("jam_timer", (_N,), "s", "how long the residual has pointed at the actuator"),
+    Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),
     Field(
         "reversal_timer",
         (_N,),
@@ -195,14 +195,14 @@ MEMORY = (
     Field(
         "designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"
     ),
-    Field("residual", (4,), "x_c", "mean of e over `residual_time`"),
+    Field("residual", (4,), "x_c", "running mean of e, first-order with time constant `residual_time`"),
     Field("b", (4,), "x_c", "estimate of the model's error: what f_m and B_m leave out of each rate"),
-    Field("model_error_variance", (4,), "x_c^2", "variance to expect of b"),
+    Field("model_error_variance", (4,), "x_c^2", "variance of b that is expected"),
     Field("P", ("n+4", "n+4"), "1, scaled, x_c", "covariance of (lambda_hat, b)"),
-    Field("filtered", (2, 4), "x_c", "state of the two lags on the left side of the regression"),
+    Field("filtered", (2, 4), "x_c", "state of the two lags on z, the left side of the regression"),
     Field("filtered_phi", (2, 4, _N), "x_c", "state of the two lags on Phi"),
     Field("airspeed_integral", (), "m/s2", "integral term of the airspeed loop"),
-    Field("pitch_integral", (), "rad", "integral term of the altitude loop, the trim's pitch angle"),
+    Field("pitch_integral", (), "rad", "integral term of the altitude loop; at first the trim's pitch"),
     Field("heading_integral", (), "rad/s", "integral term of the heading loop"),
     Field("sideslip_integral", (), "rad/s", "integral term of the sideslip loop"),
     Field("integral", (len(INTEGRALS),), "m, m s, rad s", "integrals of the regulator, by INTEGRALS"),
@@ -213,7 +213,7 @@ WORK = (
     Field("f", (4,), "x_c", "f_m at the measured state", "(2)"),
     Field("z", (4,), "x_c", "x_c_dot - f_m, as measured", "(10)"),
     Field("e", (4,), "x_c", "measured error z - Phi lambda_hat", "(10)"),
-    Field("nu", (4,), "x_c", "virtual control, the bracket x_dc_dot - f_m", "(6), (29)"),
+    Field("nu", (4,), "x_c", "virtual control, the bracket [x_dc_dot - f_m]", "(6), (29)"),
     Field("phi", (4, _N), "x_c", "Phi = B_m diag(a): effect of each actuator if fully effective", "(12)"),
     Field("P_h", ("n+4",), "1, scaled, x_c", "P times a row of (Phi, I), in the Kalman update"),
 )
@@ -235,7 +235,7 @@ def _dtype(fields: tuple[Field, ...], n: int) -> np.dtype:
 
 @cache
 def model_dtype(n: int) -> np.dtype:
-    """MODEL for n actuators; kept, as the others, because numba knows a call's types by their dtype objects."""
+    """MODEL for n actuators. Cached, as the other dtypes: numba recognises the types of a call by their dtype objects."""
     return _dtype(MODEL, n)
 
 

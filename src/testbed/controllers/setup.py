@@ -19,7 +19,14 @@ S = TypeVar("S", bound=ControllerSettings)
 
 @dataclass(frozen=True)
 class ActuatorData:
-    """What a controller is told of one actuator [rad or N]: size of one scaled unit, stops, lag and rate limit."""
+    """What a controller is told of one actuator.
+
+    Attributes:
+        scale: size of one scaled unit [rad or N].
+        low, high: stops [rad or N].
+        lag_rad_s: corner of the first-order lag of the servo or rotor.
+        rate: rate limit [rad/s or N/s].
+    """
 
     scale: float
     low: float
@@ -34,10 +41,10 @@ class Setup:
 
     Attributes:
         aircraft: its name, for messages.
-        model: f_m and B_m, with the error that the scenario gave it.
+        model: f_m and B_m, with the scenario's `model_error` applied.
         control: the designer's priorities and gains for this aircraft.
         actuators: [n] in the order of `model.actuators`.
-        dt_s: control step.
+        dt_s: duration of a control step [s].
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
         trim_pitch: pitch angle [rad] at the start.
         settings: the scenario's `controller` block.
@@ -69,8 +76,11 @@ class Setup:
         return np.array([a.lag_rad_s for a in self.actuators])
 
     def settings_as(self, kind: type[S]) -> S:
-        """The scenario's settings if they are of this kind; else, for a controller that is flown in place of the
-        scenario's, this kind's defaults with the axes that the scenario gives up."""
+        """The scenario's settings if they are of this kind.
+
+        They are not when another controller is flown in place of the scenario's. Then this kind's defaults, with the
+        scenario's `released` and `model_error`.
+        """
         if isinstance(self.settings, kind):
             return self.settings
         return kind.model_validate(self.settings.model_dump(include={"released", "model_error"}))

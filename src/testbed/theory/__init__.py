@@ -1,1 +1,1 @@
-"""The paper's theory, with the functions that fly: `ideal` its ideal plant, `figure_3` its figure of the estimates."""
+"""The paper's theory, computed with the functions that fly: `ideal` is its ideal plant, `figure_3` draws its figure 3."""

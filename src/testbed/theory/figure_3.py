@@ -1,4 +1,4 @@
-"""Figures of the paper's theory, drawn from the flying law on an ideal plant."""
+"""Figure 3 of the paper, drawn from the flying law on an ideal plant."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from matplotlib.figure import Figure
 
 from testbed.theory.ideal import approach_trajectories
 
-# Lines differ in dashes, not only in shade.
+# Lines differ in dashes and not only in shade, so that they can be told apart in print.
 _DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
 
 
 def figure_3(path: Path, gammas: Sequence[float] = (0.5, 1.0, 2.0, 4.0, 8.0)) -> Path:
-    """The paper's figure 3: how estimates approach the truth (22), backwards from within 1 % of it."""
+    """Draw the paper's figure 3: how estimates approach the truth (22), with time zero where they are within 1 % of it."""
     figure = Figure(figsize=(7.0, 4.5), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.subplots()

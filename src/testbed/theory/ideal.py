@@ -1,9 +1,9 @@
 """The paper's ideal plant, equations (1) and (7), with the law that flies in the loop around it.
 
-There is no aeroplane here: x_c_dot = f(x) + B_c Lambda(t) a for a given B_c, Lambda(t) and f. What the paper
-proves of such a plant can be compared with what the flying law does, because the loop calls the same compiled
-functions (`testbed.controllers.inversion.law`, `testbed.controllers.actuator_model`). All actuators are scaled surfaces.
-Without a lag an actuator is ideal: its position is its command, a = u.
+There is no aircraft here: x_c_dot = f(x) + B_c Lambda(t) a for a given B_c, Lambda(t) and f. The loop calls the compiled
+functions of the flying law (`testbed.controllers.inversion.law`, `testbed.controllers.actuator_model`), so their behaviour can
+be compared with what the paper proves. All actuators are surfaces with a scale of 1. An actuator without lag is ideal: its
+position is its command, a = u.
 """
 
 from __future__ import annotations
@@ -39,8 +39,7 @@ from testbed.controllers.records import (
 )
 
 UNLIMITED = 1e12
-"""Stops and rates of an actuator that has none; far from overflow when the compiled servo multiplies with
-it."""
+"""Stops and rate limit of an actuator without any. Not infinity, because the compiled servo calculates with it."""
 
 
 @dataclass(frozen=True)
@@ -52,9 +51,9 @@ class IdealPlant:
         B_c: [4, n] the real input matrix; the model's where not given.
         A, bias: f of plant and model, by `law.state_function`; columns alpha, beta, p, q, r.
         bias_error: [4] f - f_m, constant (4.2).
-        airspeed: relative to the reference; surfaces act with its square.
-        lag, rate: [n] of the real servos, rad/s and 1/s; lag 0 is ideal.
-        modelled: whether the model has these servos too; else it takes them for ideal.
+        airspeed: as a fraction of the reference airspeed; the effect of the surfaces is proportional to its square.
+        lag, rate: [n] lag and rate limit of the real servos [rad/s, 1/s]; with lag 0 a servo is ideal.
+        modelled: whether the design model has these servos too; if not, it takes them for ideal.
     """
 
     B: np.ndarray
@@ -70,7 +69,7 @@ class IdealPlant:
 
 @dataclass(frozen=True)
 class Tuning:
-    """Settings of the law; the projection is wide open unless a bound is given."""
+    """Settings of the law (see `records.SETTINGS`); by default the bounds of the estimates are so wide that they have no effect."""
 
     gamma: float | np.ndarray = 2.0
     epsilon: float = 0.05
@@ -85,7 +84,7 @@ class Tuning:
 
 @dataclass(frozen=True)
 class History:
-    """One row per step; `r`, `u`, `a` and `e` belong together: e was caused by the a that r asked for.
+    """What `IdealLoop.fly` recorded, one row per step. In one row, r gave u, u moved the actuator to a, and a caused e.
 
     Attributes:
         lambda_hat: [steps + 1, n] before each step, and after the last.
@@ -104,7 +103,7 @@ class History:
 
 @compiled
 def move(dt, m, s):
-    """Actuator positions after `s.command`: servos with a lag by the flying model, the others at once."""
+    """Advance the positions by one step: servos with a lag by the flying actuator model, ideal ones to their commands at once."""
     for i in range(len(s.command)):
         if m.lag[i] > 0.0:
             advance_servo(i, dt, m, s)
@@ -131,7 +130,7 @@ def ideal_loop(
     """Equations (5) to (14) in the paper's order, one row of r, Lambda and disturbance per step.
 
     Args:
-        models, memories, works: two records each: what the controller has, and what the plant has.
+        models, memories, works: two records each: first the controller's, then the plant's.
         x_c_dot: [4] working memory: the plant's rates.
         log: [steps, 4, n] filled with r, u, a and the monitor's flags.
     """
@@ -142,7 +141,7 @@ def ideal_loop(
     for step in range(len(r)):
         state_function(y, m, f_m)
         state_function(y, plant, f)
-        for i in range(4):  # (5): the rates that this r would give, from which (6) has to find it again
+        for i in range(4):  # (5): the desired rates that belong to this r, so that (6) gives r again
             x_dc_dot = f_m[i]
             for j in range(n):
                 x_dc_dot += m.B[i, j] * pressure_ratio * r[step, j]
@@ -177,7 +176,7 @@ def ideal_loop(
 
 
 class IdealLoop:
-    """The law around an ideal plant; keeps its memory, so that a long run can be flown in pieces."""
+    """The law in a loop with an ideal plant. It keeps its state, so that a long run can be made in pieces."""
 
     def __init__(
         self, plant: IdealPlant, tuning: Tuning, estimate: Sequence[float] | np.ndarray | float = 1.0
@@ -208,17 +207,16 @@ class IdealLoop:
         self._memories["lambda_hat"] = estimate
 
     def start_at(self, position: np.ndarray) -> None:
-        """Put the servos at rest at a position."""
+        """Put the servos, real and modelled, at rest at this scaled position [n]."""
         for name in ("position", "servo_input", "servo_lagged"):
             self._memories[name] = position
 
     def fly(
         self, r: np.ndarray, effectiveness: np.ndarray | float, disturbance: np.ndarray | float = 0.0
     ) -> History:
-        """Follow the reference r [steps, n] with the plant's effectiveness and a disturbance of its rates
-        [steps, 4].
+        """Follow the reference r [steps, n] with the plant's effectiveness [steps, n] and a disturbance of its rates [steps, 4].
 
-        Effectiveness and disturbance may be constant: anything that numpy broadcasts to those shapes.
+        Effectiveness and disturbance may be anything that numpy broadcasts to these shapes, such as one number.
         """
         steps, n = r.shape
         lambda_hat, e, log = np.empty((steps + 1, n)), np.empty((steps, 4)), np.empty((steps, 4, n))
@@ -265,27 +263,25 @@ def first_order(estimate: float, truth: float, rate: float, time: np.ndarray) ->
 def approach_trajectories(
     gammas: Sequence[float], within: float = 0.01, step: float = 1e-3, most: float = 0.99
 ) -> list[Approach]:
-    """Figure 3: the estimates of the flying law on the ideal plant, by (22), backwards from `within` of the
-    truth.
+    """Curves of figure 3: the estimates of the flying law on the ideal plant, until they are within `within` of the truth.
 
     Args:
-        gammas: adaptation gains, 1/s.
+        gammas: adaptation gains [1/s].
         within: relative distance from the truth at time zero.
-        step: gamma dt of the integration.
+        step: gamma dt, the time step in units of the time constant.
         most: relative distance at which the curves begin.
     """
     curves = []
     steps = math.ceil(1.2 * math.log(most / within) / step)
     for gamma in gammas:
         dt = step / gamma
-        # One plant shows both: actuator 0 is approached from below, actuator 1 from above.
+        # One plant gives both curves: the estimate of actuator 0 comes from below, that of actuator 1 from above.
         loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(gamma, 0.01, dt), [1.0 - most, 1.0 + most, 1.0, 1.0])
         estimates = loop.fly(np.ones((steps, 4)), 1.0).lambda_hat
         for actuator, sign in ((0, 1), (1, -1)):
             estimate = estimates[:, actuator]
             last = int(np.argmax(np.abs(estimate - 1.0) <= within))
-            # The lag is exponential, so the crossing between two samples is found in the logarithm of the
-            # distance.
+            # The distance decays exponentially, so its logarithm is interpolated to find when it crosses `within`.
             log = np.log(np.abs(estimate[last - 1 : last + 1] - 1.0) / within)
             crossing = (last - 1 + log[0] / (log[0] - log[1])) * dt
             curves.append(Approach(gamma, sign, np.arange(last + 1) * dt - crossing, estimate[: last + 1]))

@@ -1,7 +1,7 @@
-"""Allocation: from the virtual control nu to actuator positions that are within the stops, and the commands for them.
+"""Allocation: from the virtual control nu to actuator positions within the stops, and to the commands for them.
 
-The paper inverts and compensates (29), section 2.2.1. What is added here decides what to give up when an actuator would
-pass its stop: first an actuator that can be spared, then airspeed.
+The paper inverts (29) and compensates (section 2.2.1). Added here is what to do when an actuator would pass its stop: first
+leave it at the stop and let redundant actuators make up for it, then give up airspeed control.
 
 Letters: m design model, c settings, k control mode, s memory, nu [4] of the working memory; their fields, shapes and
 units are in `records`.
@@ -17,7 +17,7 @@ from testbed.controllers.records import U_DOT
 
 @compiled
 def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s):
-    """References r, commanded positions u and commands for a virtual control, within the stops.
+    """Fill `s` with references r, commanded positions u within the stops, and commands, for a virtual control.
 
     Args:
         nu: [4] virtual control [rad/s2, m/s2].
@@ -32,8 +32,8 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s):
 
 @compiled
 def redistribute(nu, pressure_ratio, m, c, k, s):
-    """With more actuators than axes, the actuator that would pass its stop furthest is left there, and the others make
-    up for it (redistributed pseudo-inverse; Bodson, J. Guidance 25 (2002) 703)."""
+    """With more actuators than axes, leave the actuator that would pass its stop furthest at the stop, and solve for the
+    others (redistributed pseudo-inverse; Bodson, J. Guidance 25 (2002) 703)."""
     worst, excess = -1, 0.0
     for i in range(len(s.r)):
         lam = max(s.lambda_hat[i], c.divisor_min)
@@ -56,8 +56,10 @@ def redistribute(nu, pressure_ratio, m, c, k, s):
 
 @compiled
 def give_up_airspeed(m, c, k, s):
-    """When an actuator would still pass its stop, ask for another u_dot: r moves along that column of B_hat^-1 until no
-    actuator passes its stop, or as near to that as possible. The other axes keep what they asked for."""
+    """When an actuator would still pass its stop, change the demanded u_dot, and no other rate, by the least that is needed.
+
+    r moves along the u_dot column of B_hat^-1 until no actuator passes its stop. Where no such point exists, it moves
+    midway between the demands of the conflicting stops."""
     least, most = -1e9, 1e9
     for i in range(len(s.r)):
         d = k.B_hat_inv[i, U_DOT]

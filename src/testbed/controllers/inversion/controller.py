@@ -20,11 +20,12 @@ class InversionController:
 
     Args:
         setup: design model, gains and actuators.
-        adapts: estimate effectiveness (13) and switch modes when an actuator is flagged (29); without, the law is a
-            fixed inversion.
+        adapts: estimate effectiveness (13), and switch modes (29) when an actuator is flagged as failed. If false, the
+            law is a fixed inversion.
 
     Raises:
-        BadInput: the aircraft's input matrix cannot be inverted, or there is no steady flight to regulate about.
+        BadInput: the aircraft's input matrix cannot be inverted, or no steady flight was found for the axes that are
+            released from the start.
     """
 
     def __init__(self, setup: Setup, adapts: bool = True) -> None:

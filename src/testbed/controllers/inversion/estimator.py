@@ -1,10 +1,10 @@
-"""Weighted estimation, for weather and real sensors: a Kalman filter on effectiveness and on the model's own error.
+"""Weighted estimation, for weather and real sensors: a Kalman filter for effectiveness and for the model's error.
 
 The regression (10) is z = Phi lambda + b + noise, four scalar measurements a step. The states are lambda, a random walk,
-and b, what f_m and B_m leave out of each rate: a first-order Markov process of the rate `model_error_rate` and of the
-variance that `update_model_error_variance` gives. Without b, an error of the model would be read as lost effectiveness,
-and with certainty for an actuator that hardly acts. The noise is what gusts do to each rate, so rates that gusts disturb
-weigh less. Small commands carry little weight by themselves: there is no epsilon.
+and b, the model error: what f_m and B_m leave out of each rate. b is a first-order Gauss-Markov process with correlation time
+1 / `model_error_rate` and the variance of `update_model_error_variance`. Without b, a model error would be taken for lost
+effectiveness, most of all for an actuator that is hardly deflected. The noise is the disturbance of each rate by gusts, so the
+rates that gusts disturb most have the least weight. A small position has little weight by itself, so no epsilon is needed.
 
 Letters: y measured state, m design model, c settings, s memory; z, phi and P_h of the working memory; their fields,
 shapes and units are in `records`. pressure_ratio is (V/V_0)^2.
@@ -16,19 +16,20 @@ from testbed.common.jit import compiled
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R
 
 HEALTHY_VARIANCE = 0.01
-"""Variance of an estimate to begin with: 1 with a standard deviation of a tenth."""
+"""Initial variance of an effectiveness estimate: 1 with a standard deviation of 0.1."""
 UNKNOWN_VARIANCE = 1.0
 """Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
 JAM_VARIANCE = 16.0
-"""Variance of a jammed actuator's position [scaled^2] to begin with, and its largest."""
+"""Initial and largest variance of a jammed actuator's estimated position [scaled^2]."""
 
 
 @compiled
 def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
-    """Variance of the model's error b in each rate, were each coefficient wrong by `coefficient_error` independently.
+    """Variance of the model error b in each rate, if the relative errors of the coefficients are independent, with standard
+    deviation `coefficient_error`.
 
-    The model is most exact at its own trim, so each term of f_m and of Phi lambda counts by how much it has changed since
-    the trim. The sum is averaged over `residual_time`.
+    The model is most accurate at its own trim, so each term of f_m and of Phi lambda enters by its difference from the trim.
+    The variance is at least `model_error_std`^2, and is averaged over `residual_time`.
     """
     speed = y.airspeed / m.airspeed
     for i in range(4):
@@ -46,7 +47,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
 
 @compiled
 def adapt_weighted(z, phi, P_h, m, c, s):
-    """One step of the filter: (13) with its gain Phi^-1 replaced by a Kalman gain."""
+    """One step of the filter, in place of (13): the four rates are used one after the other."""
     predict(c, s)
     for row in range(4):
         update_by_rate(row, z[row], phi[row], P_h, c, s)
@@ -55,7 +56,7 @@ def adapt_weighted(z, phi, P_h, m, c, s):
 
 @compiled
 def predict(c, s):
-    """Covariance P and model error b one step on: process noise on lambda, b fading towards zero."""
+    """Time update: P grows by the process noise of lambda, up to a limit, and the model error b decays towards zero."""
     n = len(s.lambda_hat)
     for i in range(n):
         noise = c.jam_process_noise if s.jammed[i] else c.process_noise
@@ -72,12 +73,12 @@ def predict(c, s):
 
 @compiled
 def update_by_rate(row, z, h, P_h, c, s):
-    """Measurement update by one rate: z = h lambda + b[row] + noise of spectral density `c.noise`^2.
+    """Measurement update by one rate: z = h lambda + b[row] + white noise of two-sided spectral density `c.noise[row]`^2.
 
     Args:
         z: measured x_c_dot - f_m of this row.
         h: [n] this row of Phi.
-        P_h: [n+4] filled with P times (h, unit vector of b[row]).
+        P_h: [n+4] working memory, filled with P (h, e_row), where e_row is the unit vector of b[row].
     """
     n = len(s.lambda_hat)
     error = z - s.b[row]
@@ -100,7 +101,7 @@ def update_by_rate(row, z, h, P_h, c, s):
 
 @compiled
 def project(m, c, s):
-    """Estimates within [lambda_min, lambda_max]; a jammed actuator's position within its stops."""
+    """Limit estimates to [lambda_min, lambda_max], and the position of a jammed actuator to its stops."""
     for i in range(len(s.lambda_hat)):
         low = m.low[i] if s.jammed[i] else c.lambda_min
         high = m.high[i] if s.jammed[i] else c.lambda_max
@@ -109,7 +110,7 @@ def project(m, c, s):
 
 @compiled
 def reset_covariance(j, variance, s):
-    """Start state j of the filter again: this variance, and no correlation with the others."""
+    """Give state j of the filter this variance and no correlation with the other states, as at the start."""
     for i in range(len(s.P)):
         s.P[j, i], s.P[i, j] = 0.0, 0.0
     s.P[j, j] = variance

@@ -1,8 +1,8 @@
-"""Jams: an actuator that is jammed, offset or reversed adds a force of its own, which no loss of effectiveness explains.
+"""Jam detection: a jammed, offset or reversed actuator adds a force that no loss of effectiveness explains.
 
 The test is a generalised likelihood ratio (GLR; Willsky and Jones, IEEE TAC 21 (1976) 108) on the mean of the residual e.
-An actuator that it finds is flagged as failed and jammed, and from then on its position is estimated in place of its
-effectiveness (`law.regressor` has one scaled unit in its column).
+An actuator found in this way is flagged as failed and as jammed. From then on its position is estimated in place of its
+effectiveness: its column of `law.regressor` is the effect of one scaled unit.
 
 Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
@@ -14,19 +14,20 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE, reset_covariance
 
 REVERSED_BELOW = -0.5
-"""An estimate below this, with a small standard deviation, is no loss of effectiveness: the actuator is reversed."""
+"""An estimate below this with a small standard deviation means that the actuator is reversed, not that it lost effectiveness."""
 RECENT_FLAG_S = 2.0
-"""A flag of another actuator that is younger than this may be due to the jam, which takes about as long to detect."""
+"""Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
 REDESIGN_AFTER = 0.3
-"""Scaled units by which a jammed actuator's estimated position may move before its mode is designed again."""
+"""Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again."""
 
 
 @compiled
 def detect_jam(e, pressure_ratio, m, c, s):
-    """Look for jammed actuators in e [4]; returns 1 when the mode must be designed, or designed again.
+    """Look for jammed actuators in the error e [4]; returns 1 when the mode's regulator must be designed, or designed again.
 
-    An actuator is taken for jammed when the residual points to it for `jam_time`, or when its estimate has been below
-    `REVERSED_BELOW` for `persistence` with a standard deviation of at most `flag_std_max`.
+    An actuator is taken for jammed when it has been the `likeliest_jam` for `jam_time`. The timer runs down while it is not.
+    It is also taken for jammed when its estimate has been below `REVERSED_BELOW` for `persistence` with a standard deviation of
+    at most `flag_std_max`.
     """
     for row in range(4):
         s.residual[row] += c.dt / c.residual_time * (e[row] - s.residual[row])
@@ -48,13 +49,13 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
 @compiled
 def likeliest_jam(pressure_ratio, m, c, s):
-    """The actuator whose extra force explains the residual best, and the size of that force.
+    """The actuator for which an offset of its position explains the residual best, and that offset.
 
-    For each actuator i the residual is fitted by B_i offset, with rows weighted by one over the variance that gusts and
-    the model's error give them. The likelihood ratio is the square of the fitted offset in its standard deviations.
+    For each actuator i, B_i offset is fitted to the residual by weighted least squares. The weight of a row is one over its
+    variance, which comes from gusts and from the model error. The likelihood ratio is (offset / its standard deviation)^2.
 
     Returns:
-        Index of the actuator with the largest ratio beyond `jam_sigma`^2, or -1; and its offset [scaled].
+        Index of the actuator with the largest ratio, if that is above `jam_sigma`^2, or -1; and its offset [scaled].
     """
     likeliest, largest, offset = -1, c.jam_sigma * c.jam_sigma, 0.0
     for i in range(len(s.lambda_hat)):
@@ -75,8 +76,8 @@ def likeliest_jam(pressure_ratio, m, c, s):
 def take_for_jammed(i, position, m, s):
     """Flag actuator i as jammed at about this position [scaled], which is estimated from now on.
 
-    Until now its force has falsified the estimates of the others. So those that are not flagged start again at 1, and
-    so do those that were flagged less than `RECENT_FLAG_S` ago.
+    Until now its force has biased the estimates of the other actuators. So the estimates of those that are not flagged start
+    again at 1, and flags raised less than `RECENT_FLAG_S` ago are removed.
     """
     n = len(s.failed)
     s.jammed[i], s.failed[i] = 1, 1

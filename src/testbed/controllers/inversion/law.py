@@ -1,10 +1,11 @@
-"""The control law of the paper: inversion (6), adaptation (10), (13), (14), monitor and modified inversion (29).
+"""The control law of the paper: inversion (6), adaptation (10), (13), (14), monitor (section 2.3), modified inversion (29).
 
 Plain Python that numba compiles; names are the paper's: x_c the controlled rates, f_m and B_m the design model, r the
 reference actuator position, u = r / lambda_hat the commanded one, Lambda_hat = diag(lambda_hat).
 
 Letters: y measured state, m design model, c settings, k control mode, s memory; f, z, e, nu, phi of the working memory.
-Their fields, shapes and units are in `records`. pressure_ratio is (V/V_0)^2, dynamic pressure over that of the reference.
+Their fields, shapes and units are in `records`. pressure_ratio is (V/V_0)^2, the dynamic pressure divided by that at the
+reference condition.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
 
 @compiled
 def pressure_ratio_of(y, m):
-    """(V/V_0)^2."""
+    """(V/V_0)^2 [1], the air's density taken as constant."""
     return (y.airspeed / m.airspeed) * (y.airspeed / m.airspeed)
 
 
@@ -38,7 +39,7 @@ def state_function(y, m, f):
 
 @compiled
 def modified_inverse(alpha, epsilon):
-    """g of (14): 1/alpha, bent to zero within epsilon of it."""
+    """g of (14): 1/alpha, but linear through zero where |alpha| <= epsilon."""
     if abs(alpha) > epsilon:
         return 1.0 / alpha
     return alpha / (epsilon * epsilon)
@@ -46,10 +47,11 @@ def modified_inverse(alpha, epsilon):
 
 @compiled
 def regressor(pressure_ratio, m, s, phi):
-    """Phi = B_m diag(a), into phi [4, n]: the effect on x_c of each modelled position a, if its actuator is fully effective.
+    """Phi = B_m diag(a), into phi [4, n]: what each actuator adds to the rates at its modelled position a, if fully effective.
 
-    Surfaces act in proportion to dynamic pressure; propellers by thrust, and by the motor's torque at once. A jammed
-    actuator does not act by its command: its column is that of one scaled unit, and what is estimated is its position.
+    The effect of a surface is proportional to dynamic pressure. A propeller acts by its thrust, which lags, and by the motor's
+    torque, which does not. The position of a jammed actuator does not follow from its command: its column is the effect of one
+    scaled unit, so that its "effectiveness" estimate is its position.
     """
     for j in range(len(s.position)):
         factor = pressure_ratio if m.servo[j] else 1.0
@@ -69,7 +71,7 @@ def low_pass(x, lags, a):
     Args:
         x: [k] input, and output.
         lags: [2, k] state of the lags.
-        a: corner times step, w dt [1]; 0 for no filter.
+        a: corner frequency times control step, w dt [1]; 0 for no filter.
     """
     if a > 0.0:
         gain = 1.0 - math.exp(-a)
@@ -95,11 +97,13 @@ def measured_error(z, phi, s, e):
 def adapt(e, pressure_ratio, m, c, s):
     """(13), lambda_hat' = gamma (B_m^-1 e) lambda_hat g(r, epsilon), with the modelled position a in place of r.
 
-    Where |a| > epsilon, lambda_hat g(r) = g(a) as r = lambda_hat a, so that it is (13) to the letter. Within epsilon,
-    kappa of (17) is taken at a, which adapts faster than the paper by 1 / lambda_hat^2: what excites an actuator is its
-    deflection, not what was asked of it. log lambda_hat is integrated, which keeps the estimates positive and unbiased
-    under differentiated noise. They are projected onto [lambda_min, lambda_max], without which they can diverge however
-    good B_m is. Of a jammed actuator it is the position that is integrated, between its stops.
+    Where both |r| and |a| are above epsilon this is (13) itself: r = lambda_hat a, so lambda_hat g(r) = 1/a = g(a). Where both
+    are within epsilon, kappa of (17) is a^2 / epsilon^2, and the estimate adapts 1 / lambda_hat^2 times as fast as in the paper.
+    The reason is that the deflection a excites the rates, not the reference r.
+
+    The logarithm of lambda_hat is integrated. This keeps the estimates positive, and unbiased under differentiated noise. They
+    are projected onto [lambda_min, lambda_max], because without bounds they can diverge however good B_m is. For a jammed
+    actuator lambda_hat is its position, which is integrated directly and kept within the stops.
     """
     for i in range(len(s.lambda_hat)):
         x = 0.0
@@ -117,11 +121,12 @@ def adapt(e, pressure_ratio, m, c, s):
 
 @compiled
 def monitor(c, s):
-    """Section 2.3: flag an actuator whose estimate stays below the threshold, and take the flag back once it has stayed
-    above `recovery`. Returns 1 if a flag changed.
+    """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when the estimate
+    stays above `recovery`. Returns 1 if a flag changed.
 
-    Only an estimate with a standard deviation of at most `flag_std_max` may flag: an actuator that hardly acts has an
-    uncertain estimate, however low, and has not failed.
+    An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
+    hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
+    infinite.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
@@ -143,7 +148,7 @@ def monitor(c, s):
 
 @compiled
 def invert(nu, pressure_ratio, m, k, s):
-    """(29): r = B_hat^-1 nu; (6) while nothing has failed. A regulated mode has r_trim added."""
+    """(29): r = r_trim + B_hat^-1 nu; while nothing has failed this is (6). r_trim is zero unless the mode is regulated."""
     for i in range(len(s.r)):
         s.r[i] = k.r_trim[i]
         for j in range(4):

@@ -1,4 +1,4 @@
-"""Switching of control modes: which mode is in force for the failures that the monitor has flagged (section 2.3)."""
+"""Switching of control modes: puts the mode in force that belongs to the flagged failures (section 2.3)."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ class ModeSwitch:
     """The control modes of one flight, and the one in force; it begins with the mode for no failure.
 
     Args:
-        memory: the law's memory, an array of one record: its flags are read here, and its integrals reset.
+        memory: the law's memory, an array of one record. The flags in it are read here; its integrals are reset with each mode.
 
     Attributes:
         mode: the mode in force.
-        record: the same as the compiled pages read it, an array of one record of `records.MODE`.
-        reasons: (step, text) of failures that cannot be held or explained, each text once.
+        record: the same mode as the compiled functions read it, an array of one record of `records.MODE`.
+        reasons: (step, text) of each failure that no mode can hold or that is no loss of effectiveness, each text once.
 
     Raises:
         BadInput: the aircraft cannot be flown in the mode for no failure.
@@ -59,7 +59,7 @@ class ModeSwitch:
         self._put_in_force(self.mode, regulator, ())
 
     def switch(self, step: int) -> None:
-        """Put the mode for the flagged failures in force; where there is none that can be flown, the last one stays."""
+        """Put the mode for the flagged failures in force; if it cannot be flown, the present mode stays and the reason is noted."""
         s = self._memory[0]
         failed = tuple(int(i) for i in np.flatnonzero(s.failed))
         jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i]}
@@ -113,7 +113,10 @@ class ModeSwitch:
             k.airspeed_offset = regulator.x_trim[AIRSPEED] - setup.model.airspeed_m_s
 
     def _report(self, step: int, text: str, once_for: object = None) -> None:
-        """Note a text once, or one text for each `once_for`: the mode of a jammed actuator is designed many times."""
+        """Note a text once; with `once_for`, note one text for each value of it.
+
+        The regulator for a jammed actuator is designed many times, each time with slightly different numbers in the text.
+        """
         if (once_for or text) not in self._reported:
             self._reported.add(once_for or text)
             self.reasons.append((step, text))

@@ -20,13 +20,13 @@ from testbed.controllers.records import AIRSPEED, BETA, REGULATOR_STATE, ROLL
 from testbed.controllers.setup import Setup
 
 _BEYOND_STOPS = 1.3
-"""How far beyond the stops a trim may lie, as a last resort. A model that is 20 % wrong misplaces a trim by as much, and
-any trim near the right one is better than none."""
+"""Factor on the stops within which a trim is accepted as a last resort. A model with errors of 20 % can place a trim that far
+off, and regulating about a trim near the true one is better than having none."""
 _BETA_MAX, _ROLL_MAX, _SLOWEST = 0.25, 0.4, 0.5
-"""Sideslip and bank [rad] and share of the reference airspeed beyond which a solution is no plausible trim."""
-_DESCENT = -0.08  # rad, path angle to start from
+"""Largest sideslip and bank [rad], and least fraction of the reference airspeed, of a plausible trim."""
+_DESCENT = -0.08  # rad, first guess of the path angle
 _SYMMETRY = np.diag([-1.0, 1.0, -1.0, 1.0])
-"""How the rates (`signals.RATES`) of an actuator become those of its mirror image."""
+"""Turns an actuator's effect on the rates (`signals.RATES`) into that of its mirror image: p_dot and r_dot change sign."""
 
 _EVERYTHING = ("airspeed", "altitude", "heading")
 
@@ -43,8 +43,9 @@ class Remaining:
         scale: [n] rad or N of one scaled unit.
         limits: [n, 2] scaled stops.
         available: [n] 1 for actuators that are used.
-        effective: [n] 1 for those that act: the available and the jammed.
-        positions: [n] scaled positions of those that are not available: where they are jammed, else at the trim.
+        effective: [n] effectiveness: 1 for available and for jammed actuators, 0 for the others.
+        positions: [n] scaled positions: where a jammed actuator is jammed; for the others that of the reference trim, which is
+            the first guess for those that are available.
     """
 
     model: DesignModel
@@ -66,10 +67,11 @@ class Remaining:
 
     @cached_property
     def unknowns(self) -> tuple[np.ndarray, list[tuple[int, int]]]:
-        """Indices of at most three actuators to solve a trim for, and (follower, leader) of those that are ganged.
+        """Indices of the actuators whose positions are solved for, and pairs (follower, leader) that move together.
 
-        Six accelerations leave room for three actuators. If more are available, those that are most nearly mirror images
-        of each other move together, surfaces before motors: the aircraft then flies symmetrically.
+        Six accelerations determine alpha, beta, roll and three actuators. If more are available, they are paired until three
+        are left: surfaces before motors, and first the two that are most nearly mirror images of each other. So the aircraft
+        flies symmetrically.
         """
         free = [int(i) for i in np.flatnonzero(self.available)]
         ganged: list[tuple[int, int]] = []
@@ -82,7 +84,7 @@ class Remaining:
         return np.array([i for i in free if i not in followers]), ganged
 
     def _mirror_distance(self, pair: tuple[int, int]) -> tuple[bool, float]:
-        """Sorts pairs of actuators: surfaces first, then by how far their effects are from mirror images."""
+        """Sort key of a pair of actuators: surfaces first, then by how far their effects are from mirror images."""
         b, kinds = np.array(self.model.input_matrix)[:4] * self.scale, self.model.kinds
         i, j = pair
         surfaces = kinds[i] == kinds[j] == "servo"
@@ -102,13 +104,13 @@ class SteadyFlight(NamedTuple):
 
 @dataclass(frozen=True)
 class TrimProblem:
-    """Steady straight flight on the design model: alpha, beta, roll and three actuators such that nothing accelerates.
+    """Steady straight flight on the design model: the alpha, beta, roll and three actuators at which all accelerations are zero.
 
     Attributes:
         remaining: what there is to fly with.
-        freed: "" for level flight at a given airspeed; with fewer actuators one more unknown is needed, "airspeed" (level
-            flight) or "path_angle" (at a given airspeed).
-        stop_factor: the trim may lie within the stops times this.
+        freed: "" for level flight at a given airspeed. With two actuators one more unknown is needed: "airspeed" for level
+            flight, or "path_angle" for a given airspeed.
+        stop_factor: a trim is accepted within the stops times this.
     """
 
     remaining: Remaining
@@ -116,9 +118,9 @@ class TrimProblem:
     stop_factor: float = 1.0
 
     def solve(self, airspeeds: Sequence[float]) -> SteadyFlight | None:
-        """The first trim found at these airspeeds [m/s] (to start from, where airspeed is unknown), or None."""
+        """The first trim found at these airspeeds [m/s], or None. If airspeed is an unknown, they are its first guesses."""
         for airspeed in airspeeds:
-            for beta in (0.0, 0.08, -0.08):  # to start from
+            for beta in (0.0, 0.08, -0.08):  # first guesses [rad]
                 flight = self._solve_from(airspeed, beta)
                 if flight is not None:
                     return flight
@@ -140,7 +142,7 @@ class TrimProblem:
         return flight if found.success and self._plausible(flight) else None
 
     def _flight(self, unknowns: np.ndarray, airspeed: float) -> SteadyFlight:
-        """State and positions for the unknowns: alpha, beta, roll, what is freed, and positions of the actuators used."""
+        """State and positions for the unknowns: alpha, beta, roll, the `freed` one if any, positions of the solved actuators."""
         used, ganged = self.remaining.unknowns
         alpha, beta, roll = unknowns[:3]
         values = {"airspeed": airspeed, "path_angle": 0.0}
@@ -156,7 +158,7 @@ class TrimProblem:
         )
 
     def _plausible(self, flight: SteadyFlight) -> bool:
-        """Within the stops, and no spurious solution far from ordinary flight."""
+        """Whether a solution is within the stops and near ordinary flight: the equations have spurious solutions far from it."""
         limits, state = self.stop_factor * self.remaining.limits, flight.state
         airspeed, beta, roll = state[AIRSPEED], state[BETA], state[ROLL]
         inside = np.all((flight.positions >= limits[:, 0] - 1e-9) & (flight.positions <= limits[:, 1] + 1e-9))
@@ -165,16 +167,19 @@ class TrimProblem:
 
 
 def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlight, tuple[str, ...]]:
-    """Steady flight with what remains, and which outputs can be held in it.
+    """Steady flight with the actuators that remain, and the outputs that can be held in it.
 
-    With three actuators or more: level at the reference airspeed, or faster if that has no trim; all is held. With two of
-    which one is a motor: level at an unknown airspeed. Else, or where that has no trim: descending.
+    With three actuators or more, the flight is level at the reference airspeed, or faster if there is no trim at that. If one
+    motor of several is left, the search begins `lost_thrust_faster_m_s` higher. Airspeed, altitude and heading are held.
+
+    With two, of which at least one is a motor, the flight is level at an unknown airspeed; altitude and heading are held. With
+    no motor, or if there is no such trim, the flight descends; airspeed and heading are held.
 
     Args:
         title: what failed, for the message.
 
     Raises:
-        NoSteadyFlight: with fewer than two actuators, or where none of this has a trim.
+        NoSteadyFlight: fewer than two actuators are left, or none of these flights has a trim.
     """
     if left.available.sum() < 2:
         raise NoSteadyFlight(f"{title}: one actuator cannot hold altitude and heading")
@@ -186,7 +191,7 @@ def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlig
 
 
 def _attempts(left: Remaining, loops: Loops) -> Iterator[tuple[TrimProblem, list[float], tuple[str, ...]]]:
-    """Trim problems in the order in which they are tried, each with airspeeds to try and with what it holds."""
+    """Trim problems in the order in which they are tried, each with the airspeeds to try [m/s] and the outputs that it holds."""
     airspeed, motors = left.model.airspeed_m_s, _available_motors(left)
     if left.available.sum() >= 3:
         # An aircraft that has only one motor by design has lost none.
@@ -207,11 +212,12 @@ def _available_motors(left: Remaining) -> list[bool]:
 
 
 def motion(model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray) -> np.ndarray:
-    """[10] derivatives of the state on the design model (flat earth, body axes).
+    """[10] time derivatives of the state on the design model (flat earth, body axes).
 
     Args:
         x: [10] state by `records.REGULATOR_STATE`.
-        a: [n] actuator positions [rad, N]; effectiveness: [n] of each.
+        a: [n] actuator positions [rad, N].
+        effectiveness: [n] of each actuator, 1 healthy, 0 lost.
     """
     speed, alpha, beta, p, q, r, roll, pitch, _, _ = x
     p_dot, q_dot, r_dot, u_dot, v_dot, w_dot = _rates(model, x, a, effectiveness)

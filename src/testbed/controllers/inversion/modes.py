@@ -1,7 +1,7 @@
-"""Control modes: for each combination of failed actuators, what is released and how the rest is inverted (29).
+"""Control modes: for each combination of failed actuators, the axes to release and the inverse for the others (29).
 
-All combinations are enumerated before the flight, from the aircraft's settings. A combination whose remaining input
-matrix is ill-conditioned is refused, with the reason. `regulator` has the outer loop of a mode with released axes.
+All combinations are enumerated before the flight, from the aircraft's settings. A combination is refused, with the reason, if
+its remaining input matrix is ill-conditioned. `regulator` designs the outer loop of a mode with released axes.
 """
 
 from __future__ import annotations
@@ -26,13 +26,12 @@ class Mode:
     Attributes:
         failed: names of the failed actuators.
         released: rates that are given up.
-        inverse: [n, 4] from the virtual control to scaled actuator positions: B_hat^-1 of (29) where that is square, the
-            pseudo-inverse where there are more actuators than kept axes. Rows of failed actuators and columns of released
-            axes are zero.
+        inverse: [n, 4] from the virtual control to scaled actuator positions: B_hat^-1 of (29), or the pseudo-inverse where
+            there are more actuators than kept axes. Rows of failed actuators and columns of released axes are zero.
         condition: condition number of the remaining scaled input matrix, kept axes by available actuators.
         refused: why the mode cannot be flown, or empty.
-        inverse_at_stop: [n, n, 4] the inverse without the actuator of the first index, for when that one is at its stop;
-            None if there is no actuator to spare.
+        inverse_at_stop: [n, n, 4] the inverse without the actuator of the first index, for use while that one is at its stop;
+            None if there are no more actuators than kept axes.
     """
 
     failed: tuple[str, ...]
@@ -56,9 +55,9 @@ _modes: Cache[Mapping[tuple[int, ...], Mode]] = Cache(32)
 def enumerate_modes(
     model: DesignModel, scale: np.ndarray, control: ControlDesign, released: Sequence[str] = ()
 ) -> Mapping[tuple[int, ...], Mode]:
-    """Every combination of failed actuators, keyed by their indices, but for that of all.
+    """The mode of every combination of failed actuators except all of them, by the indices of the failed ones.
 
-    Kept, as most flights of a sweep share them: the result must not be changed.
+    The result is cached, because most flights of a sweep share it: do not change it.
 
     Args:
         scale: [n] rad or N of one scaled unit.
@@ -124,9 +123,9 @@ def _released_axes(
 ) -> tuple[str, ...]:
     """Axes to give up.
 
-    While nothing has failed, those asked for. After a failure, those that the aircraft lists for the combination; if it
-    lists none, those that it lists for each failed actuator, and then by priority until no more axes are kept than
-    actuators are left.
+    While nothing has failed, these are `always`. After a failure, they are those that the aircraft's `release` lists for this
+    combination. If it does not list the combination, they are those that it lists for each failed actuator. In both cases more
+    axes are given up, lowest priority first, until no more axes are kept than actuators are left.
     """
     if not failed:
         return tuple(axis for axis in RATES if axis in always)

@@ -2,8 +2,8 @@
 
 The actuators that are left no longer decouple the axes, so the regulator feeds back all states. It is designed on the
 design model, when the mode is first entered, in three steps: the trim (`mode_trim`), the linear plant about it
-(`linearise`), and the gains (`lq_gains`). It does not cancel what is stable, such as weathercock stability and damping:
-nu of `outer_loops.regulate` is added to f_m, not put in its place.
+(`linearise`), and the gains (`lq_gains`). Natural stability, such as the weathercock effect and damping, is kept:
+`outer_loops.regulate` adds nu to f_m, and does not cancel f_m.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from testbed.controllers.inversion.modes import Mode
 from testbed.controllers.records import ALTITUDE, INTEGRALS, REGULATOR_STATE
 from testbed.controllers.setup import Setup
 
-_STEP = 1e-6  # of the central differences in `jacobian`
+_STEP = 1e-6  # of the central differences in `jacobian`, in the unit of each state or scaled position
 
 
 @dataclass(frozen=True)
 class Regulator:
-    """Trim and gains of a mode: nu = -K dx - K_actuator da - K_integral integral.
+    """Trim and gains of a mode: nu = -K dx - K_actuator da - K_integral integral, with dx and da deviations from the trim.
 
     Attributes:
         x_trim: [10] state by `records.REGULATOR_STATE`.
         r_trim: [n] scaled actuator positions at that trim, as if fully effective.
         K, K_actuator, K_integral: [4, 10], [4, n], [4, 3] gains on state, modelled actuators and integrals.
         eigenvalues: of the designed loop [rad/s].
-        held: outputs that are held: airspeed, altitude, heading or fewer.
+        held: outputs that follow their references with integral action: some of airspeed, altitude, heading.
     """
 
     x_trim: np.ndarray
@@ -49,10 +49,13 @@ class Regulator:
 def linearise(
     left: Remaining, lags: np.ndarray, flight: SteadyFlight, held: Sequence[str]
 ) -> tuple[np.ndarray, np.ndarray]:
-    """A, B of the plant about a trim: states z = (x [10], a [n], integrals of the held outputs), inputs r [n].
+    """Matrices A, B of the plant about a trim: states z = (x [10], a [n], integrals of the held outputs), inputs r [n].
 
     Args:
-        lags: [n] of servos and rotors [rad/s]: a' = lag (r - a).
+        left: the actuators that are left.
+        lags: [n] corner of each actuator's first-order lag, a' = lag (r - a) [rad/s].
+        flight: the trim.
+        held: names of the outputs whose errors are integrated.
     """
     nx, n = len(REGULATOR_STATE), len(lags)
     x0, a0 = flight
@@ -71,7 +74,7 @@ def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tupl
     (Bryson and Ho, Applied Optimal Control, sec. 5.2).
 
     Raises:
-        numpy.linalg.LinAlgError: what is unstable cannot be controlled.
+        numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach.
     """
     K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
     return K, np.linalg.eigvals(A - B @ K)
@@ -81,23 +84,24 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | Non
     """Linear-quadratic regulator for a mode, with weights by Bryson's rule (Bryson and Ho, sec. 5.2).
 
     Args:
-        jammed: scaled positions of failed actuators that stand somewhere and act from there.
+        jammed: scaled position of each jammed actuator, by its index; the trim balances its effect.
 
     Raises:
-        NoSteadyFlight: nothing steady within the stops, or nothing that can be stabilised.
+        NoSteadyFlight: no steady flight within the stops, or none that can be stabilised.
     """
     left, weights = Remaining.after(setup, mode, jammed or {}), setup.control.regulator
     flight, held = steady_flight(left, setup.control.loops, mode.title)
     nx, n = len(REGULATOR_STATE), len(left.scale)
     A, B = linearise(left, setup.lags, flight, held)
     B = B @ mode.inverse  # the inputs are nu
-    # Feedback is from what can be used, to kept axes. While gliding altitude is the energy that is spent: not held.
+    # Actuators that are not used, and released axes, are left out of the feedback. So is altitude in a descent: it is the
+    # energy that keeps the airspeed up, and cannot be held.
     unused = {ALTITUDE} if "altitude" not in held else set()
     unused |= {nx + i for i in range(n) if not left.available[i]}
     states = [i for i in range(len(A)) if i not in unused]
     kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
     Q = np.diag(1.0 / np.square(_largest_deviations(weights, n, held)[states]))
-    into = mode.inverse[:, kept]
+    into = mode.inverse[:, kept]  # the weights are on actuator positions; these are r = into nu
     R = into.T @ np.diag(left.available / weights.actuator**2) @ into
     try:
         K, eigenvalues = lq_gains(A[np.ix_(states, states)], B[np.ix_(states, kept)], Q, R)
@@ -112,7 +116,7 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | Non
 
 
 def _largest_deviations(weights: RegulatorWeights, n: int, held: Sequence[str]) -> np.ndarray:
-    """[10 + n + held] largest acceptable deviation of each state of `linearise`."""
+    """[10 + n + number held] largest acceptable deviation of each state of `linearise`."""
     states = [getattr(weights.states, name) for name in REGULATOR_STATE]
     return np.array([*states, *[weights.actuator] * n, *(getattr(weights.integrals, name) for name in held)])
 
@@ -121,7 +125,8 @@ _regulators: Cache[Regulator | str] = Cache(256)
 
 
 def regulator_for(setup: Setup, mode: Mode) -> Regulator:
-    """As `design_regulator`, kept: a design takes longer than a second of flight, and is the same in every flight."""
+    """As `design_regulator` without jams, cached: to compute a design takes longer than to simulate a second of flight, and it is
+    the same in every flight. A mode without steady flight is cached too."""
     arrays = (setup.scale, mode.inverse, setup.limits, setup.lags)
     control = setup.control.model_dump_json()
     key = (setup.model, mode.failed, mode.released, control, *(a.tobytes() for a in arrays))
@@ -139,7 +144,7 @@ def regulator_for(setup: Setup, mode: Mode) -> Regulator:
 
 
 def jacobian(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray) -> np.ndarray:
-    """[m, n] derivatives of a function of x [n], by central differences."""
+    """[m, n] derivatives of a function with m values, at x [n], by central differences."""
     columns = []
     for i in range(len(x)):
         step = np.zeros(len(x))

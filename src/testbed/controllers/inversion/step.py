@@ -28,13 +28,13 @@ from testbed.controllers.outer_loops import pid_loops, regulate
 def adaptive_step(step, parts):
     """Estimate, monitor, invert and command for one measured state.
 
-    Returns 1 when the set of failures changed. Then nothing has been commanded yet: the new mode has to be put in force
-    first, and `command_step` called.
+    Returns 1 when the flagged failures changed, or a jammed actuator moved. Then nothing has been commanded yet: the caller
+    must put the new mode in force, and then call `command_step`.
 
     Args:
         step: row of the channels.
         parts: states, setpoints and telemetry (see `Controller.bind`), then model, settings, mode, memory and working
-            memory, each an array of one record. One tuple, because numba takes it in a third of the time.
+            memory, each an array of one record. They are one tuple because a call with it takes a third of the time.
     """
     states, _, _, models, settings, _, memories, works = parts
     y, m, c, s, w = states[step], models[0], settings[0], memories[0], works[0]
@@ -48,14 +48,12 @@ def adaptive_step(step, parts):
 
 @compiled
 def estimate(y, m, c, s, w):
-    """Effectiveness from the measured rates, and what the monitor makes of it; returns 1 when the failures changed."""
+    """Estimate effectiveness from the measured rates, then monitor it and look for jams; returns 1 as `adaptive_step` does."""
     f, z, e, phi = w.f, w.z, w.e, w.phi
     pressure_ratio = pressure_ratio_of(y, m)
     z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
-    for i in range(4):
-        z[i] += (
-            m.offset[i] * pressure_ratio
-        )  # f includes the constant torque of healthy propellers, which Phi has too
+    for i in range(4):  # both f and Phi contain the constant part of the propellers' torque: count it once
+        z[i] += m.offset[i] * pressure_ratio
     regressor(pressure_ratio, m, s, phi)
     low_pass(z, s.filtered, c.filter_rate * c.dt)
     for i in range(4):
@@ -73,7 +71,7 @@ def estimate(y, m, c, s, w):
 
 @compiled
 def command_step(step, parts):
-    """Outer loops, inversion and commands with the mode in force; arguments as of `adaptive_step`."""
+    """Outer loops, inversion and commands with the mode in force; arguments as in `adaptive_step`."""
     states, setpoints, telemetry, models, settings, modes, memories, works = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]

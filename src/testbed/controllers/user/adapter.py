@@ -4,13 +4,12 @@
         def __init__(self, setup): ...                      # a `Setup`: design model, trim, stops, time step
         def update(self, time_s, state, reference): ...     # -> commands: servos in radians, motors as throttle 0 to 1
 
-`state` is a `State`, as measured, and `reference` a `Reference`, both in SI and radians; commands are one
+`state` is a `State`, as measured, and `reference` is a `Reference`; both are in SI units and radians. The commands are one
 number for each actuator, in the order of `setup.model.actuators`. The object may have the attributes `effectiveness` and
-`failed`, one number for each actuator: they are logged and judged as its estimates and flags. Without them the log has 1
-and 0. A class with `bind` and `step` (see `controllers.Controller`) is flown as it is.
+`failed`, with one number for each actuator. They are logged, and judged by the metrics, as its estimates and its flags;
+without them the log has 1 and 0. A class with `bind` and `step` (see `controllers.Controller`) is flown as it is.
 
-What is wrong with the class is reported as bad input with the user's file and line, and with the time if it happens in
-flight.
+An error in the class is reported as bad input with the user's file and line, and with the time if it happens in flight.
 """
 
 from __future__ import annotations
@@ -54,7 +53,7 @@ class State(NamedTuple):
 
 
 class Reference(NamedTuple):
-    """The references to follow (`signals.SETPOINT`), rate-limited, and their rates [m, m/s, rad; per second]."""
+    """The references to follow (`signals.SETPOINT`), rate-limited [m, m/s, rad], and their rates [m/s, m/s2, rad/s]."""
 
     altitude: float
     airspeed: float
@@ -108,7 +107,7 @@ class CustomController:
         return commands
 
     def _checked(self, answer: Any, what: str, time_s: float) -> np.ndarray:
-        """[n] finite numbers, or BadInput."""
+        """The answer as [n] finite numbers; raises BadInput when it is anything else."""
         expected = f"{self._n} finite numbers: {', '.join(self._names)}"
         try:
             values = np.asarray(answer, dtype=float)
@@ -121,7 +120,7 @@ class CustomController:
         return values
 
     def _write_telemetry(self, step: int, commands: np.ndarray, time_s: float) -> None:
-        """Servos as commanded; motors as the thrust that the modelled motor gives, because a throttle is no thrust."""
+        """Log servos as commanded, and motors as the thrust of the modelled motor: the log's unit is newtons, not throttle."""
         n, s, row = self._n, self._memory, self._telemetry[step]
         s.command[:] = commands
         advance_actuators(self._dt, axial_speed(self._states[step]), self._model, s)
@@ -137,7 +136,7 @@ def adapted(factory: Factory, setup: Setup) -> Controller:
     try:
         made = factory(setup)
     except BadInput:
-        raise  # a controller of the table that refuses the aircraft
+        raise  # from a controller of the testbed, which refuses the aircraft
     except Exception as error:
         raise BadInput([raised(error, name, "while being made")]) from error
     if callable(getattr(made, "bind", None)) and callable(getattr(made, "step", None)):

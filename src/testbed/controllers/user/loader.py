@@ -17,26 +17,26 @@ Factory = Callable[[Setup], Any]
 
 
 _PREFIX = "testbed_user_"
-"""Of the module's name, so that a file called json.py does not become the module json."""
+"""Beginning of the module's name, so that a user's file json.py does not take the place of the module json."""
 _PLACE = "_testbed_place"
-"""Attribute of the user's module: its file as it was given."""
+"""Attribute of the user's module that keeps its path as the user gave it."""
 
 
 def name_of(factory: Factory) -> str:
-    """`module:Class`, the same on every machine; a class loaded from a file has the file's name for its module."""
+    """`module:Class`, the same on every machine. For a class loaded from a file, `module` is the file's name without `.py`."""
     module = getattr(factory, "__module__", "") or ""
     name = getattr(factory, "__qualname__", type(factory).__name__)
     return f"{module.removeprefix(_PREFIX)}:{name}"
 
 
 def place_of(factory: Factory) -> str:
-    """The file that the class was loaded from, as it was given; `name_of` where it was not loaded from a file."""
+    """The file that the class was loaded from, as the user gave it; `name_of` if it was not loaded from a file."""
     module = sys.modules.get(getattr(factory, "__module__", "") or "")
     return getattr(module, _PLACE, "") or name_of(factory)
 
 
 def load_controller(reference: str) -> Factory:
-    """The class that `my_file.py:MyController` names. Runs the file; raises BadInput with file and line."""
+    """The class that `my_file.py:MyController` names. The file is run; what goes wrong raises BadInput with file and line."""
     file, colon, name = reference.rpartition(":")
     if not colon or not name.isidentifier() or not file.endswith(".py"):
         raise BadInput([Problem(f"is {reference!r}", "--controller", expected="FILE.py:CLASS")])
@@ -52,7 +52,7 @@ def load_controller(reference: str) -> Factory:
 
 
 def _module(path: Path) -> ModuleType:
-    """The module of a Python file, which is run; it may import files beside it."""
+    """Run a Python file and return its module. The file may import others in its folder."""
     if not path.is_file():
         problem = "is a folder" if path.is_dir() else "there is no such file"
         near = [str(p) for p in path.parent.glob("*.py")] if path.parent.is_dir() else []
@@ -76,18 +76,17 @@ def _module(path: Path) -> ModuleType:
 
 
 def raised(error: Exception, name: str, when: str) -> Problem:
-    """A problem for an exception in the user's code: the last line of their file in the traceback, and the exception.
+    """The problem to report for an exception in the user's code: its text, and the last line of their file in the traceback.
 
     Args:
-        name: their file as it was given.
-        when: such as "at 1.250 s".
+        name: the user's file, as they gave it.
+        when: when it was raised, such as "at 1.250 s".
     """
     frames: Sequence[traceback.FrameSummary] = traceback.extract_tb(error.__traceback__)
     theirs = [frame for frame in frames if frame.filename in (name, str(Path(name).resolve()))]
     frame = (theirs or frames)[-1]
-    ours = (
-        Path(frame.filename).parent == Path(__file__).parent
-    )  # called wrongly, so it never got to the user's lines
+    # The testbed's call itself failed (wrong arguments), so no line of the user's was reached.
+    ours = Path(frame.filename).parent == Path(__file__).parent
     last = traceback.format_exception_only(error)[-1].strip()
     file = name if theirs or ours else frame.filename
     return Problem(f"raised {when}: {last}", file, None if ours else frame.lineno)
