@@ -1,8 +1,8 @@
 """What can break: for each type of failure its fields, and the properties of the JSBSim model that it holds.
 
-A failure acts by holding properties of the model, and in no other way; nothing is written before it starts. Times are
-in seconds from the start of the flight. A failure starts at `at_s`, or when a logged signal passes a limit, and lasts to
-`until_s` or to the end of the flight. `testbed.injection` applies failures to a plant.
+A failure acts only by holding properties of the model; none is written before it starts. Times are in seconds from the start
+of the flight. A failure starts at `at_s`, or when a logged signal passes a limit, and lasts until `until_s` or until the end of
+the flight. `testbed.injection` applies failures to a plant.
 
 A new type is one class in `losses`, `held` or `varying`, and one line in TABLE.
 """

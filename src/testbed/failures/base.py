@@ -1,8 +1,7 @@
 """What every failure has: when it starts and ends, and which properties of the JSBSim model it holds.
 
-Units: a field whose name ends in a unit is in that unit. The others (`value`, `low`, `high`, `amplitude`, `rate`) are
-factors, or are in the actuator's own unit: degrees for a servo, throttle from 0 to 1 for a motor. `rate` is in that unit
-per second.
+Units: a field whose name ends in a unit is in that unit. `value`, `low`, `high` and `amplitude` are factors, or are in the
+actuator's own unit: degrees for a servo, throttle from 0 to 1 for a motor. `rate` is in that unit per second.
 """
 
 from __future__ import annotations
@@ -19,14 +18,14 @@ from testbed.aircraft.description import Aircraft, MotorActuator, Servo
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
 
 Examples = Mapping[str, Mapping[str, Any]]
-"""Fields of a failure, by kind of actuator."""
+"""Fields of an example of a failure, by kind of actuator."""
 Course = Callable[[float, float], float]
 """Value to hold, as a function of the time since the failure started [s] and of the value held at its start."""
 
 
 @dataclass(frozen=True)
 class Capture:
-    """A property is held at the value that `source`, another property or itself, has when the failure starts."""
+    """The value to hold is that of the property `source` when the failure starts; `source` may be the held property itself."""
 
     source: str
 
@@ -72,9 +71,9 @@ class Failure(Settings):
     kinds: ClassVar[tuple[str, ...]] = ("servo", "motor")
     """Kinds of actuator that can fail in this way."""
     undone: ClassVar[bool] = True
-    """Whether it may end before the flight does; what has fallen off does not come back."""
+    """Whether it may end before the flight does. False for a part that has fallen off."""
     examples: ClassVar[Examples] = {}
-    """By kind of actuator, the fields of an example with a visible effect: for the tests and the catalogue's figures."""
+    """For each kind of actuator, fields with a visible effect; they are flown by the tests and drawn in the catalogue."""
 
     type: str
     actuator: Text | None = None
@@ -100,17 +99,17 @@ class Failure(Settings):
 
     @classmethod
     def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any] | None:
-        """Fields with which the failure changes nothing of this actuator; None where there are none."""
+        """Fields with which the failure has no effect on this actuator; None if there are no such fields."""
         return None
 
     def properties(self, aircraft: Aircraft) -> Mapping[str, float | Capture]:
-        """JSBSim properties that are held while the failure lasts, each with the value that is written at its start."""
+        """JSBSim properties that are held while the failure lasts, each with the value that is written when it starts."""
         raise NotImplementedError
 
     def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course] | None:
-        """The held property whose value changes while the failure lasts, and its course; None if none changes.
+        """The held property whose value changes while the failure lasts, and its value over time; None if none changes.
 
-        `random` is this failure's own stream, for courses of chance.
+        `random` is the random stream of this failure, for a value that changes at random.
         """
         return None
 
@@ -119,12 +118,12 @@ class Failure(Settings):
         return None
 
     def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
-        """What does not fit the aircraft or the control rate; its actuator exists and is of the right kind."""
+        """What does not fit the aircraft or the control rate. The actuator is known to exist and to be of the right kind."""
         return iter(())
 
     @property
     def window_s(self) -> tuple[float, float]:
-        """Earliest start and latest end [s]; a failure that waits for a signal may start at any time."""
+        """Earliest start and latest end [s]. A failure with `when` may start at any time, so its earliest start is 0."""
         return self.at_s or 0.0, math.inf if self.until_s is None else self.until_s
 
 
@@ -138,16 +137,16 @@ class ActuatorFailure(Failure):
         return aircraft.actuators[self.actuator].kind == "servo"
 
     def name(self, aircraft: Aircraft, servo: str, motor: str | None = None) -> str:
-        """Full name of a property in this actuator's block; `motor` if a motor's has another name there."""
+        """Full name of a property in this actuator's block; `motor` is its name for a motor where that differs."""
         tail = servo if motor is None or self.is_servo(aircraft) else motor
         return f"{aircraft.actuators[self.actuator].prefix}/{tail}"
 
     def inside(self, aircraft: Aircraft, value: float) -> float:
-        """A value in the actuator's unit, converted to the model's: radians for a servo, throttle for a motor."""
+        """A value in the actuator's own unit, converted to that of the JSBSim model: radians for a servo, throttle for a motor."""
         return math.radians(value) if self.is_servo(aircraft) else value
 
     def travel(self, aircraft: Aircraft) -> tuple[float, float]:
-        """Lowest and highest command, in the actuator's unit."""
+        """Lowest and highest command, in the actuator's own unit (degrees or throttle)."""
         return aircraft.actuators[self.actuator].limits if self.is_servo(aircraft) else (0.0, 1.0)
 
     def unit(self, aircraft: Aircraft) -> str:
@@ -157,7 +156,7 @@ class ActuatorFailure(Failure):
     def outside(
         self, aircraft: Aircraft, field: str, low: float, high: float, per: str = ""
     ) -> Iterator[Fault]:
-        """A fault if this field's value is not from `low` to `high` [the actuator's unit, followed by `per`]."""
+        """A fault if this field's value is outside `low` to `high`, in the actuator's own unit followed by `per` (such as "/s")."""
         value = getattr(self, field)
         if value is not None and not low <= value <= high:
             unit = self.unit(aircraft) + per

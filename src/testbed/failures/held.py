@@ -1,4 +1,4 @@
-"""Failures between command and position: properties that are held at fixed values from start to end."""
+"""Failures between command and position whose properties are held at fixed values from start to end."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class CommandScale(ActuatorFailure):
 
 
 class Reversal(ActuatorFailure):
-    """Commands act with the opposite sign, about zero deflection and not about trim, as with a crossed linkage."""
+    """Commands act with the opposite sign, as with a crossed linkage: mirrored about zero deflection, not about trim."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["reversal"] = "reversal"
@@ -39,15 +39,14 @@ class Reversal(ActuatorFailure):
 
 
 class Stuck(ActuatorFailure):
-    """A surface stays where it is when the failure starts; a motor keeps the throttle that it has then."""
+    """A surface keeps the position, and a motor the throttle, that it has when the failure starts."""
 
     type: Literal["stuck"] = "stuck"
     examples: ClassVar[Examples] = both({})
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
-        if self.is_servo(
-            aircraft
-        ):  # JSBSim's own malfunction: the position freezes at once, in spite of the lag
+        if self.is_servo(aircraft):
+            # With JSBSim's own malfunction the position freezes at once. An override would move on through the servo's lag.
             return {self.name(aircraft, "servo/malfunction/fail_stuck"): 1.0}
         held = Capture(self.name(aircraft, "throttle-norm"))
         return {self.name(aircraft, "override-active"): 1.0, self.name(aircraft, "override-norm"): held}
@@ -83,7 +82,7 @@ class Hardover(ActuatorFailure):
 
 
 class Float(ActuatorFailure):
-    """The surface is free and trails with the local flow, at minus `gain` times its incidence (default: the aircraft's gain)."""
+    """The surface floats freely: its deflection is minus `gain` times the local incidence (default: the aircraft's gain)."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["float"] = "float"
@@ -96,7 +95,7 @@ class Float(ActuatorFailure):
 
 
 class Bias(ActuatorFailure):
-    """The surface is off by `value` from where its servo is, as by a bent linkage; a motor's throttle command is off by `value`."""
+    """`value` is added to the deflection behind the servo, as by a bent linkage, or to the throttle command of a motor."""
 
     type: Literal["bias"] = "bias"
     value: Number
@@ -116,7 +115,7 @@ class Bias(ActuatorFailure):
 
 
 class PositionLimit(ActuatorFailure):
-    """Travel is limited to `low` to `high` (one may be left out); an actuator beyond is moved to the new stop at once."""
+    """Travel is limited to `low` to `high` (one may be left out); an actuator outside is moved to the new stop at once."""
 
     type: Literal["position_limit"] = "position_limit"
     low: Number | None = None

@@ -1,4 +1,4 @@
-"""Failures that take from what an actuator does to the aircraft: its force, its torque, its mass."""
+"""Failures that reduce the effect of an actuator on the aircraft: its force, its torque, its mass."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Gain = Annotated[Number, Field(ge=0, le=1.5)]
 
 
 class Effectiveness(ActuatorFailure):
-    """The actuator's force and torque are multiplied by `value`, its position stays: 0 is lost, 1 is healthy."""
+    """The actuator's force and torque are multiplied by `value`, and its position is not affected: 0 is lost, 1 is healthy."""
 
     type: Literal["effectiveness"] = "effectiveness"
     value: Gain
@@ -42,7 +42,7 @@ class PropLoss(ActuatorFailure):
 
 
 class MotorStop(ActuatorFailure):
-    """The motor has no power and its propeller windmills; with `braked: true` the motor is short-circuited and brakes it."""
+    """The motor has no power and its propeller windmills; with `braked: true` a short-circuited motor brakes the propeller."""
 
     kinds: ClassVar[tuple[str, ...]] = ("motor",)
     type: Literal["motor_stop"] = "motor_stop"
@@ -50,7 +50,7 @@ class MotorStop(ActuatorFailure):
     examples: ClassVar[Examples] = {"motor": {}}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
-        if self.braked:  # no voltage: a motor on a short circuit brakes
+        if self.braked:  # at zero volts JSBSim's motor is short-circuited, and brakes
             return {
                 self.name(aircraft, "throttle-max-norm"): 0.0,
                 self.name(aircraft, "throttle-min-norm"): 0.0,
@@ -59,7 +59,7 @@ class MotorStop(ActuatorFailure):
 
 
 class SurfaceLost(ActuatorFailure):
-    """The surface is gone: its force, its mass, and its share of the centre of gravity and of inertia."""
+    """The surface is gone: its force, its mass, and with the mass its effect on centre of gravity and inertia."""
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     undone: ClassVar[bool] = False

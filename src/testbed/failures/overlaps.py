@@ -1,4 +1,4 @@
-"""When two failures may hold the same property: one after the other, or where the later replaces the earlier."""
+"""Two failures may hold the same property only one after the other, or where the later replaces the earlier."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def same_property(name: str) -> str:
 def overlaps(failures: Sequence[Failure], aircraft: Aircraft) -> Iterator[tuple[int, int, str]]:
     """Pairs of failures that would hold one property at one time: (first index, second index, property).
 
-    Two failures may hold the same property only if their windows [at_s, until_s) do not meet. There is one exception,
+    Two failures may hold the same property only if their windows [at_s, until_s) do not overlap. There is one exception,
     for a failure that gets worse in steps: if two are of one type, both have `at_s` and neither has `until_s`, then the
     later one replaces the earlier one (effectiveness 0.2 from 5 s, and 0.0 from 15 s). The window of a failure with
     `when` begins at 0, because it may start at any time.

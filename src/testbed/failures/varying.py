@@ -1,4 +1,4 @@
-"""Failures whose held value changes with time, and the one that delays commands."""
+"""Failures whose held value changes with time, and the delay of commands."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from testbed.failures.losses import Gain
 from testbed.inputs.base import NonNegative, Number, Positive
 
 MAX_DELAY_S = 5.0
-"""Longest delay that may be asked for [s]; late commands are kept in memory."""
+"""Longest delay that a scenario may ask for [s], because all delayed commands are kept in memory."""
 
 
 class Delay(ActuatorFailure):
-    """Commands arrive `delay_s` late, to the nearest control step; the last one before the failure is held until then."""
+    """Commands arrive `delay_s` late, to the nearest control step; before the first of them the last healthy one is held."""
 
     type: Literal["delay"] = "delay"
     delay_s: Annotated[Number, Field(ge=0, le=MAX_DELAY_S)]
@@ -43,7 +43,7 @@ class Delay(ActuatorFailure):
 
 
 class Oscillation(ActuatorFailure):
-    """A sine of `amplitude` and `frequency_hz` is added to the commands, before the servo or motor."""
+    """A sine of `amplitude` and `frequency_hz` is added to the commands of the servo or motor."""
 
     type: Literal["oscillation"] = "oscillation"
     amplitude: NonNegative
@@ -73,7 +73,7 @@ class Oscillation(ActuatorFailure):
 
 
 class Runaway(ActuatorFailure):
-    """The servo, or the throttle, moves from where it is at `rate` per second to its highest (`to: max`) or lowest stop."""
+    """The servo or throttle moves from where it is, at `rate` per second, to its highest (`to: max`) or lowest (`to: min`) stop."""
 
     type: Literal["runaway"] = "runaway"
     rate: Positive
@@ -100,7 +100,7 @@ class Runaway(ActuatorFailure):
 
 
 class Intermittent(ActuatorFailure):
-    """Effectiveness is in turn `value`, for `off_s` on average, and 1, for `on_s` on average; each duration is random."""
+    """Effectiveness alternates between `value`, for `off_s` on average, and 1, for `on_s` on average; each duration is random."""
 
     type: Literal["intermittent"] = "intermittent"
     value: Annotated[Number, Field(ge=0, le=1)] = 0.0
@@ -116,7 +116,7 @@ class Intermittent(ActuatorFailure):
         return {self.name(aircraft, "effectiveness"): self.value}
 
     def course(self, aircraft: Aircraft, random: np.random.Generator) -> tuple[str, Course]:
-        """Durations are exponentially distributed, and drawn as time goes on; the first is a broken one."""
+        """Durations are exponentially distributed, and drawn as the flight goes on; the first is one with effectiveness `value`."""
         healthy = 1.0
         ends_at, broken = random.exponential(self.off_s), True
 
@@ -131,7 +131,7 @@ class Intermittent(ActuatorFailure):
 
 
 class Decay(ActuatorFailure):
-    """Effectiveness goes to `value`: linearly within `over_s`, or exponentially with `over_s` as time constant (`shape`)."""
+    """Effectiveness goes to `value`: linearly within `over_s`, or with `shape: exponential` with the time constant `over_s`."""
 
     type: Literal["decay"] = "decay"
     value: Gain

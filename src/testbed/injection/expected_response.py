@@ -1,7 +1,7 @@
-"""What an actuator is expected to do with the properties of its block in the JSBSim model, computed in Python.
+"""The response that an actuator should have to the properties of its block in the JSBSim model, computed in Python.
 
-The receipts of injections compare the plant with it (`testbed.injection.receipt`). An actuator's block is all
-properties under its prefix, such as `fcs/left-ruddervator/`; the aircraft's XML has to work as the classes here say.
+`testbed.injection.receipt` compares the plant with this response. An actuator's block is all properties under its prefix,
+such as `fcs/left-ruddervator/`. The aircraft's XML must implement the response that the classes here describe.
 """
 
 from __future__ import annotations
@@ -24,16 +24,17 @@ MOTOR = (
 """Properties of a motor's block that its response depends on."""
 
 Values = Mapping[str, float]
-"""Properties of an actuator's block by their names in it; for a motor also `rpm` and `thrust_N` of its rotor."""
+"""Values of the properties of an actuator's block, by name without the prefix; for a motor also `rpm` and `thrust_N` of its
+rotor."""
 
 
 class Model(Protocol):
-    """Expected response of one actuator; it remembers the control steps that it has made."""
+    """Expected response of one actuator; its state advances with each control step."""
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
-        """Make one control step of `substeps` physics steps of `dt_s` [s] each with these property values.
+        """Advance by one control step of `substeps` physics steps of `dt_s` [s] each, with these property values.
 
-        Returns what reaches the air, by quantity: see the classes.
+        Returns what acts on the airframe, by the name of the quantity: see the classes.
         """
         ...
 
@@ -41,12 +42,13 @@ class Model(Protocol):
 class ServoModel:
     """A servo and its surface: {effective_deg: deflection times effectiveness [deg]}.
 
-    In the order of JSBSim's actuator component: lag (Tustin), rate limit, stuck, stops. Behind the servo the linkage's
-    bias is added, a floating surface follows the local flow instead, and effectiveness scales what is left.
+    The servo has lag (Tustin), rate limit, the malfunction stuck and stops, in the order of JSBSim's actuator component. Behind
+    the servo, the bias of the linkage is added. A floating surface follows the local flow instead. Effectiveness scales the
+    result.
     """
 
     def __init__(self, demand: float, position: float) -> None:
-        """Of the servo at present: what it is asked for and where it is [rad]."""
+        """`demand` and `position` [rad] are those of the servo at present."""
         self._input, self._lagged, self._output = demand, position, position
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
@@ -62,7 +64,7 @@ class ServoModel:
         return {"effective_deg": v["effectiveness"] * position * DEGREES_PER_RADIAN}
 
     def _follow(self, demand: float, lag: float, rate: float) -> None:
-        """One physics step; `lag` is the lag's corner frequency times the step [-], `rate` the farthest move [rad]."""
+        """One physics step; `lag` is the lag's corner frequency times the step [1], `rate` the rate limit times the step [rad]."""
         lagged = (lag * (demand + self._input) + (2.0 - lag) * self._lagged) / (2.0 + lag)
         self._output += min(max(lagged - self._output, -rate), rate)
         self._input, self._lagged = demand, lagged
@@ -71,12 +73,12 @@ class ServoModel:
 class MotorModel:
     """A motor and its propeller: {throttle [0 to 1], thrust_N: what reaches the airframe [N]}.
 
-    Throttle follows the command at once. Without power it is what the windmilling motor generates. Speed and thrust of
-    the rotor are the plant's own: they are not computed here.
+    The throttle follows the command at once. Without power it is the voltage that the windmilling motor generates, over full
+    voltage. Speed and thrust of the rotor are not computed here: they are read from the plant.
     """
 
     def __init__(self, rpm_at_full: float) -> None:
-        """Speed without load at full voltage [rpm]."""
+        """`rpm_at_full` is the motor's speed without load at full voltage [rpm]."""
         self._full = rpm_at_full
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:

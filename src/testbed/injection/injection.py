@@ -20,18 +20,18 @@ _NOT_AS_ASKED = {
     (True, None): "had no observable effect: with and without it the actuator does the same",
     (False, False): "was NOT undone: its properties do not read back as they were",
 }
-"""Warnings, by whether a receipt is of a start and what it says of `verified`."""
+"""Warnings, by `active` and `verified` of a receipt."""
 
 
 class Injection:
     """One failure bound to a plant. It starts at most once, and ends at most once.
 
     Attributes:
-        failure: what breaks.
-        actuator: name of the actuator that it breaks; None if it acts outside the actuators' blocks of properties.
-        active: has started and not ended.
-        waiting: waits for its `when` to come true.
-        receipts: of its start and of its end, as far as they have happened (see `Injector`).
+        failure: the failure as the scenario has it.
+        actuator: name of the actuator that it breaks; None if its properties are not all in the block of one actuator.
+        active: whether it has started and has not ended.
+        waiting: whether it waits for its `when` to come true.
+        receipts: one of its start and one of its end, once these have happened (see `Injector`).
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class Injection:
         rate_hz: float,
         random: np.random.Generator,
     ) -> None:
-        """`index` is the failure's place in the scenario; `random` is its own stream."""
+        """`index` is the failure's place in the scenario, from 0; `random` is its own random stream."""
         self.failure, self.active, self.waiting = failure, False, False
         self.actuator = broken_actuator(failure, aircraft)
         self.receipts: list[dict[str, Any]] = []
@@ -66,27 +66,27 @@ class Injection:
         return Hold(name, held, self._plant.setter(name), get, healthy=get())
 
     def agenda(self) -> Iterator[tuple[int, bool]]:
-        """(control step, starts?) of its start and end, as far as their times are set."""
+        """(control step, whether it starts) for its start and for its end, where the scenario gives a time."""
         if self.failure.at_s is not None:
             yield first_step_at(self.failure.at_s, self._rate_hz), True
         if self.failure.until_s is not None:
             yield first_step_at(self.failure.until_s, self._rate_hz), False
 
     def observe(self, recorded: Recorded) -> None:
-        """Take the arrays that the loop fills, if it waits for a signal."""
+        """Take the arrays that the loop fills, if this failure waits for a signal in them."""
         if self.failure.when is not None:
             signal = self.failure.when.signal
             self._signal = reader(self._aircraft, self._rate_hz, recorded, signal)
             self.waiting = True
 
     def triggered(self, step: int) -> bool:
-        """Whether the signal that it waits for was beyond its limit in the step before this one."""
+        """Whether the signal of `when` was beyond its limit in the step before this one."""
         when, signal = self.failure.when, self._signal
         return step > 0 and when is not None and signal is not None and when.met(signal(step - 1))
 
     @property
     def busy(self) -> bool:
-        """Whether it has something to do in each control step: a value that changes, or an effect to be watched."""
+        """Whether it has something to do in each control step: a value to change, or an effect to watch for."""
         watching = self._watch is not None and not self._watch.done
         return self.active and (watching or self._changes is not None)
 
@@ -96,11 +96,11 @@ class Injection:
         return self.active and self._delay_steps is not None
 
     def shares(self, other: Injection) -> bool:
-        """Whether both hold a property in common."""
+        """Whether both hold at least one property in common."""
         return not self._names.isdisjoint(other._names)
 
     def start(self, step: int) -> None:
-        """Write its properties, and begin to watch for the effect."""
+        """Write the values of its properties, and begin to watch for the effect."""
         self._start, self.active, self.waiting = step, True, False
         values = [hold.value() if callable(hold.value) else hold.value for hold in self._holds]
         for hold in self._holds:
@@ -116,7 +116,7 @@ class Injection:
         self._add_receipt(step, active=True, verified=None if as_written else False)
 
     def look(self) -> None:
-        """Look for the effect in the control step that the plant has just made."""
+        """Look for its effect in the control step that the plant has just made."""
         if self._watch is not None and not self._watch.done:
             self._watch.look()
             self._bring_up_to_date()
@@ -166,13 +166,13 @@ class Injection:
         )
 
     def _bring_up_to_date(self) -> None:
-        """Bring the start's receipt up to what has been seen; one that did not read back as written stays False."""
+        """Update the receipt of the start with what has been seen. If a property did not read back as written, it stays False."""
         start = self.receipts[0]
         if self._watch is not None and start["verified"] is not False:
             start["verified"], start["effect"] = self._watch.verified, self._watch.effect
 
     def warnings(self) -> Iterator[str]:
-        """What the failure did not do as the scenario asked, a sentence each."""
+        """One sentence for each thing that did not happen as the scenario asked."""
         what = f"{self.failure.type}, {self.actuator}" if self.actuator else self.failure.type
         name = f"failures.{self._index} ({what})"
         if not self.receipts:
@@ -187,7 +187,8 @@ class Injection:
 
 
 def broken_actuator(failure: Failure, aircraft: Aircraft) -> str | None:
-    """Name of the actuator that a failure breaks: its own, or the one in whose block all its properties lie."""
+    """Name of the actuator that a failure breaks: the one that it names, or else the one whose block has all its properties;
+    None if there is none."""
     if failure.actuator is not None:
         return failure.actuator
     for name, actuator in aircraft.actuators.items():

@@ -1,4 +1,4 @@
-"""Break things in flight: start and end failures when they are due, and keep a receipt of each start and end."""
+"""Start and end the failures of a scenario when they are due, and keep a receipt of each start and end."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from testbed.plant.jsbsim import Plant
 class Injector:
     """Applies a scenario's failures to a plant, step by step.
 
-    Nothing is written before a failure starts, so a flight is bit-identical to the healthy one until then.
-    The loop calls `apply(step)` when `step >= next_step`, and nothing else while no failure is due.
+    No property is written before a failure starts, so until then the flight is bit-identical to the healthy one.
+    The loop calls `apply(step)` when `step >= next_step`; while no failure is due it calls nothing.
 
     Attributes:
         next_step: the control step at which `apply` has to be called next.
-        filters: functions to call after each step's commands have been given; empty unless commands are delayed.
+        filters: functions that the loop calls after it has given the commands of a step; empty unless commands are delayed.
     """
 
     def __init__(
         self, plant: Plant, aircraft: Aircraft, failures: Sequence[Failure], rate_hz: float, seed: int = 0
     ) -> None:
-        """`seed` is the flight's: each failure draws from a stream of its own."""
+        """`seed` is that of the flight; each failure has a random stream of its own."""
         streams = (generator(seed, name) for name in stream_names(failures))
         self._injections = [
             Injection(plant, aircraft, failure, index, rate_hz, random)
@@ -45,23 +45,23 @@ class Injector:
 
     @property
     def receipts(self) -> list[dict[str, Any]]:
-        """One for each start and end, in order of time; at one time ends come first.
+        """A receipt for each start and each end, in order of time; at the same time, ends come first.
 
-        Each is {time_s, kind, failure (its place in the scenario), type, actuator (None if it breaks none), active,
-        properties, verified}; a start's has also `effect` (see `testbed.injection.receipt`). `verified` is None where
-        there was nothing to see.
+        Each is {time_s, kind, failure (its place in the scenario), type, actuator (None if it breaks none), active (true for a
+        start), properties, verified}. That of a start also has `effect` (see `testbed.injection.receipt`). `verified` is None if
+        there was no effect to see.
         """
         receipts = [receipt for injection in self._injections for receipt in injection.receipts]
         return sorted(receipts, key=lambda receipt: (receipt["time_s"], receipt["active"]))
 
     def observe(self, recorded: Recorded) -> None:
-        """Let failures with `when` see what the loop records; the row before the present step is complete."""
+        """Give failures with `when` the arrays that the loop fills. They read the row of the step before, which is complete."""
         for injection in self._injections:
             injection.observe(recorded)
         self._plan(-1)
 
     def apply(self, step: int) -> None:
-        """Look at what the last step has shown, start and end what is due, and write what changes."""
+        """Check the effects in the last step, start and end the failures that are due, and write the values that change."""
         for injection in self._busy:
             injection.look()
         while self._due < len(self._agenda) and self._agenda[self._due][0] <= step:
@@ -84,12 +84,12 @@ class Injector:
 
     def _start(self, step: int, injection: Injection) -> None:
         for other in self._injections:
-            if other.active and other.shares(injection):  # the later one replaces it
+            if other.active and other.shares(injection):  # the one that starts replaces it
                 other.let_go()
         injection.start(step)
 
     def _plan(self, step: int) -> None:
-        """Decide when to be called again: in the next step while a failure changes, is watched or waits."""
+        """Set `next_step`: the next control step while a failure changes, is watched or waits, else the next start or end."""
         self._busy = [injection for injection in self._injections if injection.busy]
         waiting = any(injection.waiting for injection in self._injections)
         timed = self._agenda[self._due][0] if self._due < len(self._agenda) else math.inf
@@ -97,7 +97,7 @@ class Injector:
         self.filters[:] = [injection.delay for injection in self._injections if injection.delays]
 
     def finish(self) -> list[str]:
-        """The flight is over: settle the receipts; returns a warning for each failure that did not act as asked."""
+        """Complete the receipts at the end of the flight; returns a warning for each failure that did not act as asked."""
         for injection in self._injections:
             if injection.active:
                 injection.look()  # at the flight's last step
@@ -106,10 +106,10 @@ class Injector:
 
 
 def stream_names(failures: Sequence[Failure]) -> Iterator[str]:
-    """Name of each failure's random stream: its type, its actuator, and which of these it is in the scenario.
+    """Name of each failure's random stream: its type, its actuator, and its number among failures with the same two.
 
-    So a failure keeps its draws when one of another type or another actuator is inserted or removed, and when its own
-    time or severity changes.
+    So the random numbers of a failure stay the same when one of another type or actuator is inserted or removed, and when its
+    own time or severity changes.
     """
     seen: Counter[tuple[str, str | None]] = Counter()
     for failure in failures:

@@ -1,10 +1,10 @@
-"""Was a failure seen to act? What the plant does after an injection is compared with what it should do.
+"""Checks that a failure acts: compares the response of the plant after an injection with the one that it should have.
 
-From the injection on, the expected response of the actuator is computed twice from the commands that the plant gets:
-healthy, with the held properties as they were before, and broken, with the properties as they are. As soon as the two
-differ, the plant must be seen to follow the broken one, within RECEIPT_STEPS control steps. What is compared is what
-reaches the air: a surface's effective deflection; a motor's throttle (its share of full voltage) and the thrust that
-reaches the airframe.
+From the injection on, the expected response of the actuator to the commands is computed twice: healthy, with the held
+properties as they were before, and broken, with the properties as they are. Within RECEIPT_STEPS control steps in which the
+two differ, the plant must follow the broken one. The quantities compared are the effective deflection of a surface, the
+throttle of a motor (as a fraction of full voltage), and the thrust that acts on the airframe. A failure that breaks no actuator
+is verified when its properties keep their values for RECEIPT_STEPS control steps.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from testbed.injection.expected_response import MOTOR, SERVO, Model, MotorModel,
 from testbed.plant.jsbsim import Plant
 
 RECEIPT_STEPS = 50
-"""Control steps within which an effect must be seen, from when it can be seen."""
+"""Control steps within which an effect must be seen, counting those in which healthy and broken response differ."""
 SMALLEST = 1e-6
-"""A healthy and a broken response that differ by more than this [deg, throttle, N] can be told apart."""
+"""A healthy and a broken response differ if they are further apart than this [deg, throttle, N]."""
 
 
 @dataclass(slots=True)
@@ -30,10 +30,10 @@ class Hold:
     """One property that a failure holds.
 
     Attributes:
-        name: of the property.
-        value: written at the start; a function where it is captured then.
-        put, get: write and read the property.
-        healthy: its value before the flight, restored at the end of the failure.
+        name: name of the property.
+        value: the value to write at the start, or a function that reads it at the start.
+        put, get: functions that write and read the property.
+        healthy: its value before the flight, which is restored at the end of the failure.
         before: its value just before the failure started.
         first: the value that was written at the start.
         written: the value that was written last.
@@ -55,7 +55,7 @@ class Hold:
 
 
 def reads_back(value: float, written: float) -> bool:
-    """Whether a property has the value that was written, to rounding: JSBSim keeps some in other units."""
+    """Whether a property has the value that was written, but for rounding: JSBSim keeps some in other units."""
     return math.isclose(value, written, rel_tol=1e-9, abs_tol=1e-12)
 
 
@@ -63,10 +63,10 @@ class Watch:
     """Watches one injection until its effect has been seen, or has not been seen in time.
 
     Attributes:
-        verified: True once the effect was seen; False if it was not seen in time, or if a property does not stay as
-            written; None while there is nothing to see: the actuator does the same with and without the failure.
-        effect: what the last look compared: {quantity, healthy, broken, observed, after_steps}.
-        done: nothing more to look at.
+        verified: True once the effect was seen. False if it was not seen in time, or if a property did not keep the value that
+            was written. None while there is no effect to see, because the responses with and without the failure are equal.
+        effect: the last comparison: {quantity, healthy, broken, observed, after_steps}; None if there was none.
+        done: whether the watch is over.
     """
 
     def __init__(self, plant: Plant, actuator: Actuator | None, holds: Sequence[Hold]) -> None:
@@ -80,7 +80,7 @@ class Watch:
             self._bind(actuator)
 
     def _bind(self, actuator: Actuator) -> None:
-        """Look up everything that a look reads."""
+        """Look up all properties that `look` reads, and start both models in the present state of the actuator."""
         get = self._plant.getter
         block = f"{actuator.prefix}/"
         self._held = {h.name.removeprefix(block): h for h in self._holds if h.name.startswith(block)}
@@ -109,7 +109,7 @@ class Watch:
             self._models = ServoModel(demand, position), ServoModel(demand, position)
 
     def look(self) -> None:
-        """Judge the control step that the plant has just made."""
+        """Check the control step that the plant has just made."""
         self._steps += 1
         if not all(reads_back(hold.get(), hold.written) for hold in self._holds):
             self._conclude(False)
@@ -122,7 +122,7 @@ class Watch:
             self._conclude(False)
 
     def finish(self) -> None:
-        """The failure or the flight ends: what has not been seen by now will not be."""
+        """End the watch with the failure or the flight: an effect that has not been seen by now counts as not seen."""
         if not self.done and self._actuator is None and self._steps:
             self._conclude(True)
         elif not self.done and self._due_steps:
@@ -133,7 +133,10 @@ class Watch:
         self.verified, self.done = verified, True
 
     def _follows_broken(self) -> bool:
-        """Advance both models by the step just made; whether the plant is nearer to the broken one."""
+        """Advance both models by the step just made; whether the plant is nearer to the broken response than to the healthy one.
+
+        The quantity compared is the one in which the two responses differ most.
+        """
         without, expected = self._responses()
         differences = {q: abs(expected[q] - without[q]) for q in expected}
         quantity = max(differences, key=lambda q: differences[q])

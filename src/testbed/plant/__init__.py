@@ -1,1 +1,1 @@
-"""The truth: JSBSim behind one door, its trim, and the identification of the design model from it."""
+"""The truth: the aircraft as JSBSim simulates it, its trim, and the identification of the design model from it."""

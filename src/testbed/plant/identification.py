@@ -1,8 +1,8 @@
 """Identify the design model (`aircraft.design_model`) before flight: trim, then central differences of accelerations.
 
-The aircraft is held in a state while servos and rotors settle, as on a test stand, and its accelerations are read. This is
-the only place where controller design meets the plant. What it finds is stored in `aircraft/<name>/design_model.json` and
-is all that the controller knows.
+The airframe is held in a state while servos and rotors settle, as on a test stand, and its accelerations are read. The
+result is stored in `aircraft/<name>/design_model.json`. Of the plant a controller is told this model, the aircraft's YAML and
+the trim in which the flight begins (`testbed.controllers.setup`), and nothing else.
 """
 
 from __future__ import annotations
@@ -28,16 +28,17 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, accelerations, trim
 
 _PHYSICS_HZ = 200.0
-_SLUG_FT3 = 515.378818393  # kg/m3
+_SLUG_FT3 = 515.378818393  # kg/m3 in one slug/ft3
 _ANGLE_STEP, _RATE_STEP, _THROTTLE_STEP = 0.005, 0.01, 0.01  # of the central differences: rad, rad/s, 1
 # Operating points at which a propeller's tables are measured: fractions of the reference airspeed, throttles.
 _STAND_SPEEDS, _STAND_THROTTLES = (0.6, 0.8, 1.0, 1.2), np.linspace(0.3, 1.0, 36)
-_STAND_THRUST_MIN_N = -2.2  # with less thrust the propeller windmills; the tables are for one that pulls
+_STAND_THRUST_MIN_N = -2.2  # points with less thrust (strong windmilling) are left out of the tables
 _ROW_ORDER = [3, 4, 5, 0, 1, 2]  # accelerations come as u v w p q r; the model's rows are p q r u v w
 
 
 def identify(aircraft: Aircraft) -> DesignModel:
-    """Identify f_m and B_m of equation (2) at the aircraft's reference condition; raises NoTrim if it cannot be flown."""
+    """Identify f_m and B_m of equation (2) at the aircraft's reference condition; raises NoTrim if there is no
+    level flight at it."""
     plant = Plant(aircraft, _PHYSICS_HZ)
     level = trim(plant, aircraft.reference.airspeed_m_s, aircraft.reference.altitude_m)
     kinds = tuple(a.kind for a in aircraft.actuators.values())
@@ -76,11 +77,11 @@ _models: Cache[DesignModel] = Cache(8)
 
 
 def stored(aircraft: Aircraft) -> DesignModel:
-    """The design model stored beside the aircraft; identified anew where there is none, or one of other files.
+    """The design model stored beside the aircraft; identified again if there is none, or if the aircraft's files have changed.
 
     Raises:
-        BadInput: the file is there and is no design model.
-        NoTrim: it has to be identified, and no steady flight was found at the aircraft's reference.
+        BadInput: there is a file, but it is not a design model.
+        NoTrim: a model has to be identified, and no level flight was found at the aircraft's reference.
     """
     file = aircraft.folder / DESIGN_MODEL
     text = file.read_bytes() if file.is_file() else None
@@ -99,7 +100,7 @@ def stored(aircraft: Aircraft) -> DesignModel:
 def _rates(
     plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = 1.5
 ) -> np.ndarray:
-    """[6] accelerations by `design_model.ROWS` in a held state."""
+    """[6] accelerations by `design_model.ROWS` [rad/s2, m/s2], with the airframe held in a state for `settle_s` [s]."""
     return accelerations(plant, state, commands, settle_s)[_ROW_ORDER]
 
 
@@ -108,12 +109,12 @@ def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
 
 
 def _changed(commands: Sequence[float], i: int, by: float) -> list[float]:
-    """The commands with that of actuator i changed."""
+    """The commands, with that of actuator i changed by this much [rad or throttle]."""
     return [c + by if j == i else c for j, c in enumerate(commands)]
 
 
 def _input_column(plant: Plant, level: Trim, i: int, kind: str) -> np.ndarray:
-    """Rates per rad of servo or N of thrust, by central difference at the steady state."""
+    """[6] rates per rad of servo or per N of thrust: central difference of two steady states."""
     step = _ANGLE_STEP if kind == "servo" else _THROTTLE_STEP
     rates, positions = [], []
     for sign in (1.0, -1.0):
@@ -123,7 +124,7 @@ def _input_column(plant: Plant, level: Trim, i: int, kind: str) -> np.ndarray:
 
 
 def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
-    """Rates per N m of motor torque: a throttle step seen before the rotor has answered."""
+    """[6] rates per N m of motor torque: the effect of a throttle step after one physics step, before the rotor's speed changes."""
     motor = list(plant.aircraft.actuators.values())[i]
     assert motor.kind == "motor"
     name = f"propulsion/engine[{motor.engine}]/propeller-torque-ftlb"
@@ -141,7 +142,7 @@ def _torque_offsets(
     level: Trim,
     density: float,
 ) -> np.ndarray:
-    """[6, n] rates of a propeller that are not proportional to its thrust: its torque is affine in thrust, Q = Q_0 + k T."""
+    """[6, n] rates by the part of each propeller's torque that does not vary with thrust: Q_0 of Q = Q_0 + k T, at the trim."""
     offsets = np.zeros_like(torques)
     axial = level.state["airspeed"] * math.cos(level.state["alpha"])
     for i, propulsor in enumerate(propulsors):
@@ -153,7 +154,7 @@ def _torque_offsets(
 
 
 def _state_column(plant: Plant, level: Trim, name: str) -> np.ndarray:
-    """Aerodynamic rates per rad or rad/s, gravity and axis rotation removed."""
+    """[6] aerodynamic rates per rad or per rad/s of a state; the terms of gravity and of rotating axes are subtracted."""
     step = _ANGLE_STEP if name in ("alpha", "beta") else _RATE_STEP
     rates = []
     for sign in (1.0, -1.0):
@@ -164,7 +165,7 @@ def _state_column(plant: Plant, level: Trim, name: str) -> np.ndarray:
 
 
 def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
-    """Tables of thrust and torque coefficients over the advance ratio, measured on the stand; None for a servo."""
+    """Thrust and torque coefficients over the advance ratio, measured with the airframe held, and the motor; None for a servo."""
     actuator = list(plant.aircraft.actuators.values())[i]
     if actuator.kind == "servo":
         return None

@@ -1,6 +1,6 @@
-"""The truth: an aircraft flown by JSBSim. Nothing else imports `jsbsim`; everything here is in SI and radians.
+"""The truth: an aircraft flown by JSBSim. No other module imports `jsbsim`; arguments and results are in SI and radians.
 
-A `Plant` is made new for each flight and never reset, as JSBSim's reset keeps failure flags, random generators and more.
+A `Plant` is made new for each flight and never reset, because JSBSim's reset keeps failure flags, random generators and more.
 Properties are looked up once, when the plant is made; a step reads and writes through their nodes. Signals, frames and signs
 are those of `common.signals`.
 """
@@ -35,7 +35,7 @@ from testbed.plant.properties import (
 
 _MILSPEC_TURBULENCE = 3
 
-# Takes every item of an iterator and keeps none: the fastest way to make an iterator's calls.
+# Runs an iterator to its end and keeps no item: the fastest way to make the calls of a `map`.
 _exhaust = deque[bool](maxlen=0).extend
 
 
@@ -65,19 +65,19 @@ class Plant:
 
     Args:
         aircraft: what to fly.
-        physics_hz: rate at which JSBSim integrates.
-        substeps: physics steps in one control step, so that the control rate is physics_hz / substeps.
+        physics_hz: rate at which JSBSim integrates [Hz].
+        substeps: physics steps in one control step: the control rate is physics_hz / substeps.
 
     Raises:
         BadInput: JSBSim cannot load the model.
         NoProperty: the model lacks a property that one of the aircraft's actuators needs.
 
     Attributes:
-        step: advances by one control step. With one physics step in it, this is JSBSim's own `run`, without a call around it.
+        step: advances by one control step. With one substep this is JSBSim's own `run`, to save the cost of a call around it.
         warnings: what JSBSim warned about while loading.
         raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
             effective), then the effectiveness of each.
-        factors: [17 + 2 n] from `raw` to SI, positions to the aircraft's units.
+        factors: [17 + 2 n] from `raw` to SI, but for positions: to degrees and newtons, the units of the aircraft's YAML.
     """
 
     def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
@@ -145,11 +145,11 @@ class Plant:
             self._run()
 
     def sample(self) -> None:
-        """Read all signals into `raw`, in JSBSim's units: what the loop does in each step."""
+        """Read all signals into `raw`, in JSBSim's units; the loop does this in each step."""
         self._pack(self._bytes, 0, *map(call, self._getters))
 
     def read(self) -> np.ndarray:
-        """The signals now, in SI: a new row [17 + 2 n], see `raw`."""
+        """The present signals as a new row [17 + 2 n]: `raw` times `factors`."""
         self.sample()
         return self.raw * self.factors
 
@@ -162,7 +162,7 @@ class Plant:
     # The air ------------------------------------------------------------------------------------------------
 
     def set_wind(self, ned_m_s: np.ndarray) -> None:
-        """Velocity of the air over the ground from now on [m/s, north, east, down], turbulence apart."""
+        """Set the velocity of the air over the ground, without turbulence [m/s, north, east, down]."""
         self._wind = np.array(ned_m_s)
         for put, value in zip(self._put_wind, self._wind, strict=True):
             put(float(value) / METRES_PER_FOOT)
@@ -170,12 +170,12 @@ class Plant:
     def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
         """Switch on Dryden turbulence, which builds up from zero.
 
-        Call it after the last `place`: JSBSim's run_ic would already draw random numbers from it.
+        Call it after the last `place`, because JSBSim's run_ic would draw random numbers for it.
 
         Args:
             w20_m_s: wind at 20 ft (MIL-F-8785C), which sets the intensity up to 1000 ft above sea level.
-            severity: JSBSim's index of probability of exceedance, which sets it above 2000 ft.
-            seed: 2 or more (JSBSim takes 0 for 1).
+            severity: JSBSim's index of probability of exceedance, which sets the intensity above 2000 ft.
+            seed: 2 or more (to JSBSim 0 and 1 are the same seed).
         """
         self["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = w20_m_s / METRES_PER_FOOT
         self["atmosphere/turbulence/milspec/severity"] = severity
@@ -183,19 +183,20 @@ class Plant:
         self["atmosphere/randomseed"] = seed
 
     def total_wind(self) -> tuple[float, float, float]:
-        """Velocity of the air in the last step, turbulence included [m/s, north, east, down]."""
+        """Velocity of the air over the ground in the last step, with turbulence [m/s, north, east, down]."""
         north, east, down = self._total_wind
         return north() * METRES_PER_FOOT, east() * METRES_PER_FOOT, down() * METRES_PER_FOOT
 
     def air_data(self) -> tuple[float, float, float, float, float, float]:
-        """Airspeed [m/s], alpha, beta, roll, pitch, heading [rad] now."""
+        """Present airspeed [m/s], alpha, beta, roll, pitch and heading [rad]."""
         airspeed, alpha, beta, roll, pitch, heading = (self[name] * factor for name, factor in AIR_DATA)
         return airspeed, alpha, beta, roll, pitch, heading
 
     def specific_force_reader(self, axis: str) -> Callable[[], float]:
         """Function that gives the specific force along a body axis: what an accelerometer at the centre of gravity reads [m/s2].
 
-        It is the sum of all forces but gravity, over the mass, in the present state. JSBSim's own `a-pilot` is a frame late.
+        It is the sum of all forces except gravity, divided by the mass, in the present state. JSBSim's own `a-pilot` is one
+        physics step late.
         """
         force, mass = self.getter(f"forces/fb{axis}-total-lbs"), self.getter("inertia/mass-slugs")
         return lambda: METRES_PER_FOOT * force() / mass()
@@ -203,7 +204,7 @@ class Plant:
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 
     def place(self, state: Mapping[str, float]) -> None:
-        """Put the airframe into a state; servos and rotors keep theirs.
+        """Put the airframe into a state; servos and rotors keep their positions and speeds.
 
         Args:
             state: airspeed, altitude, alpha and pitch; beta, roll, heading, p, q, r where they are not zero [m/s, m, rad,
@@ -211,10 +212,10 @@ class Plant:
         """
         fdm, get = self._fdm, state.get
         speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
-        # JSBSim's initial velocity is relative to the ground: the wind's is added.
+        # JSBSim's initial velocity is relative to the ground, so the wind's velocity is added.
         attitude = get("roll", 0.0), state["pitch"], get("heading", 0.0)
         u, v, w = map(float, body_from_ned(*attitude) @ self._wind / METRES_PER_FOOT)
-        # Order matters in JSBSim: place, then attitude, then velocity.
+        # The order matters to JSBSim: position, then attitude, then velocity.
         fdm["ic/lat-geod-deg"] = 0.0
         fdm["ic/long-gc-deg"] = 0.0
         fdm["ic/h-sl-ft"] = state["altitude"] / METRES_PER_FOOT

@@ -1,4 +1,4 @@
-"""What JSBSim calls the signals that are read and written, and the factor from its unit to SI."""
+"""JSBSim's names of the signals that are read and written, and the factor from JSBSim's unit to SI."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from testbed.common.signals import STATE
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
 
 Property = tuple[str, float]
-"""Name, and factor to SI."""
+"""Name of a JSBSim property, and factor from its unit to SI."""
 
-# Radii of the Earth where flights start, on the equator (WGS84): along the meridian, and of the equator.
+# Radii of the Earth's curvature where flights start, on the equator: north-south and east-west (WGS84).
 _MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
 
 _OF: dict[str, Property] = {
@@ -38,12 +38,12 @@ STATE_PROPERTIES = tuple(_OF[name] for name in STATE)
 """By `signals.STATE`."""
 
 ACCELERATIONS = tuple(_OF[name] for name in ("u_dot", "v_dot", "w_dot", "p_dot", "q_dot", "r_dot"))
-"""Of the body axes: what a trim makes zero."""
+"""Accelerations in body axes, all of which are zero in a trim."""
 
 AIR_DATA = tuple(_OF[name] for name in ("airspeed", "alpha", "beta", "roll", "pitch", "heading"))
-"""What tells how the aircraft moves through the air, and its attitude."""
+"""Motion through the air, and attitude: what the direction of a gust in body or wind axes depends on."""
 
-# The air's velocity is set through JSBSim's gust and not through its wind, which run_ic overwrites.
+# The wind is set through JSBSim's gust properties, because run_ic overwrites its wind properties.
 SET_WIND_FPS = tuple(f"atmosphere/gust-{axis}-fps" for axis in ("north", "east", "down"))
 TOTAL_WIND_FPS = tuple(f"atmosphere/total-wind-{axis}-fps" for axis in ("north", "east", "down"))
 
@@ -52,16 +52,16 @@ INTEGRATORS = tuple(
     for kind in ("rate", "position")
     for of in ("rotational", "translational")
 )
-"""Schemes by which JSBSim integrates the motion of the airframe; 0 holds it still."""
+"""Properties that choose how JSBSim integrates the motion of the airframe; with 0 the airframe does not move."""
 
 
 def command_property(actuator: Servo | MotorActuator) -> str:
-    """Command of an actuator: radians of a servo, throttle from 0 to 1 of a motor."""
+    """Name of the property of an actuator's command: radians for a servo, throttle from 0 to 1 for a motor."""
     return f"{actuator.prefix}/{'command-rad' if isinstance(actuator, Servo) else 'command-norm'}"
 
 
 def position_property(actuator: Servo | MotorActuator) -> Property:
-    """Position of a servo, thrust of a motor's propeller; its factor is to degrees or newtons, not to SI."""
+    """Property of a servo's position, or of the thrust of a motor's propeller; the factor is to degrees or newtons."""
     if isinstance(actuator, Servo):
         return f"{actuator.prefix}/position-rad", DEGREES_PER_RADIAN
     return f"propulsion/engine[{actuator.engine}]/thrust-lbs", NEWTONS_PER_POUND

@@ -1,7 +1,7 @@
 """Trim: the commands and angles of steady flight, found in JSBSim itself through the real servos, motors and rotors.
 
-JSBSim's own FGTrim knows one throttle and three controls, and drives a brushless motor out of its range. This one solves
-for any choice of six unknowns, which is what an aircraft with a lost actuator needs.
+JSBSim's own FGTrim has one throttle and three controls, and drives a brushless motor out of its range. Here the six unknowns
+can be chosen freely, which an aircraft with a lost actuator needs.
 """
 
 from __future__ import annotations
@@ -21,13 +21,14 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.properties import ACCELERATIONS
 
 SETTLE_S = 1.5
-"""More than 40 time constants of rotors and servos: after it they are steady."""
+"""Time after which rotors and servos are taken to be steady [s]: more than 40 time constants of the v-tail's."""
 _ROOT_TOLERANCE = 1e-9
-_RESIDUAL_MAX = 1e-6  # m/s2 or rad/s2 that may remain
-# Sizes of the unknowns, so that the root-finder sees numbers near one, and how far from zero it may look.
+_RESIDUAL_MAX = 1e-6  # largest acceleration that may remain [m/s2 or rad/s2]
+# Units by which the unknowns are scaled, so that the root-finder works with numbers near one [rad, m/s; rad or throttle for
+# commands], and the largest scaled unknown that it may try.
 _SIZES = {"alpha": 0.1, "beta": 0.1, "roll": 0.1, "airspeed": 5.0, "path_angle": 0.1}
 _COMMAND_SIZE, _FARTHEST = 0.2, 20.0
-# Where the root-finder begins: a small angle of attack, tails a little down, motors above half throttle.
+# First guess: a small angle of attack, trailing edges a little down, motors above half throttle.
 _FIRST_ANGLES = {"alpha": 0.05, "beta": 0.0, "roll": 0.0, "path_angle": 0.0}
 _FIRST_SERVO_RAD, _FIRST_THROTTLE = 0.05, 0.6
 
@@ -42,8 +43,8 @@ class Trim:
 
     Attributes:
         state: airspeed, altitude, alpha, beta, roll, pitch, heading, path_angle [m/s, m, rad].
-        commands: [n] servos in radians, motors as throttle 0 to 1.
-        positions: [n] servo positions and thrusts, in the aircraft's units, as if fully effective.
+        commands: [n] servos in radians, motors as throttle from 0 to 1.
+        positions: [n] servo positions [deg] and thrusts [N], as if fully effective.
         residual: largest remaining acceleration [m/s2 or rad/s2].
     """
 
@@ -56,7 +57,7 @@ class Trim:
 def settle_at(
     plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = SETTLE_S
 ) -> None:
-    """Hold the airframe in a state until servos and rotors have followed the commands (see `Trim` for both)."""
+    """Hold the airframe in a state while servos and rotors follow the commands for `settle_s` [s]; units as in `Trim`."""
     plant.command(commands)
     plant.place(state)
     plant.settle(round(settle_s * plant.physics_hz))
@@ -65,7 +66,7 @@ def settle_at(
 def accelerations(
     plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = SETTLE_S
 ) -> np.ndarray:
-    """[6] rates of u, v, w, p, q, r [m/s2, rad/s2] in a state that is held until servos and rotors are steady."""
+    """[6] rates of u, v, w, p, q, r [m/s2, rad/s2] in a state that is held for `settle_s` [s]; arguments as in `settle_at`."""
     settle_at(plant, state, commands, settle_s)
     return np.array([plant[name] * factor for name, factor in ACCELERATIONS])
 
@@ -75,10 +76,10 @@ class TrimProblem:
     """Six accelerations as functions of six unknowns: some angles and speeds, and the commands that are not held.
 
     Attributes:
-        plant: what accelerates; effectiveness as it is set there.
-        given: airspeed, altitude, heading [m/s, m, rad] where they are not unknown.
-        angles: the unknown angles and speeds, names of `Trim.state`.
-        held: command of each actuator that is held, by its index; those of the others are unknown.
+        plant: the aircraft, with the effectiveness that is set in it.
+        given: airspeed, altitude, heading [m/s, m, rad]; for an unknown one its first guess.
+        angles: names in `Trim.state` of the unknown angles and speeds.
+        held: command of each actuator that is held [rad or throttle], by its index. The other commands are unknown.
     """
 
     plant: Plant
@@ -98,11 +99,11 @@ class TrimProblem:
 
     @property
     def sizes(self) -> np.ndarray:
-        """[6] one scaled unit of each unknown."""
+        """[6] units by which the unknowns are scaled [rad, m/s; rad or throttle for commands]."""
         return np.array([_SIZES[n] for n in self.angles] + [_COMMAND_SIZE] * len(self.free_actuators))
 
     def first_guess(self) -> np.ndarray:
-        """[6] where to begin, scaled."""
+        """[6] first guess of the scaled unknowns."""
         actuators = list(self.plant.aircraft.actuators.values())
         known = {**_FIRST_ANGLES, **self.given}
         commands = [
@@ -112,7 +113,7 @@ class TrimProblem:
         return np.array([known[name] for name in self.angles] + commands) / self.sizes
 
     def condition(self, unknowns: np.ndarray) -> tuple[dict[str, float], list[float]]:
-        """State and commands that [6] scaled unknowns mean, on the flight path that they ask for."""
+        """State and commands that [6] scaled unknowns stand for; pitch follows from the path angle, alpha, beta and roll."""
         values = list(map(float, unknowns * self.sizes))
         state = {**_FIRST_ANGLES, **self.given, **dict(zip(self.angles, values, strict=False))}
         state["pitch"] = level_pitch(state["alpha"], state["beta"], state["roll"], state["path_angle"])
@@ -121,13 +122,13 @@ class TrimProblem:
         return state, [commands[i] for i in range(len(commands))]
 
     def residual(self, unknowns: np.ndarray) -> np.ndarray:
-        """[6] accelerations, or very large ones where the unknowns mean no flight any more."""
+        """[6] accelerations [m/s2, rad/s2], or very large ones where the unknowns are too large for any flight."""
         if not np.all(np.abs(unknowns) < _FARTHEST):
             return np.full(len(unknowns), 1e3)
         return accelerations(self.plant, *self.condition(unknowns))
 
     def solution(self) -> Trim | None:
-        """The steady flight, within what the actuators can do, or None; the plant is left in it."""
+        """The steady flight, or None if none was found within the stops. The plant is left in it."""
         found = root(self.residual, self.first_guess(), method="hybr", options={"xtol": _ROOT_TOLERANCE}).x
         state, commands = self.condition(found)
         worst = float(np.max(np.abs(self.residual(found))))
@@ -145,16 +146,17 @@ def trim(
     held: Mapping[int, float] | None = None,
     free: Collection[str] = ("alpha", "roll"),
 ) -> Trim:
-    """Find the commands and angles at which nothing accelerates; the flight is level unless `path_angle` is free.
+    """Find the commands and angles at which all accelerations are zero; the flight is level unless `path_angle` is free.
 
     Args:
-        plant: in any state; it is left in the trimmed one. Effectiveness is as set on it.
-        held: command of each actuator that is not to be solved for, by its index.
-        free: unknown angles and speeds, of `alpha beta roll airspeed path_angle`; with the free actuators, six.
+        plant: in any state, with the effectiveness that is set in it; it is left in the trimmed state.
+        held: command [rad or throttle] of each actuator that is not to be solved for, by its index.
+        free: unknown angles and speeds, some of `alpha beta roll airspeed path_angle`. With the unknown commands they must be
+            six.
 
     Raises:
-        NoTrim: none was found.
-        ValueError: the unknowns are not six.
+        NoTrim: no trim was found.
+        ValueError: there are not six unknowns.
     """
     given = {"airspeed": airspeed_m_s, "altitude": altitude_m, "heading": heading_rad}
     found = TrimProblem(plant, given, tuple(free), held or {}).solution()
@@ -173,9 +175,9 @@ _starts: Cache[Trim] = Cache(32)
 def trimmed_start(
     aircraft: Aircraft, physics_hz: float, airspeed_m_s: float, altitude_m: float, heading_rad: float
 ) -> Trim:
-    """Level flight to begin with; raises NoTrim. Found on a plant of its own, so that it depends on nothing else.
+    """Level flight in which a flight begins; raises NoTrim. It is found on a new plant, so that it depends on nothing else.
 
-    Kept: the flights of a sweep share it, and finding it takes as long as some seconds of flight.
+    Cached: the flights of a sweep share it, and to find it takes as long as to simulate some seconds of flight.
     """
     return _starts.get(
         (aircraft.fingerprint(), physics_hz, airspeed_m_s, altitude_m, heading_rad),
@@ -184,9 +186,9 @@ def trimmed_start(
 
 
 def begin_at(plant: Plant, start: Trim) -> None:
-    """Put a plant into steady flight, servos and rotors steady: the first instant of a flight."""
+    """Put a plant into a trim, with servos and rotors steady: the first instant of a flight."""
     settle_at(plant, start.state, start.commands)
-    plant.place(start.state)  # the Earth has turned while rotors settled: back to the start
+    plant.place(start.state)  # JSBSim's Earth has turned while the rotors settled: back to the start
 
 
 def _positions(plant: Plant) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""One control step of the truth: logged in SI, measured ideally, and looked at for the end of the flight.
+"""One control step of the truth: logged in SI, copied to the ideal measurements, and checked for the end of the flight.
 
 Plain Python that numba compiles. A row of truth has `signals.STATE`, then the position and then the effectiveness of each
 actuator (see `Plant.raw`).
@@ -15,10 +15,10 @@ from testbed.common.jit import compiled
 from testbed.common.signals import STATE, as_records
 
 GOES_ON, DIVERGED, ON_THE_GROUND, OUTSIDE_ENVELOPE = range(4)
-"""What `observe` finds: how a flight ends, or that it does not."""
+"""Results of `observe`: the flight goes on, or why it ends."""
 
 GROUND_M = 0.5
-"""Altitude of the centre of gravity at which the aircraft counts as on the ground."""
+"""Altitude of the centre of gravity below which the aircraft counts as on the ground [m]; the terrain is at sea level."""
 
 LIMITS = ("altitude_min", "airspeed_min", "airspeed_max", "alpha_max", "beta_max", "roll_max")
 """Limits of the flight envelope [m, m/s, rad]."""
@@ -29,7 +29,7 @@ _ALTITUDE, _AIRSPEED, _ROLL, _ALPHA, _BETA = map(
 
 
 def limits_of(envelope: Envelope) -> np.ndarray:
-    """[1] record of `LIMITS`; a limit that the aircraft does not have is infinite."""
+    """[1] record of `LIMITS`; a limit that the aircraft does not have is one that is never passed."""
 
     def or_infinite(value: float | None) -> float:
         return math.inf if value is None else value
@@ -47,12 +47,12 @@ def limits_of(envelope: Envelope) -> np.ndarray:
 
 @compiled
 def observe(k, channels):
-    """Fill row k of truth and of the measured state; return how the flight ends with it, or GOES_ON.
+    """Fill row k of truth and of the measured state; return GOES_ON, or why the flight ends in this step.
 
     Args:
         k: the control step.
-        channels: raw and factors [17 + 2 n] of the plant, limits [1] (see `limits_of`), and to be filled truth
-            [steps, 17 + 2 n] and measured [steps, 17]; real sensors write over the latter.
+        channels: raw and factors [17 + 2 n] of the plant, limits [1] (see `limits_of`), and two arrays to be filled: truth
+            [steps, 17 + 2 n] and measured [steps, 17]. Sensors with errors later overwrite the row of `measured`.
     """
     raw, factors, limits, truth, measured = channels
     row, finite = truth[k], True
