@@ -1,4 +1,4 @@
-"""The air, as a scenario says it: steady wind, 1-cosine gusts and Dryden turbulence.
+"""The `atmosphere` block of a scenario: steady wind, 1-cosine gusts and Dryden turbulence.
 
 Wind and gusts are velocities of the air over the ground, north, east, down: a wind of [5, 0, 0] blows towards
 the north. `wind` applies them in flight.
@@ -13,7 +13,7 @@ from pydantic import Field, ValidationInfo, field_validator, model_validator
 from testbed.common.units import METRES_PER_SECOND_PER_KNOT
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 
-# Wind at 20 ft that MIL-F-8785C gives for each word for turbulence, in knots (3.7.3.1, figure of low-altitude intensities).
+# Wind at 20 ft for each of MIL-F-8785C's words for turbulence, in knots (3.7.3.1, figure of low-altitude intensities).
 _WORDS_KT = {"light": 15.0, "moderate": 30.0, "severe": 45.0}
 # JSBSim's index of probability of exceedance for each, which sets the intensity above 2000 ft.
 _SEVERITY = {"light": 3, "moderate": 4, "severe": 6}
@@ -26,20 +26,20 @@ class Gust(Settings):
     """A 1-cosine gust: rises to `magnitude_m_s` over a length or a time, holds it, and falls in the same way.
 
     v = V/2 (1 - cos(pi x / d)), MIL-F-8785C 3.7.1.3; without a hold it is the bump of CS-25.341 with gradient
-    distance d. The length is flown through at the airspeed that the aircraft has when the gust begins. The
-    direction is that of the frame at this moment: it stays with the air and does not turn with the aircraft.
+    distance d. A length is converted to a time with the airspeed at the beginning of the gust. The direction is
+    taken from the frame at the beginning too: after that it is fixed to the ground and does not turn with the aircraft.
     """
 
     at_s: NonNegative
     """When it begins."""
     magnitude_m_s: Vector
-    """Velocity of the air along x, y, z: forward, right, down of the body or the flight path (wind)."""
+    """Velocity of the air along the axes of `frame`: forward, right, down, or north, east, down."""
     frame: Literal["body", "wind", "ned"] = "body"
-    """Axes of `magnitude_m_s`: of the body, of the flight path, or north, east, down."""
+    """Axes of `magnitude_m_s`: `body`, `wind` (x along the velocity through the air) or `ned` (north, east, down)."""
     length_m: Positive | None = None
-    """Distance of the rise; either this or `duration_s`."""
+    """Distance flown during the rise; give either this or `duration_s`."""
     duration_s: Positive | None = None
-    """Time of the rise. The whole gust takes twice this, and `hold_s`."""
+    """Duration of the rise. The whole gust takes twice this plus `hold_s`."""
     hold_s: NonNegative = 0.0
     """How long the full velocity is held."""
 
@@ -56,7 +56,7 @@ class Gust(Settings):
 
 
 class Atmosphere(Settings):
-    """Steady wind, blowing towards north, east, down; gusts; turbulence by MIL-F-8785C's wind at 20 ft."""
+    """Steady wind, gusts, and turbulence with the intensity that MIL-F-8785C gives for a wind at 20 ft."""
 
     wind_m_s: Vector = (0.0, 0.0, 0.0)
     """Steady wind over the ground; it blows towards north, east, down."""
@@ -84,6 +84,6 @@ class Atmosphere(Settings):
 
 
 def severity(w20_m_s: float) -> int:
-    """JSBSim's index of severity for a wind at 20 ft: that of the nearest of MIL-F-8785C's words."""
+    """JSBSim's index of severity for a wind at 20 ft [m/s]: that of the nearest of MIL-F-8785C's words."""
     knots = w20_m_s / METRES_PER_SECOND_PER_KNOT
     return _SEVERITY[min(_WORDS_KT, key=lambda word: abs(_WORDS_KT[word] - knots))]

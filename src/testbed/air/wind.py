@@ -1,7 +1,7 @@
-"""The air of one flight: steady wind, gusts set by the loop, and JSBSim's turbulence.
+"""The air of one flight: steady wind, gusts computed here in each control step, and JSBSim's turbulence.
 
-Turbulence has the intensities and lengths of MIL-F-8785C and the filters of MIL-STD-1797A; it is seeded from
-the flight's own stream and switched on once the aircraft is placed.
+Turbulence has the intensities and length scales of MIL-F-8785C and the filters of MIL-STD-1797A. Its seed is derived from
+that of the flight. It is switched on after the aircraft has been placed.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ class Air(Protocol):
 class Weather:
     """The air of one flight.
 
-    Make it before the aircraft is placed, as the initial velocity depends on the steady wind. Call `begin` when the aircraft
-    has been placed, then `apply` in each control step from `next_step` on.
+    Make it before the aircraft is placed, because the initial velocity over the ground depends on the steady wind. Call `begin`
+    after the aircraft has been placed, and then `apply` in each control step from `next_step` on.
 
     Attributes:
         next_step: next control step at which there is something to do; infinite in calm air.
-        wind: [steps, 3] the air's velocity in each step, turbulence included [m/s, north, east, down].
+        wind: [steps, 3] velocity of the air in each step, with gusts and turbulence [m/s, north, east, down]; empty in calm air.
     """
 
     def __init__(self, settings: Atmosphere, plant: Air, rate_hz: int, steps: int, seed: int) -> None:
@@ -49,7 +49,7 @@ class Weather:
             plant.set_wind(self._steady)
 
     def begin(self) -> None:
-        """Switch turbulence on. Not earlier, because it would disturb JSBSim's initialisation."""
+        """Switch turbulence on. If it were on earlier, it would disturb JSBSim's initialisation."""
         w20 = self.settings.turbulence_w20_m_s
         if w20 > 0.0:
             self.plant.set_turbulence(w20, severity(w20), engine_seed(self.seed, "turbulence"))
@@ -74,7 +74,7 @@ class Weather:
         return {} if self.settings.is_calm else dict(zip(COLUMNS, self.wind[:steps].T, strict=True))
 
     def _gust(self, step: int) -> np.ndarray:
-        """Velocity of all gusts together at the end of this step [m/s, north, east, down].
+        """Sum of the velocities of all gusts at the end of this step [m/s, north, east, down].
 
         A gust begins with the first step at or after its `at_s`.
         """
@@ -100,7 +100,7 @@ class Weather:
 
 
 def profile(time_s: float, rise_s: float, hold_s: float) -> float:
-    """Fraction of its full velocity that a gust has this long after its beginning."""
+    """Velocity of a gust `time_s` after its beginning, as a fraction of its full velocity."""
     if time_s <= 0.0 or time_s >= 2.0 * rise_s + hold_s:
         return 0.0
     if time_s > rise_s:

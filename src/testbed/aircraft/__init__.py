@@ -1,1 +1,1 @@
-"""What an aircraft is, as its folder says it: actuators, limits, envelope, and the controller's stored design model."""
+"""What an aircraft's folder says of it: actuators, limits, envelope, control design, and the stored design model."""

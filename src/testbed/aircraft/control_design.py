@@ -1,4 +1,4 @@
-"""What the control designer chose for an aircraft: the `control` block of its YAML."""
+"""The control designer's choices for an aircraft: the `control` block of its YAML."""
 
 from __future__ import annotations
 
@@ -36,17 +36,17 @@ class Loops(Settings):
     """[1/s2]"""
     r_kp: NonNegative = 4.0
     heading_error_max_deg: Positive = 20.0
-    """The loops see at most this error."""
+    """The heading error is limited to this; likewise the next two [deg, m, m/s]."""
     altitude_error_max_m: Positive = 5.0
     airspeed_error_max_m_s: Positive = 2.0
     slow_descent_s: NonNegative = 2.0
-    """Height that a regulator gives up for each m/s that airspeed is more than `protect_from_m_s` too low [s]."""
+    """Altitude that a regulator gives up for each m/s by which airspeed is more than `protect_from_m_s` below its reference [s]."""
     protect_from_m_s: NonNegative = 2.0
     lost_thrust_protect_from_m_s: NonNegative = 0.7
     """In place of `protect_from_m_s` once a propeller has failed [m/s]."""
     lost_thrust_faster_m_s: NonNegative = 1.5
-    """Added to the airspeed reference when one propeller of several is left [m/s]: the yaw that its thrust makes has to
-    be balanced by the tail, and falls with T/V^2."""
+    """Added to the airspeed reference when one propeller of several is left [m/s]. The tail has to balance the yawing moment of
+    its thrust, and the deflection for that is proportional to T/V^2, which falls with airspeed."""
 
 
 class StateDeviations(Settings):
@@ -73,7 +73,7 @@ class IntegralDeviations(Settings):
 
 
 class RegulatorWeights(Settings):
-    """Weights of the linear-quadratic regulator by Bryson's rule: one over the square of the largest deviation."""
+    """Weights of the linear-quadratic regulator by Bryson's rule: one over the square of the largest acceptable deviation."""
 
     states: StateDeviations = StateDeviations()
     integrals: IntegralDeviations = IntegralDeviations()
@@ -82,7 +82,7 @@ class RegulatorWeights(Settings):
 
 
 class GustDensity(Settings):
-    """What gusts do to each rate beyond the design model, as the root of a two-sided spectral density
+    """Disturbance of each rate by gusts that the design model does not predict, as the root of its two-sided spectral density
     [rad/s2 per sqrt(Hz); u_dot m/s2 per sqrt(Hz)]."""
 
     p_dot: Positive = 2.0
@@ -92,7 +92,7 @@ class GustDensity(Settings):
 
 
 class TrimModelError(Settings):
-    """Standard deviation of what the design model leaves out of each rate at its own trim [rad/s2; u_dot m/s2]."""
+    """Standard deviation of the design model's error in each rate at its own trim [rad/s2; u_dot m/s2]."""
 
     p_dot: Positive = 0.3
     q_dot: Positive = 0.3
@@ -104,18 +104,18 @@ class ControlDesign(Settings):
     """Priorities and gains for one aircraft."""
 
     release: dict[str, tuple[Axis, ...]] = {}  # noqa: RUF012  (pydantic copies it)
-    """Axes to give up when an actuator is lost; `a+b`, in the aircraft's order, names a combination."""
+    """Axes to give up when an actuator is lost, by its name; `a+b`, in the order of `actuators`, names a combination."""
     priorities: tuple[Axis, ...] = ("q_dot", "u_dot", "r_dot", "p_dot")
-    """Axes from the last to be given up to the first, for combinations that `release` does not list."""
+    """Axes by priority: the last one is given up first. Used when `release` leaves more axes than actuators."""
     condition_max: Positive = 50.0
     """A mode whose remaining scaled input matrix has a larger condition number is refused."""
     disturbance: GustDensity = GustDensity()
-    """Measurement noise of the weighted estimation."""
+    """Disturbance by gusts that the weighted estimation assumes, as its measurement noise."""
     model_error_std: TrimModelError = TrimModelError()
-    """Least model error that the weighted estimation expects."""
+    """Least model error that the weighted estimation assumes."""
     model_error_time_s: Positive = 10.0
-    """How long the model's error stays about the same (correlation time) [s]."""
+    """Correlation time of the model error in the weighted estimation [s]."""
     coefficient_error: NonNegative = 0.2
-    """Relative error to expect of each of the design model's coefficients."""
+    """Relative standard deviation of each coefficient of the design model that the weighted estimation assumes."""
     loops: Loops = Loops()
     regulator: RegulatorWeights = RegulatorWeights()

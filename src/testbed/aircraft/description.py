@@ -1,4 +1,4 @@
-"""The YAML half of an aircraft: actuators, their properties and limits, axes by priority, envelope."""
+"""The YAML file of an aircraft: actuators, their properties and limits, controlled axes, envelope, control design."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Reference(Settings):
 
 
 class Envelope(Settings):
-    """Limits outside which the aircraft counts as lost; a limit that is not given does not exist."""
+    """Limits of the flight envelope; outside them the aircraft counts as lost. A limit that is not given does not apply."""
 
     alpha_max_deg: Positive | None = None
     beta_max_deg: Positive | None = None
@@ -51,20 +51,20 @@ class Motor(Settings):
 class Actuator(Settings):
     """What servos and motors share.
 
-    `prefix` is the property under which its command, position and effectiveness are. `limits` and `scale` are in `unit`; the
-    scale is the deflection or thrust that counts as 1 in the scaled input matrix.
+    Its command, position and effectiveness are properties of the JSBSim model below `prefix`. `limits` and `scale` are in
+    `unit`.
     """
 
     kind: str
     """What kind of actuator it is."""
     prefix: Text
-    """Where its block of properties is in the JSBSim model: `fcs/left-ruddervator`."""
+    """Beginning of the names of its properties in the JSBSim model, such as `fcs/left-ruddervator`."""
     unit: Text
     """Unit of `limits`, `rate_limit`, `scale` and the log's columns: `deg` for a servo, `N` for a motor."""
     limits: tuple[Number, Number]
     """Lowest and highest position that the controller may ask for."""
     scale: Positive = 1.0
-    """Position that counts as one unit in the scaled input matrix, so that servos and motors compare."""
+    """Deflection or thrust that is one unit in the scaled input matrix, so that servos and motors can be compared."""
 
     @field_validator("limits")
     @classmethod
@@ -86,29 +86,29 @@ class Servo(Actuator):
     rate_limit: Positive
     """Fastest movement, in `unit` per second."""
     lag_rad_s: Positive
-    """Bandwidth of the first-order lag."""
+    """Corner frequency of the first-order lag."""
 
 
 class MotorActuator(Actuator):
-    """A propeller's motor, commanded as thrust; `engine` is its number in JSBSim."""
+    """A propeller's motor. The control law works with its thrust; JSBSim gets a throttle."""
 
     kind: Literal["motor"] = "motor"
     engine: Whole
     """Number of its engine in the JSBSim model."""
     motor: Motor
     rate_limit: Positive = 1e9
-    """Thrust [N/s] is limited by nothing but the rotor's lag."""
+    """Rate limit of the thrust [N/s]. By default only the rotor's lag limits how fast thrust changes."""
 
     @property
     def lag_rad_s(self) -> float:
-        """How fast the rotor follows the voltage, K_t / (R J K_v) without the propeller's load [rad/s]."""
+        """Corner frequency with which rotor speed follows voltage, without the propeller's load: K_t^2 / (R J) [rad/s]."""
         motor = self.motor
         k_t = 60.0 / (2.0 * math.pi * motor.velocity_constant_rpm_v)
         return k_t * k_t / (motor.resistance_ohm * motor.rotor_inertia_kg_m2)
 
 
 class Aircraft(Settings):
-    """aircraft/<name>/<name>.yaml, checked. `folder` is where it and the JSBSim model are."""
+    """The contents of aircraft/<name>/<name>.yaml, checked. `folder` has this file and the JSBSim model."""
 
     name: Text
     """Name of the aircraft."""
@@ -118,9 +118,9 @@ class Aircraft(Settings):
     """Name of the JSBSim model: MODEL.xml in the aircraft's folder."""
     reference: Reference
     axes: tuple[Axis, ...] = Field(min_length=1)
-    """State rates that are controlled directly, x_c of the paper, in order of priority."""
+    """State rates that are controlled directly, x_c of the paper. Their priorities are `control.priorities`."""
     actuators: dict[str, Annotated[Servo | MotorActuator, Field(discriminator="kind")]] = Field(min_length=1)
-    """Each actuator by its name. Its order is that of commands everywhere."""
+    """Each actuator by its name. Commands are in this order everywhere."""
     envelope: Envelope = Envelope()
     control: ControlDesign = ControlDesign()
     _folder: Path = PrivateAttr(default=Path("."))
@@ -129,7 +129,7 @@ class Aircraft(Settings):
     @classmethod
     def _distinct(cls, axes: tuple[Axis, ...]) -> tuple[Axis, ...]:
         if len(set(axes)) != len(axes):
-            raise refuse("names an axis twice", "each axis once, in order of priority")
+            raise refuse("names an axis twice", "each axis once")
         return axes
 
     @property
@@ -138,7 +138,7 @@ class Aircraft(Settings):
         return self._folder
 
     def fingerprint(self) -> str:
-        """Hash of all that the simulated aircraft is made of: JSBSim files, actuators, reference; not the designer's gains.
+        """Hash of everything that the plant and its trim depend on: JSBSim files, actuators, reference; not the `control` block.
 
         The files are read each time (0.1 ms), so an edit is always noticed.
         """
@@ -167,7 +167,7 @@ def _checked(file: Path, text: str) -> Aircraft:
 
 
 def _unknown_names(aircraft: Aircraft) -> Iterator[Issue]:
-    """Names in the `control` block that are no axis or actuator of this aircraft."""
+    """Problems of the names in `control`: no actuator or axis of this aircraft, in the wrong order, or given twice."""
     names, control = list(aircraft.actuators), aircraft.control
     for key, axes in control.release.items():
         path = ("control", "release", key)

@@ -1,14 +1,15 @@
 """The design model: what the controller believes of the aircraft, f_m and B_m of equation (2).
 
-It is identified before flight (`testbed.plant.identification`), stored beside the aircraft as JSON where anybody can read
-it, and never reads the truth in flight. Its error is a scenario setting: section 4 of the paper is about that error.
+It is identified before flight (`testbed.plant.identification`) and stored beside the aircraft as JSON that anybody can read.
+It never reads the truth in flight. A scenario may set an error of its coefficients: section 4 of the paper is about that error.
 
 The state function is made of the usual stability derivatives about one level trim (alpha_0, V_0):
 
     x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta) + (V/V_0) (A_p p + A_q q + A_r r) + k(x) + B u
 
-with s = (V/V_0)^2 for dynamic pressure, k(x) gravity and the rotation of the body axes, and rows
-p_dot, q_dot, r_dot, u_dot (x_c, controlled) followed by v_dot, w_dot (x_u, not controlled).
+with s = (V/V_0)^2, the ratio of dynamic pressures, and k(x) the terms of gravity and of the rotation of the body axes. The
+rows are p_dot, q_dot, r_dot, u_dot (x_c, controlled), then v_dot, w_dot (x_u, not controlled). In B u, the columns of surfaces
+are multiplied by s.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from testbed.inputs.problems import BadInput, Problem
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
 DESIGN_MODEL = "design_model.json"
 """Where the model is stored, in the aircraft's folder."""
-PROPELLER_POINTS = 41  # of a propeller's tables
+PROPELLER_POINTS = 41  # number of points in each table of a propeller
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
 
@@ -41,9 +42,9 @@ Vector = Sequence[float] | np.ndarray
 class Propulsor:
     """One motor with its propeller as the design model knows it.
 
-    Coefficients are tables over equal steps of advance ratio J, from the first to the last of `advance` (where it
-    begins to windmill): T = rho n^2 D^4 C_T(J), Q = rho n^2 D^5 C_Q(J), n in rev/s. Motor: i = (v - n/K_v)/R,
-    Q_motor = K_t (i - i_0).
+    Coefficients are tables over equal steps of advance ratio J = V_axial / (n D), from the first to the last value of `advance`
+    (at the last, the propeller windmills): T = rho n^2 D^4 C_T(J), Q = rho n^2 D^5 C_Q(J), n in rev/s.
+    Motor: current I = (voltage - n/K_v)/R, torque Q_motor = K_t (I - i_0).
     """
 
     advance: tuple[float, float]
@@ -64,11 +65,11 @@ class Propulsor:
         return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
 
     def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
-        """Steady torque [N m] at a thrust and speed, and its slope with thrust, dQ/dT [m] at constant speed."""
+        """Steady torque [N m] at a thrust and axial airspeed, and its derivative by thrust, dQ/dT [m], at this airspeed."""
         n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
         (t0, q0), (_, q), (t1, q1) = (
             self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
-        )  # a step that spans the tables' corners
+        )  # a step wide enough to average over the corners of the piecewise linear tables
         return q, (q1 - q0) / (t1 - t0)
 
     def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
@@ -91,15 +92,16 @@ class DesignModel:
     Attributes:
         airspeed_m_s, altitude_m, alpha_rad, density_kg_m3: the reference condition.
         actuators: names, in the order of the columns of `input_matrix`.
-        kinds: `servo` or `motor` each.
+        kinds: [n] `servo` or `motor`.
         trim: [n] actuator positions at the reference trim [rad or N].
-        bias: [6] rates at the reference without actuators, gravity apart.
+        bias: [6] rates at the reference condition without actuators and without gravity, by `ROWS`.
         derivatives: [6, 5] by `COLUMNS`.
-        input_matrix: [6, n] B_m: rates per rad or N, rotors at their steady speed.
+        input_matrix: [6, n] B_m: rates per rad or N, with rotors at steady speed.
         torque_matrix: [6, n] rates per N m of motor torque (zero for servos): the airframe feels the motor's
-            torque at once, the thrust with the rotor's lag.
-        offset_matrix: [6, n] rates that an effective propeller adds to B u, its torque being affine in thrust.
-        propulsors: [n] None for servos.
+            torque at once, but the thrust with the rotor's lag.
+        offset_matrix: [6, n] rates that a healthy propeller adds to B u, because its torque has a part that does not vary with
+            thrust.
+        propulsors: [n] motor and propeller; None for servos.
         identified_from: fingerprint of the aircraft's files.
     """
 
@@ -123,9 +125,9 @@ class DesignModel:
         return coefficient_names(self.actuators)
 
     def with_error(self, factors: Mapping[str, float]) -> DesignModel:
-        """The model with some coefficients multiplied by these factors: what the controller gets wrong (sections 4.2, 4.3).
+        """The model with some coefficients multiplied by these factors: the controller's model error (sections 4.2, 4.3).
 
-        Slopes change and `bias` is adapted, so that the reference is a trim of the new model too.
+        `bias` is changed so that the reference trim is a trim of the new model too.
         """
         slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
         torques, offsets = np.array(self.torque_matrix), np.array(self.offset_matrix)
@@ -173,7 +175,7 @@ class DesignModel:
         return (*map(np.array, fields), np.array([kind == "servo" for kind in self.kinds]))
 
     def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
-        """The same, but for the last digits of numbers (relative to each, and absolute near zero)."""
+        """Whether the two are the same but for rounding: each number within `tolerance`, relative or absolute."""
         return _close(asdict(self), asdict(other), tolerance)
 
     def save(self, path: Path) -> None:
@@ -182,7 +184,7 @@ class DesignModel:
 
 
 def load_design_model(path: Path) -> DesignModel:
-    """Read what `DesignModel.save` wrote; raises BadInput when it is anything else."""
+    """Read a file that `DesignModel.save` wrote; raises BadInput when it is anything else."""
     try:
         return _from_tree(json.loads(path.read_text(encoding="utf-8")))
     except (ValueError, KeyError, TypeError, AttributeError) as error:
@@ -205,7 +207,7 @@ def _propulsor(data: dict[str, Any]) -> Propulsor:
 
 
 def kinematics(x: Mapping[str, float]) -> np.ndarray:
-    """[6] by `ROWS`: what gravity and the rotation of the body axes add to the rates of u, v and w."""
+    """k(x), [6] by `ROWS`: what gravity and the rotation of the body axes add to the rates of u, v and w [m/s2]."""
     alpha, beta, speed = x["alpha"], x["beta"], x["airspeed"]
     u = speed * math.cos(alpha) * math.cos(beta)
     v = speed * math.sin(beta)

@@ -62,7 +62,7 @@ def _no_folder(name: str, folder: Path) -> Problem:
 
 
 def find_scenario(path: str | Path) -> Path:
-    """A scenario file as given, else the shipped one of that path; raises BadInput when neither is there."""
+    """A scenario file by its path, else the shipped file with that path; raises BadInput when there is neither."""
     for candidate in (Path(path), data_root() / path):
         if candidate.exists():
             return candidate

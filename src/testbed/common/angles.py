@@ -1,4 +1,4 @@
-"""Angles round a full turn, the short way: an error of heading is at most half a turn."""
+"""Wrapping of angles to half a turn in either direction, as for a heading error."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import numpy as np
 
 
 def wrap(angle: Any) -> Any:
-    """The same angle from -pi to below pi [rad]; a number or an array. The control law compiles this function."""
+    """The same angle in [-pi, pi) [rad]; a number or an array. The control law also uses this function, compiled."""
     return (angle + math.pi) % (2.0 * math.pi) - math.pi
 
 
 def wrap_deg(angle_deg: np.ndarray) -> np.ndarray:
-    """The same angles from -180 to 180 [deg], by whole turns: an angle that is within them already keeps every bit."""
+    """The same angles from -180 to 180 [deg]. Whole turns are subtracted, so an angle that is in this range keeps every bit."""
     return angle_deg - 360.0 * np.rint(angle_deg / 360.0)

@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 class Cache(Generic[T]):
-    """The results of one function by key, at most `size` of them: the oldest makes room for a new one.
+    """The results of one function by key, at most `size` of them; a new one then replaces the oldest.
 
     Unlike with `functools.lru_cache`, the caller names the key, so arguments need not be hashable.
     """
@@ -26,7 +26,7 @@ class Cache(Generic[T]):
         Cache._all.add(self)
 
     def get(self, key: Hashable, make: Callable[[], T]) -> T:
-        """The result of this key; `make` computes it if it is not there. What `make` raises is not kept."""
+        """The result of this key; `make` computes it if it is not there yet. An exception of `make` is not kept."""
         if key not in self._results:
             result = make()
             if len(self._results) >= self._size:
@@ -40,6 +40,6 @@ class Cache(Generic[T]):
 
     @classmethod
     def clear_all(cls) -> None:
-        """Forget the results of every cache: the next flight is as that of a new process."""
+        """Forget the results of every cache: the next flight computes everything anew, as in a new process."""
         for cache in cls._all:
             cache.clear()

@@ -1,4 +1,4 @@
-"""What every file needs: written whole or not at all, a name that fits, values that fit JSON."""
+"""What the writers of files share: a safe file name, a file written whole or not at all, and values that JSON can hold."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ import numpy as np
 
 
 def body_from_ned(roll: float, pitch: float, heading: float) -> np.ndarray:
-    """[3, 3] turns north-east-down components into body components; yaw, pitch, roll in this order."""
+    """[3, 3] matrix from north-east-down components to body components: rotations by heading, then pitch, then roll [rad]."""
     cr, sr, cp, sp = math.cos(roll), math.sin(roll), math.cos(pitch), math.sin(pitch)
     ch, sh = math.cos(heading), math.sin(heading)
     return np.array(
@@ -21,7 +21,7 @@ def body_from_ned(roll: float, pitch: float, heading: float) -> np.ndarray:
 
 
 def body_from_wind(alpha: float, beta: float) -> np.ndarray:
-    """[3, 3] turns components in wind axes (x along the velocity through the air) into body components."""
+    """[3, 3] matrix from components in wind axes (x along the velocity through the air) to body components; angles in rad."""
     ca, sa, cb, sb = math.cos(alpha), math.sin(alpha), math.cos(beta), math.sin(beta)
     return np.array([[ca * cb, -ca * sb, -sa], [sb, cb, 0.0], [sa * cb, -sa * sb, ca]])
 

@@ -26,23 +26,24 @@ F = TypeVar("F", bound=Callable[..., Any])
 def _cache_folder() -> Path | None:
     """A folder for compiled code that belongs to this state of the sources; None where nothing can be written.
 
-    numba's own cache looks only at the file of the function that is called. It would not notice an edit of a function in
-    another file that is called from there, and would fly the old code.
+    numba's own cache checks only the file of the compiled function. It would not notice an edit of a function that this one
+    calls from another file, and would run the old code.
     """
     text = hashlib.sha256()
     package = Path(__file__).parents[1]
     for file in sorted(package.rglob("*.py")):
         text.update(file.read_bytes())
     home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "testbed"
-    ours = Path(tempfile.gettempdir()) / f"testbed-{_user()}"
+    ours = Path(tempfile.gettempdir()) / f"testbed-{_user()}"  # where the home folder cannot be written
     for root in (home, ours):
         folder = root / f"numba-{numba.__version__}-{text.hexdigest()[:16]}"
         try:
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            os.utime(folder)  # used today
+            os.utime(folder)  # `prune` goes by the time of last use
         except OSError:
             continue
-        if os.access(folder, os.W_OK) and folder.stat().st_uid == _user():  # it will be executed
+        # The code in the folder will be executed, so it must not belong to somebody else.
+        if os.access(folder, os.W_OK) and folder.stat().st_uid == _user():
             prune(root)
             return folder
     return None
@@ -53,7 +54,7 @@ def _user() -> int:
 
 
 def prune(root: Path, days: float = 30.0) -> None:
-    """Remove folders of compiled code that no process has used for this many days. One that needs them again compiles."""
+    """Remove folders of compiled code that no process has used for this many days; they can be compiled again."""
     for folder in root.glob("numba-*"):
         with contextlib.suppress(OSError):
             if folder.stat().st_mtime < time.time() - 86400.0 * days:
@@ -90,8 +91,8 @@ def compiled(function: F) -> F:
 def bound(function: F, *like: Any) -> F:
     """The machine code of a compiled function for the types of these example arguments, compiled now if need be.
 
-    numba looks up the types of the arguments in each call, which is half of the cost of a short one. The function returned
-    skips this. It must only be called with arguments of the same types: arrays of the same dtype and memory layout.
+    numba looks up the types of the arguments in each call, which is half of the cost of a short call. The function returned
+    here skips the look-up. It must only be called with arguments of the same types: arrays of the same dtype and memory layout.
     """
     if not isinstance(function, numba.core.dispatcher.Dispatcher):
         return function  # NUMBA_DISABLE_JIT: the plain Python function

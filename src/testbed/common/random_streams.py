@@ -6,7 +6,7 @@ import zlib
 
 import numpy as np
 
-_ENGINE_SEEDS = 2**31 - 3  # JSBSim's generator works modulo 2^31 - 1, and takes 0 for 1
+_ENGINE_SEEDS = 2**31 - 3  # JSBSim's generator works modulo 2^31 - 1, and to it seeds 0 and 1 are the same
 
 
 def generator(seed: int, name: str) -> np.random.Generator:

@@ -1,4 +1,4 @@
-"""What is exchanged each control step: names, order, frames and signs; and which step a time is.
+"""The signals that are exchanged in each control step (names, order, frames and signs), and the control step of a time.
 
 Frames: body axes, x forward, y right, z down, origin at the centre of gravity; north-east-down for navigation.
 Angles are in radians and right-handed: roll right, nose up and nose right are positive; heading is 0 to 2 pi from
@@ -6,8 +6,8 @@ north; sideslip beta is positive with the wind from the right; a ruddervator is 
 Airspeed, alpha and beta are relative to the air (gusts included); p, q, r, attitude and `u_dot`, the rate of change of
 the body-x velocity, are relative to the ground.
 
-A vector of signals is one row of float64. The loop fills it by index. Compiled code reads the same memory by name, as a
-numpy record, so nothing is copied.
+A vector of signals is one row of float64, which the loop fills by index. Compiled functions read the same memory by name, as a
+numpy record, without a copy.
 """
 
 from __future__ import annotations
@@ -34,8 +34,8 @@ SETPOINT = ("altitude", "airspeed", "heading", "altitude_rate", "airspeed_rate",
 
 
 TELEMETRY = ("reference", "command", "effectiveness_estimate", "failed")
-"""What a controller logs of each actuator: reference and command divided by the actuator's `scale`, its estimate of
-effectiveness (1 is healthy), and 1 while it is flagged as failed."""
+"""What a controller logs of each actuator: reference and command divided by the actuator's `scale`, the estimate of its
+effectiveness (1 is healthy), and a flag that is 1 while the controller takes it for failed."""
 
 
 def telemetry_width(actuators: int) -> int:
@@ -45,9 +45,9 @@ def telemetry_width(actuators: int) -> int:
 
 @cache
 def record_dtype(names: tuple[str, ...]) -> np.dtype:
-    """Record of float64 fields with these names: a view of one row of a float64 array.
+    """Dtype of a record of float64 fields with these names, to view one row of a float64 array.
 
-    Made once for each set of names: numba recognises a dtype by its identity, and an equal but new one costs 4 us a call.
+    Cached: numba recognises a dtype by its identity, and an equal but new one costs 4 us in each call.
     """
     return np.dtype((np.record, [(name, np.float64) for name in names]))
 

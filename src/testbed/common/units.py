@@ -1,4 +1,4 @@
-"""Exact conversions at the program's borders; inside, everything is SI and radians."""
+"""Exact conversion factors, for input and output; elsewhere everything is in SI and radians."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What is measured: a channel is one number; channels make up sensors; each has a unit in YAML."""
+"""What is measured: a channel is one number, a sensor has one or more channels, and each channel has a unit in YAML."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def unit_of(name: str) -> str:
 
 
 def names() -> list[str]:
-    """Everything that a fault can name."""
+    """All sensors and channels, by the names that a fault may give."""
     return list(dict.fromkeys([*(c.sensor for c in CHANNELS), *(c.name for c in CHANNELS)]))
 
 

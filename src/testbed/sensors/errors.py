@@ -15,10 +15,10 @@ from testbed.sensors.settings import SensorModel
 
 
 def drawn(index: int, model: SensorModel, steps: int, rate_hz: float, seed: int) -> tuple[float, np.ndarray]:
-    """Scale factor of one channel, and the sum of its bias, drift, wander and noise in each step [steps] [SI].
+    """Scale factor of one channel [1], and the sum of its bias, drift, wander and noise in each step ([steps], in SI).
 
-    Each part has a random stream of its own: setting one leaves the numbers of the others as they were. A longer flight
-    begins like a shorter one.
+    Each part has its own random stream, so a change of one leaves the numbers of the others as they were. The errors of a
+    longer flight begin with those of a shorter one.
 
     Args:
         index: of the channel in `CHANNELS`.
@@ -48,7 +48,7 @@ def wandering(noise, correlation):
 
     Args:
         noise: [steps] standard normal.
-        correlation: c, of two neighbouring steps, exp(-dt / correlation time).
+        correlation: c, the correlation of neighbouring steps, exp(-dt / correlation time).
     """
     x = noise.copy()
     fresh = math.sqrt(1.0 - correlation * correlation)
@@ -60,7 +60,13 @@ def wandering(noise, correlation):
 def enter(
     fault: SensorFault, index: int, rate_hz: float, seed: int, offset: np.ndarray, state: np.ndarray
 ) -> None:
-    """Enter a fault, the scenario's `index`th, into the table's layers OFFSET [SI] and FAULT [steps, channels]."""
+    """Enter a fault into two layers of the table, each [steps, channels] (see `measurement`).
+
+    Args:
+        index: place of the fault in the scenario; it names the fault's random stream.
+        offset: layer OFFSET [SI].
+        state: layer FAULT.
+    """
     start, end = fault.window(rate_hz)
     window = slice(int(start), int(min(end, len(offset))))
     count = max(window.stop - window.start, 0)

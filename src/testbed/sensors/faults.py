@@ -1,6 +1,6 @@
-"""How a sensor can fail, from when to when. A new type is one class here and one line in TABLE.
+"""How a sensor can fail. A new type is one class here and one line in TABLE.
 
-A value ends in the unit of the sensor that it is for: `value_deg_s` for a gyro, `value_m` for the altimeter.
+The name of a fault's value ends in the unit of its sensor: `value_deg_s` for a gyro, `value_m` for the altimeter.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ class SensorFault(Settings):
     """What all faults have: a channel (`gyro_q`) or a whole sensor (`gyro`), a beginning, and perhaps an end [s]."""
 
     key: ClassVar[str] = ""
-    """Name of its value in YAML with {} in place of the unit; "" for a fault without a value."""
+    """Name of its value in YAML, with {} in place of the unit; "" for a fault without a value."""
     needs_value: ClassVar[bool] = True
     replaces: ClassVar[bool] = False
-    """Whether it decides what is read; otherwise it adds to it."""
+    """Whether it replaces the reading; otherwise it adds to the reading."""
 
     type: str
     sensor: str
@@ -79,7 +79,7 @@ def _name(key: str, unit: str) -> str:
 
 
 def _valued(fault: type[Fault]) -> type[Fault]:
-    """The fault with one optional field for each unit that its value can have."""
+    """The class of a fault, extended by one optional field for each unit that its value can have."""
     kind = NonNegative if fault.key.startswith("noise") else Number
     fields: dict[str, Any] = {_name(fault.key, u): (kind | None, None) for u in SI}
     return create_model(fault.__name__, __base__=fault, __module__=__name__, __doc__=fault.__doc__, **fields)
@@ -87,14 +87,14 @@ def _valued(fault: type[Fault]) -> type[Fault]:
 
 @_valued
 class Stuck(SensorFault):
-    """The reading stays at `value_<unit>`, or where it is when none is given."""
+    """The reading stays at `value_<unit>`, or at the last reading before the fault if no value is given."""
 
     key, needs_value, replaces = "value_{}", False, True
     type: Literal["stuck"] = "stuck"
 
 
 class Dropout(SensorFault):
-    """Samples are lost, each with probability `fraction` (default all); they read zero, or the last one."""
+    """Samples are lost, each with probability `fraction` (default 1: all); in their place zero or the last reading is given."""
 
     replaces = True
     type: Literal["dropout"] = "dropout"
@@ -120,7 +120,7 @@ class Drift(SensorFault):
 
 @_valued
 class Noise(SensorFault):
-    """White noise of one-sided density `noise_<unit>_rthz` is added to that of the sensor."""
+    """White noise of one-sided density `noise_<unit>_rthz` is added to the sensor's own."""
 
     key = "noise_{}_rthz"
     type: Literal["noise"] = "noise"
@@ -141,9 +141,9 @@ else:
 
 
 def clash(one: SensorFault, other: SensorFault) -> str:
-    """Name of a channel whose reading two faults both decide at the same time, or "" if there is none.
+    """Name of a channel for which two faults conflict, or "" if there is none.
 
-    Faults that add to a reading may meet. One that replaces it may not meet any other.
+    Faults that add to a reading may overlap in time. A fault that replaces the reading may not overlap any other.
     """
     shared = set(channels_of(one.sensor)) & set(channels_of(other.sensor))
     ends = [math.inf if f.until_s is None else f.until_s for f in (one, other)]

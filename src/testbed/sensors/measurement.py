@@ -15,15 +15,16 @@ from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 
 ERROR, OFFSET, FAULT, SENSED, READING, LAYERS = 0, 1, 2, 3, 4, 5
-"""Layers of the table [layers, steps, channels], SI: errors and faults are drawn before the flight, the others filled in it."""
+"""Layers of the table [layers, steps, channels], in SI. ERROR, OFFSET and FAULT are drawn before the flight; SENSED and READING
+are filled during it."""
 
 READS, HOLDS, REPLACED = 0.0, 1.0, 2.0
-"""In layer FAULT: the channel reads the sensor and adds OFFSET, repeats its last reading, or gives OFFSET alone."""
+"""Values of layer FAULT: the reading is that of the sensor plus OFFSET, or repeats the last reading, or is OFFSET alone."""
 
 _FIELDS = np.dtype(
     [
         ("source", np.int64),  # column of the truth, -1 for the specific force
-        ("lag", np.float64),  # fraction of a change that the low-pass takes over in one step; 1 is no lag
+        ("lag", np.float64),  # fraction of a change that passes the low-pass within one step; 1 is no lag
         ("scale", np.float64),
         ("delay", np.int64),  # control steps
         ("digit", np.float64),  # size of one digit [SI]; 0 is infinitely fine
@@ -32,7 +33,7 @@ _FIELDS = np.dtype(
     align=True,
 )
 PARAMETERS = np.dtype((np.record, _FIELDS))
-"""What is constant of one channel, as a record."""
+"""The constants of one channel, as a record."""
 
 _TURN = 2.0 * math.pi
 _wrap = compiled(wrap)
@@ -46,9 +47,9 @@ def measure(k, force, rate, parts):
         k: the control step.
         force: specific force along body x [m/s2].
         rate: control rate [Hz].
-        parts: truth [steps, ...] (see `Plant.read`), channels [channels] of `PARAMETERS`, lagged [channels] the low-passes'
-            memory, table [5, steps, channels]; then, as records to read by name, the table's readings [steps] by channel
-            and the measured state [steps] by `signals.STATE`, which is filled.
+        parts: truth [steps, ...] (see `Plant.read`), channels [channels] of `PARAMETERS`, lagged [channels] outputs of the
+            low-passes, table [5, steps, channels]. Then two arrays [steps] of records: the table's readings by channel, and the
+            measured state by `signals.STATE`, which is filled.
     """
     truth, channels, lagged, table, readings, measured = parts
     sense(k, truth, force, channels, lagged, table)
@@ -73,7 +74,7 @@ def sense(k, truth, force, channels, lagged, table):
 
 @compiled
 def reading(k, c, channel, table):
-    """What channel c reads in step k: what it sensed some steps ago, with its faults, in whole digits."""
+    """What channel c reads in step k: what it sensed `delay` steps ago, with its faults, rounded to whole digits."""
     fault = table[FAULT, k, c]
     if fault == HOLDS:
         return table[READING, k - 1, c] if k > 0 else table[SENSED, k, c]
@@ -81,7 +82,7 @@ def reading(k, c, channel, table):
         return table[OFFSET, k, c]
     x = table[SENSED, max(k - channel.delay, 0), c] + table[OFFSET, k, c]
     if channel.digit > 0.0:
-        x = channel.digit * np.floor(x / channel.digit + 0.5)  # math.floor makes an integer even of NaN
+        x = channel.digit * np.floor(x / channel.digit + 0.5)  # math.floor would turn NaN into an integer
     return x % _TURN if channel.circular else x
 
 
@@ -89,8 +90,8 @@ def reading(k, c, channel, table):
 def derive(k, rate, readings, measured):
     """Fill row k of the measured state from the readings alone (`channels.CHANNELS`, `signals.STATE`).
 
-    Angular accelerations are backward differences of the gyros, unfiltered: the controller filters them, since it has to
-    filter its other signals alike. u_dot = a_x - g sin(pitch) - q w + r v, with v and w of the measured airspeed, alpha
+    Angular accelerations are backward differences of the gyros. They are not filtered here: the controller filters them, with
+    the same filter as its other signals. u_dot = a_x - g sin(pitch) - q w + r v, with v and w of the measured airspeed, alpha
     and beta.
     """
     y, x = readings[k], measured[k]

@@ -1,7 +1,7 @@
 """The sensors of a small UAV, `sensors: mems`: MEMS inertial sensors, a barometer, a pitot tube, vanes.
 
-Datasheet-class values; what each is like and where it comes from is in docs/reference/sensors.md. They are written from
-memory of the datasheets named there, not copied from them.
+The values are typical of the datasheets that docs/reference/sensors.md names for each sensor. They were written from memory,
+not copied from the datasheets.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ MEMS: dict[str, dict[str, float]] = {
         "resolution_m_s2": 0.0024,  # +-8 g in 16 bits
         "low_pass_rad_s": 578.0,
     },
-    # Of an estimator (EKF): its error is correlated over several seconds.
+    # Output of an attitude estimator (EKF), whose error is correlated over several seconds.
     "attitude": {"wander_deg": 0.4, "wander_time_s": 10.0, "noise_deg_rthz": 0.003},
     "heading": {"wander_deg": 0.5, "wander_time_s": 20.0, "bias_sigma_deg": 0.5, "noise_deg_rthz": 0.003},
     # MS4525DO class at 18 m/s, zeroed on the ground, with its tube; 0.3 m/s at 200 Hz.
@@ -43,7 +43,7 @@ MEMS: dict[str, dict[str, float]] = {
     "beta": {
         "noise_deg_rthz": 0.03, "bias_sigma_deg": 0.3, "resolution_deg": 0.088, "low_pass_rad_s": 60.0,
     },
-    # MS5611 class: 0.15 m at 200 Hz, and what wind does to the static pressure.
+    # MS5611 class: 0.15 m at 200 Hz; the wander is the effect of wind on the static pressure.
     "altitude": {
         "noise_m_rthz": 0.015,
         "wander_m": 0.3,
@@ -51,7 +51,7 @@ MEMS: dict[str, dict[str, float]] = {
         "resolution_m": 0.01,
         "low_pass_rad_s": 30.0,
     },
-    # Of the same estimator: barometer and accelerometer.
+    # Output of the same estimator, from barometer and accelerometer.
     "climb_rate": {"noise_m_s_rthz": 0.005, "wander_m_s": 0.1, "wander_time_s": 5.0},
     # Satellite navigation, without corrections.
     "position": {"noise_m_rthz": 0.02, "wander_m": 1.5, "wander_time_s": 100.0, "delay_s": 0.1},

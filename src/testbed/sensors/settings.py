@@ -1,7 +1,7 @@
-"""The `sensors` block of a scenario: `ideal`, `mems`, or one of them with what differs, and faults.
+"""The `sensors` block of a scenario: `ideal`, `mems`, or a mapping with changes to one of them and with faults.
 
-White noise is one-sided spectral density N, per root hertz: sampled at `rate_hz` its standard deviation is
-N sqrt(rate_hz / 2) (a two-sided intensity S is N^2 / 2).
+White noise is given by N, the root of its one-sided spectral density, in units per root hertz. Sampled at `rate_hz`, its
+standard deviation is N sqrt(rate_hz / 2). The two-sided spectral density is N^2 / 2.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Scale = Annotated[Number, Field(gt=-1, lt=1)]
 
 
 class SensorModel(Settings):
-    """Errors of one sensor, all zero by default; they act in this order:
+    """Errors of one sensor, all zero by default. They act in this order:
 
     reading(t) = [(1 + scale error) low_pass(truth) + bias + drift + wander + noise] delayed, then quantised.
     """
@@ -33,8 +33,9 @@ class SensorModel(Settings):
     delay_s: NonNegative = 0.0
     """Age of the reading, to the nearest whole control step."""
     scale_error: Scale = 0.0
+    """Relative error of the scale, the same in every flight."""
     scale_error_sigma: Annotated[Number, Field(ge=0, lt=1)] = 0.0
-    """Fixed scale error, and the standard deviation of one drawn for each flight."""
+    """Standard deviation of a scale error that is drawn for each flight and added to `scale_error`."""
     wander_time_s: Positive = 10.0
     """Correlation time of the wander, a stationary first-order Gauss-Markov process."""
 
@@ -44,8 +45,8 @@ class SensorModel(Settings):
         return value
 
 
-# Settings that have the sensor's unit, and how it ends their name: noise is a density, in units per root
-# hertz, drift a random walk, in units per root second.
+# Settings in the sensor's unit, and the end of their names, with {} for the unit. Noise is a density, in units per root hertz.
+# Drift is a random walk, in units per root second.
 _SUFFIX = {
     "noise": "_{}_rthz",
     "bias": "_{}",
@@ -80,7 +81,7 @@ PRESETS: dict[str, dict[str, dict[str, float]]] = {"ideal": {}, "mems": MEMS}
 
 
 class SensorSettings(Settings):
-    """All sensors of an aircraft, one block each (see SENSORS); what a block leaves out has the value of the preset `model`."""
+    """All sensors of an aircraft, one block each (see SENSORS). What a block does not set has the value of the preset `model`."""
 
     model: Literal["ideal", "mems"] = "ideal"
     faults: tuple[AnyFault, ...] = ()
@@ -88,7 +89,7 @@ class SensorSettings(Settings):
     @model_validator(mode="before")
     @classmethod
     def _complete(cls, value: Any) -> Any:
-        """Complete the sensors from a preset: a word names it, or the key `model` of a mapping."""
+        """Complete the sensors from a preset: the value is its name, or a mapping that names it with the key `model`."""
         if isinstance(value, SensorSettings):
             return value
         if isinstance(value, str):

@@ -1,4 +1,4 @@
-"""The sensors of one flight: made before it, measuring each control step, read afterwards."""
+"""The sensors of one flight: made before it, measuring in each control step, and logged after it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Accelerated(Protocol):
 
 
 class IdealSensors:
-    """The controller is told the truth, bit for bit: `plant.truth.observe` has copied it already."""
+    """The controller is told the truth, bit for bit: `plant.truth.observe` copies it to the measured state."""
 
     real = False
 
@@ -47,10 +47,10 @@ class IdealSensors:
 
 
 class RealSensors:
-    """Sensors with errors and faults; everything random is drawn here, for the whole flight.
+    """Sensors with errors and faults. All random numbers of the flight are drawn when this is made.
 
     Attributes:
-        table: [5, steps, channels] errors, offsets and faults drawn, what was sensed and read (see `measurement`) [SI].
+        table: [5, steps, channels] errors, offsets, faults, what was sensed, and what was read (see `measurement`) [SI].
     """
 
     real = True
@@ -86,7 +86,7 @@ class RealSensors:
         return dict(logged(truth, self.table[READING, : len(truth)]))
 
     def receipts(self, steps: int) -> list[dict[str, Any]]:
-        """Beginning and end of each fault as events; `verified` says that it changed what was read."""
+        """Beginning and end of each fault as events. `verified` says whether the fault changed any reading."""
         events: list[dict[str, Any]] = []
         for i, fault in enumerate(self.settings.faults):
             start, end = fault.window(self.rate_hz)
@@ -112,7 +112,7 @@ class RealSensors:
 
 
 def _parameters(i: int, model: SensorModel, scale: float, rate_hz: float) -> tuple[float, ...]:
-    """What is constant of channel i, in the order of `measurement.PARAMETERS`."""
+    """The constants of channel i, in the order of `measurement.PARAMETERS`."""
     reads = CHANNELS[i].reads
     source = STATE.index(reads) if reads in STATE else -1
     lag = 1.0 - math.exp(-model.low_pass_rad_s / rate_hz) if model.low_pass_rad_s else 1.0
