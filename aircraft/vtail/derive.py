@@ -6,8 +6,8 @@
 Needs AeroSandbox (the extra `derive`); the testbed itself never imports this file.
 
 Wing and tail come from AeroSandbox's vortex lattice: static, damping and cross derivatives, ruddervators.
-What a lattice of thin surfaces cannot see is estimated from hand-books and added: pod, propeller side force,
-parasite drag, stall, angle-of-attack rate. Each function below is one source.
+What a lattice of thin surfaces does not contain is estimated from hand-books and added: pod, propeller normal and side
+force, parasite drag, stall. Each function below has one source, which its docstring names.
 
 Signs: body axes x forward, y right, z down for moments and rates (l right wing down, m nose up, n nose
 right); alpha, beta positive for air from below and from the right; ruddervators positive trailing edge down,
@@ -27,8 +27,8 @@ import xml_files
 import yaml
 
 HERE = Path(__file__).parent
-SPANWISE, CHORDWISE = 14, 10  # lattice; doubling both moves no derivative by more than the README says
-STEP_DEG = 1.0  # central differences: the lattice is linear but for trigonometry
+SPANWISE, CHORDWISE = 14, 10  # panels of the lattice; README.md has the effect of doubling both
+STEP_DEG = 1.0  # of the central differences; it may be large, because the lattice is nearly linear
 RUDDERVATOR_STEP_DEG = 4.0
 AXES = ("CL", "CD", "CY", "Cl", "Cm", "Cn")
 
@@ -43,18 +43,18 @@ def inertia_of(parts, about):
         total = total + m * np.array(
             [*(own + np.array([y * y + z * z, x * x + z * z, x * x + y * y])), x * z]
         )
-    return total  # x and z both change sign from structural to body axes, so Ixz keeps its own
+    return total  # x and z both change sign from structural to body axes, so Ixz does not
 
 
 def balance(parts):
-    """Mass and centre of gravity; y is exactly zero by construction."""
+    """Mass [kg] and centre of gravity [m]; y is set to exactly zero, because the aircraft is symmetric."""
     mass = sum(p["mass_kg"] for p in parts)
     centre = sum(p["mass_kg"] * np.array(p["at_m"]) for p in parts) / mass
     return mass, np.array([round(centre[0], 5), 0.0, round(centre[2], 5)])
 
 
 def ruddervators(g):
-    """Point masses of the left and right moving surface."""
+    """Point masses of the left and the right ruddervator."""
     t, r = g["tail"], g["ruddervator_mass"]
     s, dihedral = r["span_fraction"] * t["panel_span_m"], math.radians(t["dihedral_deg"])
     chord = 0.5 * (t["root_chord_m"] + t["tip_chord_m"])
@@ -94,7 +94,7 @@ def wing_surface(g):
 
 
 def tail_surfaces(g, left_deg=0.0):
-    """The two panels; the left one's ruddervator may be deflected (positive trailing edge down)."""
+    """The two tail panels, the left one with its ruddervator at `left_deg` (positive trailing edge down)."""
     t = g["tail"]
     dihedral, foil = math.radians(t["dihedral_deg"]), asb.Airfoil(t["airfoil"])
     lattice_foil = {
@@ -120,7 +120,7 @@ def tail_surfaces(g, left_deg=0.0):
 
 
 def reference(g):
-    """Wing area, span, mean aerodynamic chord of the trapezoid."""
+    """Area [m2], span [m] and mean aerodynamic chord [m] of the trapezoidal wing."""
     w = g["wing"]
     taper = w["tip_chord_m"] / w["root_chord_m"]
     area = 0.5 * w["span_m"] * (w["root_chord_m"] + w["tip_chord_m"])
@@ -128,7 +128,7 @@ def reference(g):
 
 
 class Lattice:
-    """The lattice of some surfaces, asked for coefficients about the centre of gravity."""
+    """Vortex lattice of some surfaces, which gives coefficients about the centre of gravity."""
 
     def __init__(self, g, surfaces, cg):
         self.area, self.span, self.chord = reference(g)
@@ -138,7 +138,7 @@ class Lattice:
         )
 
     def at(self, alpha_deg, beta_deg=0.0, p=0.0, q=0.0, r=0.0):
-        """Coefficients; p, q, r are dimensionless."""
+        """Coefficients by AXES at these angles [deg]; p, q, r are dimensionless."""
         v2b, v2c = 2 * self.speed / self.span, 2 * self.speed / self.chord
         op = asb.OperatingPoint(
             velocity=self.speed, alpha=alpha_deg, beta=beta_deg, p=p * v2b, q=q * v2c, r=r * v2b
@@ -166,7 +166,7 @@ class Lattice:
 
 
 def left_ruddervator(g, cg, alpha_deg):
-    """Derivatives with the LEFT ruddervator, per rad; the right one is its exact mirror image."""
+    """Derivatives of AXES by the deflection of the LEFT ruddervator, per rad; the right one is its exact mirror image."""
     h = RUDDERVATOR_STEP_DEG
     high, low = (Lattice(g, [wing_surface(g), *tail_surfaces(g, d)], cg).at(alpha_deg) for d in (h, -h))
     return dict(
@@ -176,12 +176,12 @@ def left_ruddervator(g, cg, alpha_deg):
 
 # ---- hand-book estimates --------------------------------------------------------
 def pod(g, cg):
-    """Moments of the pod: Munk with DATCOM 4.2.1.1; dihedral effect of a high wing: DATCOM 5.2.2.1."""
+    """Moments and side force of the pod: Munk with DATCOM 4.2.1.1. Dihedral effect of a high wing: DATCOM 5.2.2.1."""
     f, (area, span, chord) = g["pod"], reference(g)
     volume = f["prismatic"] * f["length_m"] * f["width_m"] * f["height_m"]
     fineness = f["length_m"] / math.sqrt(f["width_m"] * f["height_m"])
     k = 0.86 + 0.014 * (fineness - 6)  # apparent-mass factor, read from the figure for fineness 5 to 9
-    base = 0.5 * f["width_m"] * f["height_m"]  # section where the flow separates (at the boom)
+    base = 0.5 * f["width_m"] * f["height_m"]  # cross-section where the flow separates, at the boom [m2]
     side = 2 * k * base * (f["height_m"] / f["width_m"]) / area
     aspect, depth = span**2 / area, math.sqrt(f["width_m"] * f["height_m"] / 0.7854)
     return {
@@ -211,7 +211,7 @@ def propeller_normal_force(g, cg):
 
 
 def drag(g, cg):
-    """Component build-up of CD0, and the pitching moment of drag above or below the centre of gravity."""
+    """CD0 as a sum over components, and the pitching moment of drag that acts above or below the centre of gravity."""
     area, _, chord = reference(g)
     w, t = g["wing"], g["tail"]
     panel = 0.5 * t["panel_span_m"] * (t["root_chord_m"] + t["tip_chord_m"])
@@ -227,7 +227,7 @@ def drag(g, cg):
 
 
 def ruddervator_drag(g):
-    """Profile drag of one plain flap per sin^2 of deflection: 1.7 (cf/c)^1.38 Sf/S (Young, ARC R&M 2622)."""
+    """CD of one plain flap divided by sin^2 of its deflection: 1.7 (cf/c)^1.38 Sf/S (Young, ARC R&M 2622)."""
     t = g["tail"]
     panel = 0.5 * t["panel_span_m"] * (t["root_chord_m"] + t["tip_chord_m"])
     return 1.7 * t["flap_chord_ratio"] ** 1.38 * panel / reference(g)[0]
@@ -239,9 +239,10 @@ def rotary_profile_drag(g):
 
 
 def downwash(g, cg, alpha_deg):
-    """Terms of the angle-of-attack rate: the tail meets the downwash of l/V earlier (Etkin; Roskam VI).
+    """Derivatives by the rate of alpha: the tail is in the downwash that left the wing l/V earlier (Etkin; Roskam VI).
 
-    The tail's share of CL_alpha and Cm_alpha, alone and behind the wing, gives 1 - d(epsilon)/d(alpha).
+    The downwash gradient d(epsilon)/d(alpha) follows from the tail's share of Cm_alpha behind the wing and alone: their ratio
+    is 1 - d(epsilon)/d(alpha).
     """
     alone = Lattice(g, [*tail_surfaces(g)], cg).slope(alpha_deg, "alpha")
     wing = Lattice(g, [wing_surface(g)], cg).slope(alpha_deg, "alpha")
@@ -256,15 +257,15 @@ def downwash(g, cg, alpha_deg):
 
 
 def fairing(alpha, start, end):
-    """0 while attached, 1 as a flat plate; smooth."""
+    """Smooth step in |alpha| from 0 (attached flow, below `start`) to 1 (flat plate, above `end`); angles in rad."""
     x = min(max((abs(alpha) - start) / (end - start), 0.0), 1.0)
     return x * x * (3 - 2 * x)
 
 
 def stalled(g, cg, alpha):
-    """CL, CD, Cm of wing and tail as plates: normal force 1.2 sin(alpha) (Hoerner 3-16, aspect ratio 7).
+    """CL, CD, Cm of wing and tail as flat plates: normal force 1.2 sin(alpha) (Hoerner 3-16, aspect ratio 7).
 
-    The wing's force moves from 35 % of the chord just past the stall to 52 % at 90 deg.
+    The wing's force acts at 35 % of the root chord at small alpha, and moves back to 52 % at 90 deg.
     """
     area, _, chord = reference(g)
     t = g["tail"]
@@ -282,7 +283,7 @@ def stalled(g, cg, alpha):
 
 
 def angle_tables(g, cg, c):
-    """CL, CD, Cm over alpha, -180 to 180 deg: line and parabola while attached, plate when stalled."""
+    """Rows (alpha [rad], CL, CD, Cm), -180 to 180 deg: line and parabola in attached flow, flat plate when stalled."""
     start = math.radians(g["wing"]["cl_max_alpha_deg"])
     degrees = [
         *range(-180, -90, 15),
@@ -315,7 +316,7 @@ def angle_tables(g, cg, c):
 
 # ---- putting it together --------------------------------------------------------
 def polar(lattice):
-    """k, CL1 and floor of CD = floor + k (CL - CL1)^2: the lattice's induced drag at three angles."""
+    """k, CL1 and floor of CD = floor + k (CL - CL1)^2, fitted to the lattice's induced drag at three angles of attack."""
     cl, cd = np.array([lattice.at(a)[:2] for a in (-2.0, 3.0, 8.0)]).T
     k, b, a = np.polyfit(cl, cd, 2)
     return k, -b / (2 * k), a - b * b / (4 * k)
@@ -365,12 +366,12 @@ def blade_of(g):
 
 def propeller_table(g):
     momentum = [round(0.05 * k, 2) for k in range(41)]
-    free = [2.5, 3, 4, 5, 7, 10, 15, 20, 30, 50, 100]  # windmill to standstill
+    free = [2.5, 3, 4, 5, 7, 10, 15, 20, 30, 50, 100]  # advance ratios from windmilling to almost at rest
     return propeller.table(blade_of(g), g["propulsion"]["propeller"]["reynolds_rev_s"], momentum, free)
 
 
 def build():
-    """Everything: geometry, masses, coefficients, and the text of each file by name."""
+    """Geometry, masses, coefficients, parasite drag, propeller table, and the text of each file by its name."""
     g = yaml.safe_load((HERE / "geometry.yaml").read_text())
     m = masses(g)
     c, parasite = coefficients(g, m["cg_m"])

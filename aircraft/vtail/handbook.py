@@ -1,10 +1,10 @@
-"""An independent estimate of the coefficients by closed formulas, beside what derive.py put into vtail.xml.
+"""An independent estimate of the coefficients by closed formulas, printed beside those that derive.py finds.
 
     python handbook.py
 
-Lifting-line and strip theory, DATCOM, Etkin and Roskam; nothing here uses the vortex lattice, but the terms
-of pod and propellers are shared. A gross error on either side (sign, length, factor of two) cannot hide.
-Agreement within a third is what these formulas are good for.
+Sources: lifting-line and strip theory, DATCOM, Etkin and Roskam. Nothing here uses the vortex lattice, but the terms of pod,
+propellers and parasite drag are those of derive.py. A gross error (sign, length, factor of two) in anything that is not shared
+shows as a difference. These formulas are accurate to about a third.
 """
 
 import math
@@ -13,7 +13,7 @@ from derive import build, drag, pod, propeller_normal_force, reference
 
 
 def wing_slope(aspect, sweep=0.0):
-    """DATCOM 4.1.3.2 at low speed, section slope 2 pi."""
+    """Lift slope of a wing [1/rad]: DATCOM 4.1.3.2 at low speed, with the section's slope 2 pi."""
     return 2 * math.pi * aspect / (2 + math.sqrt(aspect**2 * (1 + math.tan(sweep) ** 2) + 4))
 
 
@@ -41,10 +41,10 @@ def estimate(g, m):
         / (2 * arm / span) ** (1 / 3)
     )
     downwash = 4.44 * k**1.19
-    level = (
-        2 * panel / area * a_tail * math.cos(dihedral) ** 2
-    )  # lift slope of both panels, Purser and Campbell, NACA 823
-    side_factor = 0.7  # opposite loads cost the two panels lift: K of NACA Report 823 (Purser and Campbell)
+    # Lift slope of both panels, and the factor by which opposite loads on them reduce their side force: K of NACA Report 823
+    # (Purser and Campbell).
+    level = 2 * panel / area * a_tail * math.cos(dihedral) ** 2
+    side_factor = 0.7
     upright = side_factor * 2 * panel / area * a_tail * math.sin(dihedral) ** 2
     roll_arm = 0.5 * t["panel_span_m"] * 0.97 + (t["root_z_m"] - cg[2]) * math.sin(dihedral)
     wing_arm = (cg[0] - 0.25 * w["root_chord_m"]) / chord  # quarter-chord line is straight

@@ -1,9 +1,9 @@
 """Blade-element-momentum theory for a propeller of stated geometry: CT(J) and CP(J).
 
-Method: Ning, "A simple solution method for the blade element momentum equations", Wind Energy 17 (2014),
-in its propeller form: one unknown, the inflow angle phi, per radial station; Prandtl's tip and hub loss.
-Beyond the windmilling state that momentum theory can describe (a rotor almost at rest) induction is left out:
-each station is then a plate in the free stream.
+Method: Ning, "A simple solution method for the blade element momentum equations", Wind Energy 17 (2014), in its propeller
+form. Each radial station has one unknown, the inflow angle phi. Tip and hub losses are Prandtl's. Momentum theory does not
+describe a rotor that is almost at rest in a stream. There induction is left out: each station is a blade element in the free
+stream.
 
     J = V / (n D)      CT = T / (rho n^2 D^4)      CP = P / (rho n^3 D^5)
 """
@@ -44,13 +44,12 @@ class Blade:
 
 
 def section(blade, alpha_rad, reynolds):
-    """cl, cd of a blade section: linear with limits, faired into a flat plate when stalled."""
+    """cl, cd of a blade section at alpha [rad]: lift linear between limits; beyond the stall faired into a flat plate."""
     zero = np.radians(blade.zero_lift_deg)
     linear = blade.lift_slope_rad * (alpha_rad - zero)
     cl = min(max(linear, blade.cl_min), blade.cl_max)
-    friction = (
-        blade.cd_min * (reynolds / blade.reynolds_reference) ** -0.3
-    )  # between laminar -1/2 and turbulent -1/5
+    # The exponent is between those of laminar (-1/2) and turbulent (-1/5) flow.
+    friction = blade.cd_min * (reynolds / blade.reynolds_reference) ** -0.3
     cd = friction + blade.cd_growth * (cl - blade.cl_of_cd_min) ** 2
     excess = abs(linear - cl) / blade.lift_slope_rad  # angle past the stall
     w = min(excess / np.radians(15.0), 1.0)
@@ -60,7 +59,14 @@ def section(blade, alpha_rad, reynolds):
 
 
 def station_loads(blade, r, v, omega, nu, induction=True):
-    """Thrust and torque per metre of radius and unit density, all blades, at radius r."""
+    """Thrust [N/m] and torque [N m/m] of all blades per metre of radius and per unit of density, at radius r [m].
+
+    Args:
+        v: axial airspeed [m/s].
+        omega: rotor speed [rad/s].
+        nu: kinematic viscosity [m2/s].
+        induction: by momentum theory; without it the element is in the free stream.
+    """
     chord, twist = blade.chord_m(r), blade.twist_rad(r)
     radius, hub = 0.5 * blade.diameter_m, blade.radius_ratio[0] * 0.5 * blade.diameter_m
     sigma = blade.blades * chord / (2 * np.pi * r)
@@ -95,7 +101,7 @@ def station_loads(blade, r, v, omega, nu, induction=True):
             phi = brentq(residual, grid[k], grid[k + 1], xtol=1e-12)
             cn, ct = normal_tangential(phi, speed)
             s, c, f = np.sin(phi), np.cos(phi), loss(phi)
-            # the tangential component is the one that the wake changes least: W = omega r (1 - a') / cos(phi)
+            # W from the tangential component, which the wake changes least: W = omega r (1 - a') / cos(phi)
             w2 = (omega * r / (1 + sigma * ct / (4 * f * s * c)) / c) ** 2
     cn, ct = normal_tangential(phi, np.sqrt(w2))
     half = 0.5 * w2 * blade.blades * chord
@@ -114,9 +120,9 @@ def coefficients(blade, j, rev_s, nu=1.5e-5, induction=True):
 
 
 def table(blade, rev_s, j_momentum, j_free):
-    """Rows (J, CT, CP): momentum theory at j_momentum, free-stream blade elements at j_free."""
+    """Rows (J, CT, CP): with momentum theory at the advance ratios j_momentum, in the free stream at j_free."""
     rows = [(j, *coefficients(blade, j, rev_s)) for j in j_momentum]
-    for j in j_free:  # at a given airspeed the rotor turns slower as J rises: keep W at 0.7 R about constant
+    for j in j_free:  # at one airspeed a higher J means a slower rotor; this keeps W, and so the Reynolds number, about the same
         slow = rev_s * min(1.0, j_momentum[-1] / j)
         rows.append((j, *coefficients(blade, j, slow, induction=False)))
     return np.array(rows)

@@ -1,6 +1,6 @@
-"""Write the JSBSim files of the v-tail from derived numbers. Text only: no number is made here.
+"""Write the JSBSim files of the v-tail from the numbers of derive.py.
 
-Left and right always come from one number printed once: mirror images agree to the last digit.
+Left and right are printed from the same number, so that mirror images agree to the last digit.
 """
 
 # ruff: noqa: E501 - lines of XML stay whole
@@ -16,7 +16,7 @@ LATTICE = "vortex lattice (AeroSandbox)"
 
 
 def number(x):
-    """Six digits; rounding residue and negative zero are zero."""
+    """A number with six digits; rounding errors near zero, and negative zero, are printed as 0."""
     return f"{x:.6g}" if abs(x) > 1e-12 else "0"
 
 
@@ -41,7 +41,7 @@ def alpha_table(rows, column):
 
 
 def ruddervators(axis, c, area, *lengths):
-    """Both surfaces' share of one axis. Longitudinal terms are equal, lateral ones opposite."""
+    """The terms of both ruddervators in one axis. Longitudinal terms are equal, lateral ones opposite."""
     text = f"one ruddervator, trailing edge down positive; {LATTICE} x viscous factor"
     out = ""
     for side, _ in SIDES:
@@ -215,7 +215,7 @@ def flight_control(g, c):
         "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
         "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
     }  # fmt: skip
-    # downwash vanishes with lift
+    # incidence of a panel at zero alpha: the panel's own, less the downwash, which is zero at zero lift
     zero = math.cos(math.radians(g["tail"]["dihedral_deg"])) * (
         math.radians(g["tail"]["incidence_deg"]) - c["downwash"] * c["CL0"] / c["CL_alpha"]
     )
@@ -226,7 +226,7 @@ def flight_control(g, c):
 
 
 def external_reactions(g):
-    """A propeller's loss takes (1 - effectiveness) of its thrust and torque away, in the same step."""
+    """Forces and moments that remove (1 - effectiveness) of each propeller's thrust and torque, in the same step."""
     out = ""
     for i, (side, sign) in enumerate(SIDES):
         loss = f"<difference><property>fcs/{side}-propeller/effectiveness</property><value>1</value></difference>"
@@ -294,7 +294,7 @@ def motor_file(g):
 
 
 def write(g, m, c, table, reference):
-    """Text of each file by its name."""
+    """Text of each file, by its path in the aircraft's folder."""
     return {
         "vtail.xml": aircraft(g, m, c, reference),
         "Engines/vtail_prop.xml": propeller_file(g, table),
