@@ -42,7 +42,7 @@ REFUSED = [
     ("adaptive_inversion", "adaptive_invertion", 8, "controller.type", "did you mean adaptive_inversion?"),
     ("type: adaptive_inversion, ", "", 8, "controller.type", "is missing"),
     ("aircraft: vtail", "aircraft: vtial", 2, "aircraft", "did you mean vtail?"),
-    ("aircraft: vtail", "aircraft: ./no-such-folder", 2, "aircraft", "no aircraft in"),
+    ("aircraft: vtail", "aircraft: ./no-such-folder", 2, "aircraft", "there is no folder"),
     ("aircraft: vtail", "aircraft: 3", 2, "aircraft", "expected a valid string"),
     ("duration_s: 60", "duration_s: -60", 3, "duration_s", "expected greater than 0"),
     ("duration_s: 60", "duration_s: sixty", 3, "duration_s", "expected a valid number"),
