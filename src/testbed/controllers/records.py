@@ -184,7 +184,12 @@ MEMORY = (
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),
     Field("since_flag", (_N,), "s", "time since the flag was set or taken back"),
-    Field("jammed", (_N,), "flag", "the actuator acts against its command: jammed, offset or reversed"),
+    Field(
+        "jammed",
+        (_N,),
+        "flag",
+        "the force of the actuator does not follow its command: jammed, offset or reversed",
+    ),
     Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),
     Field(
         "reversal_timer",

@@ -90,7 +90,7 @@ def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
     s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 0.6
     modes.switch(5)
     assert [text for _, text in modes.reasons] == [
-        "left_ruddervator: not a loss of effectiveness, it acts against its command (jammed, offset or reversed)"
+        "left_ruddervator: not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
     ]
     assert s.designed_position[0] == 0.6
     assert modes.record[0].r_trim[0] == 0.6

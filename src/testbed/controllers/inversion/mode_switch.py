@@ -82,7 +82,7 @@ class ModeSwitch:
         for i, position in jammed.items():
             self._memory[0].designed_position[i] = position
             name = self._setup.model.actuators[i]
-            what = "not a loss of effectiveness, it acts against its command (jammed, offset or reversed)"
+            what = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
             self._report(step, f"{name}: {what}")
 
     def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
