@@ -119,7 +119,8 @@ def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Seque
         f"{FAILURE_S:g} s, end at 110 s. `fixed_inversion`, `pid` and `indi` were tuned on healthy flights alone.",
         "",
         f"**Recovered** means: after the failure there is a time from which on altitude stays within {BAND['altitude']:g} m "
-        f"and heading within {BAND['heading']:g} deg of their references. **Effort** is the median of `control_effort_per_s`, in thousands.",
+        f"and heading within {BAND['heading']:g} deg of their references. **Effort** is the median of `control_effort_per_s`, in "
+        "thousands.",
         "Worst errors and effort are those of the flights that were flown to the end.",
     ]
     for w20, records in weathers.items():
