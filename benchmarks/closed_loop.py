@@ -1,18 +1,20 @@
-"""What a flight costs, as multiples of what JSBSim alone costs: python benchmarks/closed_loop.py
+"""What a flight costs in time, compared with JSBSim alone: python benchmarks/closed_loop.py
 
-Prints one line of JSON. Times are of the thread that flies, on the processor, and the least of all rounds, in which
-bare stepping and flights take turns: other work on the machine only ever adds. Of processes it is the clock's time.
+Prints one line of JSON. Times are processor time of the thread that flies; with `--wall`, wall time. Bare stepping and
+flights take turns for some rounds, and the least time of each counts, because other work on the machine can only add to
+it. `--processes` measures wall time.
 
-- `bare_us`: one control step of the plant alone: `run()` of the flown aircraft in the scenario's air, from its trim,
-  commands as they are, nothing read or written.
-- `closed_loop_us`: one control step of a complete flight, `simulation.lockstep`: failures and gusts that are due, all
-  properties read, truth logged and the end watched for, sensors, estimation, monitor and mode switches, outer loops,
-  inversion, telemetry logged, commands written, `run()`.
+- `bare_us`: one control step of the plant alone, that is JSBSim's `run()`, from trim in the scenario's air, with constant
+  commands, and with nothing read or written.
+- `closed_loop_us`: one control step of a complete flight, `simulation.lockstep`: start of failures and gusts, reading
+  properties, logging the truth and checking for the end of the flight, sensors, estimation, monitor and mode switches,
+  outer loops, inversion, logging telemetry, writing commands, `run()`.
 - `ratio` of the two; `steps_per_s` and `real_time_factor` of the closed loop.
-- `outside_ms`: what a flight costs outside its steps when the process has flown before: `scenario` (tree to checked
-  scenario, as a sweep's worker does it), `assemble`, `conclude`, their sum; and what the two consist of.
+- `outside_ms`: what a flight costs outside its steps, in a process that has flown before: `scenario` (from the YAML tree
+  to a checked scenario, as in a sweep's worker), `assemble`, `conclude`, and their sum; `of_which` has the parts of the
+  last two.
 
-With `--processes N`: `speed_up` of N processes over one, whole flights, in turns.
+With `--processes N`: `speed_up` is the rate of whole flights with N processes over that with one.
 """
 
 from __future__ import annotations
@@ -42,7 +44,7 @@ from testbed.sweeps.drawing.builder import Builder, Task, Variant
 
 SCENARIO = "scenarios/left_tail_fail.yaml"
 _clock = time.thread_time
-_STRETCH_S = 10.0  # of bare stepping from one trim; the aircraft is still in ordinary flight after it
+_STRETCH_S = 10.0  # of bare stepping from one trim: without control the aircraft is still in ordinary flight after this time
 _PARTS = (
     (simulation, "load_aircraft"),
     (simulation, "Plant"),
@@ -84,7 +86,7 @@ def bare(scenario: Scenario) -> float:
 
 
 def closed(scenario: Scenario, outside: dict[str, list[float]]) -> float:
-    """Seconds for each control step of a flight; notes what the rest of it took."""
+    """Seconds for each control step of a flight; adds the seconds of assembling and concluding to `outside`."""
     begin = _clock()
     parts: Assembly = assemble(scenario)
     ready = _clock()
@@ -98,7 +100,7 @@ def closed(scenario: Scenario, outside: dict[str, list[float]]) -> float:
 
 @contextlib.contextmanager
 def watched(spent: dict[str, float]) -> Iterator[None]:
-    """Add up what the parts of assembling and concluding take."""
+    """While this context lasts, add the seconds spent in each of _PARTS to `spent`."""
     kept = [(owner, name, getattr(owner, name)) for owner, name in _PARTS]
 
     def timed(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
@@ -121,7 +123,7 @@ def watched(spent: dict[str, float]) -> Iterator[None]:
 
 
 def consists_of(scenario: Scenario, rounds: int) -> dict[str, float]:
-    """Least ms of each part of a flight outside its steps; `settle` and `catalog` are inside others of them."""
+    """Least time of each of _PARTS [ms], the longest first; `settle` and `catalog` are also part of other entries."""
     least: dict[str, float] = {}
     for _ in range(rounds):
         spent: dict[str, float] = defaultdict(float)
@@ -133,7 +135,7 @@ def consists_of(scenario: Scenario, rounds: int) -> dict[str, float]:
 
 
 def checking(options: argparse.Namespace, scenario: Scenario) -> float:
-    """Seconds from a sweep's tree to a checked scenario."""
+    """Seconds from the tree of a sweep's base scenario to a checked scenario."""
     source = yamlfile.read(find_scenario(options.scenario))
     apply(source, settings(options))
     builder, task = Builder(source, (Variant("", {}),)), Task(0, 0, scenario.seed, {})
@@ -144,9 +146,9 @@ def checking(options: argparse.Namespace, scenario: Scenario) -> float:
 
 
 def measured(options: argparse.Namespace) -> dict[str, Any]:
-    """All but the processes."""
+    """The numbers of the JSON line, but for those of `--processes`."""
     scenario = load_scenario(options.scenario, settings(options))
-    flown = fly(scenario)  # compiles, trims, fills what is kept
+    flown = fly(scenario)  # compiles, trims, and fills the caches
     outside: dict[str, list[float]] = defaultdict(list)
     alone, together = [], []
     for _ in range(options.rounds):
@@ -177,7 +179,7 @@ def measured(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def flights(path: str, chosen: list[str], start_s: float, count: int) -> float:
-    """In a process of its own: fly, first to warm up, then `count` times from a time on; returns when it was done."""
+    """In a process of its own: fly once to warm up, wait until `start_s`, fly `count` times; returns the time after that [s]."""
     scenario = load_scenario(path, chosen)
     fly(scenario)
     time.sleep(max(0.0, start_s - time.time()))
@@ -187,7 +189,7 @@ def flights(path: str, chosen: list[str], start_s: float, count: int) -> float:
 
 
 def speed_up(options: argparse.Namespace) -> float:
-    """Flights per second of N processes over those of one: best of the rounds for each, which take turns."""
+    """Flights per second of N processes over those of one; of each the best round counts, and the rounds take turns."""
     os.environ.update(dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"))
     count, best = 20, {1: 0.0, options.processes: 0.0}
     with ProcessPoolExecutor(options.processes, get_context("spawn")) as pool:
@@ -210,8 +212,12 @@ def main() -> int:
     parser.add_argument("--turbulence", type=float, default=0.0, metavar="W20", help="wind at 20 ft [m/s]")
     parser.add_argument("--rounds", type=int, default=9)
     parser.add_argument("--processes", type=int, default=0, metavar="N", help="also time N processes")
-    parser.add_argument("--guard", type=float, metavar="RATIO", help="exit status 1 when the ratio is above")
-    parser.add_argument("--wall", action="store_true", help="time by the wall's clock: for a quiet machine")
+    parser.add_argument(
+        "--guard", type=float, metavar="RATIO", help="exit status 1 if the ratio is above this"
+    )
+    parser.add_argument(
+        "--wall", action="store_true", help="measure wall time, on a machine without other work"
+    )
     options = parser.parse_args()
     if options.wall:
         global _clock

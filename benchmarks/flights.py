@@ -1,4 +1,4 @@
-"""Variations of one scenario, flown in several processes; shared by the benchmarks. Records: `sweeps.workers.flying`."""
+"""Fly variations of one scenario in several processes, for the other benchmarks. `sweeps.workers.flying` describes records."""
 
 from __future__ import annotations
 
@@ -12,16 +12,20 @@ from testbed.sweeps.workers.flying import FLY, Job
 from testbed.sweeps.workers.pool import fly_locally
 
 Values = Mapping[str, Any]
-"""Settings by dotted paths, as of --set."""
+"""Settings by dotted paths, as for `--set`."""
 Record = dict[str, Any]
 
 
 def fly_all(
     base: str, flights: Iterable[tuple[int, Values]], jobs: int | None = None, fly: str = FLY
 ) -> list[Record]:
-    """Fly the scenario text `base` once for each (seed, values); records in the order given, counted on stderr.
+    """Fly the scenario with the YAML text `base` once for each (seed, values); returns the records in that order.
 
-    `fly` is the function that flies, as `module:name`.
+    Progress is shown on stderr. Exits if a flight has no result.
+
+    Args:
+        jobs: processes; one for each core by default.
+        fly: the function that flies, as `module:name`.
     """
     tasks = [Task(run, 0, seed, values) for run, (seed, values) in enumerate(flights)]
     job = Job(Builder(parse(base, "campaign"), (Variant("", {}),)), fly, save_logs="none", time_limit_s=600.0)

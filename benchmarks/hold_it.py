@@ -1,11 +1,11 @@
-"""Hold it: one broken actuator, in weather, with real sensors. Flies the table and writes docs/results/hold_it.md.
+"""How well one broken actuator is held, in weather, with real sensors. Writes docs/results/hold_it.md.
 
     python benchmarks/hold_it.py            # every cell, 20 seeds: some 1800 flights, minutes on two cores
     python benchmarks/hold_it.py --quick    # 2 seeds
 
-Each flight turns by 30 deg and climbs by 10 m before the failure at 40 s, and back after it; errors are against the
-rate-limited references, from 20 s after the failure on. Seeds begin at 4001: no gain was chosen on any of them (1 to 240
-are for tuning; 1001 to 3020 have been looked at).
+Each flight turns by 30 deg and climbs by 10 m before the failure at 40 s, and turns back and descends after it. Errors
+are distances from the rate-limited references, from 20 s after the failure on. Seeds begin at 4001, because no gain was
+chosen on any of these (1 to 240 are for tuning; results of 1001 to 3020 have been seen).
 """
 
 from __future__ import annotations
@@ -62,13 +62,13 @@ class Cell:
     """One kind of failure in one weather.
 
     Attributes:
-        group: row of the issue's table it belongs to.
-        lost: (actuator, effectiveness left) of each that breaks.
-        altitude_m, heading_deg: limits; infinite where nothing is asked but a report.
-        w20_ft_s: turbulence.
-        model_error: of every coefficient of the design model, sign by the seed.
-        from_start: errors count from 0 s, else from 20 s after the failure.
-        long: 10 minutes of turns and climbs, judged by false detections alone.
+        group: the row of the first table that it is part of.
+        lost: (actuator, remaining effectiveness) of each actuator that breaks.
+        w20_ft_s: wind at 20 ft, which sets the turbulence [ft/s].
+        altitude_m, heading_deg: largest error allowed; infinite where errors are not judged.
+        model_error: relative error of every coefficient of the design model; the seed decides each sign.
+        from_start: whether errors count from 0 s on, not from 20 s after the failure.
+        long: 10 minutes of turns and climbs, judged by false alarms alone.
     """
 
     group: str
@@ -119,7 +119,7 @@ GROUPS = (NONE, PARTIAL, LOST, PARTIAL_ERROR, LOST_ERROR, LONG, FIFTH, PAIRS)
 
 
 def cells(weathers: Sequence[float]) -> list[Cell]:
-    """Every cell: the issue's table, the propellers at 0.2 and the pairs in each weather, and the pairs in calm air."""
+    """Every cell, by group and then by W20: each group in every weather [W20 in ft/s], and the pairs in calm air too."""
     table = []
     for w in weathers:
         table.append(Cell(NONE, (), w, 4, 6, from_start=True))
@@ -139,7 +139,7 @@ def cells(weathers: Sequence[float]) -> list[Cell]:
 
 @dataclass(frozen=True)
 class Result:
-    """What came of a cell, or of several: worst errors of the flights that were flown to the end."""
+    """The records of a cell's flights, one for each seed, and what they say."""
 
     cell: Cell
     records: tuple[Record, ...]
@@ -149,7 +149,7 @@ class Result:
         return [record for record in self.records if record["outcome"] != "completed"]
 
     def errors(self, record: Record) -> tuple[float, float]:
-        """Altitude [m] and heading [deg] of one flight; infinite where it was lost."""
+        """Largest altitude [m] and heading [deg] error of one flight; infinite if it was lost."""
         if record["outcome"] != "completed":
             return math.inf, math.inf
         if self.cell.from_start:
@@ -157,7 +157,7 @@ class Result:
         return record["requirements"][0][1], record["requirements"][1][1]
 
     def worst(self, i: int) -> float:
-        """Worst altitude (0) or heading (1) of those not lost."""
+        """Largest altitude (i = 0) [m] or heading (i = 1) [deg] error of the flights that were flown to the end."""
         flown = [self.errors(r)[i] for r in self.records if r["outcome"] == "completed"]
         return max(flown, default=math.nan)
 
@@ -176,7 +176,7 @@ class Result:
 
     @property
     def failed(self) -> list[Record]:
-        """Flights that did not hold what is asked."""
+        """Records of the flights that were lost or passed a limit; of `long` ones, with a false alarm."""
         return [record for record in self.records if not self._held(record)]
 
     def _held(self, record: Record) -> bool:
@@ -199,7 +199,7 @@ def fly_cells(table: Sequence[Cell], seeds: Sequence[int], controller: str, jobs
 
 
 def summary_row(group: str, results: Sequence[Result]) -> str:
-    """One row of the issue's table."""
+    """One row of the first table: all cells of a group in one weather."""
     worst = max(results, key=lambda result: max(map(result.severity, result.records)))
     cell, flown = results[0].cell, sum(len(result.records) for result in results)
     failed = sum(len(result.failed) for result in results)
@@ -219,7 +219,7 @@ def summary_row(group: str, results: Sequence[Result]) -> str:
 
 
 def cell_row(result: Result) -> str:
-    """One row of the long table."""
+    """One row of the tables by cell."""
     cell, delays = result.cell, result.delays
     delay = f"{np.median(delays):.2f} / {max(delays):.2f}" if delays else ""
     parts = (
@@ -241,21 +241,21 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
         "",
         "<!-- Written by python benchmarks/hold_it.py: change that, not this. -->",
         "",
-        "This page has what the controller for weather holds with one broken actuator, and with two, in turbulence",
-        "and with real sensors: every kind of failure, and the worst flight of each.",
+        "This page shows how well the controller for weather holds altitude and heading after the loss of one actuator or",
+        "two, in turbulence and with real sensors. Each row names the worst flight of its kind.",
         "",
         f"`controller: {controller}`, `sensors: mems`,",
         f"seeds {seeds[0]} to {seeds[-1]} ({len(seeds)} a cell). No gain was chosen on any of these seeds. W20 is the",
         "wind at 20 ft of MIL-F-8785C [ft/s]. Headings change by 30 deg at 4 deg/s and altitudes by 10 m at 1 m/s,",
         "before the failure at 40 s and after it. Errors are distances from these rate-limited references, from 60 s",
-        "on (without a failure: from 0 s). Worst errors are of flights flown to the end.",
+        "on (without a failure: from 0 s). The worst errors are those of flights that were flown to the end.",
         "",
-        "**Held** means: flown to the end, with altitude and heading within what is asked all that time. The flights",
-        "of 10 minutes are the exception: they ask one thing only, that no healthy actuator is ever flagged. Their",
-        "errors are shown but not judged, so a flight far off its altitude may count as held there. **Lost** means that",
-        "the aircraft left its flight envelope or hit the ground.",
+        '**Held** means: flown to the end, with altitude and heading within the limits of the column "asked" all that time.',
+        "The flights of 10 minutes are the exception. They have one requirement only: no healthy actuator is ever flagged.",
+        "Their errors are shown but not judged, so a flight far from its altitude may count as held there. **Lost** means",
+        "that the aircraft left its flight envelope or hit the ground.",
         "",
-        "One row again: `python benchmarks/hold_it.py --group GROUP --first-seed SEED --seeds 1 --out FILE`.",
+        "To fly one row again: `python benchmarks/hold_it.py --group GROUP --first-seed SEED --seeds 1 --out FILE`.",
         "",
         "| failure | W20 | asked | worst altitude | worst heading | lost | false alarms | worst case | verdict |",
         "| --- | --- | --- | --- | --- | --- | --- | --- | --- |",
@@ -281,7 +281,7 @@ def document(results: Sequence[Result], seeds: Sequence[int], controller: str) -
 
 
 def diagnoses(results: Sequence[Result], controller: str) -> list[str]:
-    """What the controller itself says of the pairs, in the worst flight of each: which axis is given up, and why."""
+    """The controller's diagnoses when two actuators are lost, in the worst flight of each cell; flown again for this."""
     lines = [
         "",
         "## What the controller says of the pairs",

@@ -1,6 +1,6 @@
-"""Every controller against every type of failure, the same seeds. Writes docs/results/leaderboard.md.
+"""Compare every controller for every type of failure, with the same seeds. Writes docs/results/leaderboard.md.
 
-python benchmarks/leaderboard.py            # 3 seeds, calm and W20 25 ft/s, some 1000 flights
+python benchmarks/leaderboard.py            # 3 seeds, calm air and W20 = 25 ft/s: some 1000 flights
 python benchmarks/leaderboard.py --quick    # 1 seed
 """
 
@@ -39,11 +39,11 @@ CONTROLLERS: Mapping[str, Mapping[str, Any]] = {
 ACTUATOR = {"servo": "left_ruddervator", "motor": "right_propeller"}
 PROPERTY = {"set": {"fcs/left-ruddervator/effectiveness": 0.5, "fcs/right-propeller/effectiveness": 0.5}}
 BAND = {"altitude": 5.0, "heading": 10.0}
-"""Recovered is within this of both references, to stay [m, deg]."""
+"""A flight has recovered once both errors stay within these limits [m, deg]."""
 
 
 def failures() -> list[tuple[str, dict[str, Any]]]:
-    """(title, failure): each type with the catalogue's fields, on a servo and on a motor where it may be."""
+    """(title, failure) of each type, with its own `examples`: on a servo and on a motor, where the type is for both."""
     found: list[tuple[str, dict[str, Any]]] = []
     for name, kind in FAILURES.items():
         for of, fields in kind.examples.items():
@@ -58,7 +58,7 @@ def failures() -> list[tuple[str, dict[str, Any]]]:
 
 
 def fly_and_judge(scenario: Scenario) -> Flight:
-    """Fly, and add recovery as this table means it."""
+    """Fly, and add the metric `recovery_s`: time from the failure until both errors stay within BAND, NaN if never."""
     flight = fly(scenario)
     log = readings(flight)
     errors = {name: np.abs(log.error(name)) for name in BAND}
@@ -70,7 +70,7 @@ def fly_and_judge(scenario: Scenario) -> Flight:
 
 
 def cell(records: Sequence[Record]) -> str:
-    """survived, recovery, worst excursion of altitude and heading, effort."""
+    """A cell of the table by failure: share flown to the end, slowest recovery, largest errors, effort in thousands [1/s]."""
     flown = [record["metrics"] for record in records if record["outcome"] == "completed"]
     if not flown:
         return f"**0/{len(records)}**"
@@ -87,7 +87,7 @@ def cell(records: Sequence[Record]) -> str:
 
 
 def totals(records: Sequence[Record]) -> list[str]:
-    """Of all flights of a controller: survived, recovered, median excursions of the survivors, median effort."""
+    """Cells for all flights of a controller: survived, recovered, median of the survivors' worst errors, median effort."""
     flown = [record["metrics"] for record in records if record["outcome"] == "completed"]
     recovered = [m for m in flown if not math.isnan(m["recovery_s"])]
     n = len(records)
@@ -107,20 +107,21 @@ Flown = Mapping[str, Sequence[Sequence[Record]]]
 
 
 def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Sequence[int]) -> str:
-    """The Markdown of docs/results/leaderboard.md; what was flown by W20 [ft/s]."""
+    """The Markdown of docs/results/leaderboard.md; `kinds` are titles of failures, `weathers` the flights by W20 [ft/s]."""
     lines = [
         "# Leaderboard: every controller against every type of failure",
         "",
         "<!-- Written by python benchmarks/leaderboard.py: change that, not this. -->",
         "",
-        "This page compares the built-in controllers over every type of failure, flown by each with the same seeds.",
+        "This page compares the built-in controllers for every type of failure, each flown with the same seeds.",
         "",
         f"MEMS sensors, seeds {', '.join(map(str, seeds))}; the turns and climbs of [Hold it](hold_it.md), failure at "
         f"{FAILURE_S:g} s, end at 110 s. `fixed_inversion`, `pid` and `indi` were tuned on healthy flights alone.",
         "",
-        f"**Recovered** means: from some time after the failure on, altitude stays within {BAND['altitude']:g} m and heading "
-        f"within {BAND['heading']:g} deg of their references. **Effort** is the median of `control_effort_per_s`, in thousands.",
-        "Worst errors and effort are of the flights that survived.",
+        f"**Recovered** means: after the failure there is a time from which on altitude stays within {BAND['altitude']:g} m "
+        f"and heading within {BAND['heading']:g} deg of their references. **Effort** is the median of `control_effort_per_s`, in "
+        "thousands.",
+        "Worst errors and effort are those of the flights that were flown to the end.",
     ]
     for w20, records in weathers.items():
         lines += ["", f"## {title(w20)}", ""]
@@ -136,9 +137,9 @@ def document(kinds: Sequence[str], weathers: Mapping[float, Flown], seeds: Seque
         "",
         "## By failure",
         "",
-        "Each cell has: flights survived; the slowest recovery of these (`never` if one of them did not recover); the largest",
-        "errors of altitude and heading after the failure; effort. Failures such as stuck, bias and reversal are no loss of",
-        "effectiveness, so the paper's assumption does not hold for them.",
+        "Each cell has: flights flown to the end; the slowest recovery of these (`never` if one of them did not recover); the",
+        "largest errors of altitude and heading after the failure; effort. Failures such as stuck, bias and reversal are not a",
+        "loss of effectiveness, so the paper's assumption does not hold for them.",
     ]
     for w20, records in weathers.items():
         lines += ["", f"### {title(w20)}: by failure", ""]

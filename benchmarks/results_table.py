@@ -1,4 +1,4 @@
-"""docs/results/paper_table.md: the shipped scenarios' requirements, measured now, with and without adaptation.
+"""Measure the numbers of docs/results/paper_table.md: two shipped scenarios, with and without adaptation, as Markdown.
 
 python benchmarks/results_table.py
 """

@@ -1,10 +1,10 @@
-"""Does a change keep behaviour? Fly two commits and compare what they wrote, byte by byte.
+"""Does a change leave all flights as they were? Fly two commits and compare what they write, byte by byte.
 
     python benchmarks/same_bytes.py BEFORE [AFTER] [--runs 64]
 
-BEFORE and AFTER are commits; without AFTER it is the working tree. Each flies every scenario in its scenarios/ and the
-shipped sweep, with this Python and its own src/. Compared are log.csv and summary.json of each scenario and results.csv
-of the sweep. Exit status: 0 all the same, 1 something differs or is missing.
+BEFORE and AFTER are commits; AFTER is the working tree if it is left out. Each commit flies every scenario in its own
+scenarios/ and the shipped sweep, with its own src/ and this Python. Compared are log.csv and summary.json of each
+scenario, and results.csv of the sweep. Exit status: 0 if all files are the same, 1 if one differs or is missing.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def checked_out(commit: str | None) -> Iterator[Path]:
 
 
 def testbed(tree: Path, *arguments: str) -> None:
-    """A command of that tree's testbed; a missed requirement (exit status 1) is an answer like any other."""
+    """Run a command of that tree's testbed; exits unless its status is 0 or 1 (1: a requirement is not met)."""
     environment = {**os.environ, "PYTHONPATH": str(tree / "src")}
     command = [sys.executable, "-m", "testbed", *arguments, "--no-plots"]
     done = subprocess.run(command, cwd=tree, env=environment, capture_output=True, text=True, check=False)
@@ -47,7 +47,7 @@ def testbed(tree: Path, *arguments: str) -> None:
 
 
 def flown(tree: Path, out: Path, runs: int) -> dict[str, bytes]:
-    """What one state of the program writes, by the file's name below `out`."""
+    """The files that this tree's program writes: their contents, by their paths below `out`."""
     for scenario in sorted((tree / "scenarios").glob("*.yaml")):
         testbed(tree, "run", str(scenario), "--out", str(out / scenario.stem))
     testbed(tree, "sweep", SWEEP, "--runs", str(runs), "--out", str(out / "sweep"))

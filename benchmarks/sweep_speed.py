@@ -1,8 +1,8 @@
-"""Flights per second of the shipped sweep with one and with two processes; run on an otherwise idle machine.
+"""Flights per second of the shipped sweep with one and with two processes. Run it on an otherwise idle machine.
 
     python benchmarks/sweep_speed.py [RUNS]
 
-Start-up (imports, a first compile) is shared by all flights, so few runs show a ratio that is too small.
+The time includes the start of the processes (imports, loading compiled code), so with few runs the ratio is too small.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
 
 
 def main(runs: int) -> None:
-    """Print the rate of each, and their ratio."""
+    """Print the flights per second with one and with two processes, and the ratio of the two."""
     plan, warm_up = (load_sweep(SWEEP, [f"runs={count}"]) for count in (runs, 1))
     rates = []
     with tempfile.TemporaryDirectory() as folder:

@@ -1,4 +1,4 @@
-"""Write the page of failures and its figures from the table of failures; every figure is a flight.
+"""Write the page of failures and its figures from the table of failure types; every figure shows a flight.
 
 python docs/generate/failures_catalogue.py            fly, draw and write docs/reference/failures.md and its figures
 python docs/generate/failures_catalogue.py --check    write nothing; exit 1 if anything is not as it would be written
@@ -56,7 +56,7 @@ def scenario(aircraft: Aircraft, failure: Mapping[str, Any]) -> Scenario:
 
 
 def draw(flight: Flight, actuator: str, unit: str, file: Path) -> None:
-    """Draw command, position and effective position of the broken actuator; the scenario is kept in the file."""
+    """Draw command, position and effective position of the broken actuator; the file's metadata hold the scenario."""
     from matplotlib.figure import Figure
 
     log = flight.log
@@ -120,7 +120,7 @@ def write(docs: Path) -> None:
 
 
 def stale(docs: Path) -> list[str]:
-    """Files that are not as they would be written: the page, and figures that are missing or of other flights."""
+    """Files that are out of date: the page, and figures that are missing or show another scenario."""
     from PIL import Image
 
     aircraft = load_aircraft(AIRCRAFT)

@@ -1,4 +1,4 @@
-"""What each column of a log means, by patterns of their names; a column without a meaning stops the site's build."""
+"""The meaning of each log column, by patterns of names. A column without a meaning stops the build of the site."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 _MEANINGS = (
     (r"time_s", "Time since the start of the flight."),
-    (r"north_m|east_m", "True position from where the flight began."),
+    (r"north_m|east_m", "True position relative to the start of the flight."),
     (r"altitude_m", "True altitude of the centre of gravity above mean sea level."),
     (r"airspeed_m_s", "True airspeed, gusts included."),
     (r"climb_rate_m_s", "True rate of climb over the ground."),
@@ -16,24 +16,24 @@ _MEANINGS = (
     (r"alpha_deg", "True angle of attack, gusts included."),
     (r"beta_deg", "True sideslip, positive with the wind from the right, gusts included."),
     (r"[pqr]_deg_s", "True body rate: p roll, q pitch, r yaw."),
-    (r"\w+_command_(m|m_s|deg)", "Reference that the controller is given: the command, approached at `command_rates`."),
+    (r"\w+_command_(m|m_s|deg)", "Reference that the controller follows: it approaches the command at `command_rates`."),
     (r"[pqr]_dot_deg_s2|u_dot_m_s2", "Measured state rate: angular acceleration, or acceleration along body x."),
-    (r"\w_dot_desired_\w+", "State rate that the outer loops ask for."),
+    (r"\w_dot_desired_\w+", "State rate that the outer loops demand."),
     (r"\w_dot_released", "1 while the axis is given up."),
     (r"A_reference", "r of (6): the position that a healthy actuator would need, in the unit of the aircraft's YAML."),
     (r"A_command", "u: the position that the actuator is commanded to, in the same unit."),
-    (r"A_position", "What the servo or the propeller does, as if it were fully effective, in the same unit."),
+    (r"A_position", "True position of the surface, or thrust of the propeller, as if fully effective, in the same unit."),
     (r"A_effectiveness", "True effectiveness: 1 is healthy, 0 is lost."),
-    (r"A_effectiveness_estimate", "The controller's estimate of it."),
+    (r"A_effectiveness_estimate", "The controller's estimate of the effectiveness."),
     (r"A_failed", "1 while the controller's monitor flags the actuator as failed."),
-    (r"\w+_measured_\w+", "Reading of the sensor, as the controller gets it."),
-    (r"\w_dot_true_\w+", "True state rate, beside the measured one."),
+    (r"\w+_measured_\w+", "Sensor reading that the controller gets."),
+    (r"\w_dot_true_\w+", "True state rate; the column without `_true` is measured."),
     (r"wind_(north|east|down)_m_s", "Velocity of the air over the ground, towards north, east, down, turbulence included."),
 )  # fmt: skip
 
 
 def meaning(column: str) -> str:
-    """What a column means; `A` stands for an actuator. Raises KeyError for a column that nobody has explained."""
+    """The meaning of a column; `A` stands for an actuator. Raises KeyError unless exactly one pattern fits the name."""
     found = [text for pattern, text in _MEANINGS if re.fullmatch(pattern, column)]
     if len(found) != 1:
         raise KeyError(f"{column}: {len(found)} meanings in {__file__}")
@@ -41,5 +41,5 @@ def meaning(column: str) -> str:
 
 
 def unused(columns: list[str]) -> list[str]:
-    """Patterns that no column has."""
+    """Patterns that fit none of these columns."""
     return [pattern for pattern, _ in _MEANINGS if not any(re.fullmatch(pattern, c) for c in columns)]

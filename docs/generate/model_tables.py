@@ -21,7 +21,7 @@ Model = type[BaseModel]
 
 
 def keys(path: str, closed: Sequence[str] = ()) -> str:
-    """Table of the keys of `package.module:Model`, then of each mapping in it; not of those that are closed."""
+    """Table of the keys of `package.module:Model`, then of each mapping in it, except the mappings named in `closed`."""
     module, _, name = path.partition(":")
     model = getattr(importlib.import_module(module), name)
     return "\n\n".join([table(model), *_sections(model, "", closed)])
@@ -52,7 +52,7 @@ def described(model: Model) -> str:
 
 
 def table(model: Model, leave_out: Sequence[str] = ()) -> str:
-    """Table of a model's own keys, but for some."""
+    """Table of a model's own keys, except those in `leave_out`."""
     said = meanings(model)
     rows = []
     for name, info in model.model_fields.items():
@@ -64,8 +64,8 @@ def table(model: Model, leave_out: Sequence[str] = ()) -> str:
 
 
 def meanings(model: Model) -> dict[str, str]:
-    """What the code says of each field: the docstring below it, else its entry under `Attributes:` of the class, else
-    the first line of what it holds."""
+    """Meaning of each field: the docstring below it; without one, its entry under `Attributes:` of the class; without
+    that, the first paragraph of the docstring of the model that the field holds."""
     found = {}
     for name, info in model.model_fields.items():
         inner = models(info.annotation)
@@ -183,7 +183,7 @@ def _yaml(value: Any) -> str:
 
 
 def cell(text: str) -> str:
-    """Text that stays in its cell: on one line, and with bars that do not end it; those in code do not."""
+    """Text for a cell: on one line, with bars escaped, except in code, where they do not end the cell."""
     parts = " ".join(text.split()).split("`")
     parts[::2] = [part.replace("|", "\\|") for part in parts[::2]]
     return "`".join(parts)

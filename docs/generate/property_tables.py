@@ -1,7 +1,7 @@
 """The properties that an aircraft's JSBSim model must have for each servo and motor, read from the v-tail's model.
 
-What a property means is written here; that these are all that the model has, and which failures write them, is
-taken from the XML and the failure types. A property that is explained nowhere stops the site's build.
+The meanings are written here. Initial values are read from the XML, and the failures that write each property from the
+failure types. The build of the site stops if a property of the XML has no meaning here, or if one here is not in the XML.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ _SERVO = {
     "servo-max-rad": ("rad", "Upper stop of the servo."),
     "linkage-bias-rad": ("rad", "Added behind the servo: a bent linkage."),
     "float-active": ("0 or 1", "1: the surface is free and trails with the local flow."),
-    "float-gain": ("1", "How far a free surface follows: it stands at minus this times `incidence-rad`."),
+    "float-gain": ("1", "Gain of a free surface: it stands at minus this gain times `incidence-rad`."),
     "effectiveness": ("1", "Factor on the surface's aerodynamic force: 1 is healthy, 0 is lost."),
     "demand-rad": ("rad", "Function: what the servo is asked for, after scale, bias and override."),
     "servo-rad": ("rad", "Output of the JSBSim `<actuator>` component, which must be called `PREFIX/servo`."),
-    "incidence-rad": ("rad", "Function: angle of the local flow at the surface, to which a free surface trails."),
+    "incidence-rad": ("rad", "Function: angle of the local flow at the surface, with which a free surface trails."),
     "position-rad": ("rad", "Function: where the surface stands. Logged as `A_position`."),
     "effective-rad": ("rad", "Function: `effectiveness` times `position-rad`. All aerodynamic coefficients of the surface use it."),
     "servo/malfunction/fail_stuck": ("0 or 1", "JSBSim's own property of the component `PREFIX/servo`: 1 freezes its output."),
@@ -51,8 +51,8 @@ _MOTOR = {
     "throttle-norm": ("throttle", "Function: what the engine gets, written to `fcs/throttle-pos-norm[ENGINE]`."),
     "lost-thrust-lbs": (
         "lbf",
-        "External force along body x: (`effectiveness` - 1) times the engine's thrust, so 0 or below. An external moment "
-        "does the same to the torque.",
+        "External force along body x: (`effectiveness` - 1) times the engine's thrust, which cancels the lost part of the "
+        "thrust. An external moment does the same for the torque.",
     ),
 }  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Tables of the reference pages that are not a model's keys: commands, controllers, metrics, columns, sensors."""
+"""Tables of the reference pages other than the keys of a model: commands, controllers, metrics, log columns, sensors."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def metrics() -> str:
 
 
 def log_columns() -> str:
-    """Each column of a log of the v-tail with real sensors in moving air; those of an actuator once."""
+    """Each column of the v-tail's log with real sensors in moving air; columns of actuators appear once, as `A_...`."""
     aircraft = load_aircraft("vtail")
     first, *others = aircraft.actuators
     of_others = tuple(f"{other}_" for other in others)

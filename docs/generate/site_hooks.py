@@ -1,8 +1,8 @@
-"""What mkdocs calls while it builds the site: fills in the tables that come from the code, and sets equations.
+"""Functions that mkdocs calls while it builds the site: they insert the tables made from the code, and convert equations.
 
-A page asks for a table by a line of its own, `<!-- table: metrics -->` or, for the keys of a model of the package,
-`<!-- keys: testbed.scenario.model:Scenario -->`, perhaps with `without` and keys that have pages of their own. A line
-`<!-- file: examples/my_controller.py -->` asks for a file. Nothing generated is committed, so nothing can be stale.
+A line `<!-- table: metrics -->` of a page stands for a table. `<!-- keys: testbed.scenario.model:Scenario -->` stands for
+the keys of a model of the package; `without` may follow, and keys that have pages of their own. A line
+`<!-- file: examples/my_controller.py -->` stands for a file. The results are not committed, so they cannot be out of date.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=
 
 
 def on_page_markdown(markdown: str, **_: Any) -> str:
-    """The page with tables and files in place of what asks for them; one that does not exist stops the build."""
+    """The page with tables and files in place of these lines; a table or file that does not exist stops the build."""
     return _FILE.sub(_file, _TABLE.sub(_table, markdown))
 
 
@@ -46,7 +46,7 @@ def _table(asked: re.Match[str]) -> str:
 
 
 def on_page_content(content: str, **_: Any) -> str:
-    """Equations as MathML, which browsers draw by themselves: no script, no fonts, no network."""
+    """The page with equations as MathML, which browsers draw without scripts, fonts or network."""
     content = _BLOCK.sub(lambda found: _math(found, "block"), content)
     return _INLINE.sub(lambda found: _math(found, "inline"), content)
 

@@ -1,4 +1,4 @@
-"""A flight-control failure testbed: JSBSim is the truth, and a controller that never saw it flies."""
+"""A flight-control failure testbed: JSBSim is the truth, and a controller that knows only its design model flies it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """What users need, whether it was imported yet or not."""
+    """The names that users need, also those that have not been imported yet."""
     return __all__
 
 

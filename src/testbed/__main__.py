@@ -1,4 +1,4 @@
-"""`python -m testbed`."""
+"""The command line, as `python -m testbed`."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""One function reads whatever folder the testbed wrote."""
+"""Read any folder that the testbed wrote: one flight or a sweep."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 
 
 def load(folder: str | Path) -> Flight | pd.DataFrame:
-    """A run folder as a Flight, a sweep folder as the DataFrame of its results, a row a flight.
+    """Read a run folder as a Flight, or a sweep folder as a DataFrame with a row for each flight.
 
     The table's `attrs` hold `name`, `folder`, `summary` (a sentence) and `units` (of each column). Needs neither the
-    simulator nor the aircraft of a run. Raises BadInput when the folder is neither.
+    simulator nor, for a run folder, the aircraft. Raises BadInput when the folder is neither a run nor a sweep.
     """
     if is_sweep_folder(folder):
         from testbed.sweeps.folder import reading
@@ -29,7 +29,7 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
 
 
 def is_sweep_folder(folder: str | Path) -> bool:
-    """Whether a folder is a sweep's, not a run's; raises BadInput when it is neither."""
+    """True for a sweep folder, False for a run folder; raises BadInput when the folder is neither."""
     folder = Path(folder)
     if not folder.is_dir():
         what = "is a file" if folder.exists() else "there is no such folder"

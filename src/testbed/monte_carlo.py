@@ -1,4 +1,4 @@
-"""Sweeps from Python. `sweep` flies one whole; the other functions are its steps, which the command line uses too."""
+"""Sweeps from Python. `sweep` does everything; the other functions are its steps, which the command line uses too."""
 
 from __future__ import annotations
 
@@ -38,22 +38,22 @@ def sweep(
     fly: Fly | None = None,
     figures: bool = True,
 ) -> pd.DataFrame:
-    """Fly a sweep file into a folder and return its table, a row a flight; see `testbed.load` for the table.
+    """Fly the sweep of a file, write its folder, and return its table with a row for each flight (see `testbed.load`).
 
     Args:
         sweep: the sweep's YAML file; a shipped one is found from any folder.
         out: the sweep folder to make, `runs/<name>` by default.
         runs: number of runs, in place of the file's.
-        seed: from which everything is drawn, in place of the file's.
-        settings: changes as of `--set`, each KEY=VALUE.
-        jobs: processes; one a core by default.
+        seed: seed of everything random, in place of the file's.
+        settings: changes as with `--set`, each KEY=VALUE.
+        jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
-        resume: fly only what the folder does not have yet.
+        resume: go on with an existing folder, and fly only the missing flights.
         save_logs: which flights' logs to keep: `none`, `failed` or `all`.
         fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
         figures: whether to draw figures and write the report.
 
-    Raises BadInput when nothing can be flown, Stopped when the sweep ended early; what was flown is then kept.
+    Raises BadInput when nothing can be flown, Stopped when the sweep ended early; the finished flights are then kept.
     """
     plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume)
     fly_sweep(plan, folder, options(jobs, cluster, save_logs, fly), resume=resume)
@@ -62,7 +62,7 @@ def sweep(
 
 
 def options(jobs: int | None, cluster: str | None, save_logs: str, fly: Fly | None = None) -> Options:
-    """How to fly, checked; raises BadInput."""
+    """The checked options of `fly_sweep`; raises BadInput when one is out of range."""
     problems = []
     if jobs is not None and jobs < 1:
         problems.append(Problem(f"is {jobs}", "--jobs", expected="at least 1"))
@@ -82,9 +82,9 @@ def prepare(
     seed: int | None = None,
     resume: bool = False,
 ) -> tuple[Plan, Path]:
-    """Read and check a sweep; returns it and its folder. Raises BadInput with everything wrong with it.
+    """Read and check a sweep; returns the plan and the sweep folder. Raises BadInput with every problem found.
 
-    Resumed without a number of runs, it has as many as the folder's sweep.yaml says.
+    A sweep that is resumed without `runs` has at least as many runs as the folder's sweep.yaml says.
     """
     if runs is not None and runs < 1:
         raise BadInput([Problem(f"is {runs}", "--runs", expected="at least 1")])
@@ -99,7 +99,7 @@ def prepare(
 
 
 def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
-    """Write what a sweep folder's table says: summary.json, figures, report.html; returns the summary."""
+    """Evaluate a sweep folder's table: write summary.json, figures and report.html; returns the summary."""
     frame = reading.load(folder)
     found = summary.summarize(plan, frame)
     summary.write(found, folder)
@@ -113,15 +113,15 @@ def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
 
 
 def rebuild(folder: Path) -> dict[str, Any]:
-    """Write table, summary, figures and report of a sweep folder anew, without flying; returns the summary.
+    """Write table, summary, figures and report of a sweep folder again, without flying; returns the summary.
 
-    Of an unfinished sweep, from the flights that have finished. Raises BadInput when none has.
+    For an unfinished sweep they cover the flights that have finished. Raises BadInput when there are none.
     """
     plan = reading.load_plan(folder)
     kept = reading.finished(plan, folder)
     if not kept:
         raise BadInput([Problem("no flight has finished in this sweep folder", str(folder))])
-    # The table of a sweep that stopped by its own rule has fewer runs than the journal: it stays as it is.
+    # After `stop_when` the journal may have more runs than the table, because others were still flying. The table stays.
     stopped = (folder / "results.parquet").is_file() and plan.sweep.stop_when is not None
     if not stopped:
         results.write(plan, lambda: iter(kept), folder)
@@ -131,7 +131,7 @@ def rebuild(folder: Path) -> dict[str, Any]:
 def fly_run(plan: Plan, run: int, folder: Path, how: Options) -> bool:
     """Fly one run alone into a new folder: its rows in results.csv, and a run folder for each variant's flight.
 
-    Whether every variant passed. Raises BadInput when there is no such run.
+    Returns whether every variant passed. Raises BadInput when there is no such run.
     """
     done = fly_only(plan, run, how)
     records = [flown.record for _, flown in done]
@@ -139,9 +139,10 @@ def fly_run(plan: Plan, run: int, folder: Path, how: Options) -> bool:
     results.write(plan, lambda: iter(records), folder)
     for task, flown in done:
         if flown.record["outcome"] in ("timeout", "crashed"):
-            continue  # flown in this process, it would end this process too
+            continue  # flown again in this process, it could hang or end it too
         flights: list[Flight] = []
-        fly_task(how.job(plan), task, keep=flights.append)  # the worker has sent a record, not the whole log
+        # Fly again, because the worker has sent a record and not the whole log.
+        fly_task(how.job(plan), task, keep=flights.append)
         for flight in flights:
             write_run_folder(flight, folder / flight_label(plan, run * len(plan.variants) + task.variant))
     return all(record["passed"] for record in records)

@@ -1,5 +1,5 @@
-"""The command line: `commands` is the parser and the exit status, and the other modules are what commands do.
+"""The command line: `commands` has the parser and the exit status, and the other modules carry the commands out.
 
-`flight` flies one scenario and reports a run folder; `sweep` does the same for many flights; `checked` reads and
-checks input; `aircraft` finds design models; `catalogue` lists what there is; `completion` is for shells.
+`flight` flies one scenario and reports a run folder; `sweep` does the same for a sweep; `checked` reads and checks input;
+`aircraft` identifies design models; `catalogue` lists what is available; `completion` completes commands in a shell.
 """

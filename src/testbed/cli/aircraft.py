@@ -1,4 +1,4 @@
-"""`testbed identify`: find an aircraft's design model, the one that controllers know, and store it beside it."""
+"""`testbed identify`: find the design model that controllers use, and store it in the aircraft's folder."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ from testbed.inputs.problems import BadInput, Problem
 
 
 def identify(name: str, *, check: bool) -> bool:
-    """Find the design model and store it; with `check`, only say whether the stored one is the same."""
+    """Identify the design model and store it; with `check`, only compare it with the stored one.
+
+    Returns False if the stored model differs. Raises BadInput when the aircraft has no trim or the file cannot be written.
+    """
     from testbed.plant.identification import identify
 
     aircraft = load_aircraft(name)

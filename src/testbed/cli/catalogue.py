@@ -1,4 +1,4 @@
-"""What there is: each table that a scenario can name something of, with one line on what each entry means."""
+"""`testbed list`: everything that a scenario or a command can name, each with its meaning in one line."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from itertools import takewhile
 from pathlib import Path
 
 Entries = list[tuple[str, str]]
-"""Name, and what it means."""
+"""(name, meaning) of each entry."""
 
 
 def _aircraft() -> Entries:
@@ -53,7 +53,7 @@ def _described(table: Mapping[str, object]) -> Entries:
 
 
 def _files(files: Iterable[Path]) -> Entries:
-    """Shipped files by the path that commands take, each with the comment that it begins with, else its name."""
+    """Shipped files by the path that commands take, each with the comment at its beginning or, without one, its name."""
     from testbed.aircraft.shipped import data_root
 
     return [(str(file.relative_to(data_root())), _about(file)) for file in files]
@@ -73,4 +73,4 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "scenarios": _scenarios,
     "sweeps": _sweeps,
 }
-"""What `testbed list` can list."""
+"""The lists that `testbed list` can show."""

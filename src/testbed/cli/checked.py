@@ -1,4 +1,4 @@
-"""Input read and checked whole before anything flies: what `testbed validate` does, and `testbed run` first."""
+"""Read and check all input before anything flies: this is `testbed validate`, and the first step of `testbed run`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Result = TypeVar("Result")
 
 
 def validate(files: Iterable[str]) -> None:
-    """Check scenario and sweep files, and print those that are in order; BadInput with all problems of the rest."""
+    """Check scenario and sweep files, and print the valid ones; raises BadInput with all problems of the others."""
     problems: list[Problem] = []
     for file in files:
         if collect(problems, partial(_valid, file)) is not None:
@@ -25,7 +25,7 @@ def validate(files: Iterable[str]) -> None:
 
 
 def collect(problems: list[Problem], function: Callable[[], Result]) -> Result | None:
-    """Result of a function; None if it refuses its input, and then its problems are added to `problems`."""
+    """Result of a function. If it raises BadInput, its problems are added to `problems`, and the result is None."""
     try:
         return function()
     except BadInput as error:
@@ -34,7 +34,7 @@ def collect(problems: list[Problem], function: Callable[[], Result]) -> Result |
 
 
 def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
-    """The scenario in a file, checked also against the log's columns, the metrics and the JSBSim model."""
+    """The scenario in a file, with its names also checked against the log's columns, the metrics and the JSBSim model."""
     from testbed.aircraft.description import load_aircraft
     from testbed.flight.columns import all_columns
     from testbed.metrics import TABLE as METRICS

@@ -1,7 +1,7 @@
 """The commands, their options, and their exit status.
 
-Exit status: 0 every requirement is met; 1 one is not met, or the aircraft was lost; 2 bad input, nothing was flown.
-A command's own module is imported when the command runs, so that `--help` and `validate` stay quick.
+Exit status: 0 every requirement was met; 1 one was not met, or the aircraft was lost; 2 bad input, and nothing was flown.
+The module of a command is imported only when the command runs, so that `--help` and `validate` are quick.
 """
 
 from __future__ import annotations
@@ -27,17 +27,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         try:
             return _run(arguments)
         finally:
-            sys.stdout.flush()  # here, where a reader that has gone away can be noticed
-    except (
-        BrokenPipeError
-    ):  # `testbed list | head -1`; as in the notes on SIGPIPE in Python's `signal` module
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the flush at exit
+            sys.stdout.flush()  # here, so that a closed pipe is noticed inside this `try`
+    except BrokenPipeError:
+        # As with `testbed list | head -1`. The remedy is that of the notes on SIGPIPE in Python's `signal` module.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # so that the flush at exit succeeds
         return NOT_MET
 
 
 def _run(arguments: Sequence[str] | None) -> int:
     top = parser()
-    completion.answer(top)  # ends the process when it is the shell that asks
+    completion.answer(top)  # ends the process if a shell asks for completions
     options = top.parse_args(arguments)
     try:
         status: int = options.command(options)
@@ -65,18 +64,23 @@ def parser() -> argparse.ArgumentParser:
     command = _command(commands, "report", _report, "rebuild figures and report of a run or sweep folder")
     command.add_argument("folder", type=Path, help="run or sweep folder")
 
-    command = _command(commands, "validate", _validate, "check scenarios and sweeps, fly nothing")
+    command = _command(commands, "validate", _validate, "check scenarios and sweeps without flying")
     _file(command, "files", _SCENARIO, nargs="+", metavar="FILE")
 
     command = _command(
-        commands, "identify", _identify, "find an aircraft's design model and store it beside it"
+        commands,
+        "identify",
+        _identify,
+        "find an aircraft's design model and store it in the aircraft's folder",
     )
-    command.add_argument("aircraft", help="name, or folder as ./name")
+    command.add_argument("aircraft", help="name, or path of a folder such as ./name")
     command.add_argument(
-        "--check", action="store_true", help="only compare with the stored one; exit status 1 if it differs"
+        "--check", action="store_true", help="only compare with the stored model; exit status 1 if it differs"
     )
 
-    command = _command(commands, "list", _list, "what there is: names and what they mean")
+    command = _command(
+        commands, "list", _list, "list the names that scenarios and commands can use, with their meanings"
+    )
     command.add_argument("what", nargs="?", choices=CATALOGUE, help="default: everything")
 
     command = _command(commands, "completion", _completion, "print the completion script of a shell")
@@ -96,7 +100,7 @@ def _command(
 
 
 def _file(command: argparse.ArgumentParser, name: str, description: str, **more: str) -> None:
-    """A scenario or sweep file; a shell completes it with the shipped ones too."""
+    """Add an argument for scenario or sweep files; a shell also completes the names of shipped ones."""
     action = command.add_argument(name, help=description, **more)  # type: ignore[arg-type]
     action.completer = completion.files  # type: ignore[attr-defined]
 
@@ -124,12 +128,18 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
         "--out", type=Path, metavar="DIR", help="sweep folder to make (default: runs/<name>)"
     )
     command.add_argument(
-        "--runs", type=int, metavar="N", help="number of runs; with --resume, more than before adds runs"
+        "--runs", type=int, metavar="N", help="number of runs; with --resume, a larger number adds runs"
     )
-    command.add_argument("--seed", type=int, metavar="S", help="seed of everything that is drawn")
-    command.add_argument("--jobs", type=int, metavar="N", help="processes (default: one a core)")
-    command.add_argument("--cluster", metavar="ADDRESS", help="fly on a Dask cluster, as tcp://host:8786")
-    command.add_argument("--resume", action="store_true", help="fly only what the folder does not have yet")
+    command.add_argument("--seed", type=int, metavar="S", help="seed of everything random")
+    command.add_argument(
+        "--jobs", type=int, metavar="N", help="number of processes (default: one for each core)"
+    )
+    command.add_argument(
+        "--cluster", metavar="ADDRESS", help="fly on a Dask cluster, such as tcp://host:8786"
+    )
+    command.add_argument(
+        "--resume", action="store_true", help="go on with an existing folder: fly only the missing flights"
+    )
     command.add_argument("--only", type=int, metavar="I", help="fly run I alone and keep its whole log")
     command.add_argument(
         "--save-logs", default="failed", metavar="WHICH", help="logs to keep: none, failed (default) or all"

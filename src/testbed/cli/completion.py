@@ -13,7 +13,7 @@ SHELLS = ("bash", "zsh", "fish")
 
 
 def script(shell: str) -> str:
-    """What this shell has to source for `testbed` to be completed; BadInput without argcomplete."""
+    """The script that this shell has to source to complete `testbed`; raises BadInput if argcomplete is not installed."""
     try:
         from argcomplete.shell_integration import shellcode
     except ImportError:
@@ -24,7 +24,7 @@ def script(shell: str) -> str:
 
 
 def answer(parser: argparse.ArgumentParser) -> None:
-    """Answer a shell that asks for completions, and end; return at once when none does."""
+    """If a shell asks for completions, answer it and end the process; else return at once."""
     if "_ARGCOMPLETE" in os.environ:
         import argcomplete
 
@@ -32,7 +32,7 @@ def answer(parser: argparse.ArgumentParser) -> None:
 
 
 def files(prefix: str, **_: object) -> list[str]:
-    """YAML files and folders that begin like this, and the shipped scenarios and sweeps, as `run` takes them."""
+    """YAML files and folders, and shipped scenarios and sweeps, whose paths begin with `prefix`."""
     shipped = [str(file.relative_to(data_root())) for file in (*scenario_files(), *sweep_files())]
     folder = Path(prefix).parent if Path(prefix).name or not prefix else Path(prefix)
     here = (

@@ -20,9 +20,9 @@ if TYPE_CHECKING:
 
 
 def fly(options: argparse.Namespace) -> bool:
-    """Fly one scenario into a run folder; whether it passed. Raises BadInput with every problem at once."""
+    """Fly one scenario into a run folder; returns whether it passed. Raises BadInput with every problem at once."""
     problems: list[Problem] = []
-    if options.out is not None:  # refused before flying for a minute, not after
+    if options.out is not None:  # before the flight, not after it
         collect(problems, lambda: refuse_existing(options.out))
     scenario = collect(problems, lambda: checked(options.scenario, options.set))
     controller = collect(problems, lambda: _own_controller(options.controller))
@@ -41,7 +41,7 @@ def fly(options: argparse.Namespace) -> bool:
 
 
 def report(folder: Path) -> bool:
-    """Draw and write again what a run folder shows; whether the flight passed."""
+    """Draw the figures and write the report of a run folder again; returns whether the flight passed."""
     flight = load(folder)
     _presentation(flight)(folder)
     _print_verdict(flight)
@@ -49,7 +49,7 @@ def report(folder: Path) -> bool:
 
 
 def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
-    """The user's controller class, from the file that it is in."""
+    """The user's controller class, from `FILE.py:CLASS`; None for None."""
     if reference is None:
         return None
     from testbed.controllers.user.loader import load_controller
@@ -58,7 +58,7 @@ def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
 
 
 def _presentation(flight: Flight, figures: bool = True) -> Callable[[Path], None]:
-    """A function that writes the report, and the figures if wanted, into a folder with log and summary."""
+    """A function that adds the report, and the figures if wanted, to a folder with log and summary."""
 
     def write_into(folder: Path) -> None:
         from testbed.reporting.run_report import write_report
@@ -73,7 +73,7 @@ def _presentation(flight: Flight, figures: bool = True) -> Callable[[Path], None
 
 
 def write(flight: Flight, out: Path | None, add: Callable[[Path], None]) -> Path:
-    """Write the run folder: the one asked for, else the first free one of runs/<name>, -2, -3 ..."""
+    """Write the run folder: `out`, or else the first of runs/<name>, runs/<name>-2, ... that does not exist; returns it."""
     if out is not None:
         return write_run_folder(flight, out, add)
     first = Path("runs") / flight.scenario.slug

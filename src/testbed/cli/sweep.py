@@ -1,6 +1,6 @@
 """`testbed sweep`, and `testbed report` of a sweep folder: fly many variations, print how often they passed.
 
-Exit status besides that of `commands`: 3 ended early and everything flown is kept, 130 Ctrl-C.
+Exit status besides those of `commands`: 3 if the sweep ended early, 130 after Ctrl-C; finished flights are kept in both cases.
 """
 
 from __future__ import annotations
@@ -41,20 +41,20 @@ def fly(options: argparse.Namespace) -> int:
         print(f"{folder}: cannot write: {error.strerror or error}; {rest}", file=sys.stderr)
         return ENDED_EARLY
     print_answer(summary)
-    print(flights if flights.count else "nothing was missing")
+    print(flights if flights.count else "no flight was missing")
     print(f"wrote {folder}")
     return _status(summary)
 
 
 def report(folder: Path) -> int:
-    """Write everything of a sweep folder anew but its flights, and return the exit status."""
+    """Write table, summary, figures and report of a sweep folder again; returns the exit status."""
     summary = monte_carlo.rebuild(folder)
     print_answer(summary)
     return _status(summary)
 
 
 def print_answer(summary: dict[str, Any]) -> None:
-    """P(all requirements met) and P(each) of every variant, and how the variants differ."""
+    """Print P(all requirements met) and P(each met) for every variant, and the differences between variants."""
     for variant in summary["variants"]:
         total = variant["all_requirements"]
         if total["estimate"] is None:

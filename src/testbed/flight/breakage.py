@@ -1,15 +1,16 @@
-"""Is this actuator broken, and since when: the one answer, from the truth of the log and the injections.
+"""Is an actuator broken, and since when? Decided here for events and metrics alike, from the true state and the injections.
 
-An actuator is broken in a row of the log while either holds:
+An actuator is broken in a row of the log if either holds:
 
 - It is lost: its true effectiveness is LOST or less, whatever the cause.
-- A failure of it is active that is of any type but `effectiveness`, from its start to its end. Several at once count
-  each: the actuator is broken until the last of them ends. Reduced effectiveness above LOST is not broken: the
-  controller is to estimate it, not to flag it.
+- A failure of it is active that is not of type `effectiveness`. If several are active, the actuator is broken until the
+  last of them ends.
+
+An actuator with reduced effectiveness above LOST is not broken: the controller is to estimate it, not to flag it.
 
 A `property` failure names no actuator. It is a failure of an actuator if all properties that it holds lie in that
-actuator's block of the JSBSim model, as the receipt of the injection says (`testbed.injection`); otherwise it breaks
-no actuator, although it may disturb several.
+actuator's block of the JSBSim model; the injection's receipt then names the actuator (`testbed.injection`). Otherwise it
+breaks no actuator, although it may disturb several.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ import numpy as np
 from testbed.flight.columns import row_at, stretches
 
 LOST = 0.1
-"""An actuator with this much true effectiveness or less is lost, whatever a controller's own threshold."""
+"""An actuator with this true effectiveness or less is lost. It does not depend on a controller's own threshold."""
 
 
 def lost(log: Mapping[str, np.ndarray], actuator: str) -> np.ndarray:
@@ -34,7 +35,7 @@ def lost(log: Mapping[str, np.ndarray], actuator: str) -> np.ndarray:
 def broken(
     log: Mapping[str, np.ndarray], actuator: str, injections: Iterable[Mapping[str, Any]]
 ) -> np.ndarray:
-    """[rows] True while the actuator is broken, as the module says; `injections` are events of that kind, in order."""
+    """[rows] True while the actuator is broken (see the module); `injections` are the events of this kind, in order of time."""
     rows = lost(log, actuator).copy()
     starts: dict[int, int] = {}
     for event in injections:
@@ -52,10 +53,11 @@ def broken(
 def broken_since(
     log: Mapping[str, np.ndarray], actuator: str, injections: Iterable[Mapping[str, Any]]
 ) -> np.ndarray:
-    """[rows] When the present breakage began [s]; NaN while the actuator is not broken.
+    """[rows] Time at which the actuator broke [s]; NaN while it is not broken.
 
-    While the actuator is lost it is the time of the loss, so that one that fades away is not called late for having
-    begun to fade. Otherwise it is the start of the stretch in which the actuator is broken without a break.
+    While the actuator is lost, this is the time at which its effectiveness fell to LOST. So the detection delay of an
+    actuator that decays slowly does not count from the start of the decay. Otherwise it is the first row of the unbroken
+    stretch of rows in which the actuator is broken.
     """
     since = np.full(len(log["time_s"]), math.nan)
     for rows in (broken(log, actuator, injections), lost(log, actuator)):

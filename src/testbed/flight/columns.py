@@ -1,4 +1,4 @@
-"""The log of a flight: what its columns are called, how they are made of what the loop recorded, and finding rows."""
+"""The log of a flight: the names of its columns, how they are made from what the loop recorded, and how to find rows."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from testbed.scenario.load import Scenario
 from testbed.sensors.channels import log_columns as sensor_columns
 
 _DEG = 180.0 / math.pi
-_SAME_TIME_S = 1e-9  # times this near are one: a row's time is a quotient, a user's a decimal number
+_SAME_TIME_S = 1e-9  # times this close are equal: rows are at k / rate, which may differ from a decimal number by rounding
 _TRUTH = (
     ("north_m", "north", 1.0), ("east_m", "east", 1.0), ("altitude_m", "altitude", 1.0),
     ("airspeed_m_s", "airspeed", 1.0), ("climb_rate_m_s", "climb_rate", 1.0),
@@ -32,22 +32,23 @@ _RATE_UNITS = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot":
 
 
 class Recorded(NamedTuple):
-    """What the loop recorded, a row for each control step; in SI and radians but for positions (see `truth`)."""
+    """What the loop recorded, one row for each control step; in SI and radians except positions (see `truth`)."""
 
     truth: np.ndarray
-    """`STATE`, then each actuator's position in the aircraft file's unit, then each one's effectiveness."""
+    """[steps, 17 + 2 n] `STATE`; then the position of each of n actuators, in the unit of the aircraft's YAML; then the
+    effectiveness of each."""
     measured: np.ndarray
-    """`STATE` as the sensors gave it to the controller."""
+    """[steps, 17] `STATE` as the sensors gave it to the controller."""
     references: np.ndarray
-    """`SETPOINT`: what the controller is to follow."""
+    """[steps, 6] `SETPOINT`: what the controller is to follow."""
     telemetry: np.ndarray
-    """`TELEMETRY` by actuator, then desired rates and released flags by `RATES`."""
+    """[steps, 4 n + 8] each quantity of `TELEMETRY` for all actuators, then desired rates and released flags by `RATES`."""
 
 
 class _Column(NamedTuple):
-    """A column of the log: which column of which recorded array it is, and the factor to the log's unit.
+    """A column of the log: its array in `Recorded`, the column `place` of that array, and the factor to the log's unit.
 
-    A heading is `wrapped`: given from 0 to 360 deg.
+    Values of a `wrapped` column, a heading, are from 0 to 360 deg.
     """
 
     name: str
@@ -57,7 +58,7 @@ class _Column(NamedTuple):
     wrapped: bool = False
 
 
-_BLOCK = 1024  # steps of which the recorded rows stay in the processor's cache while their columns are taken
+_BLOCK = 1024  # control steps at a time, few enough for their rows to stay in the processor's cache
 _TIME = _Column("time_s", "", 0)  # computed from the row's number
 
 
@@ -77,7 +78,7 @@ def table(
 ) -> np.ndarray:
     """[columns, rows] the log in its units: the columns that every log has, then each of `more` [rows].
 
-    A column is contiguous in memory: columns are what is read, judged, drawn and written.
+    Each column is contiguous in memory, because the log is read, judged, drawn and written by columns.
     """
     steps, usual, others = len(recorded.truth), tuple(_columns(aircraft)), tuple(more)
     data = np.empty((len(usual) + len(others), steps))
@@ -91,7 +92,7 @@ def table(
 
 
 def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) -> Callable[[int], float]:
-    """A function that reads the column of this name at one control step of a flight being recorded, in its unit."""
+    """A function that gives the value of one column at a control step, in the log's unit, while a flight is recorded."""
     (column,) = (column for column in _columns(aircraft) if column.name == name)
     return lambda step: float(_values(column, rate_hz, recorded, slice(step, step + 1))[0])
 
@@ -104,7 +105,7 @@ def _values(column: _Column, rate_hz: float, recorded: Recorded, rows: slice) ->
 
 
 def _columns(aircraft: Aircraft) -> Iterator[_Column]:
-    """The columns that every log has, in their order: each is named where it is filled."""
+    """The columns that every log has, in their order."""
     n = len(aircraft.actuators)
     positions, effectiveness = len(STATE), len(STATE) + n  # where they begin in a row of truth
     of_actuator = {what: n * i for i, what in enumerate(TELEMETRY)}  # where each begins in a row of telemetry
@@ -135,7 +136,7 @@ def _columns(aircraft: Aircraft) -> Iterator[_Column]:
 
 
 def row_at(time_s: np.ndarray, instant_s: float) -> int:
-    """First row at or after an instant [s]; the number of rows where the log ends before it.
+    """First row at or after an instant [s]; the number of rows if the log ends before the instant.
 
     `time_s` [rows] is the log's time, ascending.
     """
@@ -148,6 +149,6 @@ def row_spacing_s(time_s: np.ndarray) -> float:
 
 
 def stretches(flag: np.ndarray) -> list[tuple[int, int]]:
-    """[first row, row after the last) of each unbroken stretch of rows in which a flag [rows] of bools is up."""
+    """(first row, row after the last) of each unbroken stretch of rows in which a flag [rows] of bools is true."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], flag, [False])).astype(np.int8)))
     return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]

@@ -18,8 +18,8 @@ KEY_NUMBERS = {
     "missed_detections": "missed detections",
     "false_alarms": "false alarms",
 }
-"""Metrics that are shown of any flight, and how they are called there."""
-_MOST_ROWS = 12  # of requirements in a notebook; the report has them all
+"""Metrics that are shown of every flight, and their titles."""
+_MOST_ROWS = 12  # requirements shown in a notebook; the report has all of them
 
 
 def line(flight: Flight) -> str:
@@ -34,7 +34,7 @@ def line(flight: Flight) -> str:
 
 
 def html(flight: Flight) -> str:
-    """The verdict, the requirements that were missed before those that were met, and the key numbers."""
+    """HTML with the verdict, the requirements (those not met first), and KEY_NUMBERS."""
     return "\n".join(["<div>", *_verdict(flight), *_requirements(flight), *_numbers(flight), "</div>"])
 
 
@@ -79,7 +79,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:
 
 
 def _number(value: float | None) -> str:
-    """Four digits; a dash for what has no value."""
+    """A number with four digits; a dash if there is no value."""
     return "-" if value is None or not math.isfinite(value) else f"{value:.4g}"
 
 

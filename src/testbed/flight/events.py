@@ -17,8 +17,12 @@ def controller_events(
 ) -> list[dict[str, Any]]:
     """Detections with their delay, false alarms and releases, in order of time.
 
-    A flag that goes up is a detection if the actuator that it blames is broken in that row (see `breakage`), and a
-    false alarm if it is not. A detection's `delay_s` is counted from when the actuator broke.
+    When an actuator is flagged, this is a detection if the actuator is broken in that row (see `breakage`), and a false
+    alarm if it is not. A detection's `delay_s` is the time since the actuator broke.
+
+    Args:
+        log: columns by name, each [rows].
+        injections: the events of kind `injection`, in order of time.
     """
     events = [event for actuator in actuators for event in _flags(log, actuator, injections)]
     events += [
@@ -47,5 +51,5 @@ def _flags(
 
 
 def _rises(flag: np.ndarray) -> list[int]:
-    """Rows in which a flag of 0 or 1 goes up; one that is up in the first row is a setting, not an event."""
+    """Rows in which a flag changes from 0 to 1. One that is 1 in the first row comes from a setting, and is no event."""
     return [first for first, _ in stretches(flag > 0.0) if first > 0]

@@ -28,7 +28,7 @@ class Outcome(StrEnum):
 
     @property
     def sentence(self) -> str:
-        """How it ended, as the end of a sentence: the aircraft "hit the ground"."""
+        """The predicate of a sentence about the aircraft: "hit the ground"."""
         return _SENTENCES[self]
 
 
@@ -36,13 +36,13 @@ _SENTENCES = {
     Outcome.completed: "flew to the end",
     Outcome.ground_contact: "hit the ground",
     Outcome.envelope_exceeded: "left the aircraft's flight envelope",
-    Outcome.diverged: "the state stopped being finite numbers",
+    Outcome.diverged: "diverged to a state that is not finite",
 }
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Flight:
-    """A scenario and what came of it. `data` [rows, columns] is the log: a row for each logged control step."""
+    """A scenario and its result. `data` [rows, columns] is the log, with a row for each logged control step, named by `columns`."""
 
     scenario: Scenario
     outcome: Outcome
@@ -52,15 +52,15 @@ class Flight:
     events: Sequence[Mapping[str, Any]] = ()
     """What happened, in order of time: {time_s, kind, ...}."""
     metrics: Mapping[str, float] = field(default_factory=dict)
-    """Every metric of `testbed.metrics.TABLE` by name; NaN where it has no value in this flight."""
+    """The value of every metric of `testbed.metrics.TABLE` by name; NaN if it has none in this flight."""
     requirements: Sequence[Mapping[str, Any]] = ()
-    """Verdicts: {name, passed, value, limit, margin, reason} for each of the scenario's requirements."""
+    """The verdict on each of the scenario's requirements: {name, passed, value, limit, margin, reason}."""
     actuators: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    """{kind, unit, limits, scale} of each actuator: what is needed to read the log without the aircraft's files."""
+    """{kind, unit, limits, scale} of each actuator by name, so that the log can be read without the aircraft's files."""
     warnings: Sequence[str] = ()
-    """What to know before the numbers are believed: a failure that did not act as asked, or never started."""
+    """Reasons to doubt the result: a failure that did not act as asked, or never started."""
     flown_by: str = ""
-    """The user's own controller that flew in place of the scenario's, as `module:Class`; else empty."""
+    """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
 
     def __repr__(self) -> str:
         return display.line(self)
@@ -71,7 +71,7 @@ class Flight:
 
     @property
     def controller(self) -> str:
-        """What flew it: the scenario's controller by its type, or the user's own."""
+        """The controller that flew: the type of the scenario's, or the name of the user's own."""
         return self.flown_by or self.scenario.controller.type
 
     @cached_property
@@ -83,12 +83,12 @@ class Flight:
 
     @property
     def passed(self) -> bool:
-        """Whether it was flown to the end with every requirement met."""
+        """Whether the aircraft was flown to the end and every requirement was met."""
         return self.outcome is Outcome.completed and all(r["passed"] for r in self.requirements)
 
     @property
     def summary(self) -> dict[str, Any]:
-        """Contents of summary.json. Nothing in it depends on clock or machine; what is not finite is None."""
+        """Contents of summary.json. They do not depend on clock or machine; a number that is not finite is None."""
         summary = {
             "scenario": self.scenario.name,
             "seed": self.scenario.seed,

@@ -1,4 +1,4 @@
-"""The run folder: a flight written whole or not at all, and read back."""
+"""The run folder of a flight: written completely or not at all, and read back."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
 
 
 class FolderExists(BadInput):
-    """The folder to be written is there already; nothing is ever overwritten."""
+    """The folder to be written exists already; nothing is ever overwritten."""
 
 
 def refuse_existing(folder: Path) -> None:
@@ -35,9 +35,9 @@ def refuse_existing(folder: Path) -> None:
 def write_run_folder(
     flight: Flight, folder: str | Path, add: Callable[[Path], None] = lambda _: None
 ) -> Path:
-    """Write a run folder, whole or not at all; returns its path.
+    """Write a run folder, completely or not at all; returns its path.
 
-    `add(folder)` is called before the folder has its name, to add figures or a report.
+    `add(folder)` may add figures or a report. It is called while the folder still has a temporary name.
     Raises FolderExists when the folder exists, BadInput when it cannot be written.
     """
     folder = Path(folder)
@@ -51,7 +51,7 @@ def write_run_folder(
         _write_files(flight, partial)
         add(partial)
         _sync(partial)
-        refuse_existing(folder)  # rename would replace an empty folder that was made meanwhile
+        refuse_existing(folder)  # `rename` would replace an empty folder made meanwhile
         partial.rename(folder)
     except BaseException:
         shutil.rmtree(partial, ignore_errors=True)
@@ -60,9 +60,9 @@ def write_run_folder(
 
 
 def load(folder: str | Path) -> Flight:
-    """Read a run folder as the flight that it was written from.
+    """Read a run folder as the flight that was written.
 
-    Needs neither the simulator nor the aircraft. Raises BadInput when it is not a whole run folder.
+    Needs neither the simulator nor the aircraft. Raises BadInput when it is not a complete run folder.
     """
     folder = Path(folder)
     scenario_file, summary_file, log_file = folder / _SCENARIO, folder / _SUMMARY, folder / _LOG
@@ -106,7 +106,7 @@ def _write_log(flight: Flight, file: Path) -> None:
     import pyarrow.csv
 
     columns = np.ascontiguousarray(np.asarray(flight.data, dtype=np.float64).T)
-    # From the columns' memory: pa.array would import pandas, which takes longer than the flight.
+    # Not by pa.array, which would import pandas; that takes longer than the flight.
     arrays = [pa.Array.from_buffers(pa.float64(), len(c), [None, pa.py_buffer(c)]) for c in columns]
     table = pa.Table.from_arrays(arrays, names=list(flight.columns))
     with file.open("wb") as stream:
@@ -135,7 +135,7 @@ def _numbers(column: Any) -> np.ndarray:
 
 
 def _sync(folder: Path) -> None:
-    """Flush the folder to disk before it gets its name, and give it the usual permissions (a temporary one has not)."""
+    """Flush the folder to disk before it is renamed, and give it the usual permissions, which a temporary folder lacks."""
     for path in [*folder.rglob("*"), folder]:
         handle = os.open(path, os.O_RDONLY)
         try:

@@ -1,4 +1,4 @@
-"""Requirements against a flight: each with the worst value, the limit, the margin and whether it was met."""
+"""Judge a flight by its requirements: the worst value, the limit and the margin of each, and whether it was met."""
 
 from __future__ import annotations
 
@@ -18,10 +18,13 @@ def judge(
 ) -> list[dict[str, Any]]:
     """{name, passed, value, limit, margin, reason} of each requirement, in their order.
 
-    `value` is the worst one seen and `margin` its distance from the limit: 0 or more is met, negative is not. The window
-    of a signal has the rows with from_s <= time < until_s; without `until_s` it ends with the flight, also if that ended
-    early. A requirement is not met, with a `reason`, a margin of -inf and NaN as value, if the flight did not reach the
-    window's end, or if the metric or signal is not a number in this flight (the delay of a detection that never came).
+    `value` is the worst value and `margin` its distance from the limit: the requirement is met if the margin is not
+    negative. The window of a signal has the rows with from_s <= time < until_s. Without `until_s` it ends with the flight,
+    even if that ended early.
+
+    In two cases a requirement is not met, has a `reason`, a margin of -inf and the value NaN: if the flight ended before
+    `until_s` or before the window began, and if the metric or signal is not a number (such as the delay of a detection that
+    did not happen).
     """
     return [_judge(requirement, log, metrics) for requirement in requirements]
 
@@ -50,7 +53,7 @@ def _judge(
 def _values(
     requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
 ) -> np.ndarray:
-    """The metric, or the signal or its distance from `of` in the window; nothing if the window was not flown."""
+    """[1] the metric, or [rows in the window] the signal or its difference from `of`; empty if the window was not flown."""
     if requirement.metric is not None:
         return np.array([metrics[requirement.metric]], dtype=float)
     window = _window(requirement, log["time_s"])
@@ -74,7 +77,7 @@ def _window(requirement: Requirement, time: np.ndarray) -> slice:
 
 
 def _worst(requirement: Requirement, values: np.ndarray) -> tuple[float, float]:
-    """(margin, value) of the limit that is nearest or passed furthest."""
+    """(margin, value) for the limit with the smallest margin."""
     candidates = []
     if requirement.within is not None:
         worst = float(np.max(np.abs(values)))

@@ -1,1 +1,1 @@
-"""Reading what a user wrote: YAML with its line numbers, checked models, and every problem in words with its place."""
+"""Reading user input: YAML with line numbers, validation against models, and problems reported with their place."""

@@ -1,4 +1,4 @@
-"""Base of everything that is read from YAML: frozen, no unknown keys, and numbers that are numbers."""
+"""Base class and number types of everything that is read from YAML."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ Text = Annotated[str, Field(min_length=1)]
 
 
 class Settings(BaseModel):
-    """A frozen model that refuses unknown keys; numbers are never read out of text or true and false."""
+    """A model that cannot be changed and refuses unknown keys. Use `Number` and the like: they accept no text and no bool."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", hide_input_in_errors=True)
 
 
 def refuse(what: str, expected: str = "", suggestion: str = "") -> PydanticCustomError:
-    """The exception with which a validator refuses a value; its three parts become those of a Problem."""
+    """The exception that a validator raises to refuse a value; its parts become those of a `Problem`."""
     parts = {"what": what, "expected": expected, "suggestion": suggestion}
     return PydanticCustomError("refused", "{what}, expected {expected}" if expected else "{what}", parts)

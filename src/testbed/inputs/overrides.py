@@ -1,4 +1,4 @@
-"""`--set KEY=VALUE`: put a YAML value at a dotted path into a tree that was read from a file."""
+"""`--set KEY=VALUE`: set the value at a dotted path of a tree that was read from a YAML file."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from testbed.inputs.yaml_source import Source, describe, dotted, parse
 
 
 def apply(source: Source, overrides: Iterable[str]) -> None:
-    """Apply each KEY=VALUE to the tree in turn; what is wrong with one is added to `source.problems`."""
+    """Apply each KEY=VALUE to the tree in turn; problems are added to `source.problems`."""
     for override in overrides:
         place = f"--set {override}"
         key, equals, text = override.partition("=")
@@ -32,11 +32,11 @@ def apply(source: Source, overrides: Iterable[str]) -> None:
 
 
 def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
-    """Set the value at a path, making the mappings that lead to it.
+    """Set the value at a path; missing mappings on the way are made. Problems are added to `source.problems`.
 
     Args:
         parts: the path's keys and indices, as text.
-        place: what problems of this value cite as their place, such as `--set a.b=1`.
+        place: where the value comes from, as problems with it will say, such as `--set a.b=1`.
     """
     node, path = source.tree, ()  # type: tuple[Any, TreePath]
     for i, part in enumerate(parts):
@@ -76,7 +76,7 @@ def _index(part: str, items: list[Any]) -> int | None:
 
 
 def _forget(source: Source, path: TreePath, place: str) -> None:
-    """Drop the places and problems of what a file had at a path and below it; the value there now is from `place`."""
+    """Forget places and problems of the file's value at a path and below it, because a value from `place` replaces it."""
     text = dotted(path)
     source.problems[:] = [
         p for p in source.problems if p.file != source.file or not f"{p.path}.".startswith(f"{text}.")

@@ -1,4 +1,4 @@
-"""What is wrong with the user's input, and where: every problem has a place and says what was expected."""
+"""Problems with the user's input: where each is, what is wrong, and what was expected."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 TreePath = tuple[str | int, ...]
-"""Where a value is in a tree that was read from YAML: the keys and list indices that lead to it."""
+"""The keys and list indices that lead to a value in a tree read from YAML."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Problem:
 
 
 class Issue(NamedTuple):
-    """A problem of the value at a path of a tree; `yaml_source.Source.problem` adds the file and line."""
+    """A problem with the value at a path of a tree; `yaml_source.Source.problem` adds its file and line."""
 
     path: TreePath
     what: str
@@ -42,14 +42,14 @@ class Issue(NamedTuple):
 
 
 class BadInput(Exception):
-    """The input cannot be used. `problems` lists everything found wrong, not only the first."""
+    """The input cannot be used. `problems` lists all problems found, not only the first."""
 
     def __init__(self, problems: Iterable[Problem]) -> None:
         self.problems = tuple(problems)
         super().__init__("\n".join(map(str, self.problems)))
 
     def __reduce__(self) -> tuple[type[BadInput], tuple[tuple[Problem, ...]]]:
-        """Pickle by problems: it crosses process borders in a sweep."""
+        """Pickle by the problems, because in a sweep the exception is sent between processes."""
         return type(self), (self.problems,)
 
 
@@ -61,18 +61,18 @@ def did_you_mean(word: object, candidates: Iterable[str]) -> str:
 
 
 def one_of(candidates: Iterable[str]) -> str:
-    """'one of a, b, c', cut when there are very many."""
+    """'one of a, b, c'; "" when there are none or more than 20."""
     names = list(candidates)
     return "one of " + ", ".join(names) if 0 < len(names) <= 20 else ""
 
 
 def guess(word: object, known: Iterable[str]) -> tuple[str, str]:
-    """What to say beside an unknown word, as (expected, suggestion): the likely one, or all when none is likely."""
+    """(expected, suggestion) for an unknown word: the most similar known word, or a list of all when none is similar."""
     names = list(known)
     close = did_you_mean(word, names)
     return "" if close else one_of(names), close
 
 
 def unknown(path: TreePath, what: str, word: object, known: Iterable[str]) -> Issue:
-    """The issue of a word at `path` that is none of those known, with what was probably meant."""
+    """The issue of an unknown word at `path`, with the known word that was probably meant."""
     return Issue(path, what, *guess(word, known))

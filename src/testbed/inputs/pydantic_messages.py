@@ -1,4 +1,4 @@
-"""One pydantic error in the user's words, at the user's path."""
+"""Translate an error of pydantic into a message that users understand, with its path in their file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from testbed.inputs.yaml_source import describe
 
 
 def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
-    """What is wrong, where in the tree, what was expected and what was probably meant."""
+    """The issue that one pydantic error of validating `tree` against `model` stands for."""
     path, annotation = _user_path(model, tree, error)
     kind, context, given = error["type"], error.get("ctx", {}), error["input"]
     if kind == "missing":
@@ -49,7 +49,7 @@ def _expected(message: str) -> str:
 def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[TreePath, Any]:
     """Where an error is in the user's tree, and the type that is expected there.
 
-    pydantic's own location has the tags of discriminated unions in it, which are no keys of the tree.
+    pydantic's own location also contains the tags of discriminated unions, which are not keys of the tree.
     """
     path: TreePath = ()
     annotation: Any = model
@@ -64,7 +64,7 @@ def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[
         if last and error["type"] == "extra_forbidden":
             return (*path, part), annotation
         if not isinstance(node, dict | list):
-            break  # a scalar that a validator had spread over several keys: the scalar itself is at fault
+            break  # a validator had expanded a scalar into several keys: the scalar itself is wrong
         annotation = _inside(annotation, part)
         path = (*path, part)
         here = part in (node if isinstance(node, dict) else range(len(node)))
@@ -73,7 +73,7 @@ def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[
 
 
 def _unwrap(annotation: Any) -> Any:
-    """Without Annotated and `| None`."""
+    """The type without Annotated and `| None`."""
     while get_origin(annotation) is Annotated:
         annotation = get_args(annotation)[0]
     if get_origin(annotation) in (Union, types.UnionType):
@@ -84,7 +84,7 @@ def _unwrap(annotation: Any) -> Any:
 
 
 def _branch(annotation: Any, part: str | int) -> Any:
-    """The member of a union of models that this part of a location names, else None."""
+    """The member of a union of models whose tag this part of a location is; None if it is no tag."""
     if get_origin(annotation) not in (Union, types.UnionType):
         return None
     for member in map(_unwrap, get_args(annotation)):

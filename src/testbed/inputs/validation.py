@@ -1,7 +1,7 @@
-"""Validate a tree that was read from YAML against a pydantic model, and report every problem at once with its line.
+"""Validate a tree that was read from YAML against a pydantic model, and report all problems at once, each with its line.
 
-Some checks need a whole, valid model, such as whether the aircraft has an actuator of this name. So that they run even if
-the model refuses the tree, the refused parts are removed from a copy and the rest is validated again.
+Some checks need a valid model of the whole, such as whether the aircraft has an actuator of this name. To make these checks
+even if the model refuses parts of the tree, those parts are removed from a copy, and the rest is validated again.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ def validated(
     check: Check = lambda _: (),
     stand_ins: Mapping[str, Any] = types.MappingProxyType({}),
 ) -> Model:
-    """The model made of a tree; raises BadInput with everything that is wrong with it.
+    """The model made from a tree; raises BadInput with every problem found.
 
     Args:
         check: yields further issues of a valid model.
-        stand_ins: harmless values for required top-level keys. One of them replaces a refused value, so that the rest of
-            the tree can still be checked.
+        stand_ins: valid values for required top-level keys. A stand-in replaces a value that is missing or refused, so that
+            the rest of the tree can still be checked.
     """
     pruned = _Pruned(copy.deepcopy(source.tree), stand_ins)
     issues: list[Issue] = []
@@ -56,7 +56,7 @@ def validated(
 
 
 def _with_places(source: Source, issues: Iterable[Issue]) -> list[Problem]:
-    """All problems in the order of the file, the first found at each path only."""
+    """All problems in the order of the file; of several at one path, only the first."""
     found = list(source.problems)
     seen = {p.path for p in found}
     for issue in issues:
@@ -68,10 +68,10 @@ def _with_places(source: Source, issues: Iterable[Issue]) -> list[Problem]:
 
 
 class _Pruned:
-    """A copy of a tree from which refused parts are removed, and which still knows the paths of the whole tree.
+    """A copy of a tree from which refused parts are removed; it can give the path of each value in the whole tree.
 
     Attributes:
-        usable: whether validating again can succeed: false once the tree as a whole, or a stand-in, is refused.
+        usable: whether validating again can succeed. False once the tree as a whole, or a stand-in, is refused.
     """
 
     def __init__(self, tree: Any, stand_ins: Mapping[str, Any]) -> None:
@@ -82,7 +82,7 @@ class _Pruned:
         self._indices: dict[TreePath, list[int]] = {}
 
     def original(self, path: TreePath) -> TreePath:
-        """Path in the whole tree of the value at a path of this one: removing an entry of a list moves the later ones."""
+        """Path in the whole tree of the value at `path` here. They differ after an entry of a list was removed."""
         result: TreePath = ()
         for part in path:
             kept = self._indices.get(result)
@@ -92,8 +92,8 @@ class _Pruned:
     def without(self, model: type[BaseModel], errors: list[ErrorDetails]) -> list[Issue]:
         """Remove what these errors refuse, and return them as issues.
 
-        An error around a part that was removed before (a list that is now too short) is no fault of the user's: it is not
-        returned.
+        An error of a value from which a part was removed before (such as a list that is now too short) is not the user's
+        mistake, and is not returned.
         """
         issues = []
         targets: set[TreePath] = set()
@@ -109,7 +109,7 @@ class _Pruned:
         return issues
 
     def _existing(self, path: TreePath) -> TreePath:
-        """The path itself if there is a value; for a missing key, the path of the mapping that lacks it."""
+        """The path itself if it has a value or a stand-in; for another missing key, the path of the mapping that lacks it."""
         node = self.tree
         for i, part in enumerate(path):
             if part not in (
@@ -120,11 +120,9 @@ class _Pruned:
         return path
 
     def _remove(self, path: TreePath) -> None:
-        """Remove what is at a path; a required top-level key gets its stand-in."""
+        """Remove the value at a path; a top-level key that has a stand-in gets that."""
         if not path or (len(path) == 1 and path in self._removed):
-            self.usable = (
-                False  # the whole tree is refused, or what stood in for a refused value is refused too
-            )
+            self.usable = False  # the whole tree is refused, or a stand-in is refused too
             return
         parent = self.tree
         for part in path[:-1]:
@@ -140,5 +138,5 @@ class _Pruned:
 
 
 def _removal_order(path: TreePath) -> list[tuple[int, str]]:
-    """Sort key: later entries of a list after earlier ones, and what is inside a value after the value."""
+    """Sort key for removal from the end: later entries of a list after earlier ones, inner values after outer ones."""
     return [(part, "") if isinstance(part, int) else (-1, part) for part in path]

@@ -1,6 +1,6 @@
-"""Read YAML, remember the line of each value, and refuse what YAML reads as something else than it looks like.
+"""Read YAML, remember the line of each value, and refuse values that YAML does not read as a person would (`1e-3`, `0100`).
 
-Problems are collected in `Source.problems` and reading goes on, so that one pass finds all of them.
+Problems are collected in `Source.problems` while reading goes on, so that one pass finds all of them.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.problems import TreePath as TreePath
 
 MAX_NODES = 100_000
-"""Values in one file, aliases expanded: more is an accident (or a bomb made of aliases)."""
+"""Most values in one file, with aliases expanded. Nested aliases can expand a small file to any size."""
 
 _FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
 
@@ -27,7 +27,7 @@ _FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
 class Source:
     """A tree of plain values, and the place (file, line) of each path in it.
 
-    No field takes part in comparison: two scenarios are equal wherever they were written.
+    No field takes part in comparison, so that two scenarios are equal if only their files differ.
     """
 
     file: str = field(default="", compare=False)
@@ -36,13 +36,13 @@ class Source:
     problems: list[Problem] = field(default_factory=list, compare=False)
 
     def place(self, path: TreePath) -> tuple[str, int | None]:
-        """File and line of the value at a path, or of the nearest thing around it."""
+        """File and line of the value at a path, or of the innermost known value around it."""
         while path and path not in self.places:
             path = path[:-1]
         return self.places.get(path, (self.file, None))
 
     def problem(self, path: TreePath, what: str, expected: str = "", suggestion: str = "") -> Problem:
-        """A Problem with the value at this path."""
+        """A Problem of the value at this path."""
         file, line = self.place(path)
         return Problem(what, file, line, dotted(path), expected, suggestion)
 
@@ -53,12 +53,12 @@ def dotted(path: TreePath) -> str:
 
 
 def read(path: Path | str) -> Source:
-    """Read a YAML file whose top level is a mapping; raises BadInput when nothing can be made of it."""
+    """Read a YAML file whose top level is a mapping; raises BadInput when it cannot be read as one."""
     return parsed(read_text(path), str(path))
 
 
 def read_text(path: Path | str) -> str:
-    """The text of a file that should be YAML; raises BadInput when there is none."""
+    """The text of a file; raises BadInput when it cannot be read or is not UTF-8."""
     file = str(path)
     try:
         return Path(path).read_text(encoding="utf-8")
@@ -73,7 +73,7 @@ def read_text(path: Path | str) -> str:
 
 
 def parsed(text: str, file: str) -> Source:
-    """As `read`, of text that was read already."""
+    """As `read`, for text that was read already; `file` is the name that problems give."""
     source = parse(text, file)
     if not isinstance(source.tree, dict):
         what = "is empty" if source.tree is None else f"is {describe(source.tree)}"
@@ -105,7 +105,7 @@ def dump(tree: Any) -> str:
 
 
 def describe(value: object) -> str:
-    """A value in a message: short, and by its shape when it is large."""
+    """A value for a message: its text, cut to 60 characters, or its kind (`a mapping`, `a list`, `empty`)."""
     if value is None:
         return "empty"
     if isinstance(value, dict | list | tuple):
@@ -117,7 +117,7 @@ def describe(value: object) -> str:
 
 
 class _Reader:
-    """Turns composed YAML nodes into plain values; notes places and problems on the way."""
+    """Turns composed YAML nodes into plain values, and records places and problems."""
 
     def __init__(self, file: str) -> None:
         self._source = Source(file)
@@ -135,7 +135,7 @@ class _Reader:
         self._source.problems.append(Problem(what, self._source.file, line, dotted(path), expected))
 
     def _value(self, node: yaml.Node, path: TreePath, at: yaml.Node) -> Any:
-        """Value of a node; `at` is the node whose line the user looks for (a mapping's key)."""
+        """Value of a node; `at` is the node whose line is recorded, which is the key for a value in a mapping."""
         self._source.places[path] = (self._source.file, at.start_mark.line + 1)
         self._count += 1
         if id(node) in self._open or self._count > MAX_NODES:
@@ -181,7 +181,7 @@ class _Reader:
         return self._plain(node, path, value)
 
     def _plain(self, node: yaml.ScalarNode, path: TreePath, value: Any) -> Any:
-        """Refuse an unquoted scalar that YAML reads as something else than a person does, such as 1e-3 or 0100."""
+        """Refuse an unquoted scalar that YAML does not read as a person would, such as 1e-3 (text) or 0100 (octal)."""
         text = node.value
         if isinstance(value, str) and _is_number(text):
             if math.isfinite(float(text)):

@@ -1,6 +1,6 @@
-"""Numbers that say how well a controller did in a flight, computed from the truth of the log and from the events.
+"""Numbers that say how well a controller did in a flight, computed from the log and the events.
 
-A metric is a function of the flight's `Readings`, and its name is the function's. The name ends in its unit; counts and
+A metric is a function of the flight's `Readings`, and has the name of that function. The name ends in the unit; counts and
 ratios have none. The first line of the docstring is its definition, which `list` and the report print. A metric that has
 no value in a flight is NaN, such as a detection delay without a detection.
 
@@ -25,5 +25,5 @@ TABLE: dict[str, Metric] = {
 
 
 def measure(readings: Readings) -> dict[str, float]:
-    """The value of every metric in TABLE, by name."""
+    """The value of every metric in TABLE for one flight, by name."""
     return {name: metric(readings) for name, metric in TABLE.items()}

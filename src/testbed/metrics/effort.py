@@ -1,4 +1,4 @@
-"""How hard the actuators were worked, and how long they were at their stops."""
+"""How much the actuators were moved, and how long their commands were at the stops."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _AT_STOP = 1e-3  # a command counts as at its stop within this fraction of the t
 def control_effort_per_s(readings: Readings) -> float:
     """Integral of the squared rates of all commands, each in units of its actuator's scale [1/s].
 
-    It is the sum over actuators and rows of (change of command / scale)^2 / (time between rows). A jump of a command
+    Computed as the sum over actuators and rows of (change of command / scale)^2 / (time between rows). A step of a command
     therefore counts for more if the control step is shorter. NaN if an actuator's scale is not known.
     """
     total = 0.0
@@ -25,7 +25,7 @@ def control_effort_per_s(readings: Readings) -> float:
 
 
 def saturated_time_s(readings: Readings) -> float:
-    """Time with the command of any actuator that is not flagged at its stop, to 0.1 % of its travel [s].
+    """Time during which the command of some actuator that is not flagged is at a stop, to 0.1 % of its travel [s].
 
     NaN if an actuator's stops are not known.
     """

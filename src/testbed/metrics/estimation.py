@@ -1,4 +1,4 @@
-"""How good the effectiveness estimates were, and how fast compared with the first-order lag of equations (21), (22)."""
+"""Accuracy of the effectiveness estimates, and their speed compared with the first-order lag of equations (21) and (22)."""
 
 from __future__ import annotations
 
@@ -18,26 +18,30 @@ _TIME_CONSTANTS = 3.0  # after ln 20 = 3.0 time constants a first-order lag is w
 
 
 def estimate_error_rms(readings: Readings) -> float:
-    """Root mean square error of the effectiveness estimate, of the worst actuator [1 is healthy]."""
+    """Root mean square error of the effectiveness estimate, for the worst actuator [1 is healthy]."""
     return _worst(math.sqrt(float(np.square(error).mean())) for error in _errors(readings))
 
 
 def estimate_error_end(readings: Readings) -> float:
-    """Error of the effectiveness estimate in the log's last row, of the worst actuator [1 is healthy]."""
+    """Error of the effectiveness estimate in the log's last row, for the worst actuator [1 is healthy]."""
     return _worst(abs(float(error[-1])) for error in _errors(readings))
 
 
 def estimate_settling_s(readings: Readings) -> float:
     """Longest time from a step of true effectiveness until the estimate stays within 5 % of it [s]; NaN if never.
 
-    The estimate has to stay there until the next step or the end of the flight. NaN also if there was no step. Steps to
-    0.1 or less do not count: a lost actuator has to be flagged, and its estimate does not matter (`detection_delay_s`).
+    5 % means 5 % of the step. The estimate has to stay there until the next step or the end of the flight. NaN also if
+    there was no step. Steps to 0.1 or less do not count: a lost actuator has to be flagged, which `detection_delay_s`
+    measures, and its estimate does not matter.
     """
     return _worst(time for _, time in _settlings(readings))
 
 
 def estimate_settling_ratio(readings: Readings) -> float:
-    """`estimate_settling_s` divided by 3/gamma, as the paper's first-order lag (22) predicts [-]; 1 is as predicted."""
+    """Longest settling time divided by 3/gamma, which the paper's first-order lag (22) predicts [-]; 1 is as predicted.
+
+    As `estimate_settling_s`, with the gamma of each actuator.
+    """
     gamma = readings.gamma
     return _worst(time * gamma.get(name, math.nan) / _TIME_CONSTANTS for name, time in _settlings(readings))
 

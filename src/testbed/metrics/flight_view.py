@@ -1,4 +1,4 @@
-"""What metrics see of a flight: its log, events and actuators, and the questions that many metrics ask of them."""
+"""What metrics are computed from: a flight's log, events and actuators, with functions that several metrics use."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ _TRACKED = {"altitude": "m", "airspeed": "m_s", "heading": "deg"}
 
 @dataclass(frozen=True, eq=False)
 class Readings:
-    """What is read of one flight.
+    """What metrics read of one flight.
 
     Attributes:
         log: columns by name, each [rows], in the log's units.
         events: as in `Flight.events`.
-        actuators: of each actuator what `Flight.actuators` says of it.
-        gamma: adaptation rate of each actuator [1/s], equation (13); empty if the controller has none.
+        actuators: as in `Flight.actuators`.
+        gamma: adaptation rate of each actuator by name [1/s], equation (13); empty if the controller has none.
         survived: whether the aircraft was flown to the end.
     """
 
@@ -45,7 +45,7 @@ class Readings:
         return row_spacing_s(self.time_s)
 
     def error(self, quantity: str) -> np.ndarray:
-        """Altitude, airspeed or heading minus its reference [m, m/s, deg]; headings the short way round."""
+        """[rows] altitude, airspeed or heading minus its reference [m, m/s, deg]; headings the short way round."""
         unit = _TRACKED[quantity]
         error: np.ndarray = self.log[f"{quantity}_{unit}"] - self.log[f"{quantity}_command_{unit}"]
         return wrap_deg(error) if quantity == "heading" else error
@@ -55,23 +55,24 @@ class Readings:
         return [event for event in self.events if event["kind"] == kind]
 
     def failure_times_s(self) -> list[float]:
-        """When failures began, in order."""
+        """Times at which failures began, in order [s]."""
         return sorted(event["time_s"] for event in self.of_kind("injection") if event.get("active", True))
 
     def first_failed_row(self) -> int:
-        """First row with anything broken; the number of rows if nothing ever was."""
+        """First row from the start of the first failure on; the number of rows if there was no failure."""
         times = self.failure_times_s()
         return self.row_at(times[0]) if times else len(self.time_s)
 
     def row_at(self, time_s: float) -> int:
-        """First row at or after a time."""
+        """First row at or after a time [s]; the number of rows if the log ends before it."""
         return row_at(self.time_s, time_s)
 
 
 def readings(flight: Flight) -> Readings:
     """Readings of a finished flight, from the rows that were logged.
 
-    A log with fewer rows than control steps (`log_hz`) gives coarser numbers than the flight's own metrics.
+    If fewer rows were logged than control steps were flown (`log_hz`), metrics from these readings are less exact than the
+    flight's own, which were computed from every step.
     """
     return Readings(
         log=dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True)),
@@ -96,7 +97,7 @@ def adaptation_rates(scenario: Scenario, actuators: Mapping[str, Mapping[str, An
 
 
 def settled_after(outside: np.ndarray, start: int) -> int | None:
-    """First row from `start` on from which a flag [rows] stays down to the end; None if it is up at the end."""
+    """First row, not before `start`, from which a flag [rows] is false to the end; None if it is true in the last row."""
     up = np.flatnonzero(outside[start:])
     if not len(up):
         return start

@@ -1,4 +1,4 @@
-"""Whether the monitor noticed what broke and flagged the right actuator, and which axes were given up."""
+"""Whether the monitor flagged the actuators that were broken, and only those; and how long axes were given up."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from testbed.flight.columns import stretches
 from testbed.metrics.flight_view import Readings
 
 NOTICEABLE_S = 2.0
-"""A loss of an actuator that lasts longer than this [s] has to be flagged."""
+"""An actuator that is lost for longer than this [s] has to be flagged."""
 _RELEASED = "_released"
 
 
@@ -25,7 +25,7 @@ def detection_delay_s(readings: Readings) -> float:
 
 
 def missed_detections(readings: Readings) -> float:
-    """Times that an actuator was lost (effectiveness 0.1 or less) for over 2 s and not flagged [count]."""
+    """Losses of an actuator (effectiveness 0.1 or less for over 2 s) during which it was never flagged [count]."""
     return float(
         sum(
             not readings.log[f"{actuator}_failed"][start:end].any()
@@ -37,29 +37,29 @@ def missed_detections(readings: Readings) -> float:
 
 
 def false_alarms(readings: Readings) -> float:
-    """Times that an actuator was flagged that was not broken [count]."""
+    """Flags of actuators that were not broken when they were flagged [count]."""
     return float(len(readings.of_kind("false_alarm")))
 
 
 def wrong_blames(readings: Readings) -> float:
-    """False alarms while another actuator was broken: a failure was noticed, but the wrong actuator flagged [count]."""
+    """False alarms while another actuator was broken: the failure was attributed to the wrong actuator [count]."""
     alarms = readings.of_kind("false_alarm")
     return float(sum(_another_broken(readings, alarm["actuator"], alarm["time_s"]) for alarm in alarms))
 
 
 def isolation_fraction(readings: Readings) -> float:
-    """Share of the flags that were of a broken actuator [0 to 1]; NaN without a flag."""
+    """Share of all flags that were raised for a broken actuator [0 to 1]; NaN without a flag."""
     right, wrong = len(readings.of_kind("detection")), len(readings.of_kind("false_alarm"))
     return right / (right + wrong) if right + wrong else math.nan
 
 
 def goal_switches(readings: Readings) -> float:
-    """Times that an axis was given up or taken back [count]; a lost actuator needs one or two, more is chatter."""
+    """Number of times that an axis was given up or taken back [count]; one or two for a lost actuator, more is chatter."""
     return float(sum(np.count_nonzero(np.diff(flag)) for flag in _released(readings)))
 
 
 def released_time_s(readings: Readings) -> float:
-    """Time flown with at least one axis given up [s]."""
+    """Time with at least one axis given up [s]."""
     flags = _released(readings)
     return float(np.count_nonzero(sum(flags[1:], flags[0])) * readings.step_s) if flags else 0.0
 
@@ -69,10 +69,9 @@ def _released(readings: Readings) -> list[np.ndarray]:
 
 
 def _another_broken(readings: Readings, blamed: str, time_s: float) -> bool:
-    """Whether any actuator but the one that was blamed is broken at this time."""
-    row = min(
-        readings.row_at(time_s), len(readings.time_s) - 1
-    )  # a log with few rows may end before the event
+    """Whether any actuator other than the one flagged is broken at this time [s]."""
+    # With `log_hz` the last row may be before the event.
+    row = min(readings.row_at(time_s), len(readings.time_s) - 1)
     injections = readings.of_kind("injection")
     others = (actuator for actuator in readings.actuators if actuator != blamed)
     return any(broken(readings.log, actuator, injections)[row] for actuator in others)

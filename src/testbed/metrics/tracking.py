@@ -9,7 +9,7 @@ import numpy as np
 from testbed.metrics.flight_view import Readings, settled_after
 
 RECOVERED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
-"""A quantity has recovered when it is this near to its reference [m, deg, m/s]."""
+"""A quantity has recovered when it stays this close to its reference [m, deg, m/s]."""
 
 
 def survived(readings: Readings) -> float:
@@ -103,26 +103,27 @@ def beta_excursion_failed_deg(readings: Readings) -> float:
 
 
 def altitude_recovery_s(readings: Readings) -> float:
-    """Time from the last failure until altitude stays within 1 m of its reference [s]; NaN if never."""
+    """Time from the start of the last failure until altitude stays within 1 m of its reference [s]; NaN if never."""
     return _recovery(readings, "altitude")
 
 
 def heading_recovery_s(readings: Readings) -> float:
-    """Time from the last failure until heading stays within 2 deg of its reference [s]; NaN if never."""
+    """Time from the start of the last failure until heading stays within 2 deg of its reference [s]; NaN if never."""
     return _recovery(readings, "heading")
 
 
 def airspeed_recovery_s(readings: Readings) -> float:
-    """Time from the last failure until airspeed stays within 0.5 m/s of its reference [s]; NaN if never."""
+    """Time from the start of the last failure until airspeed stays within 0.5 m/s of its reference [s]; NaN if never."""
     return _recovery(readings, "airspeed")
 
 
 def _recovery(readings: Readings, quantity: str) -> float:
-    """Time to recover [s]: 0 if the quantity never went too far; NaN if the aircraft was lost."""
+    """Time to recover [s]: 0 if the quantity never left RECOVERED; NaN without a failure, or if the aircraft was lost."""
     times = readings.failure_times_s()
     if not times or not readings.survived:
         return math.nan
-    inside = np.abs(readings.error(quantity)) <= RECOVERED[quantity]  # a NaN is not inside
+    # NaN compares as false, so it does not count as recovered.
+    inside = np.abs(readings.error(quantity)) <= RECOVERED[quantity]
     row = settled_after(~inside, readings.row_at(times[-1]))
     return math.nan if row is None else float(readings.time_s[row]) - times[-1]
 
@@ -132,7 +133,7 @@ def _largest(values: np.ndarray) -> float:
 
 
 def _rms(values: np.ndarray) -> float:
-    """Root mean square. Not by a dot product: its last digit would depend on the number of BLAS threads."""
+    """Root mean square. It does not use a dot product, whose last digit depends on the number of BLAS threads."""
     return math.sqrt(float(np.square(values).mean())) if len(values) else math.nan
 
 

@@ -1,5 +1,5 @@
-"""What people are shown of a finished flight or sweep. Nothing here flies, or knows how the flights were made.
+"""Reports and figures of finished flights and sweeps. Nothing here flies, or depends on how the flights were made.
 
-`run_report` and `figures` are of a run folder, `sweep_report` and `sweep_figures` of a sweep folder; `html` and
-`numbers` are how every report writes a page and a number.
+`run_report` and `figures` are for a run folder, `sweep_report` and `sweep_figures` for a sweep folder. Both reports write
+their page with `html` and their numbers with `numbers`.
 """

@@ -1,6 +1,6 @@
-"""How every report is written: one page, one style, one table, one way to show a figure.
+"""Parts that all reports are made of: page, style, tables, figures and notes.
 
-A report is one file. Its figures are inside it, and it has no script and fetches nothing from the network.
+A report is one HTML file. It contains its figures, has no script, and loads nothing from the network.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ pre { background: #f4f4f4; padding: .7rem 1rem; overflow-x: auto; }
 
 
 class Html(str):
-    """Text that is HTML already; every other text is escaped when it is put into a page."""
+    """Text that is already HTML. Any other text is escaped when it is put into a table or a note."""
 
 
 Cell = str | float | None
-"""What a table's cell may hold: text, HTML, a number, or None where there is no value."""
+"""Content of a table's cell: text, HTML, a number, or None where there is no value."""
 
 
 def write_page(file: Path, title: str, parts: Iterable[str]) -> Path:
-    """Write a report, whole or not at all; `parts` are its HTML. Raises OSError when it cannot be written."""
+    """Write a report, completely or not at all; returns its file. `parts` are HTML. Raises OSError when it cannot be written."""
     name, body = escape(title), "\n".join(part for part in parts if part)
     head = (
         f'<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -53,13 +53,13 @@ def write_page(file: Path, title: str, parts: Iterable[str]) -> Path:
 
 
 def row(cells: Iterable[Cell], kind: str = "") -> Html:
-    """A table's row; texts are escaped, numbers are aligned to the right, `kind` is its class in the style."""
+    """A row of a table: texts are escaped, numbers aligned to the right; `kind` is the row's CSS class."""
     inside = "".join(map(_cell, cells))
     return Html(f'<tr class="{kind}">{inside}</tr>' if kind else f"<tr>{inside}</tr>")
 
 
 def table(heads: Iterable[str], rows: Iterable[Html], caption: str = "") -> Html:
-    """A table with a head, from rows made by `row`; it scrolls by itself on a screen that is too narrow."""
+    """A table with a head, from rows made by `row`. On a narrow screen the table scrolls, not the page."""
     head = "".join(f"<th>{_text(text)}</th>" for text in heads)
     above = f"<caption>{_text(caption)}</caption>" if caption else ""
     body = "\n".join(rows)
@@ -68,7 +68,7 @@ def table(heads: Iterable[str], rows: Iterable[Html], caption: str = "") -> Html
 
 
 def figures(folder: Path, captions: Mapping[str, str]) -> list[Html]:
-    """The pictures `folder/<name>.png` of {name: caption} that are there, inside the page itself."""
+    """A figure for each `folder/<name>.png` of {name: caption} that exists, with the picture embedded."""
     found = ((folder / f"{name}.png", escape(caption)) for name, caption in captions.items())
     return [_figure(file, caption) for file, caption in found if file.is_file()]
 

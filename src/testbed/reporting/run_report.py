@@ -13,12 +13,12 @@ from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.figures.marks import describe
 
 _AGAIN = """<h2>Fly it again</h2>
-<p>In this folder; with the same versions of testbed and JSBSim the log is the same to the last digit.</p>
+<p>Run this in the folder of this report. With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
 <pre>python -m testbed run scenario.yaml --out again</pre>"""
 
 
 def write_report(folder: str | Path) -> Path:
-    """Write `report.html` into a run folder, from what is in it: log, summary and whatever figures are there.
+    """Write `report.html` into a run folder, from its log, summary and figures; returns the file.
 
     Raises BadInput when it is not a run folder.
     """
@@ -68,7 +68,7 @@ def _requirements(flight: Flight) -> str:
         )
         for r in flight.requirements
     )
-    caption = "Value: the worst seen. Margin: the distance to the limit; negative when the limit is broken."
+    caption = "Value: the worst value. Margin: the distance to the limit, negative if the limit is exceeded."
     heads = ("verdict", "requirement", "remark", "value", "margin")
     return "<h2>Requirements</h2>\n" + html.table(heads, rows, caption)
 
@@ -90,12 +90,12 @@ def _figures(folder: Path) -> str:
 
 def _metrics(flight: Flight) -> str:
     rows = (html.row([name, definition(name), value]) for name, value in flight.metrics.items())
-    caption = "A dash: the metric has no value in this flight."
+    caption = "A dash means that the metric has no value in this flight."
     heads = ("metric", "definition and [unit]", "value")
     return "<h2>Metrics</h2>\n" + html.table(heads, rows, caption)
 
 
 def definition(metric: str) -> str:
-    """First line of a metric's docstring; nothing for one that this version does not know."""
+    """First line of a metric's docstring; "" for a metric that this version does not have."""
     function = METRICS.get(metric)
     return (function.__doc__ or "").strip().partition("\n")[0] if function else ""

@@ -1,4 +1,4 @@
-"""Figures of a sweep. A new one is a function of a plan, its table and its folder, and a name in TABLE."""
+"""Figures of a sweep. To add one, write a function of a plan, its table and its folder, and name it in TABLE."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
     import pandas as pd
 
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-"""Okabe and Ito's, told apart by colour-blind readers too."""
+"""Colours by Okabe and Ito, which colour-blind readers can tell apart."""
 _BINS = 10
 _CHUNK = 2000
 """Error histories that are read at a time."""
 _MOST = 20_000
-"""Most error histories from which quantiles are taken."""
+"""Largest number of error histories from which quantiles are computed."""
 
 
 def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
@@ -41,7 +41,7 @@ def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
 
 
 def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """P(all requirements met) and P(each), with 95 % intervals."""
+    """Probability that all requirements are met, and that each is met, with 95 % intervals."""
     titles = requirement_titles(plan)
     names = ["all requirements", *titles]
     columns = ["passed", *(f"requirements.{j}.passed" for j in range(len(titles)))]
@@ -84,7 +84,7 @@ def survival(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 
 
 def remaining_effectiveness(plan: Plan, frame: pd.DataFrame) -> str | None:
-    """Path of the varied effectiveness that a failure leaves; else of the first varied number, if there is one."""
+    """Path of the varied `value` of an effectiveness failure; without one, the first varied number; None without either."""
     tree = plan.builder.base.tree
     numbers = [p for p in plan.paths if frame[p].dtype.kind in "fi" and frame[p].nunique() > 1]
     for path in numbers:
@@ -97,7 +97,7 @@ def remaining_effectiveness(plan: Plan, frame: pd.DataFrame) -> str | None:
 
 
 def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """Altitude and heading error against time: median, 5 to 95 % and worst flight, for each variant."""
+    """Altitude and heading error against time, for each variant: median, 5 to 95 %, and the flight with the largest error."""
     count, channels = len(plan.variants), list(histories.CHANNELS)[:2]
     figure, grid = _figure(1.0 + 4.2 * count, 5.6, rows=len(channels), columns=count)
     times = histories.times_s(float(plan.builder.scenario(plan.task(0)).duration_s))
@@ -123,8 +123,8 @@ def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 def _band(folder: Path, flights: np.ndarray, channel: int) -> tuple[Any, ...] | None:
     """(5 % quantile, median, 95 % quantile, worst flight's error, worst flight's number); None without histories.
 
-    Quantiles are over the flights still flying at each time. All flights are searched for the worst one; of more
-    than _MOST flights, an evenly spaced part gives the quantiles.
+    Quantiles at each time are over the flights that are still flying. If there are more than _MOST flights, an evenly
+    spaced part of them is used. The worst flight is that with the largest error of all flights.
     """
     file, every = folder / "histories.f32", -(-len(flights) // _MOST)
     sampled, largest, worst, number = [], -1.0, None, -1
@@ -146,7 +146,7 @@ def _band(folder: Path, flights: np.ndarray, channel: int) -> tuple[Any, ...] | 
 
 
 def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """Share of detections that have come within a delay, against that delay."""
+    """Cumulative distribution of the detection delay: share of detections within a delay, against that delay."""
     if "detection_delay_s" not in frame or not frame["detection_delay_s"].notna().any():
         return None
     figure, axes = _figure(7.0, 4.0)
@@ -167,7 +167,7 @@ def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | N
 
 
 def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """PAWN index of each varied value on passing, beside the index that chance alone would give."""
+    """PAWN sensitivity of passing to each varied value, with the index that chance alone would give."""
     from testbed.sweeps.sensitivity import sensitivity
 
     found = {

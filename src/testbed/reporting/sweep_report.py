@@ -1,4 +1,4 @@
-"""The report of a sweep folder, written from summary.json alone: any value in it may be absent (None)."""
+"""The report of a sweep folder, written from summary.json and its figures. Any number in summary.json may be None."""
 
 from __future__ import annotations
 
@@ -24,7 +24,10 @@ _CAPTIONS = {
 
 
 def write_sweep_report(folder: str | Path) -> Path:
-    """Write report.html from summary.json and figures/ of a sweep folder; OSError when they are missing."""
+    """Write report.html from summary.json and figures/ of a sweep folder; returns the file.
+
+    Raises OSError when summary.json is missing or the report cannot be written.
+    """
     folder = Path(folder)
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     return html.write_page(folder / "report.html", summary["sweep"], parts(summary, folder))
@@ -49,7 +52,9 @@ def _head(summary: Summary) -> Iterator[str]:
     drawn = f"sampling {escape(summary['sampling'])}, seed {summary['seed']}"
     yield f"<h1>{escape(summary['sweep'])}</h1>\n<p>{summary['runs']} runs{state}{each}; {drawn}.</p>"
     if not summary["probabilistic"]:
-        yield html.note("These runs are no random sample: shares are of the runs flown, not probabilities.")
+        yield html.note(
+            "These runs are not a random sample: the shares describe the runs flown and are not probabilities."
+        )
 
 
 def _probabilities(summary: Summary) -> Iterator[str]:
@@ -62,8 +67,8 @@ def _probabilities(summary: Summary) -> Iterator[str]:
     yield "<h2>How often the requirements are met</h2>"
     yield html.table(["", *(variant["label"] or "probability" for variant in variants)], rows)
     yield html.note(
-        "Estimate and 95 % interval by Wilson; Clopper-Pearson in summary.json. A flight without a result "
-        "counts as having met nothing."
+        "Estimate and 95 % interval (Wilson); summary.json also has the exact interval (Clopper-Pearson). A flight "
+        "without a result counts as having met no requirement."
     )
 
 
@@ -161,7 +166,7 @@ def _worst(summary: Summary, folder: Path) -> Iterator[str]:
         for variant in summary["variants"]
         for flight in variant["worst"]
     ]
-    heads = ("", "run", "ended", "flies it again, from the folder above this one")
+    heads = ("", "run", "ended", "command that flies it again, from the parent folder")
     yield html.table(heads, rows) if rows else "<p>None failed.</p>"
 
 

@@ -1,1 +1,1 @@
-"""What a scenario file may say, the checks of it, and the references that the controller is to follow."""
+"""The model of a scenario file, its checks, and the references that the controller is to follow."""

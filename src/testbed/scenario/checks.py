@@ -1,4 +1,4 @@
-"""Checks of a scenario as a whole: its times against each other, and what it names against aircraft, log and metrics."""
+"""Checks of a scenario as a whole: whether its times fit together, and whether the aircraft, log and metrics have its names."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from testbed.scenario.model import Scenario
 
 
 def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
-    """What is wrong with a scenario that can be found without the simulator; without the aircraft, only times."""
+    """Issues that can be found without the simulator; with `aircraft` None, only those of times."""
     yield from _times(scenario)
     yield from _steps(scenario)
     if aircraft is not None:
@@ -28,21 +28,21 @@ def unknown_names(
     metrics: Iterable[str],
     properties: Mapping[str, bool],
 ) -> list[Problem]:
-    """Names in failures and requirements that mean nothing in a flight of this aircraft, each with its place in the file.
+    """Unknown names of properties, signals and metrics in failures and requirements, each with its place in the file.
 
     Args:
         signals: columns of the flight's log.
-        metrics: all that can be computed from one.
-        properties: those of the loaded JSBSim model, and whether each can be written; without failures none is looked for.
+        metrics: names of all metrics.
+        properties: those of the loaded JSBSim model, and whether each can be written; not used without failures.
     """
     issues = [*_names(scenario, list(signals), list(metrics)), *_properties(scenario, aircraft, properties)]
     return [scenario.source.problem(*issue) for issue in issues]
 
 
 def _properties(scenario: Scenario, aircraft: Aircraft, known: Mapping[str, bool]) -> Iterator[Issue]:
-    """Properties that failures hold and that the model does not have, or that cannot be written."""
+    """Properties that a failure would hold but that the JSBSim model does not have, or that cannot be written."""
     if not scenario.failures:
-        return  # most flights of some sweeps: there may be a thousand properties to go through
+        return  # to save time: a model may have a thousand properties, and this is done for each flight
     writable = {same_property(name): can for name, can in known.items()}
     for i, failure in enumerate(scenario.failures):
         for name in failure.properties(aircraft):
@@ -56,7 +56,7 @@ def _properties(scenario: Scenario, aircraft: Aircraft, known: Mapping[str, bool
 
 
 def _names(scenario: Scenario, signals: list[str], metrics: list[str]) -> Iterator[Issue]:
-    """Signals that `when` of a failure or a requirement names, and metrics that a requirement names."""
+    """Unknown signals in `when` of failures and in requirements, and unknown metrics in requirements."""
     for i, failure in enumerate(scenario.failures):
         if failure.when is not None:
             yield from _known(failure.when.signal, signals, "signal", ("failures", i, "when", "signal"))
@@ -76,7 +76,7 @@ def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[I
 
 
 def _times(scenario: Scenario) -> Iterator[Issue]:
-    """Nothing may be asked for after the end of the flight, as it would not happen and nobody would notice."""
+    """Times after the end of the flight. What is asked for there would never happen, and nobody would notice."""
     end = scenario.duration_s
     starts: list[tuple[TreePath, float | None]] = []
     ends: list[tuple[TreePath, float | None]] = []
@@ -146,10 +146,10 @@ def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
 
 
 def _coefficients(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
-    """Coefficients that the design model does not have."""
+    """Coefficients in `model_error` that the design model does not have."""
     if scenario.controller.model_error:
         from testbed.aircraft.design_model import (
-            coefficient_names,  # scipy is slow to import, and few scenarios need it
+            coefficient_names,  # imported here, because scipy is slow to import and few scenarios need it
         )
 
         known = coefficient_names(aircraft.actuators)
@@ -169,13 +169,13 @@ def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             known.append(i)
         else:
             yield problem
-    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # a rate of 1 stands in for a refused one
+    rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # 1 is the stand-in for a refused rate
     for i in known:
         for fault in scenario.failures[i].faults(aircraft, rate_hz):
             yield Issue(("failures", i, fault.field), fault.what, fault.expected)
     for i, j, name in overlaps([scenario.failures[i] for i in known], aircraft):
         what = f"overlaps failures.{known[i]}: both hold {name}"
-        yield Issue(("failures", known[j]), what, "windows that do not meet")
+        yield Issue(("failures", known[j]), what, "time windows that do not overlap")
 
 
 def _actuator(failure: Failure, aircraft: Aircraft, path: TreePath) -> Issue | None:

@@ -1,4 +1,4 @@
-"""Load, complete and check scenario files, and write a scenario so that it flies again as it is."""
+"""Load scenario files, fill in defaults, check them, and write a scenario so that it can be flown again."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircra
     """Load, complete and check a scenario file.
 
     Args:
-        settings: KEY=VALUE of --set.
-        with_aircraft: whether to check the scenario against its aircraft. A reader of results need not have it.
+        settings: changes as with `--set`, each KEY=VALUE.
+        with_aircraft: whether to check the scenario against its aircraft. To read results, the aircraft is not needed.
 
     Raises:
         BadInput: with every problem found.
@@ -39,7 +39,7 @@ def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircra
 
 
 def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
-    """Complete and check a tree that was read already and has its overrides applied; see `load_scenario`."""
+    """As `load_scenario`, from a tree to which overrides have been applied already. The tree is changed."""
     _drop_settings_of_other_controllers(source)
     aircraft, problems = _aircraft(source) if with_aircraft else (None, [])
     source.problems += problems
@@ -59,12 +59,12 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
 
 
 def dump(scenario: Scenario) -> str:
-    """The scenario as YAML with every default written out, so that it flies again as it is."""
+    """The scenario as YAML with every default written out, so that it can be flown again as it is."""
     return yamlfile.dump(scenario.model_dump(mode="json", exclude_none=True))
 
 
 def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
-    """The aircraft that a tree names, or what is wrong with it; the path of a folder is made absolute in the tree."""
+    """The aircraft that a tree names, or the problems with it. The path of an aircraft folder is made absolute in the tree."""
     name = source.tree.get("aircraft")
     if not isinstance(name, str) or not name:
         return None, []
@@ -82,12 +82,12 @@ def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
 
 
 def _somewhere(aircraft: Aircraft | None) -> dict[str, float]:
-    """An initial condition to go on checking with, where that of the file is refused."""
+    """A valid initial condition with which checking goes on if that of the file is refused."""
     return aircraft.reference.model_dump() if aircraft else {"altitude_m": 0.0, "airspeed_m_s": 1.0}
 
 
 def _drop_settings_of_other_controllers(source: Source) -> None:
-    """With --set controller.type=..., drop the settings in the file that only its own type of controller has."""
+    """After `--set controller.type=...`, drop those of the file's settings that only other types of controller have."""
     controller = source.tree.get("controller")
     if not isinstance(controller, dict) or not overrides.is_override(source, ("controller", "type")):
         return

@@ -1,4 +1,4 @@
-"""The model of a scenario: every key of its YAML, its default and its range."""
+"""The model of a scenario: every key of its YAML with default, range and meaning."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from testbed.sensors.settings import Sensors
 
 
 class Initial(Settings):
-    """Where the flight begins, trimmed and level; the airspeed is relative to the air, whatever the wind."""
+    """Initial condition: trimmed level flight. `airspeed_m_s` is relative to the air, also in wind."""
 
     altitude_m: Number
     airspeed_m_s: Positive
@@ -25,7 +25,7 @@ class Initial(Settings):
 
 
 class Command(Settings):
-    """New values to fly to from `at_s` on; a value that is not given stays as it was."""
+    """New values to fly to from `at_s` on; a value that is not given does not change."""
 
     at_s: NonNegative
     altitude_m: Number | None = None
@@ -34,7 +34,7 @@ class Command(Settings):
 
 
 class CommandRates(Settings):
-    """How fast the references approach a new command."""
+    """Rates at which the references approach a new command."""
 
     heading_deg_s: Positive = 4.0
     altitude_m_s: Positive = 1.0
@@ -42,29 +42,29 @@ class CommandRates(Settings):
 
 
 class Scenario(Settings):
-    """All that determines a flight, besides the files of its aircraft."""
+    """Everything that determines a flight, except the files of its aircraft."""
 
     name: Text
     """Title of the flight; the run folder is named after it."""
     aircraft: Text
-    """Name of a shipped aircraft, or a folder as `./mine`."""
+    """Name of a shipped aircraft, or path of an aircraft folder with a slash, such as `./mine`."""
     duration_s: Positive
-    """How long the flight lasts, if nothing ends it earlier."""
+    """Duration of the flight, if nothing ends it earlier [s]; a whole number of control steps."""
     rate_hz: Whole = Field(default=200, gt=0)
-    """Control steps a second."""
+    """Control steps per second."""
     physics_hz: Whole = Field(default=0, validate_default=True)
-    """Physics steps a second, a whole multiple of `rate_hz`; 0 is `rate_hz`."""
+    """Physics steps per second, a whole multiple of `rate_hz`; 0 means `rate_hz`."""
     log_hz: Whole = Field(default=0, validate_default=True)
-    """Logged rows a second, `rate_hz` divided by a whole number; 0 is `rate_hz`."""
+    """Logged rows per second, `rate_hz` divided by a whole number; 0 means `rate_hz`."""
     seed: Whole = 1
-    """What everything random is drawn from: gusts, sensor errors, failures at random."""
+    """Seed of everything random: turbulence, sensor errors, random failures."""
     initial: Initial
     controller: AnyController = AdaptiveInversionSettings()
-    """Who flies, and with which settings."""
+    """The controller, by its `type`, and its settings."""
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
     command_rates: CommandRates = CommandRates()
     failures: tuple[AnyFailure, ...] = ()
-    """What breaks, and when."""
+    """The failures: what breaks, when, and how."""
     sensors: Sensors = Sensors()
     atmosphere: Atmosphere = Atmosphere()
     requirements: tuple[Requirement, ...] = ()
@@ -92,7 +92,7 @@ class Scenario(Settings):
     @field_validator("commands")
     @classmethod
     def _complete(cls, commands: tuple[Command, ...], info: ValidationInfo) -> tuple[Command, ...]:
-        """Put a complete first command at 0 s: what the file does not command then is that of the initial condition."""
+        """Make the first command one at 0 s with all values; those that the file does not give are the initial condition's."""
         times = [command.at_s for command in commands]
         if any(later <= earlier for earlier, later in pairwise(times)):
             raise refuse(f"are at {', '.join(f'{t:g}' for t in times)} s", "ascending times")
@@ -122,5 +122,5 @@ class Scenario(Settings):
 
     @property
     def source(self) -> Source:
-        """Where each value was written; empty for a scenario made in Python."""
+        """The file and line of each value; empty for a scenario made in Python."""
         return self._source

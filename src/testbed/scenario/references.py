@@ -17,10 +17,10 @@ _FIELDS = (
 
 
 def references(scenario: Scenario) -> np.ndarray:
-    """[steps, 6] rate-limited references by `signals.SETPOINT` [m, m/s, rad, and per s].
+    """[steps, 6] rate-limited references and their rates, by `signals.SETPOINT` [m, m/s, rad; m/s, m/s2, rad/s].
 
-    Each command is approached at a constant rate from where the reference is then. Heading turns the short way and is
-    continuous: it goes on beyond 2 pi.
+    From each command on, the reference moves at a constant rate from its present value to the commanded one. Heading turns
+    the short way and is not wrapped: it may pass 2 pi.
     """
     limits = scenario.command_rates
     rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
@@ -48,6 +48,6 @@ def references(scenario: Scenario) -> np.ndarray:
 
 
 def _change(now: float, target: float, name: str) -> float:
-    """How far to go: headings turn by at most half a circle."""
+    """Change from `now` to `target` in the units of both; a heading [rad] changes by at most half a turn."""
     change = target - now
     return math.remainder(change, 2.0 * math.pi) if name == "heading" else change

@@ -1,4 +1,4 @@
-"""What a scenario demands of a flight: a metric, or a logged signal in a time window, within limits."""
+"""A requirement of a scenario: limits of a metric, or of a logged signal in a time window."""
 
 from __future__ import annotations
 
@@ -10,28 +10,28 @@ from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, r
 class Requirement(Settings):
     """`{metric, at_most|at_least}` or `{signal, from_s, until_s, at_most|at_least|within + of}`.
 
-    `within: 0.5, of: 300` bounds the distance from a number, `of: altitude_command_m` from another signal.
-    `until_s` left out is the end of the flight.
+    `within: 0.5, of: 300` limits the distance from a number, `of: altitude_command_m` the distance from another signal.
+    Without `until_s` the time window lasts to the end of the flight.
     """
 
     name: Text | None = None
-    """Title in the verdict; made of the other keys if left out."""
+    """Title in the verdict; by default it is made from the other keys."""
     metric: Text | None = None
     """A metric of the flight; either this or `signal`."""
     signal: Text | None = None
     """A column of the log."""
     from_s: NonNegative | None = None
-    """Start of the time window of a `signal`; default: of the flight."""
+    """Start of the time window of a `signal` [s]; default: start of the flight."""
     until_s: Positive | None = None
-    """End of the time window; default: of the flight."""
+    """End of the time window [s]; default: end of the flight."""
     at_most: Number | None = None
     """Highest value allowed."""
     at_least: Number | None = None
     """Lowest value allowed."""
     within: NonNegative | None = None
-    """Largest distance allowed from `of`."""
+    """Largest distance from `of` allowed; for a heading, the short way round."""
     of: Number | Text | None = None
-    """A number, or another column of the log."""
+    """What `within` is measured from: a number, or another column of the log."""
 
     @field_validator("until_s")
     @classmethod
@@ -75,7 +75,7 @@ class Requirement(Settings):
 
     @property
     def title(self) -> str:
-        """Its own name, or what it says: `altitude_m within 0.5 of 300, 15 to 60 s`."""
+        """Its `name`; else signal or metric, limit and window: `altitude_m within 0.5 of 300, 15 to 60 s`."""
         if self.name:
             return self.name
         text = f"{self.metric or self.signal} {self.limit}"

@@ -113,7 +113,9 @@ class SensorSettings(Settings):
         for (i, one), (j, other) in combinations(enumerate(self.faults), 2):
             name = clash(one, other)
             if name:
-                raise refuse(f"faults {i} and {j} both decide what {name} reads", "windows that do not meet")
+                raise refuse(
+                    f"faults {i} and {j} both decide what {name} reads", "time windows that do not overlap"
+                )
         return self
 
     @model_serializer(mode="wrap")

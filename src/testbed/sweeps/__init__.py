@@ -1,14 +1,14 @@
-"""Monte Carlo sweeps: many flights drawn from one scenario, and what their results say together.
+"""Monte Carlo sweeps: many flights with values drawn at random, made from one scenario, and the statistics of their results.
 
-A sweep file is read by `load`, as `model` allows, into a `plan`, which says what run i is: a pure function of (sweep,
-seed, i). `checks` refuses bad ones, `run` flies a plan with `progress` and `stopping`, and `summary` evaluates the
-table of results with `statistics` and `sensitivity`. The packages: `drawing` draws values and makes scenarios of them,
-`workers` are the processes that fly, `folder` is what is kept of each flight, and how it is read back.
+`load` reads a sweep file, with the keys of `model`, into a `plan`. The plan says what run i is, a pure function of (sweep,
+seed, i). `checks` refuses plans with invalid scenarios. `run` flies a plan, with `progress` and `stopping`. `summary`
+evaluates the table of results, with `statistics` and `sensitivity`. The packages: `drawing` draws values and makes
+scenarios from them, `workers` are the processes that fly, and `folder` writes the sweep folder and reads it back.
 """
 
 from __future__ import annotations
 
 
 def is_sweep(tree: object) -> bool:
-    """Whether the tree of a YAML file is a sweep's: only a sweep has one of these keys."""
+    """Whether the tree of a YAML file is that of a sweep, which has a key that no scenario has."""
     return isinstance(tree, dict) and any(key in tree for key in ("vary", "cases", "scenario"))

@@ -1,4 +1,4 @@
-"""Checks before anything flies: the first draws, and the ends of every range, must make valid scenarios."""
+"""Checks before a sweep is flown: the ends of every range and the first draws must make valid scenarios."""
 
 from __future__ import annotations
 
@@ -15,19 +15,18 @@ from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.plan import Plan
 
 _DRAWS = 16
-"""Runs whose scenarios are checked before flying; the others are checked when they are flown."""
+"""Number of runs whose scenarios are checked before the sweep; the others are checked when they are flown."""
 _COMPANIONS = 3
-"""The end of a range is refused if it is invalid together with each of so many draws of the other values."""
+"""The end of a range is refused if it is invalid with each of this many draws of the other values."""
 _MOST = 20
-"""Problems of a table of cases after which the rest of it is not checked."""
+"""Number of problems after which no further draws are checked."""
 
 
 def check(plan: Plan) -> None:
     """Raise BadInput with everything that is wrong with the scenarios of a sweep."""
     checker = _Checker(plan)
-    found = list(
-        dict.fromkeys(checker.ends())
-    )  # first, because these problems show the number that the user wrote
+    # The ends come first, because their messages show the value that the user wrote.
+    found = list(dict.fromkeys(checker.ends()))
     if not found:
         found = list(dict.fromkeys(checker.draws()))
     if found:
@@ -64,7 +63,7 @@ class _Checker:
                     yield from self._always(path, value, variant)
 
     def _always(self, path: str, value: Any, variant: int) -> list[Problem]:
-        """Problems of a value that are there whatever else is drawn."""
+        """Problems of a value that occur with each of the first _COMPANIONS draws of the others; none if one draw is valid."""
         found: list[Problem] = []
         for run in range(min(self._plan.runs, _COMPANIONS)):
             task = self._plan.task(run * len(self._plan.variants) + variant)

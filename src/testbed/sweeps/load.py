@@ -1,4 +1,4 @@
-"""Reading a sweep file: YAML, then the settings of --set, then the typed keys, then the resolved plan."""
+"""Load a sweep file: read its YAML, apply `--set`, validate its keys, and resolve it into a plan."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from testbed.sweeps.plan import Plan
 
 DEFAULT_RUNS = 1000
 _MAPPINGS = ("set", "vary", "compare")
-"""Keys of a sweep whose own keys are dotted paths of the scenario."""
+"""Keys of a sweep that hold a mapping from dotted paths of the scenario."""
 
 
 def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
     """Read and resolve a sweep file; raises BadInput with every problem of its own keys.
 
-    `settings` are KEY=VALUE: a key of the sweep (`runs=10`), else a dotted path of the scenario
-    (`duration_s=2`), changed for all runs. The scenarios that it draws are checked by `checks.check`.
+    `settings` are KEY=VALUE. KEY is a key of the sweep (`runs=10`), or else a dotted path of the scenario
+    (`duration_s=2`), which is then set for all runs. `checks.check` checks the scenarios that the plan draws.
     """
     source = yamlfile.read(find_scenario(path))
     _apply(source, settings)
@@ -52,7 +52,7 @@ def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
 
 
 def _apply(source: Source, settings: Iterable[str]) -> None:
-    """Set a key of the sweep (`runs`, or `vary.` and a whole dotted path); any other path is set in the scenario."""
+    """Set keys of the sweep (`runs`, or `vary.` and a dotted path of the scenario); any other path goes into `set`."""
     for setting in settings:
         key, equals, text = setting.partition("=")
         first, _, rest = key.strip().partition(".")
@@ -69,7 +69,7 @@ def _apply(source: Source, settings: Iterable[str]) -> None:
 
 
 def _refuse_overwritten(sweep: Sweep, source: Source) -> None:
-    """Raise BadInput for settings without effect, because `vary` or `compare` set the same in every flight."""
+    """Raise BadInput for keys of `set` without effect, because `vary` or `compare` replaces their value in every flight."""
     later = {path: kind for kind in ("vary", "compare") for path in getattr(sweep, kind)}
     problems = [
         source.problem(("set", key), f"has no effect: {kind} sets {path} in every flight", f"no {key} in set")
@@ -82,7 +82,7 @@ def _refuse_overwritten(sweep: Sweep, source: Source) -> None:
 
 
 def _base(sweep: Sweep, source: Source) -> Source:
-    """The base scenario: a file of its own, or written inside the sweep and then with its places there."""
+    """The base scenario, from its own file or from inside the sweep file; places are those where it is written."""
     if isinstance(sweep.scenario, dict):
         places = {path[1:]: place for path, place in source.places.items() if path[:1] == ("scenario",)}
         return Source(source.file, copy.deepcopy(sweep.scenario), places)

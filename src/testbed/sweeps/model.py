@@ -1,4 +1,4 @@
-"""What a sweep file may say: every key, its default and its range."""
+"""The model of a sweep file: every key with default, range and meaning."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from testbed.sweeps.drawing.distributions import Distribution
 
 
 class StopWhen(Settings):
-    """Stop as soon as P(all requirements met) is known to +- half_width for every variant, at this confidence."""
+    """Stop as soon as P(all requirements met) is known to +- `half_width` at this `confidence`, for every variant."""
 
     half_width: Annotated[Number, Field(gt=0, lt=0.5)]
-    """Half of the interval's width."""
+    """Half of the width of the confidence interval."""
     confidence: Annotated[Number, Field(gt=0, lt=1)] = 0.95
     """Confidence of the interval."""
 
@@ -25,23 +25,23 @@ class Sweep(Settings):
     name: Text | None = None
     """Title of the study; default: the file's name."""
     scenario: Text | dict[str, Any]
-    """A scenario file, relative to the sweep's; or a whole scenario."""
+    """Path of a scenario file, relative to the sweep's file; or the scenario itself."""
     runs: Annotated[int, Field(strict=True, gt=0)] | None = None
-    """Default: 1000; with `cases` or a grid, as many as these have."""
+    """Number of runs. Default: 1000; with `cases` or a grid, all of their points."""
     seed: Whole = 1
-    """What the values and each flight's own seed are drawn from."""
+    """Seed from which the varied values and the seed of each flight are drawn."""
     sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
-    """How the varied values cover their ranges."""
+    """Sampling method: how the runs cover the ranges of the varied values."""
     levels: Annotated[int, Field(strict=True, gt=1)] = 5
     """Number of levels of each continuous value in a grid."""
     set: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it)
     """Changes to the scenario for all runs, by dotted paths."""
     vary: dict[str, Distribution] = {}  # noqa: RUF012
-    """What is drawn for each run: a distribution for each dotted path."""
+    """Values drawn for each run: a distribution for each dotted path."""
     cases: Text | None = None
-    """A CSV table of runs instead of `vary`, one a row, columns being dotted paths; relative to the sweep's file."""
+    """CSV table used instead of `vary`: a row for each run, a column for each dotted path; relative to the sweep's file."""
     compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
-    """What each run is flown with in turn: a list of values for each dotted path; of several paths all combinations."""
+    """Variants with which each run is flown: a list of values for each dotted path; with several paths, all combinations."""
     stop_when: StopWhen | None = None
     time_limit_s: Positive = 300.0
     """Wall time [s] after which a flight counts as hung."""

@@ -18,7 +18,7 @@ from testbed.sweeps.model import Sweep
 
 @dataclass(frozen=True)
 class Plan:
-    """A resolved sweep: `runs` runs, each flown once for every variant with the same draw and seed."""
+    """A resolved sweep: `runs` runs, each flown once for every variant, with the same drawn values and the same seed."""
 
     sweep: Sweep
     name: str
@@ -30,7 +30,7 @@ class Plan:
 
     @property
     def variants(self) -> tuple[Variant, ...]:
-        """What is compared; one nameless variant when nothing is."""
+        """The variants that are compared; a single one without a label if nothing is compared."""
         return self.builder.variants
 
     @property

@@ -1,4 +1,4 @@
-"""How far a sweep is: a bar on stderr if that is a terminal, else nothing."""
+"""Progress of a sweep: a bar on stderr if stderr is a terminal, else nothing."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from testbed.sweeps.plan import Plan
 
 
 class Progress:
-    """Flights done, their rate, the time left, and the share of each variant's flights that passed so far."""
+    """Shows the number of finished flights, flights per second, the time left, and the share of each variant that passed."""
 
     def __init__(self, plan: Plan, done: int) -> None:
         self._plan = plan
@@ -36,7 +36,7 @@ class Progress:
         return self
 
     def add(self, variant: int, passed: bool) -> None:
-        """One more flight has finished."""
+        """Count one more finished flight."""
         self._done += 1
         self._counts[variant][0] += passed
         self._counts[variant][1] += 1

@@ -1,4 +1,4 @@
-"""Fly a sweep into its folder: fly what is missing, keep each flight as it finishes, then write the table."""
+"""Fly a sweep into its folder: fly the missing flights, store each as it finishes, then write the table."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from testbed.sweeps.workers.flying import Fly, Job, fly_reference
 
 
 class Stopped(Exception):
-    """The sweep ended early. What had finished is kept, and --resume flies the rest."""
+    """The sweep ended early. The finished flights are kept, and --resume flies the rest."""
 
 
 @dataclass(frozen=True)
 class Flights:
-    """What one call has flown: number of flights, seconds of flight, seconds of wall time."""
+    """What one call of `fly_sweep` has flown: number of flights, their simulated time [s], and the wall time [s]."""
 
     count: int
     flown_s: float
@@ -41,7 +41,7 @@ class Flights:
 
 @dataclass(frozen=True)
 class Options:
-    """How to fly: processes or a cluster, logs to keep, function that flies. Only the last can change a row."""
+    """How to fly: number of processes or a cluster, logs to keep, function that flies. Only `fly` can change the results."""
 
     jobs: int | None = None
     cluster: str | None = None
@@ -49,12 +49,12 @@ class Options:
     fly: Fly | None = None
 
     def job(self, plan: Plan) -> Job:
-        """What the workers need."""
+        """The job that workers need to fly this plan."""
         return Job(plan.builder, fly_reference(self.fly), self.save_logs, plan.sweep.time_limit_s)
 
 
 def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
-    """Fly the flights that a folder does not have yet, and write its table.
+    """Fly the flights that a folder does not have yet, and write its table; returns what was flown.
 
     Raises BadInput when it cannot begin, Stopped when it ended early: Ctrl-C, disk full, cluster gone.
     """
@@ -71,7 +71,7 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
     except BadInput as error:
         raise Stopped(_kept(store, str(error))) from None
     finally:
-        with suppress(OSError):  # a full disk, said above
+        with suppress(OSError):  # a full disk has been reported above
             store.close()
 
 
@@ -82,7 +82,7 @@ def _kept(store: Store, why: str) -> str:
 
 
 def _fly_missing(store: Store, job: Job, options: Options) -> tuple[Flights, int]:
-    """Fly until nothing is missing, or the sweep's own rule stops it; returns also how many runs count."""
+    """Fly until no flight is missing or `stop_when` holds; returns what was flown, and the number of runs for the table."""
     plan, complete = store.plan, _CompleteRuns(store)
     begun, count, flown_s = time.perf_counter(), 0, 0.0
     complete.advance()
@@ -113,9 +113,9 @@ def _flying(job: Job, complete: _CompleteRuns, options: Options) -> Generator[po
 
 
 class _CompleteRuns:
-    """The runs that are complete, counted from the first without a gap; and the flights still to fly.
+    """Counts the complete runs from run 0 up to the first that is not complete; and lists the flights still to fly.
 
-    The stopping rule is fed from these, in order, so that it never depends on which flight finished first.
+    The stopping rule gets these runs in order, so its decision does not depend on the order in which flights finish.
     """
 
     def __init__(self, store: Store) -> None:
@@ -124,7 +124,7 @@ class _CompleteRuns:
         self.stopping = Stopping(store.plan.sweep.stop_when, len(store.plan.variants))
 
     def advance(self) -> bool:
-        """Feed the stopping rule with every run that has become complete; whether the sweep may stop."""
+        """Give the stopping rule every run that has become complete; returns whether the sweep may stop."""
         store, n = self._store, len(self._store.plan.variants)
         while self.stopping.stopped_at is None and self._runs < store.plan.runs:
             flights = range(self._runs * n, (self._runs + 1) * n)
@@ -146,7 +146,7 @@ class _CompleteRuns:
 
 
 def fly_only(plan: Plan, run: int, options: Options) -> list[pool.Done]:
-    """Fly one run alone, all its variants, in order; raises BadInput when there is no such run."""
+    """Fly all variants of one run; returns them in order. Raises BadInput when there is no such run."""
     if not 0 <= run < plan.runs:
         raise BadInput([Problem(f"there is no run {run}", "--only", expected=f"0 to {plan.runs - 1}")])
     n = len(plan.variants)

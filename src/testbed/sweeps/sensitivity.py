@@ -1,9 +1,9 @@
-"""Which varied values drive the result: sensitivity indices from the flights flown anyway, by SALib.
+"""Which varied values affect the result most: sensitivity indices from the flights of the sweep, by SALib.
 
-PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves (Kolmogorov-Smirnov distance) when one
-input is restricted to one tenth of its range; the median over the tenths. Random inputs that were not flown show how
-large the index becomes by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010): the share of the
-variance of the result that one input explains alone.
+PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves (Kolmogorov-Smirnov distance) when one input
+is restricted to a tenth of its values; the index is the median over the tenths. Random dummy inputs, on which no flight
+depends, show how large the index becomes by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010): the share
+of the variance of the result that one input explains by itself.
 """
 
 from __future__ import annotations
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     import pandas as pd
 
 LEAST_RUNS = 100
-"""With fewer runs, a tenth of the range holds too few flights."""
+"""With fewer runs, a tenth of the values has too few flights."""
 _LEAST_OF_EACH = 10
 _TENTHS = 10
 _DUMMIES = 20
 
 
 def sensitivity(frame: pd.DataFrame, inputs: Sequence[str], outputs: Sequence[str]) -> dict[str, Any]:
-    """{output: {"inputs": {input: indices}}} of one variant's rows; {output: {"reason": why}} if there are too few.
+    """{output: {"inputs": {input: indices}}} for one variant's rows; {output: {"reason": why}} where there can be no indices.
 
-    Indices: `pawn`, `pawn_by_chance`, `matters` (above chance), `s1` (share of variance), `s1_half_width` (of its
-    95 % interval). A number that is not finite, as a half-width may be, becomes None in summary.json.
+    Indices: `pawn`; `pawn_by_chance`, the 95 % quantile of the dummies' PAWN; `matters`, whether `pawn` is above that; `s1`,
+    the share of variance; `s1_half_width` of its 95 % interval. These may be NaN, which becomes None in summary.json.
     """
     return {output: _of_output(frame, inputs, output) for output in outputs}
 
@@ -48,7 +48,7 @@ def _of_output(frame: pd.DataFrame, inputs: Sequence[str], output: str) -> dict[
     rng = np.random.default_rng(20)
     x = np.column_stack([*(_ranks(chosen[name], rng) for name in varied), rng.random((len(y), _DUMMIES))])
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of empty slices, which PAWN skips
+        warnings.simplefilter("ignore")  # about empty slices, which PAWN skips
         moved = pawn.analyze(_problem(x.shape[1]), x, y, S=_TENTHS)["median"]
         alone = rbd_fast.analyze(_problem(len(varied)), x[:, : len(varied)], y, num_resamples=50, seed=rng)
     chance = float(np.quantile(moved[len(varied) :], 0.95))

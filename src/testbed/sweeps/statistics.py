@@ -1,7 +1,7 @@
-"""Probabilities and bounds from counted flights, with their uncertainty. Each function cites its method.
+"""Probabilities and bounds from counts of flights, with their uncertainty. Each function cites its method.
 
-Runs are taken as independent. Latin hypercubes and scrambled Sobol points cover the inputs more evenly than
-independent draws; for these the intervals are rather too wide than too narrow.
+Runs are assumed to be independent. Latin hypercubes and scrambled Sobol points cover the inputs more evenly than
+independent draws; for these the intervals tend to be too wide, not too narrow.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ Method = Literal["wilson", "exact"]
 
 @dataclass(frozen=True)
 class Proportion:
-    """A probability estimated from counts, and the interval that holds it with the given confidence."""
+    """A probability estimated from counts, with its confidence interval `low` to `high`."""
 
     successes: int
     n: int
@@ -41,8 +41,11 @@ class Proportion:
 def proportion(
     successes: int, n: int, confidence: float = CONFIDENCE, method: Method = "wilson"
 ) -> Proportion:
-    """Interval of a probability: `wilson` (score; Wilson 1927), close to its nominal confidence, or `exact`
-    (Clopper and Pearson 1934), never below it. Without any run: all of [0, 1]."""
+    """A probability with its interval, from `successes` of `n` runs; the interval is [0, 1] if there are no runs.
+
+    Method `wilson` is the score interval (Wilson 1927), whose coverage is close to the confidence. `exact` (Clopper and
+    Pearson 1934) never covers less than the confidence.
+    """
     if n == 0:
         return Proportion(0, 0, math.nan, 0.0, 1.0, confidence, method)
     interval = stats.binomtest(int(successes), int(n)).proportion_ci(confidence, method=method)
@@ -52,7 +55,7 @@ def proportion(
 
 @dataclass(frozen=True)
 class Paired:
-    """Two variants under the same draws: how often both, only one, or neither passed; first minus second."""
+    """Two variants with the same draws: how often both, only one, or neither passed, and the difference first minus second."""
 
     both: int
     only_first: int
@@ -72,8 +75,8 @@ class Paired:
 def paired(first: Sequence[bool], second: Sequence[bool], confidence: float = CONFIDENCE) -> Paired:
     """Difference of two pass probabilities from the same runs.
 
-    The test is McNemar's, exact: of the runs in which just one passed, is it as often the first as the
-    second? (binomial with 1/2). The interval is Newcombe's (1998, Statistics in Medicine 17:2635, method 10).
+    The test is the exact McNemar test. Its hypothesis is that in runs in which just one passed, each is equally likely to
+    be that one (binomial with 1/2). The interval is Newcombe's (1998, Statistics in Medicine 17:2635, method 10).
     """
     a, b = np.asarray(first, dtype=bool), np.asarray(second, dtype=bool)
     both, only_a = int(np.sum(a & b)), int(np.sum(a & ~b))
@@ -86,7 +89,7 @@ def paired(first: Sequence[bool], second: Sequence[bool], confidence: float = CO
 
 
 def _newcombe(both: int, only_a: int, only_b: int, neither: int, confidence: float) -> tuple[float, float]:
-    """Wilson intervals of the two proportions, joined by the correlation of the pairs."""
+    """Newcombe's interval: Wilson intervals of the two proportions, combined with the correlation phi of the pairs."""
     n = both + only_a + only_b + neither
     one = proportion(both + only_a, n, confidence)
     two = proportion(both + only_b, n, confidence)
@@ -105,11 +108,11 @@ def _newcombe(both: int, only_a: int, only_b: int, neither: int, confidence: flo
 
 
 def tolerance_bound(values: Sequence[float], coverage: float, confidence: float = CONFIDENCE) -> float | None:
-    """Upper bound that, with this confidence, at least this share of all flights stays below.
+    """Upper bound below which, with this confidence, at least the share `coverage` of all flights stays.
 
-    The least order statistic that serves, whatever the distribution (Wilks 1941): the r-th smallest of n does
-    when P(Binomial(n, coverage) <= r - 1) >= confidence. None when even the largest value of so few runs is
-    not enough. A flight that was lost counts as infinite: a bound that needs one is infinite.
+    It is an order statistic, valid for any distribution (Wilks 1941): the smallest r-th value of n for which
+    P(Binomial(n, coverage) <= r - 1) >= confidence. None if there are so few runs that even the largest value does not
+    suffice. Enter lost flights as infinity; the bound is then infinite if it falls on one of them.
     """
     n = len(values)
     rank = int(stats.binom.ppf(confidence, n, coverage)) + 1 if n else 1
@@ -119,15 +122,15 @@ def tolerance_bound(values: Sequence[float], coverage: float, confidence: float 
 
 
 def runs_for_tolerance(coverage: float, confidence: float = CONFIDENCE) -> int:
-    """Runs from which the largest value seen is such a bound: 1 - coverage^n >= confidence (Wilks 1941)."""
+    """Least number of runs n for which the largest value is a tolerance bound: 1 - coverage^n >= confidence (Wilks 1941)."""
     return math.ceil(math.log1p(-confidence) / math.log(coverage) - 1e-12)
 
 
 def runs_needed(claim: float, failures: int = 0, confidence: float = CONFIDENCE) -> int:
-    """Runs, so many of them failed, from which P(pass) >= claim can be said with this confidence.
+    """Least number of runs, `failures` of them failed, that shows P(pass) >= claim with this confidence.
 
-    One-sided Clopper-Pearson: P(at most `failures` fail | P(pass) = claim) <= 1 - confidence. Without a
-    failure that is ln(1 - confidence) / ln(claim): 299 runs for 0.99, 2995 for 0.999.
+    One-sided Clopper-Pearson: P(at most `failures` fail | P(pass) = claim) <= 1 - confidence. Without
+    failures this is ln(1 - confidence) / ln(claim): 299 runs for 0.99, 2995 for 0.999.
     """
     low, high = failures + 1, failures + 2
     while stats.binom.cdf(failures, high, 1.0 - claim) > 1.0 - confidence:
@@ -140,7 +143,7 @@ def runs_needed(claim: float, failures: int = 0, confidence: float = CONFIDENCE)
 
 
 def runs_for_half_width(estimate: float, half_width: float, confidence: float = CONFIDENCE) -> int:
-    """Runs after which a probability near `estimate` is known to +- half_width (Wilson)."""
+    """Least number of runs after which a probability near `estimate` is known to +- half_width (Wilson)."""
     z = float(stats.norm.ppf(0.5 + confidence / 2.0))
     low, high = 1, 2
 

@@ -1,4 +1,4 @@
-"""The rule by which a sweep may stop early: the probability of passing is known closely enough."""
+"""The rule by which a sweep may stop early: once the probability of passing is known well enough."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from testbed.sweeps.statistics import proportion
 
 
 class Stopping:
-    """Feed it the verdicts of each run, in the order of runs; `stopped_at` is the number of runs once it is enough.
+    """Takes the verdicts of each run, in the order of runs; `stopped_at` is the number of runs at which the rule held, or None.
 
     The rule is checked after every run up to 100, then each time the number of runs has grown by 1 %. It uses exact
-    intervals (Clopper-Pearson): checking repeatedly makes any interval too narrow, and exact ones are rather too wide.
+    intervals (Clopper-Pearson): repeated checking makes any interval too narrow, and the exact ones tend to be too wide.
     """
 
     def __init__(self, rule: StopWhen | None, variants: int) -> None:
@@ -23,7 +23,7 @@ class Stopping:
         self.stopped_at: int | None = None
 
     def add(self, passed: Sequence[bool]) -> bool:
-        """Count one more run, with a verdict for each variant; whether to stop."""
+        """Count one more run, with a verdict for each variant; returns whether to stop."""
         if self.stopped_at is not None or self._rule is None:
             return self.stopped_at is not None
         self.runs += 1

@@ -1,4 +1,4 @@
-"""summary.json of a sweep, from its table. Nothing in it depends on the clock or on the machine."""
+"""summary.json of a sweep, computed from its table. Its contents do not depend on the clock or the machine."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ WORST = 5
 
 
 def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
-    """Contents of summary.json, from the finished flights; a number that is not finite is None."""
+    """Contents of summary.json for the finished flights; a number that is not finite becomes None."""
     groups = list(groups_of(plan, frame))
     probabilistic = plan.cases is None and plan.sweep.sampling != "grid"
     summary = {
@@ -67,10 +67,10 @@ def requirement_titles(plan: Plan) -> list[str]:
 
 
 def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
-    """The worst flights that did not pass, the worst first.
+    """The worst flights of those that did not pass, the worst first.
 
-    Flights without a result come first, then lost ones (the earliest first), then by the number of unmet requirements
-    and by the largest altitude error.
+    Flights without a result come first, then lost flights (the earliest first), then the others by their number of unmet
+    requirements, and by their largest altitude error.
     """
     failed = rows[~rows["passed"]]
     flown = failed["outcome"].isin(["completed", "ground_contact", "envelope_exceeded", "diverged"])
@@ -81,7 +81,7 @@ def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
         "no_result": ~flown,
         "lost": failed["outcome"] != "completed",
         "early": -failed["end_time_s"].where(failed["outcome"] != "completed", 0.0).fillna(0.0),
-        "unmet": (failed[verdicts] == False).sum(axis=1),  # noqa: E712  (missing verdicts are neither)
+        "unmet": (failed[verdicts] == False).sum(axis=1),  # noqa: E712  (a missing verdict is neither True nor False)
         "error": failed.get("altitude_error_max_m", failed["end_time_s"] * 0.0).fillna(0.0),
     }
     order = failed.assign(**{f"_{name}": key for name, key in keys.items()})
@@ -113,7 +113,7 @@ def _both_intervals(passed: int, n: int) -> dict[str, Any]:
 
 
 def _requirements(plan: Plan, rows: pd.DataFrame) -> Iterator[dict[str, Any]]:
-    """A flight without a result has met nothing."""
+    """Share of flights that met each requirement; a flight without a result counts as not having met it."""
     for j, title in enumerate(requirement_titles(plan)):
         name = f"requirements.{j}.passed"
         met = int((rows[name] == True).sum()) if name in rows else 0  # noqa: E712
@@ -121,7 +121,7 @@ def _requirements(plan: Plan, rows: pd.DataFrame) -> Iterator[dict[str, Any]]:
 
 
 def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:
-    """Quantiles of a metric, and its tolerance bounds, for which a lost flight counts as infinite."""
+    """Quantiles of a metric, and its tolerance bounds; in the bounds a lost flight counts as an infinite value."""
     values = rows[name].to_numpy(dtype=float)
     known = values[np.isfinite(values)]
     lost = (rows["outcome"] != "completed").to_numpy()
@@ -142,7 +142,7 @@ def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:
 
 
 def _runs_needed(passed: int, n: int) -> dict[str, Any]:
-    """Runs needed for claims about P(all requirements met), and to know it more closely."""
+    """Runs needed for claims about P(all requirements met), and for narrower intervals."""
     share = passed / n if n else 0.5
     return {
         "claim_without_a_failure": {f"{c:g}": statistics.runs_needed(c) for c in CLAIMS},

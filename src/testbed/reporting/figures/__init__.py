@@ -1,4 +1,4 @@
-"""Figures of a finished flight. A new one is a function of a flight in a file here, and a line in TABLE."""
+"""Figures of a finished flight. To add one, write a function of a flight in a file here, and add a line to TABLE."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ def _rates(flight: Flight) -> Figure:
 
 TABLE: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
     "states": ("States against their references (the paper's figure 4)", _states),
-    "actuators": ("What each actuator is asked for and does (figure 5)", _actuators),
+    "actuators": ("Reference, command and position of each actuator (figure 5)", _actuators),
     "effectiveness": ("Effectiveness: estimates against truth (figure 6)", _effectiveness),
     "rates": ("Controlled rates: desired against measured", _rates),
 }
-"""File name without its ending: (caption, what draws it). matplotlib is imported when one is drawn."""
+"""File name without its ending: (caption, function that draws). matplotlib is imported only when a figure is drawn."""
 
 
 def draw(flight: Flight, folder: str | Path) -> list[Path]:

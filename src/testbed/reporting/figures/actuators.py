@@ -1,4 +1,4 @@
-"""Figure 5: what the control law asks of each actuator, what it is told, and what it does."""
+"""The paper's figure 5: reference, command and position of each actuator."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from matplotlib.figure import Figure
 from testbed.flight.flight import Flight
 from testbed.reporting.figures.page import COMMAND, LIMIT, REFERENCE, WIDE, frame, page
 
-_NEAR = 0.15  # of the travel: a stop is shown once a signal comes this near to it
+_NEAR = 0.15  # fraction of the travel: a stop is drawn if a signal comes this close to it
 
 
 def actuators(flight: Flight) -> Figure:
-    """Reference r, command u and position of each actuator, in its own unit, with the stops that matter."""
+    """Reference r, command u and position of each actuator, in its own unit, with the stops that signals come close to."""
     sheet = page(flight, "actuators", [1.7] * len(flight.actuators))
     for panel, (name, facts) in zip(sheet.panels, flight.actuators.items(), strict=True):
         signals = {of: sheet.column(f"{name}_{of}") for of in ("reference", "command", "position")}
@@ -32,7 +32,7 @@ def actuators(flight: Flight) -> Figure:
 
 
 def _near_travel(signals: Iterable[np.ndarray], limits: tuple[float, float] | None) -> Iterator[np.ndarray]:
-    """Signals as far as they count for the y axis: a reference may ask for far more than there is."""
+    """Signals cut off a little beyond the stops, to set the y axis: a reference may be far beyond them."""
     for values in signals:
         if limits is not None:
             near = _NEAR * (limits[1] - limits[0])

@@ -1,4 +1,4 @@
-"""Figure 6: effectiveness estimates against the truth."""
+"""The paper's figure 6: effectiveness estimates and true effectiveness."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The events of a flight as vertical lines, whose styles differ in grey print too."""
+"""The events of a flight as vertical lines, with styles that can be told apart in grey print."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ STYLES: dict[str, dict[str, Any]] = {
 
 @dataclass(frozen=True)
 class Mark:
-    """A vertical line at a time [s], its label, and its style; the label is empty when there are too many events."""
+    """A vertical line at a time [s], with its label and style; the label is empty if there are too many events."""
 
     time_s: float
     label: str
@@ -69,15 +69,19 @@ def _broken(event: Mapping[str, Any]) -> str:
     else:
         number = f" {next(iter(values.values())):g}" if len(values) == 1 else ""
         text = f"{event['type'].replace('_', ' ')}{number}"
-    remarks = {True: "", False: " (HAD NO EFFECT)", None: " (nothing to be seen of it)"}
+    remarks = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
     return text + remarks[event.get("verified", True)]
 
 
 def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
     """Where each label goes so that no two touch: (mark, row, horizontal alignment of the text at its line).
 
-    `span` is the time axis [s], `width` its length [inches]. Where labels are close, later ones go into lower rows, so
-    that no line crosses the label of another.
+    Row 0 is next to the panel. Where labels are close, later ones go into lower rows, so that no line crosses the label of
+    another.
+
+    Args:
+        span: first and last time of the axis [s].
+        width: length of the axis [inches].
     """
     inch = width / (span[1] - span[0])
     placed: list[tuple[float, float, int]] = []

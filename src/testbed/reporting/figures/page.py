@@ -1,6 +1,6 @@
-"""The page that every figure is drawn on: one column of panels over one time axis, title, key, events on top.
+"""The page that every figure is drawn on: panels above each other over one time axis, title, legend, events at the top.
 
-matplotlib's objects only, no pyplot: nothing global, and no display is needed.
+It uses matplotlib's objects and not pyplot, so there is no global state, and no display is needed.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ _WIDTH = 10.0  # inches, as all sizes here
 _TOP, _BOTTOM, _GAP, _LEFT, _RIGHT = 0.72, 0.55, 0.16, 1.1, 0.25
 _LANE_ROW = 0.19
 _LABEL = 0.58  # from the axis to its label, with room for the numbers
-_BLOCKS = 900  # stretches of time that lines are thinned to: about the width of a panel in pixels
+_BLOCKS = 900  # parts of the time axis for `thin`: about the width of a panel in pixels
 
 TRUTH: dict[str, Any] = {"color": "black", "linestyle": "-", "linewidth": 1.3}
-"""What the aircraft did."""
+"""True values."""
 WIDE: dict[str, Any] = {"color": "0.62", "linestyle": "-", "linewidth": 3.4, "solid_capstyle": "butt"}
-"""What an actuator did: wide, because its command is drawn on top."""
+"""An actuator's position: a wide line, because the command is drawn on top of it."""
 REFERENCE: dict[str, Any] = {"color": "#0072B2", "linestyle": (0, (5, 2)), "linewidth": 1.5}
 """A reference, or a controller's estimate."""
 COMMAND: dict[str, Any] = {"color": "#D55E00", "linestyle": "-", "linewidth": 1.0}
@@ -37,12 +37,12 @@ COMMAND: dict[str, Any] = {"color": "#D55E00", "linestyle": "-", "linewidth": 1.
 LIMIT: dict[str, Any] = {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth": 1.1}
 """Stops and thresholds."""
 SHADE: dict[str, Any] = {"facecolor": "0.9", "edgecolor": "0.7", "hatch": "////", "linewidth": 0, "zorder": 0}
-"""While an axis is released, or an actuator flagged."""
+"""The times at which an axis is released or an actuator is flagged."""
 
 
 @dataclass
 class Page:
-    """A figure while it is drawn: `panels` from top to bottom, all over `time_s`."""
+    """A figure being drawn: `panels` from top to bottom, all with the time axis `time_s` [rows]."""
 
     figure: Figure
     panels: list[Axes]
@@ -56,7 +56,7 @@ class Page:
     def line(
         self, panel: Axes, values: np.ndarray, label: str, style: dict[str, Any], wraps: bool = False
     ) -> None:
-        """Draw a signal, with as many points as can be seen. If it `wraps`, its jumps of a full turn are not drawn."""
+        """Draw a signal [rows], thinned to what can be seen. If it `wraps`, jumps by more than 180 deg are left out of the line."""
         time, values = thin(self.time_s, values)
         if wraps:
             jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
@@ -64,7 +64,7 @@ class Page:
         panel.plot(time, values, label=label, **style)
 
     def shade(self, panel: Axes, flag: np.ndarray, label: str) -> None:
-        """Hatch the times at which a flag is set."""
+        """Hatch the times at which a flag [rows] is set."""
         edges = np.flatnonzero(np.diff(np.concatenate(([False], flag > 0.5, [False])).astype(np.int8)))
         end = self.flight.end_time_s
         for first, last in edges.reshape(-1, 2)[:200]:
@@ -73,7 +73,7 @@ class Page:
             label = "_"  # one entry in the legend
 
     def finish(self) -> Figure:
-        """Add the legend, of all panels together, with each entry once; returns the figure."""
+        """Add one legend for all panels, with each entry once; returns the figure."""
         entries: dict[str, Any] = {}
         for panel in self.panels:
             for handle, label in zip(*panel.get_legend_handles_labels(), strict=True):
@@ -141,7 +141,7 @@ def _panels(figure: Figure, top: float, heights: Sequence[float], span: tuple[fl
 
 
 def _lane(figure: Figure, panel: Axes, lane: Sequence[tuple[Mark, int, str]], tall: float) -> None:
-    """Name each event once, above the first panel, where its line leads."""
+    """Write the label of each event above the first panel, at its line."""
     box = panel.get_position()
     axes = figure.add_axes((box.x0, box.y1, box.width, tall / figure.get_figheight()))
     axes.set_xlim(panel.get_xlim())
@@ -157,7 +157,7 @@ def _lane(figure: Figure, panel: Axes, lane: Sequence[tuple[Mark, int, str]], ta
 
 
 def thin(time: np.ndarray, values: np.ndarray, blocks: int = _BLOCKS) -> tuple[np.ndarray, np.ndarray]:
-    """(time, values) with fewer points that look the same: first, last, lowest and highest of each of `blocks` parts."""
+    """(time, values) with fewer points for the same picture: first, last, lowest and highest point of each of `blocks` parts."""
     each = len(values) // blocks
     if each <= 4:
         return time, values
@@ -170,7 +170,7 @@ def thin(time: np.ndarray, values: np.ndarray, blocks: int = _BLOCKS) -> tuple[n
 
 
 def frame(panel: Axes, least: float, *signals: np.ndarray) -> None:
-    """Set the limits of the y axis: all finite values with a margin, and at least `least`, so that noise looks small."""
+    """Fit the y axis to all finite values, with a margin. Its height is at least `least`, so that small noise looks small."""
     values = np.concatenate(signals) if signals else np.zeros(0)
     values = values[np.isfinite(values) & (np.abs(values) < 1e6)]
     low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)

@@ -12,7 +12,7 @@ _UNITS = (("_deg_s2", "deg/s²", 4.0), ("_m_s2", "m/s²", 0.4))
 
 
 def rates(flight: Flight) -> Figure:
-    """Each controlled rate over time, as the control law wants it and as measured."""
+    """Each controlled rate over time, desired and measured."""
     axes = [name.removesuffix("_released") for name in flight.columns if name.endswith("_released")]
     sheet = page(flight, "controlled rates", [1.7] * len(axes))
     for panel, axis in zip(sheet.panels, axes, strict=True):
@@ -21,8 +21,7 @@ def rates(flight: Flight) -> Figure:
         sheet.line(panel, measured, "measured", TRUTH)
         sheet.line(panel, desired, "desired", REFERENCE)
         sheet.shade(panel, sheet.column(f"{axis}_released"), "axis released")
-        frame(
-            panel, least, measured, np.nanpercentile(desired, [0.5, 99.5])
-        )  # spikes of a law may leave the axis
+        # A few spikes of the desired rate may be cut off.
+        frame(panel, least, measured, np.nanpercentile(desired, [0.5, 99.5]))
         panel.set_ylabel(f"{axis} [{unit}]", fontsize=9.5)
     return sheet.finish()

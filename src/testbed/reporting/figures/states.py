@@ -1,4 +1,4 @@
-"""Figure 4: the aircraft's states against their references."""
+"""The paper's figure 4: the aircraft's states and their references."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _PANELS = (
 
 
 def states(flight: Flight) -> Figure:
-    """Altitude, airspeed, heading, roll, pitch, alpha and beta over time, with references where there are."""
+    """Altitude, airspeed, heading, roll, pitch, alpha and beta over time, with the references that exist."""
     sheet = page(flight, "aircraft states", [1.25] * len(_PANELS))
     for panel, (label, name, reference, least) in zip(sheet.panels, _PANELS, strict=True):
         values = sheet.column(name)

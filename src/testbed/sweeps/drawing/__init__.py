@@ -1,5 +1,5 @@
 """From (sweep, seed, i) to the scenario of a flight.
 
-`sampling` makes points of the unit cube and seeds, `distributions` turns a point into the values that a run has,
-`cases` reads them from a table instead, and `builder` sets them in the base scenario.
+`sampling` makes points of the unit cube, and seeds. `distributions` turns the coordinates of a point into values; `cases`
+reads values from a table instead. `builder` sets the values in the base scenario.
 """

@@ -1,4 +1,4 @@
-"""From drawn values to the scenario of one flight. A Builder is small: it is sent to every worker."""
+"""Make the scenario of one flight from drawn values. A Builder is sent to every worker, so it is kept small."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _TYPE = "controller.type"
 
 @dataclass(frozen=True)
 class Variant:
-    """One of the things compared, such as a controller: its name, and its values by dotted paths."""
+    """One of the alternatives that are compared, such as a controller: its label, and its values by dotted paths."""
 
     label: str
     values: Mapping[str, Any]
@@ -26,7 +26,7 @@ class Variant:
 
 @dataclass(frozen=True)
 class Task:
-    """One flight of a sweep: its run, its variant (an index), and the seed and values drawn for the run."""
+    """One flight of a sweep: the numbers of its run and its variant, and the seed and the values drawn for the run."""
 
     run: int
     variant: int
@@ -36,14 +36,14 @@ class Task:
 
 @dataclass(frozen=True)
 class Builder:
-    """The base scenario's tree, the variants, and the place in the sweep file of each varied path."""
+    """The base scenario, the variants, and the place (`file:line`) of each varied or compared path."""
 
     base: Source
     variants: tuple[Variant, ...]
     places: Mapping[str, str] = field(default_factory=dict)
 
     def scenario(self, task: Task) -> Scenario:
-        """The scenario of one flight; raises BadInput with everything wrong in it."""
+        """The scenario of one flight; raises BadInput with every problem found."""
         return scenario_from(self.source({**task.values, **self.variants[task.variant].values}, task.seed))
 
     def source(self, values: Mapping[str, Any], seed: int) -> Source:
@@ -57,11 +57,11 @@ class Builder:
         return source
 
     def with_aircraft(self, folder: str) -> Builder:
-        """The same, but with the aircraft of this folder, where a worker has unpacked it."""
+        """The same builder with the aircraft of this folder, into which a worker has unpacked it."""
         return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": folder}))
 
     def _of_another_controller(self, path: str, values: Mapping[str, Any]) -> bool:
-        """Whether a path is a setting that this variant's controller does not have, but another variant's has."""
+        """Whether a path is a setting that another variant's controller has, but this variant's has not."""
         first, _, rest = path.partition(".")
         chosen = CONTROLLERS.get(str(values.get(_TYPE)))
         if first != "controller" or chosen is None or path == _TYPE:

@@ -1,4 +1,4 @@
-"""Runs written out in a CSV table, one a row: columns are dotted paths, cells are YAML values."""
+"""Read runs from a CSV table: a row for each run, columns named by dotted paths, cells with YAML values."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ Cases = tuple[list[dict[str, Any]], str, dict[str, str]]
 
 
 def read_cases(file: Path, missing: Problem) -> Cases:
-    """Read a table of runs; an empty cell leaves the scenario as it is.
+    """Read a table of runs; an empty cell leaves the base scenario's value.
 
-    Raises BadInput: `missing` when there is no such file, else every cell that cannot be read.
+    Raises BadInput: with `missing` when there is no such file, else with every column and cell that cannot be used.
     """
     try:
         text = file.read_text(encoding="utf-8-sig")

@@ -1,4 +1,4 @@
-"""What a varied value may be drawn from: each distribution by its inverse, so that every sampling can use it."""
+"""Distributions of varied values. Each is used by its inverse, so that every sampling method works with it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from testbed.inputs.problems import did_you_mean
 from testbed.inputs.yaml_source import describe
 
 _OPEN = 2.0**-53
-"""Probabilities keep this distance from 0 and 1, where the inverse of an unbounded distribution is infinite."""
+"""Probabilities are kept this far from 0 and 1, where the inverse of an unbounded distribution is infinite."""
 
 _OWN = {
     "uniform": ("[low, high]", 2),
@@ -61,7 +61,7 @@ class Distribution(Settings):
         return self
 
     def quantiles(self, u: np.ndarray) -> list[Any]:
-        """Values at these probabilities [n], as Python's own types."""
+        """The n values at the probabilities `u` [n], as Python's own types."""
         if self.name == "choice":
             steps = np.cumsum(self._weights)[:-1]
             return [self.parameters[k] for k in np.searchsorted(steps / self._weights.sum(), u, side="right")]
@@ -76,7 +76,7 @@ class Distribution(Settings):
 
     @property
     def bounds(self) -> list[Any]:
-        """Its lowest and highest value, when it is bounded; every option of a choice."""
+        """[lowest, highest] value, or every option of a choice; empty if the distribution is unbounded."""
         if self.name == "choice":
             return list(self.parameters)
         if self.name in ("uniform", "integers", "log_uniform"):
@@ -86,9 +86,9 @@ class Distribution(Settings):
         return [kind(low), kind(high)] if math.isfinite(low) and math.isfinite(high) else []
 
     def grid(self, levels: int) -> np.ndarray:
-        """Probabilities of a grid's levels: each option or whole number once, else `levels` of them.
+        """Probabilities of a grid's levels: each option of `choice` or number of `integers` once, else `levels` of them.
 
-        A bounded range includes both ends; an unbounded one has the middles of equally likely parts.
+        The levels of a bounded range include both ends; those of an unbounded one are the middles of equally likely parts.
         """
         if self.name == "choice":
             ends = np.concatenate([[0.0], np.cumsum(self._weights) / self._weights.sum()])
@@ -176,7 +176,7 @@ class Distribution(Settings):
 
 
 def distribution_names() -> list[str]:
-    """Every name that a varied value can be drawn from."""
+    """The names of all distributions that `vary` accepts."""
     kinds = (stats.rv_continuous, stats.rv_discrete)
     return [*_OWN, "choice", *(name for name in dir(stats) if isinstance(getattr(stats, name), kinds))]
 

@@ -1,7 +1,7 @@
-"""Error histories: how three errors went during each flight, at 200 times, in one file histories.f32.
+"""Error histories: three errors of each flight at 200 times, all in one file, histories.f32.
 
-Every flight has a record of the same size, at a place given by its number. So the file is never rewritten, is the same
-in whatever order flights finish, and can be read in part.
+Every flight has a record of the same size, at a place given by its number. So the file is never rewritten, does not depend
+on the order in which flights finish, and can be read in part.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ CHANNELS = {
     "heading_error_deg": ("heading_deg", "heading_command_deg"),
     "airspeed_error_m_s": ("airspeed_m_s", "airspeed_command_m_s"),
 }
-"""Error: (signal, its command), both columns of the log."""
+"""Name of the error: (signal, its reference), both columns of the log."""
 POINTS = 200
 SHAPE = (len(CHANNELS), POINTS)
 RECORD_BYTES = 4 * len(CHANNELS) * POINTS
 
 
 def times_s(duration_s: float) -> np.ndarray:
-    """Times of the points [s], [POINTS], of a flight of this duration [s]."""
+    """[POINTS] times of the points [s] in a flight of this duration [s]."""
     return np.arange(POINTS) * (duration_s / POINTS)
 
 
 def history(flight: Flight) -> bytes:
-    """A flight's record: float32 [channels, points], little-endian; NaN after the flight's end."""
+    """A flight's record: [channels, points] little-endian float32, in the units of CHANNELS; NaN after the flight's end."""
     result = np.full(SHAPE, np.nan, dtype="<f4")
     if len(flight.data):
         column = {name: flight.data[:, j] for j, name in enumerate(flight.columns)}
@@ -59,7 +59,7 @@ class Histories:
             record, offset = record[written:], offset + written
 
     def close(self) -> None:
-        """Close the file, with everything on disk."""
+        """Flush the file to disk and close it."""
         try:
             os.fsync(self._handle)
         finally:
@@ -67,7 +67,7 @@ class Histories:
 
 
 def read(file: Path, flights: np.ndarray) -> np.ndarray:
-    """The histories of these flights (by number), [flights, channels, points]; NaN for those not there."""
+    """[flights, channels, points] histories of the flights with these numbers; NaN for those that the file does not have."""
     result = np.full((len(flights), *SHAPE), np.nan, dtype=np.float32)
     size = file.stat().st_size if file.is_file() else 0
     there = flights < size // RECORD_BYTES

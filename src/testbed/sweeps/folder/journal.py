@@ -1,8 +1,9 @@
-"""journal.jsonl: one line of JSON for each finished flight, written at once. Lines are only ever appended.
+"""journal.jsonl: one line of JSON for each flight, written as soon as it has finished. Lines are only ever appended.
 
-The first line says with what the sweep is flown (see `store`). Each further line is a flight's record (see
-`workers.flying`), and ends in a checksum. A line that is incomplete or damaged does not count: its flight is flown
-again. A lock keeps a second process out; the system releases it when the process that holds it ends in any way.
+The first line has the versions, aircraft and function with which the sweep is flown (see `resuming`). Each further line is
+a flight's record (see `workers.flying`). Every line ends in a checksum. An incomplete or damaged line does not count: its
+flight is flown again. A lock keeps a second process out; the operating system releases it when the process that holds it
+ends, in whatever way.
 """
 
 from __future__ import annotations
@@ -20,11 +21,11 @@ from testbed.inputs.problems import BadInput, Problem
 
 _MARK = b',"crc32":"'
 _SYNC_S = 1.0
-"""Seconds of work that a power cut may cost at most; a killed process loses none."""
+"""Time between flushes to disk [s], and so the work that a power cut may lose; a killed process loses none."""
 
 
 def encode(record: Mapping[str, Any]) -> bytes:
-    """The line of a record."""
+    """The line of a record, with its checksum."""
     body = json.dumps(record, separators=(",", ":"), ensure_ascii=False).encode()[:-1]
     return body + _MARK + f"{zlib.crc32(body):08x}".encode() + b'"}\n'
 
@@ -53,7 +54,7 @@ class Journal:
     """The journal, open for appending by this process alone."""
 
     def __init__(self, file: Path) -> None:
-        """Open or make it. BadInput when another process has it open, OSError when it cannot be opened."""
+        """Open or create it. Raises BadInput when another process has it open, OSError when it cannot be opened."""
         self.file = file
         self._handle = os.open(file, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o666)
         try:
@@ -69,7 +70,7 @@ class Journal:
         line, offset = encode(record), self._end
         try:
             written = os.write(self._handle, line)
-            while written < len(line):  # a nearly full disk writes a part, and refuses the rest
+            while written < len(line):  # on a nearly full disk only a part may be written
                 written += os.write(self._handle, line[written:])
             if time.monotonic() - self._synced > _SYNC_S:
                 os.fsync(self._handle)
@@ -91,14 +92,14 @@ class Journal:
         return record
 
     def close(self) -> None:
-        """Close the journal, with everything on disk; another process may then open it."""
+        """Flush the journal to disk and close it; another process may then open it."""
         try:
             os.fsync(self._handle)
         finally:
             os.close(self._handle)
 
     def _cut_incomplete_line(self) -> int:
-        """Cut off an incomplete last line, which a killed process may leave; returns the end of the file."""
+        """Cut off an incomplete last line, which a killed process may leave; returns the length of the file [bytes]."""
         size = os.fstat(self._handle).st_size
         end, chunk = size, 1 << 16
         while end:

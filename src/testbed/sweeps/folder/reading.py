@@ -1,4 +1,4 @@
-"""A sweep's folder as a DataFrame, finished or not; needs no simulator."""
+"""Read a sweep folder as a DataFrame, whether the sweep is finished or not; needs no simulator."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ _UNITS = {
 
 
 def load(folder: str | Path) -> pd.DataFrame:
-    """The table of a sweep folder, a row a flight; of an unfinished sweep, of the flights that have finished.
+    """The table of a sweep folder, with a row for each flight; for an unfinished sweep, for each flight that has finished.
 
-    `attrs` has the sweep's `name`, its `folder`, a `summary` in one sentence, and `units` {column: unit}.
-    Raises BadInput when it is not a sweep folder.
+    Its `attrs` have the sweep's `name`, its `folder`, a `summary` in one sentence, and `units` {column: unit}.
+    Raises BadInput when the folder is not a sweep folder.
     """
     folder = Path(folder)
     plan = load_plan(folder)
@@ -66,12 +66,12 @@ def _sentence(plan: Plan, frame: pd.DataFrame) -> str:
 
 
 def finished(plan: Plan, folder: Path) -> list[Mapping[str, Any]]:
-    """The journal's records in the order of runs; may be read while the sweep is flown."""
+    """The journal's records in the order of runs and variants. They may be read while the sweep is being flown."""
     return sorted(_flights(folder), key=lambda record: (record["run"], record["variant"]))
 
 
 def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFrame]]:
-    """Each variant's label and its rows, found by the compared values."""
+    """(label, rows) of each variant; its rows are those with its values in the compared columns."""
     for variant in plan.variants:
         mask = np.ones(len(frame), dtype=bool)
         for path, value in variant.values.items():

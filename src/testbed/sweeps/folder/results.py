@@ -1,4 +1,4 @@
-"""The table of a sweep, results.csv and results.parquet: a row a flight, in the order of runs and variants."""
+"""The table of a sweep, results.csv and results.parquet: a row for each flight, in the order of runs and variants."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def _requirements(record: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]:
-    """{name: type} of every column, in order. All records are read for it: one may have a metric that others lack."""
+    """{name: type} of every column, in order. All records are read, because one may have a metric that others lack."""
     kinds: dict[str, set[type]] = {}
     middle: dict[str, None] = {}
     verdicts: dict[str, None] = {}
@@ -62,7 +62,7 @@ def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]
 
 
 def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
-    """Write both files into a folder, whole or not at all; returns the columns. `records` is called twice."""
+    """Write both files into a folder, completely or not at all; returns the columns. `records` is called twice."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
@@ -92,7 +92,7 @@ def _type(kinds: set[type]) -> type:
 
 
 def _value(value: Any, kind: type) -> Any:
-    """A value as its column's type; in a column of texts, a mapping or a list is JSON."""
+    """A value converted to its column's type; in a column of texts, any other value becomes JSON."""
     if value is None or (kind is float and isinstance(value, float) and math.isnan(value)):
         return None
     if kind is str and not isinstance(value, str):

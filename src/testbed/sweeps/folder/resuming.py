@@ -1,6 +1,7 @@
-"""Whether a sweep may be flown into a folder: a new one, or (resumed) one that was begun with all the same.
+"""Whether a sweep may be flown into a folder: the folder must be new or, to resume, have been begun with the same inputs.
 
-The same sweep, by its sweep.yaml; the same aircraft, versions and function that flies, by the journal's first line.
+sweep.yaml shows whether the sweep is the same. The journal's first line shows whether the aircraft, the versions and the
+function that flies are the same.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ _VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
 
 
 def flown_with(plan: Plan, fly: str) -> dict[str, Any]:
-    """The journal's first line: what the bytes of every flight depend on beside the sweep itself."""
+    """The journal's first line: everything, besides the sweep itself, that the results of the flights depend on."""
     return {
         "journal": 1,
         "fly": fly,
@@ -36,14 +37,14 @@ def flown_with(plan: Plan, fly: str) -> dict[str, Any]:
 
 
 def refuse_changed(before: Mapping[str, Any], now: Mapping[str, Any], folder: Path) -> None:
-    """Raise BadInput when a folder was begun with anything else than it is flown with now."""
+    """Raise BadInput when the first line of a folder's journal differs from that of now."""
     problems = [Problem(f"was begun with {what}", str(folder)) for what in _changed(before, now)]
     if problems:
         raise BadInput(problems)
 
 
 def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
-    """Raise BadInput unless the folder is new or empty or, with `resume`, holds this sweep with no more runs."""
+    """Raise BadInput unless the folder is new or empty or, with `resume`, has the same sweep with as many runs or fewer."""
     file = folder / "sweep.yaml"
     if not os.path.lexists(folder) or (folder.is_dir() and not any(folder.iterdir())):
         return
@@ -54,7 +55,7 @@ def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
     if not file.is_file():
         if not journal.is_file():
             raise BadInput([Problem("is not the folder of a sweep", str(folder))])
-        return  # it was killed before it could write sweep.yaml
+        return  # the process was killed before it wrote sweep.yaml
     before = yamlfile.read(file).tree
     now = yamlfile.parse(yamlfile.dump(plan.tree)).tree
     problems = [
@@ -97,7 +98,7 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
 
 
 def _versions() -> dict[str, str]:
-    """Versions of the packages that the last bit of a flight may depend on."""
+    """Versions of the packages on which the last digits of a flight may depend."""
     found = {}
     for name in _VERSIONS:
         try:

@@ -1,10 +1,10 @@
 """A sweep's folder while it is flown: which sweep it is, and which flights have finished.
 
-sweep.yaml       the resolved sweep with the scenario inside; it flies again as it is
-cases.csv        its table of runs, if it has one
-journal.jsonl    first line: versions, aircraft and function that it is flown with; then a line a finished flight
-histories.f32    error histories, a record of fixed size a flight
-logs/            run-000012-adaptive_inversion.parquet: whole logs, as --save-logs says
+sweep.yaml       the resolved sweep with the scenario inside; it can be flown again as it is
+cases.csv        the sweep's table of runs, if it has one
+journal.jsonl    first line: versions, aircraft and function with which it is flown; then a line for each finished flight
+histories.f32    error histories, a record of fixed size for each flight
+logs/            whole logs of the flights that --save-logs chooses, such as run-000012-adaptive_inversion.parquet
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from testbed.sweeps.workers.flying import Flown
 
 
 class Store:
-    """The folder, open for this process alone. Flights go by their number k, see `Plan.task`."""
+    """The folder, open for this process alone. A flight is identified by its number k (see `Plan.task`)."""
 
     def __init__(self, folder: Path, plan: Plan, fly: str, *, resume: bool) -> None:
-        """Make the folder or open it again. Raises BadInput when it holds another sweep, or exists without `resume`."""
+        """Make the folder, or open it to resume. Raises BadInput when it has another sweep, or exists without `resume`."""
         self.folder, self.plan = folder, plan
         refuse_other(folder, plan, resume)
         folder.mkdir(parents=True, exist_ok=True)
@@ -54,7 +54,7 @@ class Store:
         return int(np.count_nonzero(self._offsets >= 0))
 
     def add(self, k: int, flown: Flown) -> None:
-        """Keep a finished flight. It counts from its journal line on, which is written last.
+        """Store a finished flight. It counts as finished once its journal line, which is written last, is complete.
 
         Raises OSError when the disk is full.
         """
@@ -77,7 +77,7 @@ class Store:
                 yield k, self.record(k)
 
     def close(self) -> None:
-        """Close the folder, with everything on disk; another process may then open it."""
+        """Flush everything to disk and close the folder; another process may then open it."""
         try:
             self._histories.close()
         finally:
@@ -89,34 +89,34 @@ class Store:
         return int(record["run"]) * len(self.plan.variants) + int(record["variant"])
 
     def _begin(self, fly: str) -> None:
-        """Write the first line of a new journal; of an existing one, check that it was begun with the same versions."""
+        """Write the first line of a new journal, or check that of an existing one; then write sweep.yaml and cases.csv."""
         now = flown_with(self.plan, fly)
         first = next((record for _, record in records(self.journal.file)), None)
         if first is None:
             self.journal.append(now)
         else:
             refuse_changed(first, now, self.folder)
-        # Now it is certain that the folder is this sweep's. The sweep may have more runs than before.
+        # Only now, when the folder is known to be of this sweep. sweep.yaml is written again, as `runs` may have grown.
         if self.plan.cases_text is not None:
             _write_whole(self.folder / "cases.csv", self.plan.cases_text.encode())
         _write_whole(self.folder / "sweep.yaml", yamlfile.dump(self.plan.tree).encode())
 
 
 def flight_label(plan: Plan, k: int) -> str:
-    """The name of flight k in file names: `run-000012-adaptive_inversion`."""
+    """Flight k in file names: `run-000012-adaptive_inversion`."""
     run, variant = divmod(k, len(plan.variants))
     label = "".join(c if c.isalnum() or c in "_-." else "-" for c in plan.variants[variant].label)
     return f"run-{run:06d}" + (f"-{label}" if label else "")
 
 
 def runs_of(folder: Path) -> int | None:
-    """Number of runs of the sweep in a folder; None when there is no sweep."""
+    """Number of runs in the sweep.yaml of a folder; None if there is none."""
     file = folder / "sweep.yaml"
     return int(yamlfile.read(file).tree["runs"]) if file.is_file() else None
 
 
 def _write_whole(file: Path, content: bytes) -> None:
-    """Write a file whole or not at all."""
+    """Write a file completely or not at all, and flush it to disk."""
     file.parent.mkdir(parents=True, exist_ok=True)
     with replacing(file) as partial, partial.open("wb") as stream:
         stream.write(content)

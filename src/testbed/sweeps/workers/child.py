@@ -1,8 +1,8 @@
-"""A worker process: it takes tasks from one pipe and answers on another. It may crash or hang without harm to others.
+"""A worker process: it reads tasks from one pipe and writes results to another. It may crash or hang without harm to others.
 
-`python -m testbed.sweeps.workers.child READ WRITE` is the process, `Child` its handle in the parent. This is not
-multiprocessing's pool, because that waits for ever when one of its processes is killed, and because a Dask worker may
-not start one.
+`python -m testbed.sweeps.workers.child READ WRITE` is the process, with the file descriptors of the two pipes; `Child` is
+its handle in the parent. multiprocessing's pool is not used, because it waits for ever if one of its processes is killed,
+and because a Dask worker may not start one.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from testbed.sweeps.workers.flying import Flown, Job, fly_task, not_flown
 _START_S = 300.0
 """Longest time a process may take to start [s]."""
 _GRACE_S = 10.0
-"""The process ends itself so long after its time limit, should its parent be gone [s]."""
+"""If its parent is gone, a process ends itself this long after the time limit of its flight [s]."""
 _ATTEMPTS = 2
-"""Attempts at a flight whose process dies: the first may have been killed for something else, such as memory."""
+"""Attempts at a flight whose process dies. It may have died for another reason than the flight, such as a lack of memory."""
 
 
 class Child:
@@ -39,9 +39,9 @@ class Child:
         self._closed = threading.Event()
 
     def fly(self, task: Task) -> Flown:
-        """Fly one task. If it hangs, or ends the process, the result is a record with its reason.
+        """Fly one task. If the flight hangs or ends the process, the result is a record with the reason.
 
-        Raises BadInput when no process can be started, InterruptedError when it is closed meanwhile.
+        Raises BadInput when no process can be started, InterruptedError when `close` is called meanwhile.
         """
         died = 0
         for _ in range(_ATTEMPTS):
@@ -66,7 +66,7 @@ class Child:
         if process is None:
             return 0
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(1.0)  # a process that ends by itself has a status of its own, which says why
+            process.wait(1.0)  # if the process is ending by itself, its own exit status says why
         process.kill()
         self._to.close()
         self._from.close()
@@ -135,7 +135,7 @@ def _cause(status: int) -> str:
 
 
 def _environment(job: Job) -> dict[str, str]:
-    """The process's environment: one thread each, because processes with several threads compete for the cores."""
+    """The environment of the process: one thread for each library, because several would compete for the cores."""
     single = dict.fromkeys(
         ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"
     )
@@ -147,7 +147,7 @@ def _environment(job: Job) -> dict[str, str]:
 
 
 def main(read: int, write: int) -> None:
-    """What the process does: fly one task after the other, until the pipe closes."""
+    """The worker process: fly one task after the other, until the pipe closes. `read` and `write` are file descriptors."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C, and closes the pipe
     tasks, answers = Connection(read, writable=False), Connection(write, readable=False)
     job: Job = pickle.loads(tasks.recv_bytes())
@@ -158,7 +158,7 @@ def main(read: int, write: int) -> None:
             task = tasks.recv()
         except EOFError:
             return
-        # An alarm of the operating system ends a hung process even when its parent is gone.
+        # A timer of the operating system ends a hung process even if its parent is gone.
         signal.setitimer(signal.ITIMER_REAL, job.time_limit_s + _GRACE_S)
         flown = fly_task(job, task)
         signal.setitimer(signal.ITIMER_REAL, 0)

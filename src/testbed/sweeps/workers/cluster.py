@@ -1,4 +1,4 @@
-"""The same flights on a Dask cluster. Its workers need only this package: everything else is sent with each task.
+"""Fly a sweep on a Dask cluster. Its workers need only this package: everything else is sent with each task.
 
 Every flight runs in a child process of a Dask worker, so that crashes and hangs give the same rows as on one machine.
 When a Dask worker dies, the scheduler gives its tasks to another.
@@ -31,7 +31,7 @@ _CONNECT_S = 20
 _AHEAD = 3
 """Tasks sent ahead for each thread of the cluster, so that none waits for work."""
 _TRIES = 5
-"""How often a flight is sent at most, when its Dask workers die."""
+"""How often a flight is sent at most if its Dask workers die."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ def fly_on_cluster(
 ) -> Generator[tuple[Task, Flown], None, None]:
     """Fly every task on the cluster at this address; yields each as it finishes, in no order.
 
-    Raises BadInput when there is no cluster, it has gone, or its workers cannot fly.
+    Raises BadInput when no cluster answers, the cluster fails, or its workers cannot fly.
     """
     try:
         from distributed import Client, as_completed
@@ -95,7 +95,7 @@ def _room(client: Any) -> int:
 
 
 def _raise_unless_worth_retrying(future: Any, tries: int, address: str) -> None:
-    """Raise BadInput unless sending the flight again may help, because its worker died or its data was lost."""
+    """Raise BadInput, unless sending the flight again may help, as when its Dask worker died or its result was lost."""
     if future.status == "error":
         error = future.exception()
         if isinstance(error, BadInput):
@@ -108,7 +108,7 @@ def _raise_unless_worth_retrying(future: Any, tries: int, address: str) -> None:
 
 
 def fly_packed(packed: PackedJob, task: Task) -> Flown:
-    """On a Dask worker: fly one task in a child process, which is kept for the next task of the same sweep."""
+    """On a Dask worker: fly one task in a child process, which then waits for the next task of the same sweep."""
     children = _children(packed)
     child = children.take()
     try:
@@ -119,7 +119,7 @@ def fly_packed(packed: PackedJob, task: Task) -> Flown:
 
 @dataclass
 class _Children:
-    """The child processes of a Dask worker for one sweep; `idle` are those that fly nothing just now."""
+    """The child processes of a Dask worker for one sweep; `idle` are those that are not flying."""
 
     job: Job
     idle: queue.LifoQueue[Child] = field(default_factory=queue.LifoQueue)
@@ -144,13 +144,13 @@ _by_digest_lock = threading.Lock()
 def _children(packed: PackedJob) -> _Children:
     with _by_digest_lock:
         if packed.digest not in _by_digest:
-            _close_all()  # an earlier sweep's
+            _close_all()  # those of an earlier sweep
             _by_digest[packed.digest] = _Children(_unpack(packed))
         return _by_digest[packed.digest]
 
 
 def _unpack(packed: PackedJob) -> Job:
-    """The job, with its aircraft unpacked into a folder named by the digest, which other processes may share."""
+    """The job, with its aircraft unpacked into a folder that is named by the digest and shared with other processes."""
     job, name, files = pickle.loads(zlib.decompress(packed.content))
     root = Path(tempfile.gettempdir()) / f"testbed-{os.getuid()}-{packed.digest}"
     if not root.is_dir():

@@ -1,7 +1,7 @@
-"""One flight of a sweep, in a worker process: fly it, and say what is kept of it.
+"""One flight of a sweep, in a worker process: fly it, and make the record that is kept of it.
 
-The record of a flight, which becomes a line of the journal and a row of the table: `run`, `variant`, `seed`, `values`
-(those drawn), `outcome`, `passed`, `reason` (why there is no result), `end_time_s`, `metrics`, and `requirements`
+The record of a flight becomes a line of the journal and a row of the table. It has `run`, `variant`, `seed`, `values` (those
+drawn), `outcome`, `passed`, `reason` (why there is no result), `end_time_s`, `metrics`, and `requirements`
 [[passed, value], ...]. A flight without a result has no `end_time_s`, `metrics` and `requirements`.
 """
 
@@ -27,7 +27,7 @@ Fly = Callable[[Scenario], Flight]
 FLY = "testbed.simulation:fly"
 SAVE_LOGS = ("none", "failed", "all")
 _LONGEST_REASON = 300
-"""Longest reason that is kept [characters]."""
+"""Longer reasons are cut to this length [characters]."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Job:
 
 @dataclass(frozen=True)
 class Flown:
-    """What is kept of one flight: its record, its error history, and its log as Parquet or nothing."""
+    """What is kept of one flight: its record, its error history, and its log as Parquet (empty if it is not kept)."""
 
     record: dict[str, Any]
     history: bytes = b""
@@ -52,7 +52,7 @@ class Flown:
 
 
 def fly_reference(fly: Fly | None) -> str:
-    """A function as `module:name`, for worker processes to import; raises BadInput when they could not."""
+    """A function as `module:name`, for worker processes to import; raises BadInput if they could not import it."""
     if fly is None:
         return FLY
     module, name = getattr(fly, "__module__", ""), getattr(fly, "__qualname__", "<")
@@ -63,7 +63,7 @@ def fly_reference(fly: Fly | None) -> str:
 
 
 def fly_task(job: Job, task: Task, keep: Callable[[Flight], object] = lambda _: None) -> Flown:
-    """Fly one task; an exception becomes a record with its reason. `keep` is called with the whole flight."""
+    """Fly one task; an exception becomes a record with the reason. `keep` is called with the whole flight."""
     try:
         scenario = job.builder.scenario(task)
     except BadInput as error:
@@ -79,10 +79,9 @@ def fly_task(job: Job, task: Task, keep: Callable[[Flight], object] = lambda _: 
 
 
 def not_flown(task: Task, outcome: str, reason: str) -> Flown:
-    """The record of a flight that has no result: it counts as not passed."""
-    reason = re.sub(
-        r"0x[0-9a-f]{6,}", "0x...", " ".join(reason.split())
-    )  # addresses differ between processes
+    """The record of a flight that has no result, which counts as not passed."""
+    # Memory addresses differ between processes.
+    reason = re.sub(r"0x[0-9a-f]{6,}", "0x...", " ".join(reason.split()))
     return Flown({**_head(task), "outcome": outcome, "passed": False, "reason": reason[:_LONGEST_REASON]})
 
 
@@ -105,15 +104,15 @@ def _flown(job: Job, task: Task, flight: Flight) -> Flown:
 
 
 def _parquet(flight: Flight) -> bytes:
-    """The log in single precision; `--only` flies the flight again, bit for bit."""
+    """The log in single precision, to save space; for full precision `--only` flies the flight again, bit for bit."""
     import pyarrow as pa
     import pyarrow.parquet as pq
 
-    # From the memory itself: pa.array would import pandas, which takes 60 MB in every worker.
+    # Not by pa.array, which would import pandas; that takes 60 MB in every worker.
     columns = [
         _column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))
     ]
-    columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time keeps its last digits
+    columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time stays in double precision
     stream = io.BytesIO()
     table = pa.Table.from_arrays(columns, names=list(flight.columns))
     pq.write_table(table, stream, compression="zstd", use_byte_stream_split=True, use_dictionary=False)
@@ -129,7 +128,7 @@ def _number(value: Any) -> float:
 
 
 def _place_free(problem: Problem) -> str:
-    """A problem without file and line, which may differ from machine to machine."""
+    """A problem as text without file and line, which may differ from machine to machine."""
     return str(Problem(problem.what, "", None, problem.path, problem.expected, problem.suggestion))
 
 

@@ -1,4 +1,4 @@
-"""Worker processes on this machine. Each has a thread, so that a slow or hung process keeps no other waiting."""
+"""Worker processes on this machine. Each has its own thread in the parent, so that none waits for a slow or hung one."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def fly_locally(job: Job, tasks: Iterable[Task], jobs: int | None = None) -> Gen
         feed.stop()
         for child in children:
             child.close()
-        while any(thread.is_alive() for thread in threads):  # one may wait for room in the queue
+        while any(thread.is_alive() for thread in threads):  # a thread may be waiting for room in the queue
             try:
                 done.get(timeout=0.05)
             except queue.Empty:
