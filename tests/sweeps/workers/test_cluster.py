@@ -118,5 +118,5 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
 
 def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
-    with pytest.raises(BadInput, match="there is no aircraft"):
+    with pytest.raises(BadInput, match="there is no folder"):
         pack(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))
