@@ -22,15 +22,15 @@ from testbed.controllers.user.loader import name_of
 from testbed.flight.columns import Recorded, all_columns, table
 from testbed.flight.events import controller_events
 from testbed.flight.flight import Flight, Outcome
-from testbed.flight.verdict import judge
+from testbed.flight.requirements import judge
 from testbed.injection.injector import Injector
 from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE as METRICS
 from testbed.metrics import Readings, adaptation_rates, measure
+from testbed.plant.envelope import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENVELOPE, limits_of, observe
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
-from testbed.plant.truth import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENVELOPE, limits_of, observe
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.load import Scenario, load_scenario
 from testbed.scenario.references import references

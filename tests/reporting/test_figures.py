@@ -86,7 +86,7 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path: Path) -> None:
 
 def test_reading_side_needs_no_simulator() -> None:
     code = (
-        "import sys, testbed.reporting.run_report, testbed.metrics, testbed.reporting.figures.states, testbed.flight.verdict;"
+        "import sys, testbed.reporting.run_report, testbed.metrics, testbed.reporting.figures.states, testbed.flight.requirements;"
         "bad = {'jsbsim', 'numba', 'matplotlib.pyplot', 'testbed.plant.jsbsim', 'testbed.simulation'}"
         " & set(sys.modules);"
         "sys.exit(', '.join(bad) or 0)"

@@ -2,5 +2,5 @@
 
 `flight` has the class `Flight`; `display` shows it in a terminal or a notebook; `folder` writes and reads its run folder.
 `columns` names and fills the columns of the log, and finds rows in it. `breakage` says which actuator was broken and since
-when, `events` what the controller did, and `verdict` which requirements were met.
+when, `events` what the controller did (detections with their delay), and `requirements` which requirements were met.
 """

@@ -27,7 +27,7 @@ class Accelerated(Protocol):
 
 
 class IdealSensors:
-    """The controller is told the truth, bit for bit: `plant.truth.observe` copies it to the measured state."""
+    """The controller is told the truth, bit for bit: `plant.envelope.observe` copies it to the measured state."""
 
     real = False
 

@@ -24,8 +24,8 @@ from typing import Any
 from testbed.aircraft.description import load_aircraft
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.drawing.builder import Task
-from testbed.sweeps.workers.child import Child
 from testbed.sweeps.workers.flying import Flown, Job
+from testbed.sweeps.workers.worker import Child
 
 _CONNECT_S = 20
 _AHEAD = 3

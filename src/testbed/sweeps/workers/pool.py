@@ -8,8 +8,8 @@ import threading
 from collections.abc import Generator, Iterable
 
 from testbed.sweeps.drawing.builder import Task
-from testbed.sweeps.workers.child import Child
 from testbed.sweeps.workers.flying import Flown, Job
+from testbed.sweeps.workers.worker import Child
 
 Done = tuple[Task, Flown]
 

@@ -10,8 +10,8 @@ from sweep_flights import bad
 
 import testbed
 from testbed.sweeps.load import load_sweep
-from testbed.sweeps.workers.child import Child
 from testbed.sweeps.workers.flying import Job
+from testbed.sweeps.workers.worker import Child
 
 MISBEHAVIOURS: list[tuple[float, str, str]] = [
     (0.1, "error", "ValueError: the flight went wrong"),

@@ -1,6 +1,6 @@
 """A worker process: it reads tasks from one pipe and writes results to another. It may crash or hang without harm to others.
 
-`python -m testbed.sweeps.workers.child READ WRITE` is the process, with the file descriptors of the two pipes; `Child` is
+`python -m testbed.sweeps.workers.worker READ WRITE` is the process, with the file descriptors of the two pipes; `Child` is
 its handle in the parent. multiprocessing's pool is not used, because it waits for ever if one of its processes is killed,
 and because a Dask worker may not start one.
 """
@@ -96,7 +96,7 @@ class Child:
         theirs_in, ours_out = os.pipe()
         ours_in, theirs_out = os.pipe()
         self._to, self._from = Connection(ours_out, readable=False), Connection(ours_in, writable=False)
-        command = [sys.executable, "-m", "testbed.sweeps.workers.child", str(theirs_in), str(theirs_out)]
+        command = [sys.executable, "-m", "testbed.sweeps.workers.worker", str(theirs_in), str(theirs_out)]
         with tempfile.TemporaryFile() as words:
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,

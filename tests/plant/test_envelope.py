@@ -7,7 +7,7 @@ import pytest
 
 from testbed.aircraft.description import Envelope
 from testbed.common.signals import STATE
-from testbed.plant.truth import (
+from testbed.plant.envelope import (
     DIVERGED,
     GOES_ON,
     GROUND_M,

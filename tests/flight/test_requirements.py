@@ -9,7 +9,7 @@ import pytest
 from handmade import flight_of, level_log
 
 from testbed.flight.flight import Outcome
-from testbed.flight.verdict import judge
+from testbed.flight.requirements import judge
 from testbed.scenario.requirement import Requirement
 
 
