@@ -20,7 +20,7 @@ from testbed.controllers.inversion.mode_trim import (
     steady_flight,
 )
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
-from testbed.controllers.records import ALPHA, BETA, PITCH, ROLL
+from testbed.controllers.records import ALPHA, BETA, PITCH, REGULATOR_STATE, ROLL
 from testbed.controllers.setup import Setup
 
 SETUP = vtail_setup()
@@ -59,6 +59,27 @@ def test_a_trim_is_steady_within_the_stops(failed: tuple[int, ...]) -> None:
     inside = mode_trim._BEYOND_STOPS * left.limits
     assert np.all((flight.positions >= inside[:, 0]) & (flight.positions <= inside[:, 1]))
     assert flight.positions[list(failed)] == pytest.approx((np.array(MODEL.trim) / SETUP.scale)[list(failed)])
+
+
+def test_a_trim_beyond_the_stall_is_not_plausible() -> None:
+    """The design model is linear and trims anywhere; alpha is limited to 0.25 rad, sideslip to 0.4 rad, bank not at all."""
+    problem = TrimProblem(remaining())
+    flight, _ = steady_flight(problem.remaining, LOOPS, "")
+
+    def plausible(**changes: float) -> bool:
+        state = flight.state.copy()
+        for name, value in changes.items():
+            state[REGULATOR_STATE.index(name)] = value
+        return problem._plausible(SteadyFlight(state, flight.positions))
+
+    assert plausible() and plausible(alpha=0.24) and plausible(beta=-0.39) and plausible(roll=0.6)
+    assert not plausible(alpha=0.26) and not plausible(beta=0.41) and not plausible(airspeed=0.49 * V)
+
+
+def test_a_jam_that_level_flight_meets_only_in_a_stall_descends() -> None:
+    """Right surface lost, right propeller jammed at 6.1 N: the level trim would be at 9.8 m/s and 16 deg of alpha."""
+    flight, held = steady_flight(remaining(1, 3, jammed={3: 3.038}), LOOPS, "")
+    assert held == ("airspeed", "heading") and flight.state[ALPHA] < 0.1
 
 
 def test_mirrored_failures_have_mirrored_trims() -> None:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
+import os
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from command_line import ROOT
 from scipy.linalg import expm
 from vtail_setup import vtail_setup
 
@@ -101,3 +105,22 @@ def test_a_regulator_is_kept_and_so_is_that_there_is_none() -> None:
     for _ in range(2):
         with pytest.raises(NoSteadyFlight, match="one actuator cannot hold"):
             regulator_for(SETUP, hopeless)
+
+
+@pytest.mark.slow
+def test_the_number_of_blas_threads_changes_no_bit() -> None:
+    """A flight alone has all threads, a sweep's worker one. With two, LAPACK solves larger problems in another order."""
+    code = (
+        "from vtail_setup import vtail_setup; from testbed.controllers.inversion.modes import enumerate_modes\n"
+        "from testbed.controllers.inversion.regulator import design_regulator\n"
+        "setup = vtail_setup(); modes = enumerate_modes(setup.model, setup.scale, setup.control)\n"
+        "print(*(design_regulator(setup, modes[pair]).K.tobytes().hex() for pair in [(0, 3), (2, 3), (1,)]))"
+    )
+    path = os.pathsep.join([str(ROOT / "tests" / "support"), os.environ.get("PYTHONPATH", "")])
+    designs = set()
+    for threads in ("1", "2"):
+        environment = {**os.environ, "PYTHONPATH": path, "OPENBLAS_NUM_THREADS": threads}
+        command = [sys.executable, "-c", code]
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        designs.add(done.stdout)
+    assert len(designs) == 1

@@ -16,14 +16,15 @@ from testbed.aircraft.control_design import Loops
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.frames import level_pitch
 from testbed.controllers.inversion.modes import Mode
-from testbed.controllers.records import AIRSPEED, BETA, REGULATOR_STATE, ROLL
+from testbed.controllers.records import AIRSPEED, ALPHA, BETA, REGULATOR_STATE
 from testbed.controllers.setup import Setup
 
 _BEYOND_STOPS = 1.3
 """Factor on the stops within which a trim is accepted as a last resort. A model with errors of 20 % can place a trim that far
 off, and regulating about a trim near the true one is better than having none."""
-_BETA_MAX, _ROLL_MAX, _SLOWEST = 0.25, 0.4, 0.5
-"""Largest sideslip and bank [rad], and least fraction of the reference airspeed, of a plausible trim."""
+_ALPHA_MAX, _BETA_MAX, _SLOWEST = 0.25, 0.4, 0.5
+"""Angle of attack and sideslip [rad], and share of the reference airspeed, beyond which a solution is no plausible trim:
+the design model is linear there, the aircraft is not."""
 _DESCENT = -0.08  # rad, first guess of the path angle
 _SYMMETRY = np.diag([-1.0, 1.0, -1.0, 1.0])
 """Turns an actuator's effect on the rates (`signals.RATES`) into that of its mirror image: p_dot and r_dot change sign."""
@@ -160,10 +161,10 @@ class TrimProblem:
     def _plausible(self, flight: SteadyFlight) -> bool:
         """Whether a solution is within the stops and near ordinary flight: the equations have spurious solutions far from it."""
         limits, state = self.stop_factor * self.remaining.limits, flight.state
-        airspeed, beta, roll = state[AIRSPEED], state[BETA], state[ROLL]
+        airspeed, alpha, beta = state[AIRSPEED], state[ALPHA], state[BETA]
         inside = np.all((flight.positions >= limits[:, 0] - 1e-9) & (flight.positions <= limits[:, 1] + 1e-9))
         slowest = _SLOWEST * self.remaining.model.airspeed_m_s
-        return bool(inside and abs(beta) < _BETA_MAX and abs(roll) < _ROLL_MAX and airspeed > slowest)
+        return bool(inside and abs(alpha) < _ALPHA_MAX and abs(beta) < _BETA_MAX and airspeed > slowest)
 
 
 def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlight, tuple[str, ...]]:

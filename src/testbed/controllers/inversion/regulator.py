@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import solve_continuous_are
+from threadpoolctl import threadpool_limits
 
 from testbed.aircraft.control_design import RegulatorWeights
 from testbed.common.cache import Cache
@@ -76,8 +77,9 @@ def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tupl
     Raises:
         numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach.
     """
-    K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
-    return K, np.linalg.eigvals(A - B @ K)
+    with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so a flight's bytes
+        K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
+        return K, np.linalg.eigvals(A - B @ K)
 
 
 def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | None = None) -> Regulator:
