@@ -1,11 +1,14 @@
-"""What a controller is given before a flight: the design model and the designer's choices, never the plant."""
+"""What a controller is given before a flight: the design model and the designer's choices, never the plant.
+
+One controller is an exception: `oracle` is told the truth about the actuators, as a bound for the others (`Setup.truth`).
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -35,6 +38,20 @@ class ActuatorData:
     rate: float
 
 
+class ActuatorTruth(NamedTuple):
+    """What is true of the n actuators in the present control step.
+
+    Attributes:
+        effectiveness: [n] of each, 1 healthy, 0 lost.
+        follows: [n] whether the actuator follows its command.
+        position: [n] as if fully effective [rad or N].
+    """
+
+    effectiveness: Sequence[float]
+    follows: Sequence[bool]
+    position: Sequence[float]
+
+
 @dataclass(frozen=True)
 class Setup:
     """All that a controller knows when the flight begins.
@@ -48,6 +65,7 @@ class Setup:
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
         trim_pitch: pitch angle [rad] at the start.
         settings: the scenario's `controller` block.
+        truth: for `oracle` alone, a function that tells the truth about the actuators; None for every other controller.
     """
 
     aircraft: str
@@ -59,6 +77,7 @@ class Setup:
     trim_positions: Sequence[float]
     trim_pitch: float
     settings: ControllerSettings
+    truth: Callable[[], ActuatorTruth] | None = None
 
     @property
     def scale(self) -> np.ndarray:
