@@ -28,12 +28,12 @@ from testbed.inputs.yaml_source import parse
 TUNING_END, REPORTING_START = 50000, 90001
 """Seeds for tuning are below the first; those for reporting start at the second."""
 CONTROLLERS: dict[str, Mapping[str, Any]] = {
-    "default": {"type": "adaptive_inversion", "estimation": "weighted", "released": ["p_dot"]},
-    "oracle": {"type": "oracle", "released": ["p_dot"]},
-    "fixed_inversion": {"type": "fixed_inversion", "released": ["p_dot"]},
-    "indi": {"type": "indi", "released": ["p_dot"]},
+    "default": {"type": "adaptive_inversion"},
+    "oracle": {"type": "oracle"},
+    "fixed_inversion": {"type": "fixed_inversion"},
+    "indi": {"type": "indi"},
     "pid": {"type": "pid"},
-    "paper": {"type": "adaptive_inversion", "estimation": "newton", "filter_rad_s": 20.0},
+    "paper": {"type": "adaptive_inversion", "preset": "paper", "filter_rad_s": 20.0},
 }
 
 

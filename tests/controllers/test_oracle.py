@@ -22,7 +22,7 @@ BROKEN_S = 3.0
 
 def flown(folder: Path, seconds: float, *failures: str) -> Readings:
     text = f"failures=[{', '.join(failures)}]"
-    return readings(fly(scenario(folder, "oracle", seconds, "controller.released=[p_dot]", text)))
+    return readings(fly(scenario(folder, "oracle", seconds, text)))
 
 
 def test_a_loss_is_known_in_its_own_step(tmp_path: Path) -> None:
