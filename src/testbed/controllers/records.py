@@ -113,6 +113,7 @@ SETTINGS = (
         "scaled/sqrt(s)",
         "of a jammed actuator's position, modelled as a random walk",
     ),
+    Field("forgetting_time", (), "s", "time constant of forgetting in recursive least squares"),
     Field("noise", (4,), "x_c/sqrt(Hz)", "disturbance by gusts, root of its two-sided spectral density"),
     Field("model_error_std", (4,), "x_c", "standard deviation of the model error at the model's own trim"),
     Field("model_error_rate", (), "1/s", "one over the correlation time of the model's error"),
