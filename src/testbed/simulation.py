@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.controllers import Controller
+from testbed.controllers.config import OracleSettings
 from testbed.controllers.make import make_controller
 from testbed.controllers.setup import Setup, setup_for
 from testbed.controllers.user.adapter import adapted
@@ -24,6 +25,7 @@ from testbed.flight.events import controller_events
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.requirements import judge
 from testbed.injection.injector import Injector
+from testbed.injection.truth import Truth
 from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE as METRICS
 from testbed.metrics import Readings, adaptation_rates, measure
@@ -92,12 +94,15 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     begin_at(plant, start)
     weather.begin()
     setup = _setup(scenario, aircraft, start)
+    injector = Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed)
+    if controller is None and isinstance(scenario.controller, OracleSettings):
+        setup = replace(setup, truth=Truth(plant, injector))
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
         controller=adapted(controller, setup) if controller else make_controller(setup),
-        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
+        injector=injector,
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),

@@ -198,11 +198,20 @@ class IndiSettings(ControllerSettings):
     """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
 
 
+class OracleSettings(ControllerSettings):
+    """The law of `adaptive_inversion`, told the true effectiveness and failures at once: the bound of any diagnosis."""
+
+    type: Literal["oracle"] = "oracle"
+    threshold: Fraction = 0.05
+    """An actuator with this true effectiveness or less is given up as failed."""
+
+
 TABLE: dict[str, type[ControllerSettings]] = {
     "adaptive_inversion": AdaptiveInversionSettings,
     "fixed_inversion": FixedInversionSettings,
     "pid": PidSettings,
     "indi": IndiSettings,
+    "oracle": OracleSettings,
 }
 """Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""
 

@@ -11,10 +11,12 @@ from testbed.controllers.config import (
     ControllerSettings,
     FixedInversionSettings,
     IndiSettings,
+    OracleSettings,
     PidSettings,
 )
 from testbed.controllers.indi import IndiController
 from testbed.controllers.inversion.controller import InversionController
+from testbed.controllers.oracle import OracleController
 from testbed.controllers.pid import PidController
 from testbed.controllers.setup import Setup
 
@@ -23,6 +25,7 @@ CONSTRUCTORS: dict[type[ControllerSettings], Callable[[Setup], Controller]] = {
     FixedInversionSettings: partial(InversionController, adapts=False),
     PidSettings: PidController,
     IndiSettings: IndiController,
+    OracleSettings: OracleController,
 }
 
 

@@ -32,6 +32,7 @@ class Reversal(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["reversal"] = "reversal"
+    follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = {"servo": {}}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -42,6 +43,7 @@ class Stuck(ActuatorFailure):
     """A surface keeps the position, and a motor the throttle, that it has when the failure starts."""
 
     type: Literal["stuck"] = "stuck"
+    follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = both({})
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -56,6 +58,7 @@ class StuckAt(ActuatorFailure):
     """The servo moves to `value`, with its usual lag and rate, and stays there; a motor runs at throttle `value`."""
 
     type: Literal["stuck_at"] = "stuck_at"
+    follows_command: ClassVar[bool] = False
     value: Number
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": 0.3})
 
@@ -72,6 +75,7 @@ class Hardover(ActuatorFailure):
     """The servo drives to its highest (`to: max`) or lowest (`to: min`) stop; a motor to full or no throttle."""
 
     type: Literal["hardover"] = "hardover"
+    follows_command: ClassVar[bool] = False
     to: Literal["max", "min"] = "max"
     examples: ClassVar[Examples] = both({"to": "max"})
 
@@ -86,6 +90,7 @@ class Float(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["float"] = "float"
+    follows_command: ClassVar[bool] = False
     gain: Annotated[Number, Field(ge=0, le=1)] | None = None
     examples: ClassVar[Examples] = {"servo": {}}
 

@@ -46,6 +46,7 @@ class MotorStop(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("motor",)
     type: Literal["motor_stop"] = "motor_stop"
+    follows_command: ClassVar[bool] = False
     braked: StrictBool = False
     examples: ClassVar[Examples] = {"motor": {}}
 

@@ -76,6 +76,7 @@ class Runaway(ActuatorFailure):
     """The servo or throttle moves from where it is, at `rate` per second, to its highest (`to: max`) or lowest (`to: min`) stop."""
 
     type: Literal["runaway"] = "runaway"
+    follows_command: ClassVar[bool] = False
     rate: Positive
     to: Literal["max", "min"] = "max"
     examples: ClassVar[Examples] = both({"rate": 10.0}, {"rate": 0.3})

@@ -45,6 +45,15 @@ class InversionController:
         """See `Controller.reasons`."""
         return self._modes.reasons
 
+    @property
+    def memory(self) -> np.ndarray:
+        """The law's memory, an array of one record of `records.MEMORY`."""
+        return self._memory
+
+    def switch(self, step: int) -> None:
+        """Put the mode in force that belongs to the flags in `memory`, from row `step` on."""
+        self._modes.switch(step)
+
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
         self._parts = (states, setpoints, telemetry, *self._own)
@@ -54,6 +63,6 @@ class InversionController:
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
         if self._step(step, self._parts):
-            self._modes.switch(step)
+            self.switch(step)
             self._command(step, self._parts)
         return self._commands
