@@ -75,7 +75,7 @@ def indi_step(step, parts):
         pid_loops(y, ref, c, s, w.f, w.nu)
     for i in range(4):
         w.nu[i] = (w.nu[i] if k.regulated else s.x_dc_dot[i]) - w.z[i]
-    allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s)
+    allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
 
 

@@ -86,5 +86,5 @@ def command_step(step, parts):
         regulate(y, ref, m, c, k, s, w.f, w.nu)
     else:
         pid_loops(y, ref, c, s, w.f, w.nu)
-    allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s)
+    allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
