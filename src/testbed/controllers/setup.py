@@ -107,7 +107,7 @@ def setup_for(
     actuators = []
     for actuator, unit in zip(aircraft.actuators.values(), units, strict=True):
         low, high = actuator.limits
-        lag, rate = actuator.lag_rad_s, actuator.rate_limit
+        lag, rate = actuator.lag_rad_s or math.inf, actuator.rate_limit
         actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
     return Setup(
         aircraft=aircraft.name,

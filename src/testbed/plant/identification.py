@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from testbed.aircraft.description import Aircraft
+from testbed.aircraft.description import Aircraft, MotorActuator
 from testbed.aircraft.design_model import (
     COLUMNS,
     DESIGN_MODEL,
@@ -167,7 +167,7 @@ def _state_column(plant: Plant, level: Trim, name: str) -> np.ndarray:
 def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
     """Thrust and torque coefficients over the advance ratio, measured with the airframe held, and the motor; None for a servo."""
     actuator = list(plant.aircraft.actuators.values())[i]
-    if actuator.kind == "servo":
+    if not isinstance(actuator, MotorActuator):
         return None
     engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
     density = plant["atmosphere/rho-slugs_ft3"] * _SLUG_FT3
