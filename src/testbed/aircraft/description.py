@@ -179,6 +179,11 @@ class Aircraft(Settings):
         """The aircraft's folder: its YAML and the JSBSim model's files."""
         return self._folder
 
+    @property
+    def has_engines(self) -> bool:
+        """Whether it has engines, which take their own time to become steady."""
+        return any(isinstance(a, Engine) for a in self.actuators.values())
+
     def fingerprint(self) -> str:
         """Hash of everything that the plant and its trim depend on: JSBSim files, actuators, reference, start; not `control`.
 

@@ -25,7 +25,8 @@ from testbed.aircraft.design_model import (
 from testbed.common.cache import Cache
 from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
 from testbed.plant.jsbsim import Plant
-from testbed.plant.trim import Trim, accelerations, trim
+from testbed.plant.settling import accelerations
+from testbed.plant.trim import Trim, trim
 
 _PHYSICS_HZ = 200.0
 _SLUG_FT3 = 515.378818393  # kg/m3 in one slug/ft3
@@ -98,10 +99,10 @@ def stored(aircraft: Aircraft) -> DesignModel:
 
 
 def _rates(
-    plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = 1.5
+    plant: Plant, state: Mapping[str, float], commands: Sequence[float], for_s: float | None = None
 ) -> np.ndarray:
-    """[6] accelerations by `design_model.ROWS` [rad/s2, m/s2], with the airframe held in a state for `settle_s` [s]."""
-    return accelerations(plant, state, commands, settle_s)[_ROW_ORDER]
+    """[6] accelerations by `design_model.ROWS` [rad/s2, m/s2], with the airframe held in a state (see `settle_at`)."""
+    return accelerations(plant, state, commands, for_s)[_ROW_ORDER]
 
 
 def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
@@ -130,7 +131,7 @@ def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
     name = f"propulsion/engine[{motor.engine}]/propeller-torque-ftlb"
     steady = _rates(plant, level.state, level.commands)
     before = abs(plant[name])
-    stepped = _rates(plant, level.state, _changed(level.commands, i, _THROTTLE_STEP), settle_s=plant.dt_s)
+    stepped = _rates(plant, level.state, _changed(level.commands, i, _THROTTLE_STEP), for_s=plant.dt_s)
     return (stepped - steady) / ((abs(plant[name]) - before) * NEWTON_METRES_PER_FOOT_POUND)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from testbed.aircraft.description import AnyActuator, Servo
 from testbed.common.signals import STATE
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
@@ -11,6 +13,9 @@ Property = tuple[str, float]
 
 # Radii of the Earth's curvature where flights start, on the equator: north-south and east-west (WGS84).
 _MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
+
+EARTH_DEG_S = math.degrees(7.292115e-5)
+"""Rate at which the Earth turns (WGS84)."""
 
 _OF: dict[str, Property] = {
     "north": ("position/lat-geod-rad", _MERIDIAN_M),
