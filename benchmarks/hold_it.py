@@ -28,7 +28,7 @@ from testbed.inputs.yaml_source import parse
 from testbed.simulation import fly
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
 
-CONTROLLER = "{type: adaptive_inversion, estimation: weighted, released: [p_dot]}"
+CONTROLLER = "{type: adaptive_inversion}"
 BASE = """\
 name: hold it
 aircraft: vtail

@@ -31,6 +31,7 @@ from testbed.plant.envelope import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENV
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
+from testbed.scenario import conditions
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.load import Scenario, load_scenario
 from testbed.scenario.references import references
@@ -154,6 +155,8 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         for name, actuator in aircraft.actuators.items()
     }
     warnings = parts.injector.finish()
+    if not parts.flown_by:
+        warnings += conditions.warnings(scenario)
     events = _events(parts, log, steps)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
     metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
@@ -34,10 +35,14 @@ def collect(problems: list[Problem], function: Callable[[], Result]) -> Result |
 
 
 def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
-    """The scenario in a file, with its names also checked against the log's columns, the metrics and the JSBSim model."""
+    """The scenario in a file, with its names also checked against the log's columns, the metrics and the JSBSim model.
+
+    Conditions that its controller is not made for are printed on stderr.
+    """
     from testbed.aircraft.description import load_aircraft
     from testbed.flight.columns import all_columns
     from testbed.metrics import TABLE as METRICS
+    from testbed.scenario import conditions
     from testbed.scenario.checks import unknown_names
     from testbed.scenario.load import load_scenario
 
@@ -51,6 +56,8 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     problems = unknown_names(scenario, aircraft, all_columns(aircraft, scenario), METRICS, properties)
     if problems:
         raise BadInput(problems)
+    for warning in conditions.warnings(scenario):
+        print(f"WARNING: {warning}", file=sys.stderr)
     return scenario
 
 

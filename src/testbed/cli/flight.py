@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,13 +29,14 @@ def fly(options: argparse.Namespace) -> bool:
     if scenario is None or problems:
         raise BadInput(problems)
     from testbed.common.jit import has_compiled
+    from testbed.scenario import conditions
     from testbed.simulation import fly
 
     if not has_compiled():
         print("compiling the control law for the first flight: some seconds, once", file=sys.stderr)
     flight = fly(scenario, controller)
     folder = write(flight, options.out, _presentation(flight, figures=not options.no_plots))
-    _print_verdict(flight)
+    _print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
     return flight.passed
 
@@ -85,7 +86,8 @@ def write(flight: Flight, out: Path | None, add: Callable[[Path], None]) -> Path
     raise AssertionError("unreachable: count() does not end")
 
 
-def _print_verdict(flight: Flight) -> None:
+def _print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
+    """Print how the flight ended, and its warnings but those that were `said` before it."""
     print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s")
     if flight.flown_by:
         print(f"flown by {flight.flown_by}")
@@ -97,5 +99,5 @@ def _print_verdict(flight: Flight) -> None:
         if event["kind"] == "diagnosis":
             print(f"  controller at {event['time_s']:.1f} s: {event['text']}")
     print("passed" if flight.passed else "not passed")
-    for warning in flight.warnings:
+    for warning in [text for text in flight.warnings if text not in said]:
         print(f"WARNING: {warning}", file=sys.stderr)

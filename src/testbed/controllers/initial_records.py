@@ -88,6 +88,10 @@ def _fill_loops(c: np.record, setup: Setup) -> None:
 
 def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tuple[str, ...]) -> None:
     c.adapts, c.weighted = True, chosen.estimation == "weighted"
+    c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
+    c.tests_jams = "jam_test" not in chosen.ablate
+    if "model_error" in chosen.ablate:
+        c.model_error_std[:], c.coefficient_error = 0.0, 0.0
     c.gamma[:] = [chosen.gamma.of(kind) for kind in kinds]
     c.epsilon[:] = [chosen.epsilon.of(kind) for kind in kinds]
     c.threshold, c.persistence = chosen.threshold, chosen.persistence_s

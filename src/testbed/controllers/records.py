@@ -91,6 +91,9 @@ MODEL = (
 SETTINGS = (
     Field("dt", (), "s", "control step"),
     Field("adapts", (), "flag", "estimate effectiveness and monitor it"),
+    Field("uncompensated", (), "flag", "references are not divided by the estimates"),
+    Field("monitors", (), "flag", "flag actuators whose estimate is low", "section 2.3"),
+    Field("tests_jams", (), "flag", "look for jammed, offset and reversed actuators"),
     Field("weighted", (), "flag", "estimate with a Kalman gain in place of (13)"),
     Field("gamma", (_N,), "1/s", "adaptation rate", "(13)"),
     Field("epsilon", (_N,), "scaled", "half-width of g", "(14)"),

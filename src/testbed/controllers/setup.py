@@ -12,7 +12,9 @@ import numpy as np
 from testbed.aircraft.control_design import ControlDesign
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DesignModel
+from testbed.common.signals import RATES
 from testbed.controllers.config import ControllerSettings
+from testbed.controllers.released_axes import released_from_start
 
 S = TypeVar("S", bound=ControllerSettings)
 
@@ -48,6 +50,7 @@ class Setup:
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
         trim_pitch: pitch angle [rad] at the start.
         settings: the scenario's `controller` block.
+        released: axes that are given up while no actuator is flagged as failed, in the order of `signals.RATES`.
     """
 
     aircraft: str
@@ -59,6 +62,7 @@ class Setup:
     trim_positions: Sequence[float]
     trim_pitch: float
     settings: ControllerSettings
+    released: tuple[str, ...] = ()
 
     @property
     def scale(self) -> np.ndarray:
@@ -103,7 +107,7 @@ def setup_for(
         positions: [n] actuator positions at the start, in each actuator's `unit` (deg, N).
         pitch: pitch angle at the start [rad].
     """
-    units = [math.radians(1.0) if a.kind == "servo" else 1.0 for a in aircraft.actuators.values()]
+    units = [_unit(a.kind) for a in aircraft.actuators.values()]
     actuators = []
     for actuator, unit in zip(aircraft.actuators.values(), units, strict=True):
         low, high = actuator.limits
@@ -112,11 +116,30 @@ def setup_for(
     return Setup(
         aircraft=aircraft.name,
         model=model.with_error(settings.model_error),
-        control=aircraft.control,
+        control=settings.applied_to(aircraft.control),
         actuators=actuators,
         dt_s=dt_s,
         trim_commands=commands,
         trim_positions=[position * unit for position, unit in zip(positions, units, strict=True)],
         trim_pitch=pitch,
         settings=settings,
+        released=_released(aircraft, model, settings),
     )
+
+
+def _released(aircraft: Aircraft, model: DesignModel, settings: ControllerSettings) -> tuple[str, ...]:
+    """The axes that the settings release. Derived ones go by the model without `model_error`, so that a study of model error
+    does not change what is controlled."""
+    if settings.released is not None:
+        return tuple(axis for axis in RATES if axis in settings.released)
+    return released_from_start(model, stops(aircraft), aircraft.control.priorities)
+
+
+def stops(aircraft: Aircraft) -> np.ndarray:
+    """[n, 2] lowest and highest position of each actuator [rad or N]."""
+    return np.array([np.multiply(a.limits, _unit(a.kind)) for a in aircraft.actuators.values()])
+
+
+def _unit(kind: str) -> float:
+    """Size of the unit of an actuator's limits: a degree [rad] for a servo, a newton for a motor."""
+    return math.radians(1.0) if kind == "servo" else 1.0

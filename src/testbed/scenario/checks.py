@@ -139,7 +139,7 @@ def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
 
 
 def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
-    for i, axis in enumerate(scenario.controller.released):
+    for i, axis in enumerate(scenario.controller.released or ()):
         if axis not in aircraft.axes:
             path = ("controller", "released", i)
             yield Issue(path, f"{aircraft.name} has no axis {axis}", one_of(aircraft.axes))

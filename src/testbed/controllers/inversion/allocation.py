@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
-from testbed.controllers.inversion.law import compensate, invert
+from testbed.controllers.inversion.law import compensate, divisor, invert
 from testbed.controllers.records import U_DOT
 
 
@@ -36,13 +36,13 @@ def redistribute(nu, pressure_ratio, m, c, k, s):
     others (redistributed pseudo-inverse; Bodson, J. Guidance 25 (2002) 703)."""
     worst, excess = -1, 0.0
     for i in range(len(s.r)):
-        lam = max(s.lambda_hat[i], c.divisor_min)
+        lam = divisor(i, c, s)
         beyond = max(s.r[i] - m.high[i] * lam, m.low[i] * lam - s.r[i])
         if k.available[i] and beyond > excess:
             worst, excess = i, beyond
     if not k.redundant or worst < 0:
         return
-    lam = max(s.lambda_hat[worst], c.divisor_min)
+    lam = divisor(worst, c, s)
     at_stop = min(max(s.r[worst], m.low[worst] * lam), m.high[worst] * lam)
     effect = at_stop * (pressure_ratio if m.servo[worst] else 1.0) - k.r_trim[worst]
     for j in range(len(s.r)):
@@ -65,7 +65,7 @@ def give_up_airspeed(m, c, k, s):
         d = k.B_hat_inv[i, U_DOT]
         if not k.available[i] or abs(d) < 1e-6:
             continue
-        lam = max(s.lambda_hat[i], c.divisor_min)
+        lam = divisor(i, c, s)
         a, b = (m.low[i] * lam - s.r[i]) / d, (m.high[i] * lam - s.r[i]) / d
         least, most = max(least, min(a, b)), min(most, max(a, b))
     shift = 0.5 * (least + most) if least > most else min(max(0.0, least), most)

@@ -33,7 +33,7 @@ class ModeSwitch:
 
     def __init__(self, setup: Setup, memory: np.ndarray) -> None:
         self._setup, self._memory = setup, memory
-        self._modes = enumerate_modes(setup.model, setup.scale, setup.control, setup.settings.released)
+        self._modes = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)
         self._reported: set[object] = set()
         self.record = np.zeros(1, mode_dtype(len(setup.actuators)))
         self.reasons: list[tuple[int, str]] = []

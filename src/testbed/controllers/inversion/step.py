@@ -64,9 +64,9 @@ def estimate(y, m, c, s, w):
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)
-    if monitor(c, s):
+    if c.monitors and monitor(c, s):
         return 1
-    return detect_jam(e, pressure_ratio, m, c, s)
+    return detect_jam(e, pressure_ratio, m, c, s) if c.tests_jams else 0
 
 
 @compiled
