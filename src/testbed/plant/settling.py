@@ -45,11 +45,11 @@ def settle_at(
     time_s = settle_s(plant.aircraft) if for_s is None else for_s
     plant.settle(round(time_s * plant.physics_hz))
     if for_s is None and plant.aircraft.has_engines:
-        time_s += _wait_for_engines(plant, steady)
+        time_s += wait_for_engines(plant, steady)
     return time_s
 
 
-def _wait_for_engines(plant: Plant, steady: float) -> float:
+def wait_for_engines(plant: Plant, steady: float) -> float:
     """Run until the thrust of each engine is steady, or for `_ENGINES_WITHIN_S`; returns for how long [s]."""
     steps = round(_ENGINE_WINDOW_S * plant.physics_hz)
     thrusts = [_thrusts(plant)]
