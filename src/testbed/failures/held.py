@@ -7,8 +7,8 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from testbed.aircraft.description import Aircraft, MotorActuator, Servo
-from testbed.failures.base import ActuatorFailure, Capture, Examples, Failure, Fault, both
+from testbed.aircraft.description import Aircraft, AnyActuator
+from testbed.failures.base import ActuatorFailure, Capture, Examples, Failure, Fault, both, travel_of
 from testbed.inputs.base import Number, Positive, refuse
 
 
@@ -20,7 +20,7 @@ class CommandScale(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 0.5})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -107,7 +107,7 @@ class Bias(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": -0.2})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 0.0}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -128,10 +128,8 @@ class PositionLimit(ActuatorFailure):
     examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.4})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
-        return dict(
-            zip(("low", "high"), actuator.limits if actuator.kind == "servo" else (0.0, 1.0), strict=True)
-        )
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
+        return dict(zip(("low", "high"), travel_of(actuator), strict=True))
 
     @model_validator(mode="after")
     def _some_travel(self) -> PositionLimit:
@@ -163,7 +161,7 @@ class RateLimit(ActuatorFailure):
     examples: ClassVar[Examples] = {"servo": {"value": 2.0}}
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": actuator.rate_limit}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -182,7 +180,7 @@ class Lag(ActuatorFailure):
     examples: ClassVar[Examples] = {"servo": {"lag_rad_s": 3.0}}
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"lag_rad_s": actuator.lag_rad_s}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -190,7 +188,7 @@ class Lag(ActuatorFailure):
 
     def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
         healthy = aircraft.actuators[self.actuator].lag_rad_s
-        if self.lag_rad_s > healthy:
+        if healthy is not None and self.lag_rad_s > healthy:
             what = f"{self.lag_rad_s:g} rad/s is faster than {self.actuator} is"
             yield Fault("lag_rad_s", what, f"at most {healthy:g}")
 

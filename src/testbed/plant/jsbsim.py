@@ -25,6 +25,7 @@ from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 from testbed.plant.properties import (
     AIR_DATA,
+    EARTH_DEG_S,
     INTEGRATORS,
     SET_WIND_FPS,
     STATE_PROPERTIES,
@@ -112,6 +113,7 @@ class Plant:
         self._pack = struct.Struct(f"{len(reads)}d").pack_into
         self._commands = [self.setter(command_property(a)) for a in aircraft.actuators.values()]
         self._wind = np.zeros(3)
+        self._started = False
         self._put_wind = [self.setter(name) for name in SET_WIND_FPS]
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
 
@@ -203,13 +205,28 @@ class Plant:
 
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 
-    def place(self, state: Mapping[str, float]) -> None:
-        """Put the airframe into a state; servos and rotors keep their positions and speeds.
+    def place(self, state: Mapping[str, float], turning_s: float = 0.0) -> None:
+        """Put the airframe into a state; servos, rotors and engines keep their positions and speeds, but a turboprop falls to idle.
+
+        The first time, engines are started as the aircraft's `start` says.
 
         Args:
             state: airspeed, altitude, alpha and pitch; beta, roll, heading, p, q, r where they are not zero [m/s, m, rad,
                 rad/s]. Airspeed, alpha and beta are relative to the air (see `set_wind`).
+            turning_s: the place is so far east that the Earth turns to longitude zero in this time [s], in which the airframe
+                is held (see `settle`).
         """
+        self._place(state, turning_s)
+        if not self._started:
+            self._started = True
+            for step in self.aircraft.start:
+                for name, value in step.set.items():
+                    self[name] = value
+                self.settle(round(step.run_s * self.physics_hz))
+            if self.aircraft.start:
+                self._place(state, turning_s)
+
+    def _place(self, state: Mapping[str, float], turning_s: float) -> None:
         fdm, get = self._fdm, state.get
         speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
         # JSBSim's initial velocity is relative to the ground, so the wind's velocity is added.
@@ -217,7 +234,7 @@ class Plant:
         u, v, w = map(float, body_from_ned(*attitude) @ self._wind / METRES_PER_FOOT)
         # The order matters to JSBSim: position, then attitude, then velocity.
         fdm["ic/lat-geod-deg"] = 0.0
-        fdm["ic/long-gc-deg"] = 0.0
+        fdm["ic/long-gc-deg"] = EARTH_DEG_S * turning_s
         fdm["ic/h-sl-ft"] = state["altitude"] / METRES_PER_FOOT
         fdm["ic/psi-true-rad"] = get("heading", 0.0)
         fdm["ic/phi-rad"] = get("roll", 0.0)
