@@ -125,7 +125,7 @@ class PositionLimit(ActuatorFailure):
     type: Literal["position_limit"] = "position_limit"
     low: Number | None = None
     high: Number | None = None
-    examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.4})
+    examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.3})
 
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
