@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import itertools
+import json
 import math
 import os
 from collections.abc import Iterable, Iterator
@@ -106,9 +107,15 @@ def _place(source: Source, path: TreePath) -> str:
 def _variants(sweep: Sweep) -> Iterator[Variant]:
     for values in itertools.product(*sweep.compare.values()):
         label = ", ".join(
-            v if isinstance(v, str) else f"{path} {v}" for path, v in zip(sweep.compare, values, strict=True)
+            v if isinstance(v, str) else f"{path} {_shown(v)}"
+            for path, v in zip(sweep.compare, values, strict=True)
         )
         yield Variant(label, dict(zip(sweep.compare, values, strict=True)))
+
+
+def _shown(value: Any) -> str:
+    """A compared value in a label: a mapping or a list as JSON, as the table has it."""
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, dict | list) else str(value)
 
 
 def _runs(sweep: Sweep, source: Source, cases: list[dict[str, Any]] | None) -> int:
