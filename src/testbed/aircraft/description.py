@@ -14,9 +14,10 @@ from testbed.aircraft.control_design import Axis, ControlDesign
 from testbed.aircraft.shipped import find_aircraft
 from testbed.common.cache import Cache
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
+from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import Issue, guess, one_of
 from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import TreePath, parsed, read_text
+from testbed.inputs.yaml_source import TreePath, parsed
 
 
 class Reference(Settings):

@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.propulsors import EngineMap, Propulsor
+from testbed.common.files import replacing
 from testbed.common.units import GRAVITY_M_S2
 from testbed.inputs.problems import BadInput, Problem
 
@@ -136,8 +137,9 @@ class DesignModel:
         return _close(asdict(self), asdict(other), tolerance)
 
     def save(self, path: Path) -> None:
-        """Write as JSON."""
-        path.write_text(json.dumps(asdict(self), indent=1) + "\n")
+        """Write as JSON, completely or not at all."""
+        with replacing(path) as partial:
+            partial.write_text(json.dumps(asdict(self), indent=1) + "\n")
 
 
 def load_design_model(path: Path) -> DesignModel:

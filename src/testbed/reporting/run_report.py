@@ -5,6 +5,7 @@ from __future__ import annotations
 from html import escape
 from pathlib import Path
 
+from testbed.common.docstrings import first_line
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
 from testbed.metrics import TABLE as METRICS
@@ -98,4 +99,4 @@ def _metrics(flight: Flight) -> str:
 def definition(metric: str) -> str:
     """First line of a metric's docstring; "" for a metric that this version does not have."""
     function = METRICS.get(metric)
-    return (function.__doc__ or "").strip().partition("\n")[0] if function else ""
+    return first_line(function) if function else ""
