@@ -20,6 +20,9 @@ from testbed.inputs.problems import TreePath as TreePath
 MAX_NODES = 100_000
 """Most values in one file, with aliases expanded. Nested aliases can expand a small file to any size."""
 
+MAX_CHARACTERS = 500_000
+"""Most characters in one file. PyYAML reads some 100 000 a second; the longest shipped file has 6000."""
+
 _FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
 
 
@@ -83,6 +86,11 @@ def parsed(text: str, file: str) -> Source:
 
 def parse(text: str, file: str = "") -> Source:
     """Read YAML text; raises BadInput with the line when it is not YAML."""
+    if len(text) > MAX_CHARACTERS:
+        what = f"has {len(text)} characters"
+        raise BadInput(
+            [Problem(what, file, expected=f"at most {MAX_CHARACTERS}; long tables go into a CSV file")]
+        )
     try:
         node = yaml.compose(text, Loader=yaml.SafeLoader)
         return _Reader(file).read(node)

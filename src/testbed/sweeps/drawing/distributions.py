@@ -142,6 +142,8 @@ class Distribution(Settings):
         if self.name == "normal":
             if high <= 0:
                 raise refuse(f"the standard deviation is {high}", "more than 0")
+        elif not _finite(float(high) - float(low)):
+            raise refuse(f"{self.name} is from {low} to {high}", "a range that is a finite number")
         elif (
             low > high
             or (low == high and self.name != "integers")
@@ -184,4 +186,12 @@ def distribution_names() -> list[str]:
 def _numbers(values: Any, count: int) -> bool:
     if not isinstance(values, list) or len(values) != count:
         return False
-    return all(isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values)
+    return all(isinstance(v, int | float) and not isinstance(v, bool) and _finite(v) for v in values)
+
+
+def _finite(value: float) -> bool:
+    """Whether a number is finite, also as a float: YAML has whole numbers of any length."""
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False
