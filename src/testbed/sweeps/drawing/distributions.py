@@ -157,6 +157,8 @@ class Distribution(Settings):
         if self.name == "normal":
             if high <= 0:
                 raise refuse(f"the standard deviation is {high}", "more than 0")
+        elif not abs(float(high) - float(low)) <= _LARGEST:
+            raise refuse(f"{self.name} is from {low} to {high}", "a range that is a finite number")
         elif (
             low > high
             or (low == high and self.name != "integers")
