@@ -11,6 +11,7 @@ from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
 from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.figures.marks import describe
+from testbed.reporting.story import story
 
 _AGAIN = """<h2>Fly it again</h2>
 <p>Run this in the folder of this report. With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
@@ -46,8 +47,9 @@ def _verdict(flight: Flight) -> str:
     about = f"{flight.controller}, aircraft {scenario.aircraft}, seed {scenario.seed}"
     about += f", {scenario.duration_s:g} s asked for"
     warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
+    told = "".join(f"<p>{escape(line)}</p>\n" for line in story(flight))
     return (
-        f"<h1>{escape(scenario.name)}</h1>\n<p>{escape(about)}</p>\n"
+        f"<h1>{escape(scenario.name)}</h1>\n<p>{escape(about)}</p>\n{told}"
         f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>{warnings}'
     )
 
