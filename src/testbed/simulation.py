@@ -12,6 +12,7 @@ import numpy as np
 
 from testbed.air.wind import Weather
 from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.shape import load_shape
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.controllers import Controller
@@ -170,6 +171,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         requirements=judge(scenario.requirements, log, metrics),
         actuators=actuators,
         warnings=warnings,
+        shape=load_shape(aircraft.folder),
         flown_by=parts.flown_by,
     )
 
