@@ -61,7 +61,9 @@ def test_quiet_and_no_wider_than_the_window(
     made.page.screenshot(path=pictures / f"report-{width}-{scheme}.png", full_page=True)
     assert made.page.locator("#replay canvas").count() == 1
     made.page.locator("#panels-actuators").scroll_into_view_if_needed()
-    made.page.locator("#panels-actuators canvas").first.wait_for()  # panels are drawn when they are first seen
+    made.page.locator(
+        "#panels-actuators canvas"
+    ).first.wait_for()  # panels are drawn when they are first seen
     made.context.close()
     assert not made.wrong
 

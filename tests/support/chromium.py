@@ -61,7 +61,9 @@ class Window:
         self.page.on("request", self._asked)
 
     def _said(self, message: Any) -> None:
-        software_drawing = "GL Driver Message" in message.text  # how fast this machine draws is not the page's fault
+        software_drawing = (
+            "GL Driver Message" in message.text
+        )  # how fast this machine draws is not the page's fault
         if message.type in ("error", "warning") and not software_drawing:
             self.wrong.append(message.text)
 

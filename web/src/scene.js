@@ -163,7 +163,7 @@ export class Scene {
     const speed = wind.length();
     this.wind.visible = speed > 0.05;
     if (!this.wind.visible) return;
-    this.wind.position.copy(at).add(new Vector3(0, 0.7 * this.size, 0));
+    this.wind.position.copy(at).add(new Vector3(0, 0.35 * this.size, 0));
     this.wind.setDirection(wind.normalize());
     this.wind.setLength((speed / 5) * this.size, 0.08 * this.size, 0.05 * this.size);
   }

@@ -100,5 +100,5 @@ def _json(value: object) -> str:
 
 def _figures(folder: Path) -> str:
     """The static figures; they are hidden where the script runs, and printed."""
-    shown = html.figures(folder, {name: caption for name, (caption, _) in FIGURES.items()})
+    shown = html.figures(folder, {name: caption for name, (caption, _) in FIGURES.items()}, width=800)
     return "\n".join(['<div class="still"><h2>Figures</h2>', *shown, "</div>"]) if shown else ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any
 
 from testbed.flight.recovery import failure_times_s
@@ -20,8 +21,7 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
         planned_s: how long it should have been [s].
     """
     found: list[tuple[float, str]] = [(0.0, "healthy")]
-    failures = failure_times_s(events)
-    for begin, end in zip(failures, [*failures[1:], end_s], strict=True):
+    for begin, end in pairwise([*failure_times_s(events), end_s]):
         flagged = _first(events, "detection", begin, end)
         recovered = _first(events, "recovered", begin, end)
         found.append((begin, "unnoticed"))
