@@ -99,17 +99,22 @@ def _default_folder(scenario: Scenario, i: int) -> Path:
 
 
 def _print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
-    """Print how the flight ended, and its warnings but those that were `said` before it."""
-    print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s")
-    if flight.flown_by:
-        print(f"flown by {flight.flown_by}")
-    for requirement in flight.requirements:
-        verdict = "met    " if requirement["passed"] else "NOT MET"
-        reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
-        print(f"  {verdict}  {requirement['name']}: {number(requirement['value'])}{reason}")
+    """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
+    from testbed.reporting.story import story
+
+    by = f", flown by {flight.flown_by}" if flight.flown_by else ""
+    print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s{by}")
+    for line in story(flight):
+        print(f"  {line}")
     for event in flight.events:
         if event["kind"] == "diagnosis":
             print(f"  controller at {event['time_s']:.1f} s: {event['text']}")
-    print("passed" if flight.passed else "not passed")
+    missed = [requirement for requirement in flight.requirements if not requirement["passed"]]
+    for requirement in missed:
+        reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
+        print(f"  NOT MET  {requirement['name']}: {number(requirement['value'])}{reason}")
+    total = len(flight.requirements)
+    met = f": {total - len(missed)} of {total} requirements met" if total else ""
+    print(f"{'passed' if flight.passed else 'not passed'}{met}")
     for warning in [text for text in flight.warnings if text not in said]:
         print(f"WARNING: {warning}", file=sys.stderr)

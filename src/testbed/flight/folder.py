@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from testbed.aircraft.shape import Shape
 from testbed.common.text import cell, text_of
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.problems import BadInput, Problem
@@ -103,6 +104,7 @@ def load(folder: str | Path) -> Flight:
             requirements=summary["requirements"],
             actuators={facts.pop("name"): facts for facts in summary["actuators"]},
             warnings=summary.get("warnings", ()),
+            shape=Shape.model_validate(summary["shape"]) if "shape" in summary else None,
             flown_by=summary.get("flown_by", ""),
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
