@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Literal
 
 from testbed.inputs.base import Number, Positive, Settings, Text
+from testbed.inputs.input_file import read_text
 from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import parsed, read_text
+from testbed.inputs.yaml_source import parsed
 
 Point = tuple[Number, Number, Number]
 FILE = "shape.yaml"
