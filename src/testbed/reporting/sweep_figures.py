@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
@@ -32,11 +33,12 @@ def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
     target = folder / "figures"
     target.mkdir(exist_ok=True)
     files = []
-    for name, draw in TABLE.items():
-        figure = draw(plan, frame, folder)
-        if figure is not None:
-            files.append(target / f"{name}.png")
-            figure.savefig(files[-1], dpi=110, metadata={"Software": None})
+    with matplotlib.rc_context({"text.parse_math": False}):  # a name may contain dollar signs
+        for name, draw in TABLE.items():
+            figure = draw(plan, frame, folder)
+            if figure is not None:
+                files.append(target / f"{name}.png")
+                figure.savefig(files[-1], dpi=110, metadata={"Software": None})
     return files
 
 

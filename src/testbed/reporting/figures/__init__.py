@@ -47,8 +47,11 @@ TABLE: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
 
 def draw(flight: Flight, folder: str | Path) -> list[Path]:
     """Write `folder/figures/<name>.png` for each of TABLE; returns the files in that order."""
+    import matplotlib
+
     from testbed.reporting.figures.page import save
 
     figures = Path(folder) / "figures"
     figures.mkdir(parents=True, exist_ok=True)
-    return [save(make(flight), figures / f"{name}.png") for name, (_, make) in TABLE.items()]
+    with matplotlib.rc_context({"text.parse_math": False}):  # a name may contain dollar signs
+        return [save(make(flight), figures / f"{name}.png") for name, (_, make) in TABLE.items()]
