@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 from pydantic import Field, PrivateAttr, field_validator
 
 from testbed.aircraft.control_design import Axis, ControlDesign
+from testbed.aircraft.model_files.safe_xml import read_bytes
 from testbed.aircraft.shipped import find_aircraft
 from testbed.common.cache import Cache
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
@@ -141,12 +142,12 @@ class Aircraft(Settings):
     def fingerprint(self) -> str:
         """Hash of everything that the plant and its trim depend on: JSBSim files, actuators, reference; not the `control` block.
 
-        The files are read each time (0.1 ms), so an edit is always noticed.
+        The files are read each time (0.1 ms), so an edit is always noticed. Raises BadInput for one that is no regular file.
         """
         seen = self.model_dump_json(include={"model", "reference", "actuators"})
         text = hashlib.sha256(seen.encode())
         for file in sorted(self.folder.rglob("*.xml")):
-            text.update(file.relative_to(self.folder).as_posix().encode() + file.read_bytes())
+            text.update(file.relative_to(self.folder).as_posix().encode() + read_bytes(file))
         return text.hexdigest()
 
 

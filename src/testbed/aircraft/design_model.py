@@ -16,14 +16,13 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
 
 from testbed.common.files import replacing
 from testbed.common.units import GRAVITY_M_S2
@@ -61,6 +60,10 @@ class Propulsor:
 
     def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
         """Rotor speed [rev/s] at which the propeller gives this thrust."""
+        from scipy.optimize import (
+            brentq,
+        )  # imported here, because scipy is slow to import and only set-up needs it
+
         slowest = axial_m_s / (self.diameter_m * self.advance[1])
         top = self.max_volts * self.velocity_constant_rps_v
         return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
@@ -190,8 +193,13 @@ def load_design_model(path: Path) -> DesignModel:
     try:
         return _from_tree(json.loads(path.read_text(encoding="utf-8")))
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        what = f"is no design model: {error!r}"
+        what = f"is no design model: {_words(error)}"
         raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+
+
+def _words(error: Exception) -> str:
+    """What an exception says; the names of missing and unknown keys are said with the exception's own."""
+    return str(error) if type(error) is ValueError else repr(error)
 
 
 def _from_tree(data: dict[str, Any]) -> DesignModel:
@@ -200,7 +208,31 @@ def _from_tree(data: dict[str, Any]) -> DesignModel:
     for key in ("actuators", "kinds", "trim", "bias"):
         data[key] = tuple(data[key])
     data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
-    return DesignModel(**data)
+    model = DesignModel(**data)
+    for wrong in _impossible(model):
+        raise ValueError(wrong)
+    return model
+
+
+def _impossible(model: DesignModel) -> Iterator[str]:
+    """What no identification writes: numbers that are not finite, and arrays of another shape than the actuators ask for."""
+    n = len(model.actuators)
+    shapes = {
+        "trim": (n,), "bias": (len(ROWS),), "derivatives": (len(ROWS), len(COLUMNS)),
+        "input_matrix": (len(ROWS), n), "torque_matrix": (len(ROWS), n), "offset_matrix": (len(ROWS), n),
+        "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (),
+    }  # fmt: skip
+    for name, shape in shapes.items():
+        values = np.array(getattr(model, name), dtype=float)
+        if values.shape != shape:
+            yield f"{name} has the shape {list(values.shape)}, expected {list(shape)}"
+        elif not np.all(np.isfinite(values)):
+            yield f"{name} is not finite"
+    if len(model.kinds) != n or len(model.propulsors) != n:
+        yield f"kinds and propulsors must have {n} entries"
+    for i, propulsor in enumerate(model.propulsors):
+        if propulsor is not None and not np.all(np.isfinite(np.hstack(list(asdict(propulsor).values())))):
+            yield f"propulsors.{i} is not finite"
 
 
 def _propulsor(data: dict[str, Any]) -> Propulsor:

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, field_validator, model_validator
 
 from testbed.inputs.base import Number, Positive, Settings, Text, Whole, refuse
+from testbed.scenario.model import MAX_NAME
 from testbed.sweeps.drawing.distributions import Distribution
 
 MOST_FLIGHTS = 10_000_000
@@ -28,7 +29,7 @@ class StopWhen(Settings):
 class Sweep(Settings):
     """One study: a scenario, what varies, and what is compared under the same variations."""
 
-    name: Text | None = None
+    name: Text | None = Field(default=None, max_length=MAX_NAME)
     """Title of the study; default: the file's name."""
     scenario: Text | dict[str, Any]
     """Path of a scenario file, relative to the sweep's file; or the scenario itself."""
