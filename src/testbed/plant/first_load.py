@@ -71,20 +71,18 @@ def _first_load(aircraft: Aircraft, digest: str) -> known.Record:
 def _answer(aircraft: Aircraft) -> known.Record:
     """What the process of the first load says."""
     request = {"folder": str(aircraft.folder.resolve()), "aircraft": aircraft.model_dump(mode="json")}
-    with tempfile.TemporaryDirectory() as empty:
-        command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
-        try:
+    command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
+    try:
+        with tempfile.TemporaryDirectory() as empty:
             done = subprocess.run(
                 command, input=json.dumps(request), capture_output=True, text=True, errors="replace",
                 timeout=LONGEST_S, cwd=empty, env=_environment(), check=False,
             )  # fmt: skip
-        except subprocess.TimeoutExpired:
-            what = f"JSBSim does not finish loading and starting it within {LONGEST_S:g} s"
-            raise BadInput([_of_model(aircraft, what)]) from None
-        except OSError as error:
-            raise BadInput(
-                [Problem(f"no process can be started to load the model: {error.strerror}")]
-            ) from None
+    except subprocess.TimeoutExpired:
+        what = f"JSBSim does not finish loading and starting it within {LONGEST_S:g} s"
+        raise BadInput([_of_model(aircraft, what)]) from None
+    except OSError as error:  # there may be no folder for temporary files either
+        raise BadInput([Problem(f"no process can be started to load the model: {error.strerror}")]) from None
     answers = _lines(done.stdout)
     if done.returncode == 0 and answers and "properties" in answers[-1]:
         return answers[-1]
