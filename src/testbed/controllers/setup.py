@@ -135,7 +135,7 @@ def setup_for(
     return Setup(
         aircraft=aircraft.name,
         model=model.with_error(settings.model_error),
-        control=settings.applied_to(aircraft.control),
+        control=settings.applied_to(aircraft.control.at(aircraft.reference.airspeed_m_s)),
         actuators=actuators,
         dt_s=dt_s,
         trim_commands=commands,
