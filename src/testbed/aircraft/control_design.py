@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
+from testbed.common.units import GRAVITY_M_S2
 from testbed.inputs.base import NonNegative, Positive, Settings
 
 Axis = Literal["p_dot", "q_dot", "r_dot", "u_dot"]
@@ -42,11 +44,24 @@ class Loops(Settings):
     slow_descent_s: NonNegative = 2.0
     """Altitude that a regulator gives up for each m/s by which airspeed is more than `protect_from_m_s` below its reference [s]."""
     protect_from_m_s: NonNegative = 2.0
-    lost_thrust_protect_from_m_s: NonNegative = 0.7
-    """In place of `protect_from_m_s` once a propeller has failed [m/s]."""
-    lost_thrust_faster_m_s: NonNegative = 1.5
-    """Added to the airspeed reference when one propeller of several is left [m/s]. The tail has to balance the yawing moment of
-    its thrust, and the deflection for that is proportional to T/V^2, which falls with airspeed."""
+    lost_thrust_height_m: NonNegative = 8.0
+    """Height that is stored as kinetic energy when one propeller of several is left [m]. It is flown faster by the difference
+    between V and the root of V^2 + 2 g h, V the reference airspeed. In air that sinks, the store is spent before altitude is
+    given up: little thrust is left to climb with, because the tail has to balance its yawing moment, which is proportional to
+    T/V^2."""
+    lost_thrust_faster_m_s: NonNegative = 4.0
+    """In place of what `lost_thrust_height_m` gives: added to the airspeed reference when one propeller of several is left
+    [m/s]."""
+    lost_thrust_protect_from_m_s: NonNegative = 4.0
+    """In place of `protect_from_m_s` once a propeller has failed [m/s]. By default as much as is flown faster, so that altitude
+    is given up below the reference airspeed."""
+
+    def at(self, airspeed_m_s: float) -> Loops:
+        """The loops of an aircraft with this reference airspeed: the two settings that follow from it, if they are not given."""
+        energy = 2.0 * GRAVITY_M_S2 * self.lost_thrust_height_m
+        faster = math.sqrt(airspeed_m_s**2 + energy) - airspeed_m_s
+        derived = {"lost_thrust_faster_m_s": faster, "lost_thrust_protect_from_m_s": faster}
+        return self.model_copy(update={k: v for k, v in derived.items() if k not in self.model_fields_set})
 
 
 class StateDeviations(Settings):
@@ -133,3 +148,7 @@ class ControlDesign(Settings):
     allocation: AllocationWeights = AllocationWeights()
     loops: Loops = Loops()
     regulator: RegulatorWeights = RegulatorWeights()
+
+    def at(self, airspeed_m_s: float) -> ControlDesign:
+        """The design for an aircraft with this reference airspeed (see `Loops.at`)."""
+        return self.model_copy(update={"loops": self.loops.at(airspeed_m_s)})

@@ -131,7 +131,7 @@ def setup_for(
     return Setup(
         aircraft=aircraft.name,
         model=model.with_error(settings.model_error),
-        control=settings.applied_to(aircraft.control),
+        control=settings.applied_to(aircraft.control.at(aircraft.reference.airspeed_m_s)),
         actuators=[_told(*each) for each in zip(aircraft.actuators.values(), model.propulsors, strict=True)],
         dt_s=dt_s,
         trim_commands=commands,
