@@ -13,7 +13,7 @@ Fraction = Annotated[Number, Field(ge=0, le=1)]
 
 
 class PerKind(Settings):
-    """One number for each kind of actuator; a plain number stands for both."""
+    """One number for each kind of actuator; a plain number stands for both. That of a motor is for engines too."""
 
     servo: Positive
     motor: Positive
@@ -29,7 +29,7 @@ class PerKind(Settings):
 
     def of(self, kind: str) -> float:
         """The number for actuators of this kind."""
-        return float(getattr(self, kind))
+        return self.servo if kind == "servo" else self.motor
 
 
 class ControllerSettings(Settings):

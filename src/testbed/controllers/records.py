@@ -21,7 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from testbed.aircraft.design_model import COLUMNS, PROPELLER_POINTS
+from testbed.aircraft.design_model import COLUMNS
+from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, PROPELLER_POINTS
 
 P_DOT, Q_DOT, R_DOT, U_DOT = range(4)
 """Rows by `signals.RATES`."""
@@ -64,11 +65,17 @@ MODEL = (
     Field("B", (4, _N), "x_c per scaled unit", "B_m, input matrix with rotors at steady speed", "(2)"),
     Field("B_inv", (_N, 4), "scaled units per x_c", "B_m^-1 (pseudo-inverse)", "(6)"),
     Field("B_torque", (4, _N), "x_c per N m", "effect of torque beyond `torque_slope` times thrust"),
-    Field("servo", (_N,), "flag", "the actuator is a servo; else a motor with a propeller"),
+    Field("servo", (_N,), "flag", "the actuator is a servo"),
+    Field(
+        "engine",
+        (_N,),
+        "flag",
+        "the actuator is an engine; if it is no servo either, a motor with a propeller",
+    ),
     Field("scale", (_N,), "rad or N", "size of one scaled unit"),
     Field("low", (_N,), "scaled", "lower stop"),
     Field("high", (_N,), "scaled", "upper stop"),
-    Field("lag", (_N,), "rad/s", "corner of the first-order lag of a servo"),
+    Field("lag", (_N,), "rad/s", "corner of the first-order lag, for small changes"),
     Field("rate", (_N,), "scaled/s", "rate limit of a servo"),
     Field(
         "trim_position", (_N,), "scaled", "position at the reference trim; a failed actuator is sent there"
@@ -85,6 +92,18 @@ MODEL = (
     Field("k_t", (_N,), "N m/A", "torque constant of the motor"),
     Field("resistance", (_N,), "ohm", "of the motor's winding"),
     Field("no_load_current", (_N,), "A", "i_0 of the motor"),
+    Field("throttles", (_N, ENGINE_THROTTLES), "throttle", "of the columns of an engine's tables"),
+    Field("speeds", (_N, ENGINE_SPEEDS), "m/s", "axial airspeeds of the rows of an engine's tables"),
+    Field("thrust_map", (_N, ENGINE_SPEEDS, ENGINE_THROTTLES), "scaled", "steady thrust of an engine"),
+    Field(
+        "rising_map",
+        (_N, ENGINE_SPEEDS, ENGINE_THROTTLES),
+        "scaled",
+        "its monotone part, to look a throttle up in",
+    ),
+    Field("engine_lag", (_N,), "rad/s", "corner of the lag with which an engine follows its throttle"),
+    Field("rise", (_N,), "1/s", "fastest increase of the throttle that an engine follows"),
+    Field("fall", (_N,), "1/s", "fastest decrease of it"),
 )
 """m: the design model f_m, B_m, and the actuators' own dynamics."""
 
@@ -181,6 +200,7 @@ MEMORY = (
     Field("servo_input", (_N,), "scaled", "command of the step before, for the bilinear lag"),
     Field("servo_lagged", (_N,), "scaled", "output of the servo's lag, before rate limit and stops"),
     Field("rotor", (_N,), "rev/s", "modelled rotor speed"),
+    Field("followed", (_N,), "throttle", "throttle that an engine has followed so far"),
     Field("torque", (_N,), "N m", "modelled motor torque"),
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),

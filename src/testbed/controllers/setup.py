@@ -13,8 +13,9 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 
 from testbed.aircraft.control_design import ControlDesign
-from testbed.aircraft.description import Aircraft
+from testbed.aircraft.description import Aircraft, AnyActuator
 from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
 from testbed.controllers.config import ControllerSettings
 from testbed.controllers.released_axes import released_from_start
@@ -29,7 +30,7 @@ class ActuatorData:
     Attributes:
         scale: size of one scaled unit [rad or N].
         low, high: stops [rad or N].
-        lag_rad_s: corner of the first-order lag of the servo or rotor.
+        lag_rad_s: corner of the first-order lag of the servo, rotor or engine.
         rate: rate limit [rad/s or N/s].
     """
 
@@ -127,16 +128,11 @@ def setup_for(
         pitch: pitch angle at the start [rad].
     """
     units = [_unit(a.kind) for a in aircraft.actuators.values()]
-    actuators = []
-    for actuator, unit in zip(aircraft.actuators.values(), units, strict=True):
-        low, high = actuator.limits
-        lag, rate = actuator.lag_rad_s, actuator.rate_limit
-        actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
     return Setup(
         aircraft=aircraft.name,
         model=model.with_error(settings.model_error),
         control=settings.applied_to(aircraft.control),
-        actuators=actuators,
+        actuators=[_told(*each) for each in zip(aircraft.actuators.values(), model.propulsors, strict=True)],
         dt_s=dt_s,
         trim_commands=commands,
         trim_positions=[position * unit for position, unit in zip(positions, units, strict=True)],
@@ -146,12 +142,26 @@ def setup_for(
     )
 
 
+def _told(actuator: AnyActuator, propulsor: Propulsor | EngineMap | None) -> ActuatorData:
+    """What a controller is told of one actuator; the lag of an engine is the identified one."""
+    unit = _unit(actuator.kind)
+    low, high = actuator.limits
+    lag = propulsor.small_lag_rad_s if isinstance(propulsor, EngineMap) else actuator.lag_rad_s
+    if lag is None:
+        raise ValueError(f"the design model has no map of an engine that the aircraft has: {actuator.prefix}")
+    return ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, actuator.rate_limit * unit)
+
+
 def _released(aircraft: Aircraft, model: DesignModel, settings: ControllerSettings) -> tuple[str, ...]:
-    """The axes that the settings release. Derived ones go by the model without `model_error`, so that a study of model error
-    does not change what is controlled."""
+    """The axes that the settings release, and those that the aircraft does not have.
+
+    Derived ones go by the model without `model_error`, so that a study of model error does not change what is controlled.
+    """
     if settings.released is not None:
-        return tuple(axis for axis in RATES if axis in settings.released)
-    return released_from_start(model, stops(aircraft), aircraft.control.priorities)
+        released: Sequence[str] = settings.released
+    else:
+        released = released_from_start(model, stops(aircraft), aircraft.control.priorities)
+    return tuple(axis for axis in RATES if axis in released or axis not in aircraft.axes)
 
 
 def stops(aircraft: Aircraft) -> np.ndarray:
