@@ -160,9 +160,10 @@ class FixedInversionSettings(ControllerSettings):
 
 
 class PidSettings(ControllerSettings):
-    """A conventional autopilot: ruddervator mixer, one throttle, cascaded loops scheduled with dynamic pressure.
+    """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
-    It never gives up an axis: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise. They were
+    With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`).
+    Gains are [1/s] unless the docstring says otherwise. They were
     found by a search (CMA-ES, rounded) on healthy flights only, in calm air and at W20 = 25 ft/s, seeds 1 to 16. The
     search kept the inner loops below 20 rad/s (60 deg of phase margin with the servos' lag), and each outer loop below
     a third of the bandwidth of the loop inside it.
@@ -186,6 +187,9 @@ class PidSettings(ControllerSettings):
     """[1/s2]"""
     roll_kp: NonNegative = 1.5
     """Yaw rate for an error of bank: yawing causes sideslip, and with dihedral sideslip causes roll."""
+    bank_kp: NonNegative = 2.0
+    """Roll rate for an error of bank."""
+    p_kp: NonNegative = 8.0
     roll_max_deg: Positive = 30.0
     r_kp: NonNegative = 20.0
 
