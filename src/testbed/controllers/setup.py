@@ -16,6 +16,7 @@ from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
 from testbed.controllers.config import ControllerSettings
 from testbed.controllers.released_axes import released_from_start
+from testbed.controllers.scaling import scaled
 
 S = TypeVar("S", bound=ControllerSettings)
 
@@ -45,7 +46,7 @@ class Setup:
     Attributes:
         aircraft: its name, for messages.
         model: f_m and B_m, with the scenario's `model_error` applied.
-        control: the designer's priorities and gains for this aircraft.
+        control: the designer's priorities and gains for this aircraft; those that are not given become the ones that suit it.
         actuators: [n] in the order of `model.actuators`.
         dt_s: duration of a control step [s].
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
@@ -64,6 +65,12 @@ class Setup:
     trim_pitch: float
     settings: ControllerSettings
     released: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        limits = np.array([(a.low, a.high) for a in self.actuators])
+        lags = [a.lag_rad_s for a in self.actuators]
+        control = scaled(self.control, self.model, limits, lags, self.released)
+        object.__setattr__(self, "control", control)
 
     @property
     def scale(self) -> np.ndarray:

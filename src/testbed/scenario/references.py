@@ -24,7 +24,7 @@ def references(scenario: Scenario) -> np.ndarray:
     """
     limits = scenario.command_rates
     rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
-    rates["heading"] = math.radians(limits.heading_deg_s)
+    rates["heading"] = math.radians(limits.heading_deg_s or 0.0)
     time = np.arange(scenario.steps) / scenario.rate_hz
     rows = np.zeros((scenario.steps, len(SETPOINT)))
     for name, key, factor in _FIELDS:
