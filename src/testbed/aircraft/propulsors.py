@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import brentq
 
 PROPELLER_POINTS = 41
 """Number of points in each table of a propeller."""
@@ -36,6 +35,8 @@ class Propulsor:
 
     def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
         """Rotor speed [rev/s] at which the propeller gives this thrust."""
+        from scipy.optimize import brentq  # here, because scipy is slow to import and only set-up needs it
+
         slowest = axial_m_s / (self.diameter_m * self.advance[1])
         top = self.max_volts * self.velocity_constant_rps_v
         return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
 
 from testbed.aircraft.control_design import Axis, ControlDesign
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
@@ -191,11 +191,48 @@ class PidSettings(ControllerSettings):
 
 
 class IndiSettings(ControllerSettings):
-    """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates, no monitor."""
+    """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates."""
 
     type: Literal["indi"] = "indi"
     filter_rad_s: NonNegative = 20.0
     """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
+    monitor: StrictBool = False
+    """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
+
+
+class RlsInversionSettings(ControllerSettings):
+    """Inversion (6) with effectiveness by recursive least squares with forgetting: it adapts, and diagnoses nothing."""
+
+    type: Literal["rls_inversion"] = "rls_inversion"
+    forgetting_s: Positive = 2.0
+    """Time constant with which old measurements are forgotten [s]."""
+    lambda_min: Positive = 0.1
+    lambda_max: Positive = 1.2
+    """Estimates are kept between `lambda_min` and `lambda_max`."""
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+
+
+class ImmInversionSettings(ControllerSettings):
+    """Inversion with an interacting multiple-model estimator: one model for each failure, and a mode for the likeliest."""
+
+    type: Literal["imm_inversion"] = "imm_inversion"
+    failure_rate_per_s: Positive = 0.01
+    """Rate at which a model is expected to give way to another [1/s]."""
+    probability: Annotated[Number, Field(gt=0.5, lt=1)] = 0.9
+    """An actuator is flagged as failed while the model of its loss is more probable than this for `persistence_s`."""
+    persistence_s: NonNegative = 0.2
+    """How long it must be as probable as that [s]."""
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+
+
+class OracleSettings(ControllerSettings):
+    """The law of `adaptive_inversion`, told the true effectiveness and failures at once: the bound of any diagnosis."""
+
+    type: Literal["oracle"] = "oracle"
+    threshold: Fraction = 0.05
+    """An actuator with this true effectiveness or less is given up as failed."""
 
 
 TABLE: dict[str, type[ControllerSettings]] = {
@@ -203,6 +240,9 @@ TABLE: dict[str, type[ControllerSettings]] = {
     "fixed_inversion": FixedInversionSettings,
     "pid": PidSettings,
     "indi": IndiSettings,
+    "rls_inversion": RlsInversionSettings,
+    "imm_inversion": ImmInversionSettings,
+    "oracle": OracleSettings,
 }
 """Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""
 

@@ -132,6 +132,7 @@ SETTINGS = (
         "scaled/sqrt(s)",
         "of a jammed actuator's position, modelled as a random walk",
     ),
+    Field("forgetting_time", (), "s", "time constant of forgetting in recursive least squares"),
     Field("noise", (4,), "x_c/sqrt(Hz)", "disturbance by gusts, root of its two-sided spectral density"),
     Field("model_error_std", (4,), "x_c", "standard deviation of the model error at the model's own trim"),
     Field("model_error_rate", (), "1/s", "one over the correlation time of the model's error"),
@@ -163,15 +164,12 @@ SETTINGS = (
 
 MODE = (
     Field("regulated", (), "flag", "the outer loop is the mode's regulator, because axes are released"),
-    Field("redundant", (), "flag", "there are more available actuators than kept axes"),
     Field("available", (_N,), "flag", "the actuator is used; a failed one is not"),
     Field("released", (4,), "flag", "the rate is given up", "section 2.3"),
     Field("B_hat_inv", (_N, 4), "scaled per x_c", "inverse of the modified input matrix", "(29)"),
+    Field("row_weight", (4,), "1 per x_c^2", "weight of each kept rate in the allocation; 0 if released"),
     Field(
-        "B_hat_inv_at_stop",
-        (_N, _N, 4),
-        "scaled per x_c",
-        "as B_hat_inv without the actuator of the first index, for while that one is at a stop",
+        "hessian", (_N, _N), "1 per scaled^2", "B' diag(row_weight) B + deviation weight, of the allocation"
     ),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
     Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
@@ -223,6 +221,12 @@ MEMORY = (
     Field(
         "designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"
     ),
+    Field(
+        "at_stop",
+        (_N,),
+        "flag",
+        "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none",
+    ),
     Field("residual", (4,), "x_c", "running mean of e, first-order with time constant `residual_time`"),
     Field("b", (4,), "x_c", "estimate of the model's error: what f_m and B_m leave out of each rate"),
     Field("model_error_variance", (4,), "x_c^2", "variance of b that is expected"),
@@ -244,6 +248,12 @@ WORK = (
     Field("nu", (4,), "x_c", "virtual control, the bracket [x_dc_dot - f_m]", "(6), (29)"),
     Field("phi", (4, _N), "x_c", "Phi = B_m diag(a): effect of each actuator if fully effective", "(12)"),
     Field("P_h", ("n+4",), "1, scaled, x_c", "P times a row of (Phi, I), in the Kalman update"),
+    Field("d", (_N,), "scaled", "effective positions beyond the mode's trim, in the allocation"),
+    Field("g", (_N,), "1 per scaled", "right-hand side of the allocation's normal equations"),
+    Field("low", (_N,), "scaled", "lower stop of d"),
+    Field("high", (_N,), "scaled", "upper stop of d"),
+    Field("factor", (_N, _N), "1 per scaled", "Cholesky factor, in the allocation"),
+    Field("step", (_N,), "scaled", "change of d, in the allocation"),
 )
 """w: working memory of one step, so that nothing is allocated in flight."""
 

@@ -1,11 +1,14 @@
-"""What a controller is given before a flight: the design model and the designer's choices, never the plant."""
+"""What a controller is given before a flight: the design model and the designer's choices, never the plant.
+
+One controller is an exception: `oracle` is told the truth about the actuators, as a bound for the others (`Setup.truth`).
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -39,6 +42,20 @@ class ActuatorData:
     rate: float
 
 
+class ActuatorTruth(NamedTuple):
+    """What is true of the n actuators in the present control step.
+
+    Attributes:
+        effectiveness: [n] of each, 1 healthy, 0 lost.
+        follows: [n] whether the actuator follows its command.
+        position: [n] as if fully effective [rad or N].
+    """
+
+    effectiveness: Sequence[float]
+    follows: Sequence[bool]
+    position: Sequence[float]
+
+
 @dataclass(frozen=True)
 class Setup:
     """All that a controller knows when the flight begins.
@@ -53,6 +70,7 @@ class Setup:
         trim_pitch: pitch angle [rad] at the start.
         settings: the scenario's `controller` block.
         released: axes that are given up while no actuator is flagged as failed, in the order of `signals.RATES`.
+        truth: for `oracle` alone, a function that tells the truth about the actuators; None for every other controller.
     """
 
     aircraft: str
@@ -65,6 +83,7 @@ class Setup:
     trim_pitch: float
     settings: ControllerSettings
     released: tuple[str, ...] = ()
+    truth: Callable[[], ActuatorTruth] | None = None
 
     def __post_init__(self) -> None:
         limits = np.array([(a.low, a.high) for a in self.actuators])

@@ -77,6 +77,8 @@ class Failure(Settings):
     """Kinds of actuator that can fail in this way."""
     undone: ClassVar[bool] = True
     """Whether it may end before the flight does. False for a part that has fallen off."""
+    follows_command: ClassVar[bool] = True
+    """Whether the actuator still follows its command, if with less effect, late or with an offset."""
     examples: ClassVar[Examples] = {}
     """For each kind of actuator, fields with a visible effect; they are flown by the tests and drawn in the catalogue."""
 

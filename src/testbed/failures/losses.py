@@ -47,6 +47,7 @@ class MotorStop(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("motor", "engine")
     type: Literal["motor_stop"] = "motor_stop"
+    follows_command: ClassVar[bool] = False
     braked: StrictBool = False
     examples: ClassVar[Examples] = {"motor": {}}
 

@@ -76,6 +76,7 @@ class Runaway(ActuatorFailure):
     """The servo or throttle moves from where it is, at `rate` per second, to its highest (`to: max`) or lowest (`to: min`) stop."""
 
     type: Literal["runaway"] = "runaway"
+    follows_command: ClassVar[bool] = False
     rate: Positive
     to: Literal["max", "min"] = "max"
     examples: ClassVar[Examples] = both({"rate": 10.0}, {"rate": 0.3})
@@ -128,6 +129,13 @@ class Intermittent(ActuatorFailure):
             return self.value if broken else healthy
 
         return self.name(aircraft, "effectiveness"), value_at
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        for field, spell in (("off_s", self.off_s), ("on_s", self.on_s)):
+            if spell * rate_hz < 1.0:
+                yield Fault(
+                    field, f"{spell:g} s is shorter than a control step", f"at least {1.0 / rate_hz:g}"
+                )
 
 
 class Decay(ActuatorFailure):

@@ -91,7 +91,7 @@ def stored(aircraft: Aircraft) -> DesignModel:
     def read_or_identify() -> DesignModel:
         if text is not None:
             model = load_design_model(file)
-            if model.identified_from == fingerprint:
+            if model.identified_from == fingerprint and model.actuators == tuple(aircraft.actuators):
                 return model
         return identify(aircraft)
 
