@@ -70,7 +70,8 @@ def _first_load(aircraft: Aircraft, digest: str) -> known.Record:
 
 def _answer(aircraft: Aircraft) -> known.Record:
     """What the process of the first load says."""
-    request = {"folder": str(aircraft.folder.resolve()), "aircraft": aircraft.model_dump(mode="json")}
+    described = aircraft.model_dump(mode="json", exclude_none=True)
+    request = {"folder": str(aircraft.folder.resolve()), "aircraft": described}
     command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
     try:
         with tempfile.TemporaryDirectory() as empty:
