@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import closing
 from typing import Any
+
+import numpy as np
 
 from testbed.inputs.yaml_source import parse
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
@@ -19,7 +22,18 @@ Record = dict[str, Any]
 def fly_all(
     base: str, flights: Iterable[tuple[int, Values]], jobs: int | None = None, fly: str = FLY
 ) -> list[Record]:
-    """Fly the scenario with the YAML text `base` once for each (seed, values); returns the records in that order.
+    """As `fly_each`; returns the records in the order of `flights`."""
+    planned = list(flights)
+    records: list[Record] = [{}] * len(planned)
+    for number, record in fly_each(base, planned, jobs, fly):
+        records[number] = record
+    return records
+
+
+def fly_each(
+    base: str, flights: Sequence[tuple[int, Values]], jobs: int | None = None, fly: str = FLY
+) -> Iterator[tuple[int, Record]]:
+    """Fly the scenario with the YAML text `base` once for each (seed, values); yields (number, record) as each has flown.
 
     Progress is shown on stderr. Exits if a flight has no result.
 
@@ -29,13 +43,17 @@ def fly_all(
     """
     tasks = [Task(run, 0, seed, values) for run, (seed, values) in enumerate(flights)]
     job = Job(Builder(parse(base, "campaign"), (Variant("", {}),)), fly, save_logs="none", time_limit_s=600.0)
-    records: list[Record] = [{}] * len(tasks)
-    for done, (task, flown) in enumerate(fly_locally(job, tasks, jobs), 1):
-        records[task.run] = flown.record
-        if done % 100 == 0 or done == len(tasks):
-            print(f"\r{done} of {len(tasks)} flights", end="", file=sys.stderr, flush=True)
+    with closing(fly_locally(job, tasks, jobs)) as flying:
+        for done, (task, flown) in enumerate(flying, 1):
+            if flown.record["outcome"] in ("invalid", "error", "timeout", "crashed"):
+                raise SystemExit(f"a flight could not be flown: {flown.record['reason']}: {flown.record}")
+            if done % 100 == 0 or done == len(tasks):
+                print(f"\r{done} of {len(tasks)} flights", end="", file=sys.stderr, flush=True)
+            yield task.run, flown.record
     print(file=sys.stderr)
-    broken = [record for record in records if record["outcome"] in ("invalid", "error", "timeout", "crashed")]
-    if broken:
-        raise SystemExit(f"{len(broken)} flights could not be flown: {broken[0]['reason']}")
-    return records
+
+
+def coefficient_errors(names: Sequence[str], size: float, seed: int) -> dict[str, float]:
+    """Factors 1 + size or 1 - size on the coefficients of a design model; the seed decides each sign."""
+    signs = np.random.default_rng([seed, 4]).choice((-1.0, 1.0), len(names))
+    return dict(zip(names, (1.0 + size * signs).tolist(), strict=True))

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from flights import Record, Values, fly_all
+from flights import Record, Values, coefficient_errors, fly_all
 
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
@@ -28,7 +28,7 @@ from testbed.inputs.yaml_source import parse
 from testbed.simulation import fly
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
 
-CONTROLLER = "{type: adaptive_inversion, estimation: weighted, released: [p_dot]}"
+CONTROLLER = "{type: adaptive_inversion}"
 BASE = """\
 name: hold it
 aircraft: vtail
@@ -88,9 +88,7 @@ class Cell:
             for actuator, value in self.lost
         ]
         if self.model_error:
-            signs = np.random.default_rng([seed, 4]).choice((-1.0, 1.0), len(COEFFICIENTS))
-            factors = (1.0 + self.model_error * signs).tolist()
-            values["controller.model_error"] = dict(zip(COEFFICIENTS, factors, strict=True))
+            values["controller.model_error"] = coefficient_errors(COEFFICIENTS, self.model_error, seed)
         if self.long:
             values["duration_s"] = LONG_S
             values["commands"] = [

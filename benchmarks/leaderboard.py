@@ -26,15 +26,11 @@ from testbed.scenario.load import Scenario
 from testbed.simulation import fly
 
 CONTROLLERS: Mapping[str, Mapping[str, Any]] = {
-    "adaptive_inversion": {"type": "adaptive_inversion", "filter_rad_s": 20.0},
-    "adaptive_inversion, weather": {
-        "type": "adaptive_inversion",
-        "estimation": "weighted",
-        "released": ["p_dot"],
-    },
-    "fixed_inversion": {"type": "fixed_inversion", "released": ["p_dot"]},
+    "adaptive_inversion, paper": {"type": "adaptive_inversion", "preset": "paper", "filter_rad_s": 20.0},
+    "adaptive_inversion": {"type": "adaptive_inversion"},
+    "fixed_inversion": {"type": "fixed_inversion"},
     "pid": {"type": "pid"},
-    "indi": {"type": "indi", "released": ["p_dot"]},
+    "indi": {"type": "indi"},
 }
 ACTUATOR = {"servo": "left_ruddervator", "motor": "right_propeller"}
 PROPERTY = {"set": {"fcs/left-ruddervator/effectiveness": 0.5, "fcs/right-propeller/effectiveness": 0.5}}

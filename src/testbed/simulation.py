@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -12,9 +12,11 @@ import numpy as np
 
 from testbed.air.wind import Weather
 from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.shape import load_shape
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.controllers import Controller
+from testbed.controllers.config import OracleSettings
 from testbed.controllers.make import make_controller
 from testbed.controllers.setup import Setup, setup_for
 from testbed.controllers.user.adapter import adapted
@@ -22,8 +24,11 @@ from testbed.controllers.user.loader import name_of
 from testbed.flight.columns import Recorded, all_columns, table
 from testbed.flight.events import controller_events
 from testbed.flight.flight import Flight, Outcome
+from testbed.flight.loss import loss_event
+from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
 from testbed.injection.injector import Injector
+from testbed.injection.truth import Truth
 from testbed.inputs.problems import BadInput
 from testbed.metrics import TABLE as METRICS
 from testbed.metrics import Readings, adaptation_rates, measure
@@ -31,6 +36,7 @@ from testbed.plant.envelope import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENV
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
+from testbed.scenario import conditions
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.load import Scenario, load_scenario
 from testbed.scenario.references import references
@@ -91,12 +97,15 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     begin_at(plant, start)
     weather.begin()
     setup = _setup(scenario, aircraft, start)
+    injector = Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed)
+    if controller is None and isinstance(scenario.controller, OracleSettings):
+        setup = replace(setup, truth=Truth(plant, injector))
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
         controller=adapted(controller, setup) if controller else make_controller(setup),
-        injector=Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed),
+        injector=injector,
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario),
@@ -154,7 +163,9 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         for name, actuator in aircraft.actuators.items()
     }
     warnings = parts.injector.finish()
-    events = _events(parts, log, steps)
+    if not parts.flown_by:
+        warnings += conditions.warnings(scenario)
+    events = _events(parts, log, outcome, actuators)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
     metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))
     return Flight(
@@ -168,18 +179,25 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         requirements=judge(scenario.requirements, log, metrics),
         actuators=actuators,
         warnings=warnings,
+        shape=load_shape(aircraft.folder),
         flown_by=parts.flown_by,
     )
 
 
-def _events(parts: Assembly, log: dict[str, np.ndarray], steps: int) -> list[dict[str, Any]]:
-    """Injections, sensor faults, what the controller flagged and released, and its reasons, in order of time."""
-    injections = parts.injector.receipts
+def _events(
+    parts: Assembly, log: dict[str, np.ndarray], outcome: Outcome, actuators: dict[str, dict[str, Any]]
+) -> list[dict[str, Any]]:
+    """Injections, sensor faults, what the controller flagged and released, its reasons, recoveries and the loss of the
+    aircraft, in order of time."""
+    injections, survived = parts.injector.receipts, outcome is Outcome.completed
     events = [
         *injections,
-        *parts.sensors.receipts(steps),
-        *controller_events(log, tuple(parts.aircraft.actuators), injections),
+        *parts.sensors.receipts(len(log["time_s"])),
+        *controller_events(log, tuple(actuators), injections),
+        *recovery_events(log, injections, survived),
     ]
+    if not survived:
+        events.append(loss_event(log, outcome, parts.aircraft.envelope, actuators))
     for step, text in parts.controller.reasons:
         events.append({"time_s": step / parts.scenario.rate_hz, "kind": "diagnosis", "text": text})
     return sorted(events, key=lambda event: event["time_s"])

@@ -8,6 +8,7 @@ import pytest
 from pydantic import ValidationError
 from short_flights import scenario
 
+from testbed.aircraft.control_design import ControlDesign
 from testbed.controllers.config import TABLE, AdaptiveInversionSettings, PerKind
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import dump, load_scenario
@@ -44,18 +45,51 @@ def test_a_number_is_for_servos_and_motors() -> None:
             PerKind.model_validate(wrong)
 
 
-def test_weighted_has_defaults_of_its_own_that_can_be_overridden() -> None:
-    newton = AdaptiveInversionSettings()
-    weighted = AdaptiveInversionSettings.model_validate({"estimation": "weighted", "recovery": 0.9})
-    assert (newton.threshold, newton.recovery, newton.lambda_min) == (0.1, 0.6, 0.05)
-    assert (weighted.threshold, weighted.recovery, weighted.lambda_min) == (0.15, 0.9, -1.2)
+def inversion(**given: object) -> AdaptiveInversionSettings:
+    return AdaptiveInversionSettings.model_validate(given)
+
+
+def test_the_type_alone_is_the_law_for_weather() -> None:
+    default = inversion()
+    assert (default.preset, default.estimation, default.released) == ("default", "weighted", None)
+    assert (default.threshold, default.recovery, default.lambda_min) == (0.15, 0.8, -1.2)
+    assert inversion(estimation="weighted", released="auto") == default
+    assert inversion(recovery=0.9).recovery == 0.9
+
+
+def test_the_papers_law_has_defaults_of_its_own_that_can_be_overridden() -> None:
+    paper = inversion(preset="paper")
+    assert (paper.estimation, paper.released, paper.filter_rad_s) == ("newton", (), 0.0)
+    assert (paper.threshold, paper.recovery, paper.lambda_min) == (0.1, 0.6, 0.05)
+    changed = inversion(preset="paper", recovery=0.7, released=["p_dot"])
+    assert (changed.recovery, changed.released, changed.threshold) == (0.7, ("p_dot",), 0.1)
+
+
+@pytest.mark.parametrize("given", [{"estimation": "newton"}, {"gamma": 4.0}, {"epsilon": 0.05}])
+def test_settings_of_the_papers_law_alone_choose_it(given: dict[str, object]) -> None:
+    """As they did before there were presets."""
+    assert inversion(**given) == inversion(preset="paper", **given)
+
+
+@pytest.mark.parametrize("name", ["estimate", "monitor", "model_error", "speed_rule", "jam_test"])
+def test_parts_can_be_switched_off(name: str) -> None:
+    assert inversion(ablate=[name]).ablate == (name,)
+    with pytest.raises(ValidationError):
+        inversion(ablate=[f"{name}s"])
+
+
+def test_without_the_speed_rule_neither_airspeed_nor_altitude_is_given_up() -> None:
+    control = ControlDesign()
+    assert inversion().applied_to(control) is control
+    loops = inversion(ablate=["speed_rule"]).applied_to(control).loops
+    assert loops.lost_thrust_faster_m_s == loops.slow_descent_s == 0.0
 
 
 @pytest.mark.parametrize(
     ("given", "message"),
     [
         ({"threshold": 0.5, "recovery": 0.4}, "recovery.*0.4 is not above threshold"),
-        ({"lambda_min": 0.0}, "newton integrates the logarithm"),
+        ({"preset": "paper", "lambda_min": 0.0}, "newton integrates the logarithm"),
         ({"lambda_min": 0.5, "lambda_max": 0.4}, "lambda_max.*0.4 is not above lambda_min"),
         ({"gamma": 0.0}, "gamma"),
     ],

@@ -10,6 +10,7 @@ from vtail_setup import vtail_setup
 
 from testbed.controllers.config import TABLE
 from testbed.controllers.make import CONSTRUCTORS, make_controller
+from testbed.controllers.setup import ActuatorTruth
 from testbed.simulation import fly
 
 
@@ -19,7 +20,8 @@ def test_every_kind_of_settings_has_a_class_that_flies_it() -> None:
 
 @pytest.mark.parametrize("name", TABLE)
 def test_a_controller_has_the_protocol(name: str) -> None:
-    controller = make_controller(vtail_setup(TABLE[name]()))
+    truth = ActuatorTruth([1.0] * 4, [True] * 4, [0.0] * 4)  # for the oracle alone
+    controller = make_controller(vtail_setup(TABLE[name](), truth=lambda: truth))
     assert list(controller.reasons) == []
     assert callable(controller.bind) and callable(controller.step)
 

@@ -19,7 +19,8 @@ from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup, setup_for
 
 ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")
-WEATHER = AdaptiveInversionSettings(estimation="weighted", released=("p_dot",))
+WEATHER = AdaptiveInversionSettings()
+PAPER = AdaptiveInversionSettings(preset="paper")
 DT = 0.005
 
 
@@ -29,10 +30,10 @@ def vtail() -> tuple[Aircraft, DesignModel]:
 
 
 def vtail_setup(settings: ControllerSettings | None = None, **changes: Any) -> Setup:
-    """Set-up at the design model's trim; `changes` replace fields of it."""
+    """Set-up at the design model's trim, of the paper's law if no settings are given; `changes` replace fields of it."""
     aircraft, model = vtail()
     positions = [math.degrees(p) if k == "servo" else p for p, k in zip(model.trim, model.kinds, strict=True)]
-    chosen = settings or AdaptiveInversionSettings()
+    chosen = settings or PAPER
     setup = setup_for(aircraft, model, chosen, DT, [0.0] * 4, positions, model.alpha_rad)
     m, s = model_record(setup)[0], trimmed_memory(setup)[0]
     commands = [

@@ -81,6 +81,19 @@ class RegulatorWeights(Settings):
     """Largest acceptable deviation of an actuator from its trim position, in units of its `scale`."""
 
 
+class AllocationWeights(Settings):
+    """Weights of the least squares that says what gives way when actuators reach their stops: of a miss of each rate
+    [1 per rad/s2; u_dot 1 per m/s2], and of a deviation from the trim positions [1 per unit of an actuator's `scale`].
+
+    A miss of airspeed is made up for later, a miss of attitude may not be. The deviation decides where the rates do not."""
+
+    p_dot: Positive = 1.0
+    q_dot: Positive = 1.0
+    r_dot: Positive = 1.0
+    u_dot: Positive = 0.15
+    deviation: Positive = 0.001
+
+
 class GustDensity(Settings):
     """Disturbance of each rate by gusts that the design model does not predict, as the root of its two-sided spectral density
     [rad/s2 per sqrt(Hz); u_dot m/s2 per sqrt(Hz)]."""
@@ -117,5 +130,6 @@ class ControlDesign(Settings):
     """Correlation time of the model error in the weighted estimation [s]."""
     coefficient_error: NonNegative = 0.2
     """Relative standard deviation of each coefficient of the design model that the weighted estimation assumes."""
+    allocation: AllocationWeights = AllocationWeights()
     loops: Loops = Loops()
     regulator: RegulatorWeights = RegulatorWeights()

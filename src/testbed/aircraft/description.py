@@ -11,12 +11,14 @@ from typing import Annotated, Literal
 from pydantic import Field, PrivateAttr, field_validator
 
 from testbed.aircraft.control_design import Axis, ControlDesign
+from testbed.aircraft.model_files.safe_xml import read_bytes
 from testbed.aircraft.shipped import find_aircraft
 from testbed.common.cache import Cache
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
+from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import Issue, guess, one_of
 from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import TreePath, parsed, read_text
+from testbed.inputs.yaml_source import TreePath, parsed
 
 
 class Reference(Settings):
@@ -100,11 +102,51 @@ class MotorActuator(Actuator):
     """Rate limit of the thrust [N/s]. By default only the rotor's lag limits how fast thrust changes."""
 
     @property
+    def throttle(self) -> tuple[float, float]:
+        """Lowest and highest throttle: none, and full voltage."""
+        return 0.0, 1.0
+
+    @property
     def lag_rad_s(self) -> float:
         """Corner frequency with which rotor speed follows voltage, without the propeller's load: K_t^2 / (R J) [rad/s]."""
         motor = self.motor
         k_t = 60.0 / (2.0 * math.pi * motor.velocity_constant_rpm_v)
         return k_t * k_t / (motor.resistance_ohm * motor.rotor_inertia_kg_m2)
+
+
+class Engine(Actuator):
+    """An engine of any other kind, piston or turbine, with its propeller or jet. JSBSim gets a throttle; the control law works
+    with the thrust, which is identified as a function of throttle and airspeed."""
+
+    kind: Literal["engine"] = "engine"
+    engine: Whole
+    """Number of its engine in the JSBSim model."""
+    throttle: tuple[Number, Number] = (0.0, 1.0)
+    """Lowest and highest throttle."""
+    rate_limit: Positive = 1e9
+    """Rate limit of the thrust [N/s]. By default only the engine's own lag limits how fast thrust changes."""
+    lag_rad_s: Positive | None = None
+    """Corner frequency of the first-order lag of thrust behind throttle; by default it is identified."""
+
+    @field_validator("throttle")
+    @classmethod
+    def _some_travel(cls, throttle: tuple[float, float]) -> tuple[float, float]:
+        if throttle[0] >= throttle[1]:
+            raise refuse(f"{list(throttle)} leaves no travel", "[lowest, highest]")
+        return throttle
+
+
+AnyActuator = Servo | MotorActuator | Engine
+"""An actuator of any kind; its `kind` says which."""
+
+
+class StartStep(Settings):
+    """One step of making the JSBSim model ready to fly: properties to write, then a time to run with the airframe held."""
+
+    set: dict[str, Number] = {}  # noqa: RUF012  (pydantic copies it)
+    """Properties to write, in JSBSim's units."""
+    run_s: NonNegative = 0.0
+    """How long to run after that [s]."""
 
 
 class Aircraft(Settings):
@@ -119,8 +161,10 @@ class Aircraft(Settings):
     reference: Reference
     axes: tuple[Axis, ...] = Field(min_length=1)
     """State rates that are controlled directly, x_c of the paper. Their priorities are `control.priorities`."""
-    actuators: dict[str, Annotated[Servo | MotorActuator, Field(discriminator="kind")]] = Field(min_length=1)
+    actuators: dict[str, Annotated[AnyActuator, Field(discriminator="kind")]] = Field(min_length=1)
     """Each actuator by its name. Commands are in this order everywhere."""
+    start: tuple[StartStep, ...] = ()
+    """How engines are started and the gear is raised, once, when the model is first placed in flight."""
     envelope: Envelope = Envelope()
     control: ControlDesign = ControlDesign()
     _folder: Path = PrivateAttr(default=Path("."))
@@ -137,15 +181,21 @@ class Aircraft(Settings):
         """The aircraft's folder: its YAML and the JSBSim model's files."""
         return self._folder
 
-    def fingerprint(self) -> str:
-        """Hash of everything that the plant and its trim depend on: JSBSim files, actuators, reference; not the `control` block.
+    @property
+    def has_engines(self) -> bool:
+        """Whether it has engines, which take their own time to become steady."""
+        return any(isinstance(a, Engine) for a in self.actuators.values())
 
-        The files are read each time (0.1 ms), so an edit is always noticed.
+    def fingerprint(self) -> str:
+        """Hash of everything that the plant and its trim depend on: JSBSim files, actuators, reference, start; not `control`.
+
+        The files are read each time (0.1 ms), so an edit is always noticed. Raises BadInput for one that is no regular file.
         """
-        seen = self.model_dump_json(include={"model", "reference", "actuators"})
+        included = {"model", "reference", "actuators"} | ({"start"} if self.start else set())
+        seen = self.model_dump_json(include=included)
         text = hashlib.sha256(seen.encode())
         for file in sorted(self.folder.rglob("*.xml")):
-            text.update(file.relative_to(self.folder).as_posix().encode() + file.read_bytes())
+            text.update(file.relative_to(self.folder).as_posix().encode() + read_bytes(file))
         return text.hexdigest()
 
 

@@ -16,68 +16,26 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
 
+from testbed.aircraft.propulsors import EngineMap, Propulsor
+from testbed.common.files import replacing
 from testbed.common.units import GRAVITY_M_S2
 from testbed.inputs.problems import BadInput, Problem
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
 DESIGN_MODEL = "design_model.json"
 """Where the model is stored, in the aircraft's folder."""
-PROPELLER_POINTS = 41  # number of points in each table of a propeller
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
 
 Vector = Sequence[float] | np.ndarray
-
-
-@dataclass(frozen=True)
-class Propulsor:
-    """One motor with its propeller as the design model knows it.
-
-    Coefficients are tables over equal steps of advance ratio J = V_axial / (n D), from the first to the last value of `advance`
-    (at the last, the propeller windmills): T = rho n^2 D^4 C_T(J), Q = rho n^2 D^5 C_Q(J), n in rev/s.
-    Motor: current I = (voltage - n/K_v)/R, torque Q_motor = K_t (I - i_0).
-    """
-
-    advance: tuple[float, float]
-    thrust: tuple[float, ...]
-    torque: tuple[float, ...]
-    diameter_m: float
-    rotor_inertia_kg_m2: float
-    max_volts: float
-    velocity_constant_rps_v: float
-    torque_constant_n_m_a: float
-    resistance_ohm: float
-    no_load_current_a: float
-
-    def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
-        """Rotor speed [rev/s] at which the propeller gives this thrust."""
-        slowest = axial_m_s / (self.diameter_m * self.advance[1])
-        top = self.max_volts * self.velocity_constant_rps_v
-        return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
-
-    def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
-        """Steady torque [N m] at a thrust and axial airspeed, and its derivative by thrust, dQ/dT [m], at this airspeed."""
-        n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
-        (t0, q0), (_, q), (t1, q1) = (
-            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
-        )  # a step wide enough to average over the corners of the piecewise linear tables
-        return q, (q1 - q0) / (t1 - t0)
-
-    def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
-        pressure = density_kg_m3 * n * n * self.diameter_m**4
-        j = axial_m_s / (n * self.diameter_m)
-        grid = np.linspace(*self.advance, len(self.thrust))
-        thrust, torque = np.interp(j, grid, self.thrust), np.interp(j, grid, self.torque)
-        return float(pressure * thrust), float(pressure * self.diameter_m * torque)
 
 
 def coefficient_names(actuators: Iterable[str]) -> list[str]:
@@ -92,16 +50,16 @@ class DesignModel:
     Attributes:
         airspeed_m_s, altitude_m, alpha_rad, density_kg_m3: the reference condition.
         actuators: names, in the order of the columns of `input_matrix`.
-        kinds: [n] `servo` or `motor`.
+        kinds: [n] `servo`, `motor` or `engine`.
         trim: [n] actuator positions at the reference trim [rad or N].
         bias: [6] rates at the reference condition without actuators and without gravity, by `ROWS`.
         derivatives: [6, 5] by `COLUMNS`.
         input_matrix: [6, n] B_m: rates per rad or N, with rotors at steady speed.
-        torque_matrix: [6, n] rates per N m of motor torque (zero for servos): the airframe feels the motor's
+        torque_matrix: [6, n] rates per N m of motor torque (zero for others): the airframe feels the motor's
             torque at once, but the thrust with the rotor's lag.
         offset_matrix: [6, n] rates that a healthy propeller adds to B u, because its torque has a part that does not vary with
             thrust.
-        propulsors: [n] motor and propeller; None for servos.
+        propulsors: [n] motor and propeller, or engine; None for servos.
         identified_from: fingerprint of the aircraft's files.
     """
 
@@ -117,7 +75,7 @@ class DesignModel:
     input_matrix: tuple[tuple[float, ...], ...]
     torque_matrix: tuple[tuple[float, ...], ...]
     offset_matrix: tuple[tuple[float, ...], ...]
-    propulsors: tuple[Propulsor | None, ...]
+    propulsors: tuple[Propulsor | EngineMap | None, ...]
     identified_from: str = ""
 
     def coefficient_names(self) -> list[str]:
@@ -179,8 +137,9 @@ class DesignModel:
         return _close(asdict(self), asdict(other), tolerance)
 
     def save(self, path: Path) -> None:
-        """Write as JSON."""
-        path.write_text(json.dumps(asdict(self), indent=1) + "\n")
+        """Write as JSON, completely or not at all."""
+        with replacing(path) as partial:
+            partial.write_text(json.dumps(asdict(self), indent=1) + "\n")
 
 
 def load_design_model(path: Path) -> DesignModel:
@@ -188,8 +147,13 @@ def load_design_model(path: Path) -> DesignModel:
     try:
         return _from_tree(json.loads(path.read_text(encoding="utf-8")))
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        what = f"is no design model: {error!r}"
+        what = f"is no design model: {_words(error)}"
         raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+
+
+def _words(error: Exception) -> str:
+    """What an exception says; the names of missing and unknown keys are said with the exception's own."""
+    return str(error) if type(error) is ValueError else repr(error)
 
 
 def _from_tree(data: dict[str, Any]) -> DesignModel:
@@ -198,12 +162,42 @@ def _from_tree(data: dict[str, Any]) -> DesignModel:
     for key in ("actuators", "kinds", "trim", "bias"):
         data[key] = tuple(data[key])
     data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
-    return DesignModel(**data)
+    model = DesignModel(**data)
+    for wrong in _impossible(model):
+        raise ValueError(wrong)
+    return model
 
 
-def _propulsor(data: dict[str, Any]) -> Propulsor:
-    fields: dict[str, Any] = {k: tuple(v) if isinstance(v, list) else v for k, v in data.items()}
-    return Propulsor(**fields)
+def _impossible(model: DesignModel) -> Iterator[str]:
+    """What no identification writes: numbers that are not finite, and arrays of another shape than the actuators ask for."""
+    n = len(model.actuators)
+    shapes = {
+        "trim": (n,), "bias": (len(ROWS),), "derivatives": (len(ROWS), len(COLUMNS)),
+        "input_matrix": (len(ROWS), n), "torque_matrix": (len(ROWS), n), "offset_matrix": (len(ROWS), n),
+        "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (),
+    }  # fmt: skip
+    for name, shape in shapes.items():
+        values = np.array(getattr(model, name), dtype=float)
+        if values.shape != shape:
+            yield f"{name} has the shape {list(values.shape)}, expected {list(shape)}"
+        elif not np.all(np.isfinite(values)):
+            yield f"{name} is not finite"
+    if len(model.kinds) != n or len(model.propulsors) != n:
+        yield f"kinds and propulsors must have {n} entries"
+    for i, propulsor in enumerate(model.propulsors):
+        if propulsor is not None and not all(
+            np.all(np.isfinite(np.ravel(v))) for v in asdict(propulsor).values() if v is not None
+        ):
+            yield f"propulsors.{i} is not finite"
+
+
+def _propulsor(data: dict[str, Any]) -> Propulsor | EngineMap:
+    fields: dict[str, Any] = {k: _tuple(v) for k, v in data.items()}
+    return EngineMap(**fields) if "throttles" in fields else Propulsor(**fields)
+
+
+def _tuple(value: Any) -> Any:
+    return tuple(map(_tuple, value)) if isinstance(value, list) else value
 
 
 def kinematics(x: Mapping[str, float]) -> np.ndarray:

@@ -1,11 +1,12 @@
-"""Servos and motors as the controller models them: the positions to which the commands so far have moved the actuators.
+"""Servos, motors and engines as the controller models them: the positions to which the commands so far have moved the actuators.
 
 The regressor of the adaptive law uses these positions, so that lag, rate limits and stops are not mistaken for lost
 effectiveness: with them, (18) holds for any command.
 
 Letters: m design model (`records.MODEL`), s memory (`records.MEMORY`), i an actuator, dt [s], axial the airspeed along
 the propellers' axis [m/s]. Propeller: T = rho n^2 D^4 C_T(J) and Q = rho n^2 D^5 C_Q(J) with J = axial / (n D), rotor
-speed n in rev/s. Motor: current I = (voltage - n/K_v)/R, torque K_t (I - i_0).
+speed n in rev/s. Motor: current I = (voltage - n/K_v)/R, torque K_t (I - i_0). Engine: thrust from a table over throttle and
+airspeed, for the throttle that the engine has followed so far.
 """
 
 from __future__ import annotations
@@ -29,6 +30,8 @@ def advance_actuators(dt, axial, m, s):
     for i in range(len(s.command)):
         if m.servo[i]:
             advance_servo(i, dt, m, s)
+        elif m.engine[i]:
+            advance_engine(i, dt, axial, m, s)
         else:
             advance_motor(i, dt, axial, m, s)
 
@@ -65,8 +68,58 @@ def advance_motor(i, dt, axial, m, s):
 
 
 @compiled
+def advance_engine(i, dt, axial, m, s):
+    """Advance thrust [scaled] and followed throttle of engine i by one step: the throttle is followed with a lag, at limited
+    rates."""
+    row, part = row_of(axial, m.speeds[i])
+    last = m.throttles.shape[1] - 1
+    x, left = min(max(s.followed[i], m.throttles[i, 0]), m.throttles[i, last]), 0
+    while left < last - 1 and m.throttles[i, left + 1] < x:
+        left += 1
+    below, above = between(i, row, part, left, m.thrust_map), between(i, row, part, left + 1, m.thrust_map)
+    share = (x - m.throttles[i, left]) / (m.throttles[i, left + 1] - m.throttles[i, left])
+    s.position[i] = below + share * (above - below)
+    change = (1.0 - math.exp(-m.engine_lag[i] * dt)) * (s.command[i] - s.followed[i])
+    s.followed[i] += min(max(change, -m.fall[i] * dt), m.rise[i] * dt)
+
+
+@compiled
+def engine_throttle_for(i, thrust, axial, m):
+    """Lowest throttle of engine i with a steady thrust [scaled] at an airspeed; the nearest where there is none."""
+    row, part = row_of(axial, m.speeds[i])
+    last = m.throttles.shape[1] - 1
+    below = between(i, row, part, 0, m.rising_map)
+    throttle = m.throttles[i, last]
+    for k in range(last):
+        above = between(i, row, part, k + 1, m.rising_map)
+        if thrust <= above and above > below:
+            share = max((thrust - below) / (above - below), 0.0)
+            throttle = m.throttles[i, k] + share * (m.throttles[i, k + 1] - m.throttles[i, k])
+            break
+        below = above
+    return throttle
+
+
+@compiled
+def row_of(axial, speeds):
+    """Row of an engine's tables at or below an airspeed, and how far the airspeed is to the next; within the tables."""
+    last = len(speeds) - 1
+    x = min(max(axial, speeds[0]), speeds[last])
+    row = 0
+    while row < last - 1 and speeds[row + 1] < x:
+        row += 1
+    return row, (x - speeds[row]) / (speeds[row + 1] - speeds[row])
+
+
+@compiled
+def between(i, row, part, column, table):
+    """Value of an engine's table in a column, between two rows."""
+    return table[i, row, column] + part * (table[i, row + 1, column] - table[i, row, column])
+
+
+@compiled
 def throttle_for(i, thrust, axial, m, s):
-    """Throttle, 0 to 1, that gives a thrust [N] once the rotor is steady: Newton's method on the rotor speed.
+    """Throttle, 0 to 1, that gives a thrust [N] of motor i once the rotor is steady: Newton's method on the rotor speed.
 
     The search stays at or above `slowest`, the rotor speed at the last advance ratio of the tables.
     """

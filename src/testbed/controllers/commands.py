@@ -6,7 +6,7 @@ Letters: m design model (`records.MODEL`), s memory (`records.MEMORY`).
 from __future__ import annotations
 
 from testbed.common.jit import compiled
-from testbed.controllers.actuator_model import throttle_for
+from testbed.controllers.actuator_model import engine_throttle_for, throttle_for
 
 
 @compiled
@@ -15,6 +15,8 @@ def command_actuators(axial, m, s):
     for i in range(len(s.u)):
         if m.servo[i]:
             s.command[i] = s.u[i] * m.scale[i]
+        elif m.engine[i]:
+            s.command[i] = engine_throttle_for(i, s.u[i], axial, m)
         else:
             s.command[i] = throttle_for(i, s.u[i] * m.scale[i], axial, m, s)
 

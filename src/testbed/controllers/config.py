@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
 
-from testbed.aircraft.control_design import Axis
+from testbed.aircraft.control_design import Axis, ControlDesign
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 
 Fraction = Annotated[Number, Field(ge=0, le=1)]
 
 
 class PerKind(Settings):
-    """One number for each kind of actuator; a plain number stands for both."""
+    """One number for each kind of actuator; a plain number stands for both. That of a motor is for engines too."""
 
     servo: Positive
     motor: Positive
@@ -29,46 +29,64 @@ class PerKind(Settings):
 
     def of(self, kind: str) -> float:
         """The number for actuators of this kind."""
-        return float(getattr(self, kind))
+        return self.servo if kind == "servo" else self.motor
 
 
 class ControllerSettings(Settings):
     """What all controllers share."""
 
     type: str
-    released: tuple[Axis, ...] = ()
-    """Axes that are given up while no actuator is flagged as failed."""
+    released: tuple[Axis, ...] | None = None
+    """Axes that are given up while no actuator is flagged as failed. Without this key, or with `auto`, they are derived from the
+    aircraft's design model: those that gusts disturb by more than its actuators can give (see `testbed identify`)."""
     model_error: dict[str, Number] = {}  # noqa: RUF012  (pydantic copies it)
     """Factors on coefficients of the design model, such as `Cm_alpha: 1.2`, to study model error (the paper's section 4)."""
 
+    @field_validator("released", mode="before")
+    @classmethod
+    def _automatic(cls, released: Any) -> Any:
+        return None if released == "auto" else released
 
-_DEFAULTS_OF_WEIGHTED = {
-    "threshold": 0.15,
-    "persistence_s": 0.2,
-    "recovery": 0.8,
-    "filter_rad_s": 20.0,
-    "lambda_min": -1.2,
-    "lambda_max": 1.2,
+    def applied_to(self, control: ControlDesign) -> ControlDesign:
+        """The aircraft's control design as this controller uses it."""
+        return control
+
+
+_DEFAULTS_OF_NEWTON = {
+    "threshold": 0.1,
+    "persistence_s": 0.1,
+    "recovery": 0.6,
+    "filter_rad_s": 0.0,
+    "lambda_min": 0.05,
+    "lambda_max": 1.1,
 }
+_DEFAULTS_OF_PAPER = {"preset": "paper", "estimation": "newton", "released": ()}
+_OF_NEWTON_ALONE = {"gamma", "epsilon"}
+
+Part = Literal["estimate", "monitor", "model_error", "speed_rule", "jam_test"]
+"""A part of the default law that can be switched off by `ablate`."""
 
 
 class AdaptiveInversionSettings(ControllerSettings):
-    """The paper's controller: inversion (6), adaptation (13), monitor (29)."""
+    """The paper's controller: inversion (6), adaptation (13), monitor (29); and what weather and real sensors add to it."""
 
     type: Literal["adaptive_inversion"] = "adaptive_inversion"
-    estimation: Literal["newton", "weighted"] = "newton"
-    """`newton` is the paper's (13). `weighted` is a Kalman filter for weather and real sensors: the more gusts disturb a
-    rate, the less weight it has. With `weighted` these defaults differ: threshold 0.15, persistence_s 0.2, recovery 0.8,
-    filter_rad_s 20, lambda_min -1.2, lambda_max 1.2."""
+    preset: Literal["default", "paper"] = "default"
+    """`default` is the law for calm air and weather. `paper` is the paper's alone, for calm air and ideal sensors: `estimation:
+    newton`, and no axis given up while nothing has failed. It is also what `estimation: newton`, `gamma` or `epsilon` choose."""
+    estimation: Literal["weighted", "newton"] = "weighted"
+    """`weighted` is a Kalman filter for weather and real sensors: the more gusts disturb a rate, the less weight it has. `newton`
+    is the paper's (13). With `newton` these defaults differ: threshold 0.1, persistence_s 0.1, recovery 0.6, filter_rad_s 0,
+    lambda_min 0.05, lambda_max 1.1."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
-    """Adaptation rate of (13) [1/s]."""
+    """Adaptation rate of (13) [1/s], for `newton`."""
     epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
-    """Half-width of g in (14), in units of the actuator's `scale`."""
-    threshold: Fraction = 0.1
+    """Half-width of g in (14), in units of the actuator's `scale`, for `newton`."""
+    threshold: Fraction = 0.15
     """An actuator whose estimate stays below this is flagged as failed."""
-    recovery: Fraction = Field(default=0.6, validate_default=True)
+    recovery: Fraction = Field(default=0.8, validate_default=True)
     """A flagged actuator whose estimate stays above this is no longer flagged."""
-    persistence_s: NonNegative = 0.1
+    persistence_s: NonNegative = 0.2
     """How long the estimate must stay below the threshold [s]."""
     recovery_s: NonNegative = 1.0
     """How long the estimate must stay above `recovery` [s]."""
@@ -76,18 +94,34 @@ class AdaptiveInversionSettings(ControllerSettings):
     """Largest standard deviation of an estimate at which its actuator may be flagged, for `weighted`."""
     process_noise_per_root_s: Positive = 0.1
     """Process noise of effectiveness, which `weighted` models as a random walk [1/sqrt(s)]."""
-    filter_rad_s: NonNegative = 0.0
+    filter_rad_s: NonNegative = 20.0
     """Corner of two equal first-order lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
-    lambda_min: Number = 0.05
-    lambda_max: Positive = 1.1
+    lambda_min: Number = -1.2
+    lambda_max: Positive = 1.2
     """Estimates are kept between `lambda_min` and `lambda_max`. `newton` integrates the logarithm of an estimate, so its
     `lambda_min` must be above zero."""
+    ablate: tuple[Part, ...] = ()
+    """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
+    `monitor` (nothing is flagged for a low estimate), `model_error` (the model's own error is not estimated), `speed_rule`
+    (no other airspeed after a failure, no altitude given up for airspeed), `jam_test` (no jam or reversal is looked for)."""
+
+    def applied_to(self, control: ControlDesign) -> ControlDesign:
+        """See `ControllerSettings.applied_to`."""
+        if "speed_rule" not in self.ablate:
+            return control
+        without = {"slow_descent_s": 0.0, "lost_thrust_faster_m_s": 0.0}
+        return control.model_copy(update={"loops": control.loops.model_copy(update=without)})
 
     @model_validator(mode="before")
     @classmethod
-    def _defaults_of_weighted(cls, value: Any) -> Any:
-        if isinstance(value, dict) and value.get("estimation") == "weighted":
-            return {**_DEFAULTS_OF_WEIGHTED, **value}
+    def _defaults(cls, value: Any) -> Any:
+        """Defaults that depend on the preset and on the estimation."""
+        if not isinstance(value, dict):
+            return value
+        if value.get("preset", "paper" if _asks_for_newton(value) else "") == "paper":
+            value = {**_DEFAULTS_OF_PAPER, **value}
+        if value.get("estimation") == "newton":
+            value = {**_DEFAULTS_OF_NEWTON, **value}
         return value
 
     @field_validator("recovery")
@@ -110,6 +144,13 @@ class AdaptiveInversionSettings(ControllerSettings):
         if lambda_max <= info.data.get("lambda_min", 0.0):
             raise refuse(f"{lambda_max:g} is not above lambda_min", f"more than {info.data['lambda_min']:g}")
         return lambda_max
+
+
+def _asks_for_newton(value: dict[str, Any]) -> bool:
+    """Whether a `controller` block without a preset means the paper's law, by its estimation or by settings of that alone."""
+    if "estimation" in value:
+        return bool(value["estimation"] == "newton")
+    return bool(_OF_NEWTON_ALONE & value.keys())
 
 
 class FixedInversionSettings(ControllerSettings):
@@ -150,11 +191,48 @@ class PidSettings(ControllerSettings):
 
 
 class IndiSettings(ControllerSettings):
-    """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates, no monitor."""
+    """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates."""
 
     type: Literal["indi"] = "indi"
     filter_rad_s: NonNegative = 20.0
     """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
+    monitor: StrictBool = False
+    """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
+
+
+class RlsInversionSettings(ControllerSettings):
+    """Inversion (6) with effectiveness by recursive least squares with forgetting: it adapts, and diagnoses nothing."""
+
+    type: Literal["rls_inversion"] = "rls_inversion"
+    forgetting_s: Positive = 2.0
+    """Time constant with which old measurements are forgotten [s]."""
+    lambda_min: Positive = 0.1
+    lambda_max: Positive = 1.2
+    """Estimates are kept between `lambda_min` and `lambda_max`."""
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+
+
+class ImmInversionSettings(ControllerSettings):
+    """Inversion with an interacting multiple-model estimator: one model for each failure, and a mode for the likeliest."""
+
+    type: Literal["imm_inversion"] = "imm_inversion"
+    failure_rate_per_s: Positive = 0.01
+    """Rate at which a model is expected to give way to another [1/s]."""
+    probability: Annotated[Number, Field(gt=0.5, lt=1)] = 0.9
+    """An actuator is flagged as failed while the model of its loss is more probable than this for `persistence_s`."""
+    persistence_s: NonNegative = 0.2
+    """How long it must be as probable as that [s]."""
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+
+
+class OracleSettings(ControllerSettings):
+    """The law of `adaptive_inversion`, told the true effectiveness and failures at once: the bound of any diagnosis."""
+
+    type: Literal["oracle"] = "oracle"
+    threshold: Fraction = 0.05
+    """An actuator with this true effectiveness or less is given up as failed."""
 
 
 TABLE: dict[str, type[ControllerSettings]] = {
@@ -162,6 +240,9 @@ TABLE: dict[str, type[ControllerSettings]] = {
     "fixed_inversion": FixedInversionSettings,
     "pid": PidSettings,
     "indi": IndiSettings,
+    "rls_inversion": RlsInversionSettings,
+    "imm_inversion": ImmInversionSettings,
+    "oracle": OracleSettings,
 }
 """Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""
 

@@ -6,6 +6,8 @@ import math
 
 import numpy as np
 
+from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE
@@ -33,23 +35,35 @@ def model_record(setup: Setup) -> np.ndarray:
     m.lag[:] = setup.lags
     m.rate[:] = [a.rate / a.scale for a in setup.actuators]
     m.trim_position[:] = np.array(model.trim) / scale
-    m.offset[:] = np.array(model.offset_matrix).sum(axis=1)[:4]
-    m.bias[:] = np.array(model.bias)[:4] + m.offset
+    offsets = np.array(model.offset_matrix)[:4]
+    m.offset[:] = offsets[:, [kind == "motor" for kind in model.kinds]].sum(axis=1)
+    m.bias[:] = np.array(model.bias)[:4] + offsets.sum(axis=1)
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
-    axial = model.airspeed_m_s * math.cos(model.alpha_rad)
-    for i, p in enumerate(model.propulsors):
-        if p is None:
-            continue
-        _, slope = p.torque_at(model.trim[i], axial, model.density_kg_m3)
-        m.torque_slope[i] = slope * scale[i]
-        m.c_thrust[i], m.c_torque[i] = p.thrust, p.torque
-        m.diameter[i], m.rotor_inertia[i], m.max_volts[i] = p.diameter_m, p.rotor_inertia_kg_m2, p.max_volts
-        m.advance_min[i] = p.advance[0]
-        m.advance_step[i] = (p.advance[1] - p.advance[0]) / (len(p.thrust) - 1)
-        m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
-        m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
+    for i, propulsor in enumerate(model.propulsors):
+        if isinstance(propulsor, Propulsor):
+            _fill_motor(m, i, propulsor, model)
+        elif isinstance(propulsor, EngineMap):
+            _fill_engine(m, i, propulsor)
     return record
+
+
+def _fill_motor(m: np.record, i: int, p: Propulsor, model: DesignModel) -> None:
+    axial = model.airspeed_m_s * math.cos(model.alpha_rad)
+    _, slope = p.torque_at(model.trim[i], axial, model.density_kg_m3)
+    m.torque_slope[i] = slope * m.scale[i]
+    m.c_thrust[i], m.c_torque[i] = p.thrust, p.torque
+    m.diameter[i], m.rotor_inertia[i], m.max_volts[i] = p.diameter_m, p.rotor_inertia_kg_m2, p.max_volts
+    m.advance_min[i] = p.advance[0]
+    m.advance_step[i] = (p.advance[1] - p.advance[0]) / (len(p.thrust) - 1)
+    m.k_v[i], m.k_t[i] = p.velocity_constant_rps_v, p.torque_constant_n_m_a
+    m.resistance[i], m.no_load_current[i] = p.resistance_ohm, p.no_load_current_a
+
+
+def _fill_engine(m: np.record, i: int, p: EngineMap) -> None:
+    m.engine[i], m.throttles[i], m.speeds[i] = True, p.throttles, p.speeds
+    m.thrust_map[i], m.rising_map[i] = np.array(p.thrust) / m.scale[i], p.rising / m.scale[i]
+    m.engine_lag[i], m.rise[i], m.fall[i] = p.lag_rad_s, p.rise_s, p.fall_s
 
 
 def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) -> np.ndarray:
@@ -88,6 +102,10 @@ def _fill_loops(c: np.record, setup: Setup) -> None:
 
 def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tuple[str, ...]) -> None:
     c.adapts, c.weighted = True, chosen.estimation == "weighted"
+    c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
+    c.tests_jams = "jam_test" not in chosen.ablate
+    if "model_error" in chosen.ablate:
+        c.model_error_std[:], c.coefficient_error = 0.0, 0.0
     c.gamma[:] = [chosen.gamma.of(kind) for kind in kinds]
     c.epsilon[:] = [chosen.epsilon.of(kind) for kind in kinds]
     c.threshold, c.persistence = chosen.threshold, chosen.persistence_s
@@ -109,7 +127,9 @@ def trimmed_memory(setup: Setup) -> np.ndarray:
         s[name][:] = np.asarray(setup.trim_positions) / scale
     axial = model.airspeed_m_s * math.cos(model.alpha_rad)
     for i, propulsor in enumerate(model.propulsors):
-        if propulsor is not None:
+        if isinstance(propulsor, Propulsor):
             s.rotor[i] = propulsor.speed_at(setup.trim_positions[i], axial, model.density_kg_m3)
+        elif isinstance(propulsor, EngineMap):
+            s.followed[i] = setup.trim_commands[i]
     s.pitch_integral = setup.trim_pitch
     return record

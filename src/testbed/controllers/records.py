@@ -21,7 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from testbed.aircraft.design_model import COLUMNS, PROPELLER_POINTS
+from testbed.aircraft.design_model import COLUMNS
+from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, PROPELLER_POINTS
 
 P_DOT, Q_DOT, R_DOT, U_DOT = range(4)
 """Rows by `signals.RATES`."""
@@ -64,11 +65,17 @@ MODEL = (
     Field("B", (4, _N), "x_c per scaled unit", "B_m, input matrix with rotors at steady speed", "(2)"),
     Field("B_inv", (_N, 4), "scaled units per x_c", "B_m^-1 (pseudo-inverse)", "(6)"),
     Field("B_torque", (4, _N), "x_c per N m", "effect of torque beyond `torque_slope` times thrust"),
-    Field("servo", (_N,), "flag", "the actuator is a servo; else a motor with a propeller"),
+    Field("servo", (_N,), "flag", "the actuator is a servo"),
+    Field(
+        "engine",
+        (_N,),
+        "flag",
+        "the actuator is an engine; if it is no servo either, a motor with a propeller",
+    ),
     Field("scale", (_N,), "rad or N", "size of one scaled unit"),
     Field("low", (_N,), "scaled", "lower stop"),
     Field("high", (_N,), "scaled", "upper stop"),
-    Field("lag", (_N,), "rad/s", "corner of the first-order lag of a servo"),
+    Field("lag", (_N,), "rad/s", "corner of the first-order lag, for small changes"),
     Field("rate", (_N,), "scaled/s", "rate limit of a servo"),
     Field(
         "trim_position", (_N,), "scaled", "position at the reference trim; a failed actuator is sent there"
@@ -85,12 +92,27 @@ MODEL = (
     Field("k_t", (_N,), "N m/A", "torque constant of the motor"),
     Field("resistance", (_N,), "ohm", "of the motor's winding"),
     Field("no_load_current", (_N,), "A", "i_0 of the motor"),
+    Field("throttles", (_N, ENGINE_THROTTLES), "throttle", "of the columns of an engine's tables"),
+    Field("speeds", (_N, ENGINE_SPEEDS), "m/s", "axial airspeeds of the rows of an engine's tables"),
+    Field("thrust_map", (_N, ENGINE_SPEEDS, ENGINE_THROTTLES), "scaled", "steady thrust of an engine"),
+    Field(
+        "rising_map",
+        (_N, ENGINE_SPEEDS, ENGINE_THROTTLES),
+        "scaled",
+        "its monotone part, to look a throttle up in",
+    ),
+    Field("engine_lag", (_N,), "rad/s", "corner of the lag with which an engine follows its throttle"),
+    Field("rise", (_N,), "1/s", "fastest increase of the throttle that an engine follows"),
+    Field("fall", (_N,), "1/s", "fastest decrease of it"),
 )
 """m: the design model f_m, B_m, and the actuators' own dynamics."""
 
 SETTINGS = (
     Field("dt", (), "s", "control step"),
     Field("adapts", (), "flag", "estimate effectiveness and monitor it"),
+    Field("uncompensated", (), "flag", "references are not divided by the estimates"),
+    Field("monitors", (), "flag", "flag actuators whose estimate is low", "section 2.3"),
+    Field("tests_jams", (), "flag", "look for jammed, offset and reversed actuators"),
     Field("weighted", (), "flag", "estimate with a Kalman gain in place of (13)"),
     Field("gamma", (_N,), "1/s", "adaptation rate", "(13)"),
     Field("epsilon", (_N,), "scaled", "half-width of g", "(14)"),
@@ -110,6 +132,7 @@ SETTINGS = (
         "scaled/sqrt(s)",
         "of a jammed actuator's position, modelled as a random walk",
     ),
+    Field("forgetting_time", (), "s", "time constant of forgetting in recursive least squares"),
     Field("noise", (4,), "x_c/sqrt(Hz)", "disturbance by gusts, root of its two-sided spectral density"),
     Field("model_error_std", (4,), "x_c", "standard deviation of the model error at the model's own trim"),
     Field("model_error_rate", (), "1/s", "one over the correlation time of the model's error"),
@@ -141,15 +164,12 @@ SETTINGS = (
 
 MODE = (
     Field("regulated", (), "flag", "the outer loop is the mode's regulator, because axes are released"),
-    Field("redundant", (), "flag", "there are more available actuators than kept axes"),
     Field("available", (_N,), "flag", "the actuator is used; a failed one is not"),
     Field("released", (4,), "flag", "the rate is given up", "section 2.3"),
     Field("B_hat_inv", (_N, 4), "scaled per x_c", "inverse of the modified input matrix", "(29)"),
+    Field("row_weight", (4,), "1 per x_c^2", "weight of each kept rate in the allocation; 0 if released"),
     Field(
-        "B_hat_inv_at_stop",
-        (_N, _N, 4),
-        "scaled per x_c",
-        "as B_hat_inv without the actuator of the first index, for while that one is at a stop",
+        "hessian", (_N, _N), "1 per scaled^2", "B' diag(row_weight) B + deviation weight, of the allocation"
     ),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
     Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
@@ -180,6 +200,7 @@ MEMORY = (
     Field("servo_input", (_N,), "scaled", "command of the step before, for the bilinear lag"),
     Field("servo_lagged", (_N,), "scaled", "output of the servo's lag, before rate limit and stops"),
     Field("rotor", (_N,), "rev/s", "modelled rotor speed"),
+    Field("followed", (_N,), "throttle", "throttle that an engine has followed so far"),
     Field("torque", (_N,), "N m", "modelled motor torque"),
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),
@@ -199,6 +220,12 @@ MEMORY = (
     ),
     Field(
         "designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"
+    ),
+    Field(
+        "at_stop",
+        (_N,),
+        "flag",
+        "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none",
     ),
     Field("residual", (4,), "x_c", "running mean of e, first-order with time constant `residual_time`"),
     Field("b", (4,), "x_c", "estimate of the model's error: what f_m and B_m leave out of each rate"),
@@ -221,6 +248,12 @@ WORK = (
     Field("nu", (4,), "x_c", "virtual control, the bracket [x_dc_dot - f_m]", "(6), (29)"),
     Field("phi", (4, _N), "x_c", "Phi = B_m diag(a): effect of each actuator if fully effective", "(12)"),
     Field("P_h", ("n+4",), "1, scaled, x_c", "P times a row of (Phi, I), in the Kalman update"),
+    Field("d", (_N,), "scaled", "effective positions beyond the mode's trim, in the allocation"),
+    Field("g", (_N,), "1 per scaled", "right-hand side of the allocation's normal equations"),
+    Field("low", (_N,), "scaled", "lower stop of d"),
+    Field("high", (_N,), "scaled", "upper stop of d"),
+    Field("factor", (_N, _N), "1 per scaled", "Cholesky factor, in the allocation"),
+    Field("step", (_N,), "scaled", "change of d, in the allocation"),
 )
 """w: working memory of one step, so that nothing is allocated in flight."""
 

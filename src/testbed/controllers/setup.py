@@ -1,18 +1,24 @@
-"""What a controller is given before a flight: the design model and the designer's choices, never the plant."""
+"""What a controller is given before a flight: the design model and the designer's choices, never the plant.
+
+One controller is an exception: `oracle` is told the truth about the actuators, as a bound for the others (`Setup.truth`).
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from testbed.aircraft.control_design import ControlDesign
-from testbed.aircraft.description import Aircraft
+from testbed.aircraft.description import Aircraft, AnyActuator
 from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.propulsors import EngineMap, Propulsor
+from testbed.common.signals import RATES
 from testbed.controllers.config import ControllerSettings
+from testbed.controllers.released_axes import released_from_start
 
 S = TypeVar("S", bound=ControllerSettings)
 
@@ -24,7 +30,7 @@ class ActuatorData:
     Attributes:
         scale: size of one scaled unit [rad or N].
         low, high: stops [rad or N].
-        lag_rad_s: corner of the first-order lag of the servo or rotor.
+        lag_rad_s: corner of the first-order lag of the servo, rotor or engine.
         rate: rate limit [rad/s or N/s].
     """
 
@@ -33,6 +39,20 @@ class ActuatorData:
     high: float
     lag_rad_s: float
     rate: float
+
+
+class ActuatorTruth(NamedTuple):
+    """What is true of the n actuators in the present control step.
+
+    Attributes:
+        effectiveness: [n] of each, 1 healthy, 0 lost.
+        follows: [n] whether the actuator follows its command.
+        position: [n] as if fully effective [rad or N].
+    """
+
+    effectiveness: Sequence[float]
+    follows: Sequence[bool]
+    position: Sequence[float]
 
 
 @dataclass(frozen=True)
@@ -48,6 +68,8 @@ class Setup:
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
         trim_pitch: pitch angle [rad] at the start.
         settings: the scenario's `controller` block.
+        released: axes that are given up while no actuator is flagged as failed, in the order of `signals.RATES`.
+        truth: for `oracle` alone, a function that tells the truth about the actuators; None for every other controller.
     """
 
     aircraft: str
@@ -59,6 +81,8 @@ class Setup:
     trim_positions: Sequence[float]
     trim_pitch: float
     settings: ControllerSettings
+    released: tuple[str, ...] = ()
+    truth: Callable[[], ActuatorTruth] | None = None
 
     @property
     def scale(self) -> np.ndarray:
@@ -103,20 +127,48 @@ def setup_for(
         positions: [n] actuator positions at the start, in each actuator's `unit` (deg, N).
         pitch: pitch angle at the start [rad].
     """
-    units = [math.radians(1.0) if a.kind == "servo" else 1.0 for a in aircraft.actuators.values()]
-    actuators = []
-    for actuator, unit in zip(aircraft.actuators.values(), units, strict=True):
-        low, high = actuator.limits
-        lag, rate = actuator.lag_rad_s, actuator.rate_limit
-        actuators.append(ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, rate * unit))
+    units = [_unit(a.kind) for a in aircraft.actuators.values()]
     return Setup(
         aircraft=aircraft.name,
         model=model.with_error(settings.model_error),
-        control=aircraft.control,
-        actuators=actuators,
+        control=settings.applied_to(aircraft.control),
+        actuators=[_told(*each) for each in zip(aircraft.actuators.values(), model.propulsors, strict=True)],
         dt_s=dt_s,
         trim_commands=commands,
         trim_positions=[position * unit for position, unit in zip(positions, units, strict=True)],
         trim_pitch=pitch,
         settings=settings,
+        released=_released(aircraft, model, settings),
     )
+
+
+def _told(actuator: AnyActuator, propulsor: Propulsor | EngineMap | None) -> ActuatorData:
+    """What a controller is told of one actuator; the lag of an engine is the identified one."""
+    unit = _unit(actuator.kind)
+    low, high = actuator.limits
+    lag = propulsor.small_lag_rad_s if isinstance(propulsor, EngineMap) else actuator.lag_rad_s
+    if lag is None:
+        raise ValueError(f"the design model has no map of an engine that the aircraft has: {actuator.prefix}")
+    return ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, actuator.rate_limit * unit)
+
+
+def _released(aircraft: Aircraft, model: DesignModel, settings: ControllerSettings) -> tuple[str, ...]:
+    """The axes that the settings release, and those that the aircraft does not have.
+
+    Derived ones go by the model without `model_error`, so that a study of model error does not change what is controlled.
+    """
+    if settings.released is not None:
+        released: Sequence[str] = settings.released
+    else:
+        released = released_from_start(model, stops(aircraft), aircraft.control.priorities)
+    return tuple(axis for axis in RATES if axis in released or axis not in aircraft.axes)
+
+
+def stops(aircraft: Aircraft) -> np.ndarray:
+    """[n, 2] lowest and highest position of each actuator [rad or N]."""
+    return np.array([np.multiply(a.limits, _unit(a.kind)) for a in aircraft.actuators.values()])
+
+
+def _unit(kind: str) -> float:
+    """Size of the unit of an actuator's limits: a degree [rad] for a servo, a newton for a motor."""
+    return math.radians(1.0) if kind == "servo" else 1.0

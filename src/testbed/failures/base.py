@@ -1,7 +1,7 @@
 """What every failure has: when it starts and ends, and which properties of the JSBSim model it holds.
 
 Units: a field whose name ends in a unit is in that unit. `value`, `low`, `high` and `amplitude` are factors, or are in the
-actuator's own unit: degrees for a servo, throttle from 0 to 1 for a motor. `rate` is in that unit per second.
+actuator's own unit: degrees for a servo, throttle for a motor or engine. `rate` is in that unit per second.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 from pydantic import ValidationInfo, field_validator, model_validator
 
-from testbed.aircraft.description import Aircraft, MotorActuator, Servo
+from testbed.aircraft.description import Aircraft, AnyActuator, Servo
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
 
 Examples = Mapping[str, Mapping[str, Any]]
-"""Fields of an example of a failure, by kind of actuator."""
+"""Fields of an example of a failure, by kind of actuator; those of a motor are for an engine too."""
 Course = Callable[[float, float], float]
 """Value to hold, as a function of the time since the failure started [s] and of the value held at its start."""
 
@@ -33,6 +33,11 @@ class Capture:
 def both(servo: Mapping[str, Any], motor: Mapping[str, Any] | None = None) -> Examples:
     """Fields for a servo and for a motor; the same for both where `motor` is not given."""
     return {"servo": servo, "motor": servo if motor is None else motor}
+
+
+def travel_of(actuator: AnyActuator) -> tuple[float, float]:
+    """Lowest and highest command, in the actuator's own unit (degrees or throttle)."""
+    return actuator.limits if isinstance(actuator, Servo) else actuator.throttle
 
 
 class Fault(NamedTuple):
@@ -68,10 +73,12 @@ class When(Settings):
 class Failure(Settings):
     """What all failures share: a beginning (`at_s` or `when`), perhaps an end, and usually an actuator."""
 
-    kinds: ClassVar[tuple[str, ...]] = ("servo", "motor")
+    kinds: ClassVar[tuple[str, ...]] = ("servo", "motor", "engine")
     """Kinds of actuator that can fail in this way."""
     undone: ClassVar[bool] = True
     """Whether it may end before the flight does. False for a part that has fallen off."""
+    follows_command: ClassVar[bool] = True
+    """Whether the actuator still follows its command, if with less effect, late or with an offset."""
     examples: ClassVar[Examples] = {}
     """For each kind of actuator, fields with a visible effect; they are flown by the tests and drawn in the catalogue."""
 
@@ -98,7 +105,7 @@ class Failure(Settings):
         return self
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any] | None:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any] | None:
         """Fields with which the failure has no effect on this actuator; None if there are no such fields."""
         return None
 
@@ -133,21 +140,21 @@ class ActuatorFailure(Failure):
     actuator: Text
 
     def is_servo(self, aircraft: Aircraft) -> bool:
-        """Whether its actuator is a servo; otherwise it is a motor."""
+        """Whether its actuator is a servo; otherwise it is a motor or an engine, with a throttle."""
         return aircraft.actuators[self.actuator].kind == "servo"
 
     def name(self, aircraft: Aircraft, servo: str, motor: str | None = None) -> str:
-        """Full name of a property in this actuator's block; `motor` is its name for a motor where that differs."""
+        """Full name of a property in this actuator's block; `motor` is its name for a motor or engine where that differs."""
         tail = servo if motor is None or self.is_servo(aircraft) else motor
         return f"{aircraft.actuators[self.actuator].prefix}/{tail}"
 
     def inside(self, aircraft: Aircraft, value: float) -> float:
-        """A value in the actuator's own unit, converted to that of the JSBSim model: radians for a servo, throttle for a motor."""
+        """A value in the actuator's own unit, converted to that of the JSBSim model: radians for a servo, else throttle."""
         return math.radians(value) if self.is_servo(aircraft) else value
 
     def travel(self, aircraft: Aircraft) -> tuple[float, float]:
         """Lowest and highest command, in the actuator's own unit (degrees or throttle)."""
-        return aircraft.actuators[self.actuator].limits if self.is_servo(aircraft) else (0.0, 1.0)
+        return travel_of(aircraft.actuators[self.actuator])
 
     def unit(self, aircraft: Aircraft) -> str:
         """The actuator's own unit, in words for messages."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from testbed.aircraft.description import Aircraft, MotorActuator, Servo
-from testbed.failures.base import ActuatorFailure, Capture, Examples, Failure, Fault, both
+from testbed.aircraft.description import Aircraft, AnyActuator
+from testbed.failures.base import ActuatorFailure, Capture, Examples, Failure, Fault, both, travel_of
 from testbed.inputs.base import Number, Positive, refuse
 
 
@@ -20,7 +21,7 @@ class CommandScale(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 0.5})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -32,6 +33,7 @@ class Reversal(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["reversal"] = "reversal"
+    follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = {"servo": {}}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -42,6 +44,7 @@ class Stuck(ActuatorFailure):
     """A surface keeps the position, and a motor the throttle, that it has when the failure starts."""
 
     type: Literal["stuck"] = "stuck"
+    follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = both({})
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -56,6 +59,7 @@ class StuckAt(ActuatorFailure):
     """The servo moves to `value`, with its usual lag and rate, and stays there; a motor runs at throttle `value`."""
 
     type: Literal["stuck_at"] = "stuck_at"
+    follows_command: ClassVar[bool] = False
     value: Number
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": 0.3})
 
@@ -72,6 +76,7 @@ class Hardover(ActuatorFailure):
     """The servo drives to its highest (`to: max`) or lowest (`to: min`) stop; a motor to full or no throttle."""
 
     type: Literal["hardover"] = "hardover"
+    follows_command: ClassVar[bool] = False
     to: Literal["max", "min"] = "max"
     examples: ClassVar[Examples] = both({"to": "max"})
 
@@ -86,6 +91,7 @@ class Float(ActuatorFailure):
 
     kinds: ClassVar[tuple[str, ...]] = ("servo",)
     type: Literal["float"] = "float"
+    follows_command: ClassVar[bool] = False
     gain: Annotated[Number, Field(ge=0, le=1)] | None = None
     examples: ClassVar[Examples] = {"servo": {}}
 
@@ -102,7 +108,7 @@ class Bias(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": -0.2})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 0.0}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -123,10 +129,8 @@ class PositionLimit(ActuatorFailure):
     examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.3})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
-        return dict(
-            zip(("low", "high"), actuator.limits if actuator.kind == "servo" else (0.0, 1.0), strict=True)
-        )
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
+        return dict(zip(("low", "high"), travel_of(actuator), strict=True))
 
     @model_validator(mode="after")
     def _some_travel(self) -> PositionLimit:
@@ -158,7 +162,7 @@ class RateLimit(ActuatorFailure):
     examples: ClassVar[Examples] = {"servo": {"value": 2.0}}
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": actuator.rate_limit}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -177,7 +181,7 @@ class Lag(ActuatorFailure):
     examples: ClassVar[Examples] = {"servo": {"lag_rad_s": 3.0}}
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"lag_rad_s": actuator.lag_rad_s}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -185,13 +189,21 @@ class Lag(ActuatorFailure):
 
     def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
         healthy = aircraft.actuators[self.actuator].lag_rad_s
-        if self.lag_rad_s > healthy:
+        if healthy is not None and self.lag_rad_s > healthy:
             what = f"{self.lag_rad_s:g} rad/s is faster than {self.actuator} is"
             yield Fault("lag_rad_s", what, f"at most {healthy:g}")
 
 
+_ACTING = re.compile(
+    r"(simulation|ic|trim)/|propulsion/set-running$|atmosphere/updownburst/number-of-cells$", re.IGNORECASE
+)
+"""Properties that steer JSBSim when they are written, and break no part of the aircraft: they trim, reset, stop or seed the
+simulation, write files, or make so many objects as the number says. Found by writing each property of JSBSim 1.3.3 and from its
+source; `simulation/do_simple_trim` and `propulsion/set-running` can end the process."""
+
+
 class Property(Failure):
-    """Any writable JSBSim properties are held at given values."""
+    """Writable JSBSim properties of the aircraft or the air are held at given values."""
 
     type: Literal["property"] = "property"
     actuator: None = None
@@ -207,3 +219,9 @@ class Property(Failure):
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return dict(self.set)
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        for name in self.set:
+            if _ACTING.match(name.replace("[0]", "").strip("/")):
+                what = f"{name} steers the simulation when it is written"
+                yield Fault("set", what, "a property of the aircraft or the air")

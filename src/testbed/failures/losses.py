@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, StrictBool
 
-from testbed.aircraft.description import Aircraft, MotorActuator, Servo
+from testbed.aircraft.description import Aircraft, AnyActuator, Servo
 from testbed.failures.base import ActuatorFailure, Capture, Examples, Fault, both
 from testbed.inputs.base import Number
 
@@ -22,7 +22,7 @@ class Effectiveness(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 0.2})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -42,10 +42,12 @@ class PropLoss(ActuatorFailure):
 
 
 class MotorStop(ActuatorFailure):
-    """The motor has no power and its propeller windmills; with `braked: true` a short-circuited motor brakes the propeller."""
+    """A motor has no power, or an engine no ignition or fuel, and its propeller windmills; with `braked: true` a short-circuited
+    motor brakes the propeller."""
 
-    kinds: ClassVar[tuple[str, ...]] = ("motor",)
+    kinds: ClassVar[tuple[str, ...]] = ("motor", "engine")
     type: Literal["motor_stop"] = "motor_stop"
+    follows_command: ClassVar[bool] = False
     braked: StrictBool = False
     examples: ClassVar[Examples] = {"motor": {}}
 
@@ -56,6 +58,10 @@ class MotorStop(ActuatorFailure):
                 self.name(aircraft, "throttle-min-norm"): 0.0,
             }
         return {self.name(aircraft, "power-lost"): 1.0}
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        if self.braked and aircraft.actuators[self.actuator].kind != "motor":
+            yield Fault("braked", f"{self.actuator} is no electric motor, which could brake", "false")
 
 
 class SurfaceLost(ActuatorFailure):

@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from testbed.aircraft.description import Aircraft, MotorActuator, Servo
+from testbed.aircraft.description import Aircraft, AnyActuator
 from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both
 from testbed.failures.losses import Gain
 from testbed.inputs.base import NonNegative, Number, Positive
@@ -26,7 +26,7 @@ class Delay(ActuatorFailure):
     examples: ClassVar[Examples] = both({"delay_s": 0.15})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"delay_s": 0.0}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -53,7 +53,7 @@ class Oscillation(ActuatorFailure):
     )
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"amplitude": 0.0, "frequency_hz": 3.0}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -76,6 +76,7 @@ class Runaway(ActuatorFailure):
     """The servo or throttle moves from where it is, at `rate` per second, to its highest (`to: max`) or lowest (`to: min`) stop."""
 
     type: Literal["runaway"] = "runaway"
+    follows_command: ClassVar[bool] = False
     rate: Positive
     to: Literal["max", "min"] = "max"
     examples: ClassVar[Examples] = both({"rate": 10.0}, {"rate": 0.3})
@@ -109,7 +110,7 @@ class Intermittent(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 0.0, "off_s": 0.2, "on_s": 0.3})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0, "off_s": 0.2, "on_s": 0.3}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
@@ -129,6 +130,13 @@ class Intermittent(ActuatorFailure):
 
         return self.name(aircraft, "effectiveness"), value_at
 
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        for field, spell in (("off_s", self.off_s), ("on_s", self.on_s)):
+            if spell * rate_hz < 1.0:
+                yield Fault(
+                    field, f"{spell:g} s is shorter than a control step", f"at least {1.0 / rate_hz:g}"
+                )
+
 
 class Decay(ActuatorFailure):
     """Effectiveness goes to `value`: linearly within `over_s`, or with `shape: exponential` with the time constant `over_s`."""
@@ -140,7 +148,7 @@ class Decay(ActuatorFailure):
     examples: ClassVar[Examples] = both({"value": 0.2, "over_s": 0.8})
 
     @classmethod
-    def neutral(cls, actuator: Servo | MotorActuator) -> Mapping[str, Any]:
+    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0, "over_s": 0.8}
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:

@@ -21,11 +21,11 @@ MOTOR = (
     "command-norm", "command-scale", "command-bias-norm", "override-active", "override-norm",
     "throttle-min-norm", "throttle-max-norm", "power-lost", "effectiveness",
 )  # fmt: skip
-"""Properties of a motor's block that its response depends on."""
+"""Properties of a motor's or an engine's block that its response depends on."""
 
 Values = Mapping[str, float]
 """Values of the properties of an actuator's block, by name without the prefix; for a motor also `rpm` and `thrust_N` of its
-rotor."""
+rotor, for an engine its `thrust_N`."""
 
 
 class Model(Protocol):
@@ -82,10 +82,27 @@ class MotorModel:
         self._full = rpm_at_full
 
     def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
-        throttle = v["command-norm"] * v["command-scale"] + v["command-bias-norm"]
-        if v["override-active"]:
-            throttle = v["override-norm"]
-        throttle = max(v["throttle-min-norm"], min(v["throttle-max-norm"], throttle))
-        if v["power-lost"]:
-            throttle = v["rpm"] / self._full
+        throttle = v["rpm"] / self._full if v["power-lost"] else _throttle(v)
         return {"throttle": throttle, "thrust_N": v["effectiveness"] * v["thrust_N"]}
+
+
+class EngineModel:
+    """An engine: {throttle, running: 1, or 0 without ignition or fuel, thrust_N: what reaches the airframe [N]}.
+
+    The throttle follows the command at once. The engine's thrust is not computed here: it is read from the plant.
+    """
+
+    def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
+        return {
+            "throttle": _throttle(v),
+            "running": 0.0 if v["power-lost"] else 1.0,
+            "thrust_N": v["effectiveness"] * v["thrust_N"],
+        }
+
+
+def _throttle(v: Values) -> float:
+    """What a motor or engine is asked for, after scale, bias, override and stops."""
+    throttle = v["command-norm"] * v["command-scale"] + v["command-bias-norm"]
+    if v["override-active"]:
+        throttle = v["override-norm"]
+    return max(v["throttle-min-norm"], min(v["throttle-max-norm"], throttle))

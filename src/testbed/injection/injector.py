@@ -54,6 +54,11 @@ class Injector:
         receipts = [receipt for injection in self._injections for receipt in injection.receipts]
         return sorted(receipts, key=lambda receipt: (receipt["time_s"], receipt["active"]))
 
+    @property
+    def active(self) -> Iterator[Injection]:
+        """The failures that have started and not ended."""
+        return (injection for injection in self._injections if injection.active)
+
     def observe(self, recorded: Recorded) -> None:
         """Give failures with `when` the arrays that the loop fills. They read the row of the step before, which is complete."""
         for injection in self._injections:

@@ -3,8 +3,8 @@
 From the injection on, the expected response of the actuator to the commands is computed twice: healthy, with the held
 properties as they were before, and broken, with the properties as they are. Within RECEIPT_STEPS control steps in which the
 two differ, the plant must follow the broken one. The quantities compared are the effective deflection of a surface, the
-throttle of a motor (as a fraction of full voltage), and the thrust that acts on the airframe. A failure that breaks no actuator
-is verified when its properties keep their values for RECEIPT_STEPS control steps.
+throttle of a motor (as a fraction of full voltage) or engine, whether an engine runs, and the thrust that acts on the airframe.
+A failure that breaks no actuator is verified when its properties keep their values for RECEIPT_STEPS control steps.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from testbed.aircraft.description import Actuator, MotorActuator
+from testbed.aircraft.description import AnyActuator, MotorActuator, Servo
 from testbed.common.units import DEGREES_PER_RADIAN, NEWTONS_PER_POUND
-from testbed.injection.expected_response import MOTOR, SERVO, Model, MotorModel, ServoModel
+from testbed.injection.expected_response import MOTOR, SERVO, EngineModel, Model, MotorModel, ServoModel
 from testbed.plant.jsbsim import Plant
 
 RECEIPT_STEPS = 50
@@ -69,7 +69,7 @@ class Watch:
         done: whether the watch is over.
     """
 
-    def __init__(self, plant: Plant, actuator: Actuator | None, holds: Sequence[Hold]) -> None:
+    def __init__(self, plant: Plant, actuator: AnyActuator | None, holds: Sequence[Hold]) -> None:
         """`actuator` is the one that the failure breaks, and `holds` are the properties that it holds."""
         self._plant, self._actuator, self._holds = plant, actuator, holds
         self._steps = self._due_steps = 0
@@ -79,7 +79,7 @@ class Watch:
         if actuator is not None:
             self._bind(actuator)
 
-    def _bind(self, actuator: Actuator) -> None:
+    def _bind(self, actuator: AnyActuator) -> None:
         """Look up all properties that `look` reads, and start both models in the present state of the actuator."""
         get = self._plant.getter
         block = f"{actuator.prefix}/"
@@ -88,20 +88,21 @@ class Watch:
         self._block = {name: get(f"{block}{name}") for name in names}
         self._observed: dict[str, Callable[[], float]]
         self._models: tuple[Model, Model]  # healthy and broken
-        if isinstance(actuator, MotorActuator):
-            engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
+        if not isinstance(actuator, Servo):
+            engine = f"propulsion/engine[{actuator.engine}]"
             thrust, lost = get(f"{engine}/thrust-lbs"), get(f"{block}lost-thrust-lbs")
-            self._block |= {
-                "rpm": get(f"{engine}/propeller-rpm"),
-                "thrust_N": lambda: thrust() * NEWTONS_PER_POUND,
-            }
-            throttle = get(f"fcs/throttle-pos-norm[{actuator.engine}]")
+            self._block["thrust_N"] = lambda: thrust() * NEWTONS_PER_POUND
             self._observed = {
-                "throttle": throttle,
+                "throttle": get(f"fcs/throttle-pos-norm[{actuator.engine}]"),
                 "thrust_N": lambda: (thrust() + lost()) * NEWTONS_PER_POUND,
             }
-            full = motor.velocity_constant_rpm_v * motor.max_volts
-            self._models = MotorModel(full), MotorModel(full)
+            if isinstance(actuator, MotorActuator):
+                self._block["rpm"] = get(f"{engine}/propeller-rpm")
+                full = actuator.motor.velocity_constant_rpm_v * actuator.motor.max_volts
+                self._models = MotorModel(full), MotorModel(full)
+            else:
+                self._observed["running"] = get(f"{engine}/set-running")
+                self._models = EngineModel(), EngineModel()
         else:
             effective = get(f"{block}effective-rad")
             demand, position = (get(f"{block}{name}")() for name in ("demand-rad", "servo-rad"))

@@ -12,48 +12,48 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from testbed.aircraft.description import Aircraft
+from testbed.aircraft.description import Aircraft, AnyActuator, MotorActuator
 from testbed.aircraft.design_model import (
     COLUMNS,
     DESIGN_MODEL,
-    PROPELLER_POINTS,
     DesignModel,
-    Propulsor,
     kinematics,
     load_design_model,
 )
+from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.cache import Cache
-from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND, NEWTONS_PER_POUND
+from testbed.common.units import NEWTON_METRES_PER_FOOT_POUND
 from testbed.plant.jsbsim import Plant
-from testbed.plant.trim import Trim, accelerations, trim
+from testbed.plant.settling import accelerations
+from testbed.plant.stand import air_density, changed, propulsors_of, stand_physics_hz
+from testbed.plant.trim import Trim, command_range, trim
 
-_PHYSICS_HZ = 200.0
-_SLUG_FT3 = 515.378818393  # kg/m3 in one slug/ft3
-_ANGLE_STEP, _RATE_STEP, _THROTTLE_STEP = 0.005, 0.01, 0.01  # of the central differences: rad, rad/s, 1
-# Operating points at which a propeller's tables are measured: fractions of the reference airspeed, throttles.
-_STAND_SPEEDS, _STAND_THROTTLES = (0.6, 0.8, 1.0, 1.2), np.linspace(0.3, 1.0, 36)
-_STAND_THRUST_MIN_N = -2.2  # points with less thrust (strong windmilling) are left out of the tables
+_ANGLE_STEP, _RATE_STEP = 0.005, 0.01  # of the central differences [rad, rad/s]
+_COMMAND_STEPS = {"servo": 0.005, "motor": 0.01, "engine": 0.05}  # [rad or throttle]
 _ROW_ORDER = [3, 4, 5, 0, 1, 2]  # accelerations come as u v w p q r; the model's rows are p q r u v w
 
 
 def identify(aircraft: Aircraft) -> DesignModel:
     """Identify f_m and B_m of equation (2) at the aircraft's reference condition; raises NoTrim if there is no
     level flight at it."""
-    plant = Plant(aircraft, _PHYSICS_HZ)
+    plant = Plant(aircraft, stand_physics_hz(aircraft))
     level = trim(plant, aircraft.reference.airspeed_m_s, aircraft.reference.altitude_m)
     kinds = tuple(a.kind for a in aircraft.actuators.values())
     positions = [math.radians(p) if k == "servo" else p for p, k in zip(level.positions, kinds, strict=True)]
-    density = plant["atmosphere/rho-slugs_ft3"] * _SLUG_FT3
+    density = air_density(plant)
     n = len(kinds)
     inputs, torques = np.zeros((6, n)), np.zeros((6, n))
     for i, kind in enumerate(kinds):
-        inputs[:, i] = _input_column(plant, level, i, kind)
+        inputs[:, i] = _input_column(plant, level, i)
         if kind == "motor":
             torques[:, i] = _torque_column(plant, level, i)
     slopes = np.column_stack([_state_column(plant, level, name) for name in COLUMNS])
     at_trim = _rates(plant, level.state, level.commands)
-    propulsors = tuple(_propulsor(plant, level, i) for i in range(n))
+    propulsors = propulsors_of(plant, level)
     offsets = _torque_offsets(inputs, torques, propulsors, positions, level, density)
+    for i, kind in enumerate(kinds):
+        if kind == "engine":
+            offsets[:, i] = _engine_offset(plant, level, i, inputs[:, i] * positions[i])
     bias = at_trim - kinematics(_with_rates(level.state)) - inputs @ positions - offsets.sum(axis=1)
     return DesignModel(
         airspeed_m_s=aircraft.reference.airspeed_m_s,
@@ -90,7 +90,7 @@ def stored(aircraft: Aircraft) -> DesignModel:
     def read_or_identify() -> DesignModel:
         if text is not None:
             model = load_design_model(file)
-            if model.identified_from == fingerprint:
+            if model.identified_from == fingerprint and model.actuators == tuple(aircraft.actuators):
                 return model
         return identify(aircraft)
 
@@ -98,46 +98,49 @@ def stored(aircraft: Aircraft) -> DesignModel:
 
 
 def _rates(
-    plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = 1.5
+    plant: Plant, state: Mapping[str, float], commands: Sequence[float], for_s: float | None = None
 ) -> np.ndarray:
-    """[6] accelerations by `design_model.ROWS` [rad/s2, m/s2], with the airframe held in a state for `settle_s` [s]."""
-    return accelerations(plant, state, commands, settle_s)[_ROW_ORDER]
+    """[6] accelerations by `design_model.ROWS` [rad/s2, m/s2], with the airframe held in a state (see `settle_at`)."""
+    return accelerations(plant, state, commands, for_s)[_ROW_ORDER]
 
 
 def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
     return {"p": 0.0, "q": 0.0, "r": 0.0, **state}
 
 
-def _changed(commands: Sequence[float], i: int, by: float) -> list[float]:
-    """The commands, with that of actuator i changed by this much [rad or throttle]."""
-    return [c + by if j == i else c for j, c in enumerate(commands)]
-
-
-def _input_column(plant: Plant, level: Trim, i: int, kind: str) -> np.ndarray:
-    """[6] rates per rad of servo or per N of thrust: central difference of two steady states."""
-    step = _ANGLE_STEP if kind == "servo" else _THROTTLE_STEP
+def _input_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
+    """[6] rates per rad of servo or per N of thrust: difference of two steady states."""
     rates, positions = [], []
-    for sign in (1.0, -1.0):
-        rates.append(_rates(plant, level.state, _changed(level.commands, i, sign * step)))
+    for step in _command_steps(list(plant.aircraft.actuators.values())[i], level.commands[i]):
+        rates.append(_rates(plant, level.state, changed(level.commands, i, step)))
         positions.append(plant.position(i))
     return (rates[0] - rates[1]) / (positions[0] - positions[1])
+
+
+def _command_steps(actuator: AnyActuator, trim: float) -> tuple[float, float]:
+    """Changes of a command between which the effect of an actuator is measured [rad or throttle], within its range."""
+    size = _COMMAND_STEPS[actuator.kind]
+    low, high = command_range(actuator)
+    return min(size, high - trim), max(-size, low - trim)
 
 
 def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
     """[6] rates per N m of motor torque: the effect of a throttle step after one physics step, before the rotor's speed changes."""
     motor = list(plant.aircraft.actuators.values())[i]
-    assert motor.kind == "motor"
+    assert isinstance(motor, MotorActuator)
     name = f"propulsion/engine[{motor.engine}]/propeller-torque-ftlb"
     steady = _rates(plant, level.state, level.commands)
     before = abs(plant[name])
-    stepped = _rates(plant, level.state, _changed(level.commands, i, _THROTTLE_STEP), settle_s=plant.dt_s)
+    stepped = _rates(
+        plant, level.state, changed(level.commands, i, _COMMAND_STEPS[motor.kind]), for_s=plant.dt_s
+    )
     return (stepped - steady) / ((abs(plant[name]) - before) * NEWTON_METRES_PER_FOOT_POUND)
 
 
 def _torque_offsets(
     inputs: np.ndarray,
     torques: np.ndarray,
-    propulsors: Sequence[Propulsor | None],
+    propulsors: Sequence[Propulsor | EngineMap | None],
     positions: Sequence[float],
     level: Trim,
     density: float,
@@ -146,11 +149,21 @@ def _torque_offsets(
     offsets = np.zeros_like(torques)
     axial = level.state["airspeed"] * math.cos(level.state["alpha"])
     for i, propulsor in enumerate(propulsors):
-        if propulsor is None:
+        if not isinstance(propulsor, Propulsor):
             continue
         torque, slope = propulsor.torque_at(positions[i], axial, density)
         offsets[:, i] = torques[:, i] * (torque - slope * positions[i])
     return offsets
+
+
+def _engine_offset(plant: Plant, level: Trim, i: int, linear: np.ndarray) -> np.ndarray:
+    """[6] rates that an engine adds to B u at the trim, `linear`: what is lost with all of its effectiveness, less that."""
+    effectiveness = f"{list(plant.aircraft.actuators.values())[i].prefix}/effectiveness"
+    healthy = _rates(plant, level.state, level.commands)
+    plant[effectiveness] = 0.0
+    lost = _rates(plant, level.state, level.commands)
+    plant[effectiveness] = 1.0
+    return np.asarray(healthy - lost - linear)
 
 
 def _state_column(plant: Plant, level: Trim, name: str) -> np.ndarray:
@@ -162,40 +175,3 @@ def _state_column(plant: Plant, level: Trim, name: str) -> np.ndarray:
         state[name] = state.get(name, 0.0) + sign * step
         rates.append(_rates(plant, state, level.commands) - kinematics(state))
     return (rates[0] - rates[1]) / (2.0 * step)
-
-
-def _propulsor(plant: Plant, level: Trim, i: int) -> Propulsor | None:
-    """Thrust and torque coefficients over the advance ratio, measured with the airframe held, and the motor; None for a servo."""
-    actuator = list(plant.aircraft.actuators.values())[i]
-    if actuator.kind == "servo":
-        return None
-    engine, motor = f"propulsion/engine[{actuator.engine}]", actuator.motor
-    density = plant["atmosphere/rho-slugs_ft3"] * _SLUG_FT3
-    sense = plant[f"{engine}/propeller-sense"]  # the airframe feels the opposite torque
-    rows = []
-    for speed in _STAND_SPEEDS:
-        state = {**level.state, "airspeed": speed * level.state["airspeed"]}
-        for throttle in _STAND_THROTTLES:
-            accelerations(plant, state, _changed(level.commands, i, throttle - level.commands[i]))
-            n = plant[f"{engine}/propeller-rpm"] / 60.0
-            thrust = plant[f"{engine}/thrust-lbs"] * NEWTONS_PER_POUND
-            torque = -sense * plant[f"{engine}/propeller-torque-ftlb"] * NEWTON_METRES_PER_FOOT_POUND
-            axial = plant["velocities/u-aero-fps"] * METRES_PER_FOOT
-            d, pressure = motor.diameter_m, density * n * n * motor.diameter_m**4
-            if thrust < _STAND_THRUST_MIN_N:
-                continue
-            rows.append((axial / (n * d), thrust / pressure, torque / (pressure * d)))
-    j, thrust_c, torque_c = np.array(sorted(rows)).T
-    grid = np.linspace(j[0], j[-1], PROPELLER_POINTS)
-    return Propulsor(
-        advance=(float(j[0]), float(j[-1])),
-        thrust=tuple(map(float, np.interp(grid, j, thrust_c))),
-        torque=tuple(map(float, np.interp(grid, j, torque_c))),
-        diameter_m=motor.diameter_m,
-        rotor_inertia_kg_m2=motor.rotor_inertia_kg_m2,
-        max_volts=motor.max_volts,
-        velocity_constant_rps_v=motor.velocity_constant_rpm_v / 60.0,
-        torque_constant_n_m_a=60.0 / (2.0 * math.pi * motor.velocity_constant_rpm_v),
-        resistance_ohm=motor.resistance_ohm,
-        no_load_current_a=motor.no_load_current_a,
-    )

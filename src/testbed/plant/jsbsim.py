@@ -23,8 +23,10 @@ from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
+from testbed.plant.first_load import assure
 from testbed.plant.properties import (
     AIR_DATA,
+    EARTH_DEG_S,
     INTEGRATORS,
     SET_WIND_FPS,
     STATE_PROPERTIES,
@@ -60,6 +62,28 @@ class NoProperty(BadInput):
     the model lacks a part of an actuator's block."""
 
 
+def loaded(aircraft: Aircraft, physics_hz: float) -> tuple[Any, tuple[str, ...]]:
+    """JSBSim with the aircraft's model loaded, and what it warned about; raises BadInput if it cannot load the model.
+
+    It must be known that the model does not end the process: see `first_load.assure`.
+    """
+    listener = _Listener()
+    jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
+    jsbsim.FGJSBBase().debug_lvl = 0
+    folder = Path(aircraft.folder).resolve()
+    fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
+    fdm.set_aircraft_path(str(folder))
+    fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
+    try:
+        done = fdm.load_model(aircraft.model, False)
+    except jsbsim.BaseError as error:
+        raise _broken_model(aircraft, str(error)) from None
+    if not done:
+        raise _broken_model(aircraft, "; ".join(listener.warnings))
+    fdm.disable_output()
+    return fdm, tuple(listener.warnings)
+
+
 class Plant:
     """One aircraft flown by JSBSim.
 
@@ -69,7 +93,7 @@ class Plant:
         substeps: physics steps in one control step: the control rate is physics_hz / substeps.
 
     Raises:
-        BadInput: JSBSim cannot load the model.
+        BadInput: the model's files may not be loaded, or JSBSim cannot load them.
         NoProperty: the model lacks a property that one of the aircraft's actuators needs.
 
     Attributes:
@@ -81,25 +105,12 @@ class Plant:
     """
 
     def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
-        listener = _Listener()
-        jsbsim.set_logger(listener)  # thread-local, so set where the plant is made
-        jsbsim.FGJSBBase().debug_lvl = 0
+        assure(aircraft)
         self.aircraft = aircraft
         self.physics_hz = physics_hz
         self.dt_s = 1.0 / physics_hz
         self.substeps = substeps
-        folder = Path(aircraft.folder).resolve()
-        self._fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
-        self._fdm.set_aircraft_path(str(folder.parent))
-        self._fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
-        try:
-            loaded = self._fdm.load_model(aircraft.model)
-        except jsbsim.BaseError as error:
-            raise _broken_model(aircraft, str(error)) from None
-        if not loaded:
-            raise _broken_model(aircraft, "; ".join(listener.warnings))
-        self._fdm.disable_output()
-        self.warnings = tuple(listener.warnings)
+        self._fdm, self.warnings = loaded(aircraft, physics_hz)
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
         self.step: Callable[[], object] = self._run if substeps == 1 else self._run_substeps
@@ -112,6 +123,7 @@ class Plant:
         self._pack = struct.Struct(f"{len(reads)}d").pack_into
         self._commands = [self.setter(command_property(a)) for a in aircraft.actuators.values()]
         self._wind = np.zeros(3)
+        self._started = False
         self._put_wind = [self.setter(name) for name in SET_WIND_FPS]
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
 
@@ -203,13 +215,28 @@ class Plant:
 
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 
-    def place(self, state: Mapping[str, float]) -> None:
-        """Put the airframe into a state; servos and rotors keep their positions and speeds.
+    def place(self, state: Mapping[str, float], turning_s: float = 0.0) -> None:
+        """Put the airframe into a state; servos, rotors and engines keep their positions and speeds, but a turboprop falls to idle.
+
+        The first time, engines are started as the aircraft's `start` says.
 
         Args:
             state: airspeed, altitude, alpha and pitch; beta, roll, heading, p, q, r where they are not zero [m/s, m, rad,
                 rad/s]. Airspeed, alpha and beta are relative to the air (see `set_wind`).
+            turning_s: the place is so far east that the Earth turns to longitude zero in this time [s], in which the airframe
+                is held (see `settle`).
         """
+        self._place(state, turning_s)
+        if not self._started:
+            self._started = True
+            for step in self.aircraft.start:
+                for name, value in step.set.items():
+                    self[name] = value
+                self.settle(round(step.run_s * self.physics_hz))
+            if self.aircraft.start:
+                self._place(state, turning_s)
+
+    def _place(self, state: Mapping[str, float], turning_s: float) -> None:
         fdm, get = self._fdm, state.get
         speed, alpha, beta = state["airspeed"] / METRES_PER_FOOT, state["alpha"], get("beta", 0.0)
         # JSBSim's initial velocity is relative to the ground, so the wind's velocity is added.
@@ -217,7 +244,7 @@ class Plant:
         u, v, w = map(float, body_from_ned(*attitude) @ self._wind / METRES_PER_FOOT)
         # The order matters to JSBSim: position, then attitude, then velocity.
         fdm["ic/lat-geod-deg"] = 0.0
-        fdm["ic/long-gc-deg"] = 0.0
+        fdm["ic/long-gc-deg"] = EARTH_DEG_S * turning_s
         fdm["ic/h-sl-ft"] = state["altitude"] / METRES_PER_FOOT
         fdm["ic/psi-true-rad"] = get("heading", 0.0)
         fdm["ic/phi-rad"] = get("roll", 0.0)
@@ -253,11 +280,6 @@ class Plant:
         self.setter(name)(value)
 
 
-def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
-    """Name of each property of the aircraft's model, and whether it can be written."""
-    return Plant(aircraft, 200).catalog()
-
-
 _catalogs: Cache[dict[str, bool]] = Cache(8)
 
 
@@ -273,4 +295,4 @@ def _model_file(aircraft: Aircraft) -> str:
 
 
 def _broken_model(aircraft: Aircraft, why: str) -> BadInput:
-    return BadInput([Problem(f"JSBSim cannot load it: {why}", _model_file(aircraft))])
+    return BadInput([Problem(f"JSBSim says {why}", _model_file(aircraft))])

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from testbed.aircraft.description import MotorActuator, Servo
+import math
+
+from testbed.aircraft.description import AnyActuator, Servo
 from testbed.common.signals import STATE
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT, NEWTONS_PER_POUND
 
@@ -11,6 +13,9 @@ Property = tuple[str, float]
 
 # Radii of the Earth's curvature where flights start, on the equator: north-south and east-west (WGS84).
 _MERIDIAN_M, _EQUATOR_M = 6335439.327, 6378137.0
+
+EARTH_DEG_S = math.degrees(7.292115e-5)
+"""Rate at which the Earth turns (WGS84)."""
 
 _OF: dict[str, Property] = {
     "north": ("position/lat-geod-rad", _MERIDIAN_M),
@@ -55,13 +60,13 @@ INTEGRATORS = tuple(
 """Properties that choose how JSBSim integrates the motion of the airframe; with 0 the airframe does not move."""
 
 
-def command_property(actuator: Servo | MotorActuator) -> str:
-    """Name of the property of an actuator's command: radians for a servo, throttle from 0 to 1 for a motor."""
+def command_property(actuator: AnyActuator) -> str:
+    """Name of the property of an actuator's command: radians for a servo, throttle for a motor or engine."""
     return f"{actuator.prefix}/{'command-rad' if isinstance(actuator, Servo) else 'command-norm'}"
 
 
-def position_property(actuator: Servo | MotorActuator) -> Property:
-    """Property of a servo's position, or of the thrust of a motor's propeller; the factor is to degrees or newtons."""
+def position_property(actuator: AnyActuator) -> Property:
+    """Property of a servo's position, or of the thrust of a motor or engine; the factor is to degrees or newtons."""
     if isinstance(actuator, Servo):
         return f"{actuator.prefix}/position-rad", DEGREES_PER_RADIAN
     return f"propulsion/engine[{actuator.engine}]/thrust-lbs", NEWTONS_PER_POUND

@@ -1,36 +1,35 @@
-"""Trim: the commands and angles of steady flight, found in JSBSim itself through the real servos, motors and rotors.
+"""Trim: the commands and angles of steady flight, found in JSBSim itself through the real servos, motors and engines.
 
-JSBSim's own FGTrim has one throttle and three controls, and drives a brushless motor out of its range. Here the six unknowns
-can be chosen freely, which an aircraft with a lost actuator needs.
+JSBSim's own FGTrim has one throttle and three controls, and drives a brushless motor out of its range. Here any number of
+unknowns can be chosen freely, which an aircraft with a lost actuator needs. With more unknowns than the six accelerations,
+the trim is the one with the least use of the actuators, as fractions of their travel, and with throttles as equal as can be.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import root
 
-from testbed.aircraft.description import Aircraft, Servo
+from testbed.aircraft.description import Aircraft, AnyActuator, Servo
 from testbed.common.cache import Cache
 from testbed.common.frames import level_pitch
+from testbed.common.nearest_root import NearestRoot
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import Plant
-from testbed.plant.properties import ACCELERATIONS
+from testbed.plant.settling import accelerations, settle_at
 
-SETTLE_S = 1.5
-"""Time after which rotors and servos are taken to be steady [s]: more than 40 time constants of the v-tail's."""
-_ROOT_TOLERANCE = 1e-9
 _RESIDUAL_MAX = 1e-6  # largest acceleration that may remain [m/s2 or rad/s2]
-# Units by which the unknowns are scaled, so that the root-finder works with numbers near one [rad, m/s; rad or throttle for
-# commands], and the largest scaled unknown that it may try.
+# Units by which the unknown angles and speeds are scaled [rad, m/s], so that the root-finder works with numbers near one, and
+# the largest scaled one that it may try.
 _SIZES = {"alpha": 0.1, "beta": 0.1, "roll": 0.1, "airspeed": 5.0, "path_angle": 0.1}
-_COMMAND_SIZE, _FARTHEST = 0.2, 20.0
-# First guess: a small angle of attack, trailing edges a little down, motors above half throttle.
+_FARTHEST = 20.0
+_WEIGHTS = {"alpha": 0.01, "beta": 1.0, "roll": 1.0, "airspeed": 0.01, "path_angle": 0.01}
+"""How unwanted a unit of each is, compared with half the travel of an actuator."""
 _FIRST_ANGLES = {"alpha": 0.05, "beta": 0.0, "roll": 0.0, "path_angle": 0.0}
-_FIRST_SERVO_RAD, _FIRST_THROTTLE = 0.05, 0.6
+_FIRST_THROTTLE = 0.6  # of the range
 
 
 class NoTrim(BadInput):
@@ -43,7 +42,7 @@ class Trim:
 
     Attributes:
         state: airspeed, altitude, alpha, beta, roll, pitch, heading, path_angle [m/s, m, rad].
-        commands: [n] servos in radians, motors as throttle from 0 to 1.
+        commands: [n] servos in radians, else throttles.
         positions: [n] servo positions [deg] and thrusts [N], as if fully effective.
         residual: largest remaining acceleration [m/s2 or rad/s2].
     """
@@ -54,26 +53,16 @@ class Trim:
     residual: float
 
 
-def settle_at(
-    plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = SETTLE_S
-) -> None:
-    """Hold the airframe in a state while servos and rotors follow the commands for `settle_s` [s]; units as in `Trim`."""
-    plant.command(commands)
-    plant.place(state)
-    plant.settle(round(settle_s * plant.physics_hz))
-
-
-def accelerations(
-    plant: Plant, state: Mapping[str, float], commands: Sequence[float], settle_s: float = SETTLE_S
-) -> np.ndarray:
-    """[6] rates of u, v, w, p, q, r [m/s2, rad/s2] in a state that is held for `settle_s` [s]; arguments as in `settle_at`."""
-    settle_at(plant, state, commands, settle_s)
-    return np.array([plant[name] * factor for name, factor in ACCELERATIONS])
+def command_range(actuator: AnyActuator) -> tuple[float, float]:
+    """Lowest and highest command of an actuator [rad or throttle]."""
+    if isinstance(actuator, Servo):
+        return math.radians(actuator.limits[0]), math.radians(actuator.limits[1])
+    return actuator.throttle
 
 
 @dataclass(frozen=True)
 class TrimProblem:
-    """Six accelerations as functions of six unknowns: some angles and speeds, and the commands that are not held.
+    """Six accelerations as functions of some angles and speeds, and of the commands that are not held.
 
     Attributes:
         plant: the aircraft, with the effectiveness that is set in it.
@@ -87,33 +76,34 @@ class TrimProblem:
     angles: tuple[str, ...]
     held: Mapping[int, float]
 
-    def __post_init__(self) -> None:
-        unknowns = len(self.angles) + len(self.free_actuators)
-        if unknowns != len(ACCELERATIONS):
-            raise ValueError(f"{unknowns} unknowns for {len(ACCELERATIONS)} accelerations")
-
     @property
     def free_actuators(self) -> list[int]:
         """Indices of the actuators whose commands are unknown."""
         return [i for i in range(len(self.plant.aircraft.actuators)) if i not in self.held]
 
     @property
+    def _free(self) -> list[AnyActuator]:
+        actuators = list(self.plant.aircraft.actuators.values())
+        return [actuators[i] for i in self.free_actuators]
+
+    @property
     def sizes(self) -> np.ndarray:
-        """[6] units by which the unknowns are scaled [rad, m/s; rad or throttle for commands]."""
-        return np.array([_SIZES[n] for n in self.angles] + [_COMMAND_SIZE] * len(self.free_actuators))
+        """Units by which the unknowns are scaled [rad, m/s; rad or throttle for commands: half the travel]."""
+        ranges = [command_range(actuator) for actuator in self._free]
+        return np.array([_SIZES[n] for n in self.angles] + [0.5 * (high - low) for low, high in ranges])
 
     def first_guess(self) -> np.ndarray:
-        """[6] first guess of the scaled unknowns."""
-        actuators = list(self.plant.aircraft.actuators.values())
+        """First guess of the scaled unknowns: surfaces in their middle, throttles above theirs."""
         known = {**_FIRST_ANGLES, **self.given}
-        commands = [
-            _FIRST_SERVO_RAD if isinstance(actuators[i], Servo) else _FIRST_THROTTLE
-            for i in self.free_actuators
-        ]
+        commands = []
+        for actuator in self._free:
+            low, high = command_range(actuator)
+            share = 0.5 if isinstance(actuator, Servo) else _FIRST_THROTTLE
+            commands.append(low + share * (high - low))
         return np.array([known[name] for name in self.angles] + commands) / self.sizes
 
     def condition(self, unknowns: np.ndarray) -> tuple[dict[str, float], list[float]]:
-        """State and commands that [6] scaled unknowns stand for; pitch follows from the path angle, alpha, beta and roll."""
+        """State and commands that the scaled unknowns stand for; pitch follows from the path angle, alpha, beta and roll."""
         values = list(map(float, unknowns * self.sizes))
         state = {**_FIRST_ANGLES, **self.given, **dict(zip(self.angles, values, strict=False))}
         state["pitch"] = level_pitch(state["alpha"], state["beta"], state["roll"], state["path_angle"])
@@ -122,20 +112,36 @@ class TrimProblem:
         return state, [commands[i] for i in range(len(commands))]
 
     def residual(self, unknowns: np.ndarray) -> np.ndarray:
-        """[6] accelerations [m/s2, rad/s2], or very large ones where the unknowns are too large for any flight."""
-        if not np.all(np.abs(unknowns) < _FARTHEST):
-            return np.full(len(unknowns), 1e3)
+        """[6] accelerations [m/s2, rad/s2]."""
         return accelerations(self.plant, *self.condition(unknowns))
 
     def solution(self) -> Trim | None:
         """The steady flight, or None if none was found within the stops. The plant is left in it."""
-        found = root(self.residual, self.first_guess(), method="hybr", options={"xtol": _ROOT_TOLERANCE}).x
+        found = self._root().find(self.first_guess(), _RESIDUAL_MAX)
         state, commands = self.condition(found)
         worst = float(np.max(np.abs(self.residual(found))))
-        if worst >= _RESIDUAL_MAX or not _within_stops(self.plant.aircraft, commands):
+        if not worst < _RESIDUAL_MAX:
             return None
         self.plant.place(state)
         return Trim(state, tuple(commands), _positions(self.plant), worst)
+
+    def _root(self) -> NearestRoot:
+        ranges, angles = np.array([command_range(a) for a in self._free]).reshape(-1, 2), len(self.angles)
+        far = np.full(angles, _FARTHEST)
+        low, high = (
+            np.concatenate([far * s, ranges[:, k] / self.sizes[angles:]]) for s, k in ((-1, 0), (1, 1))
+        )
+        weight = np.array([_WEIGHTS[name] for name in self.angles] + [1.0] * len(self._free))
+        return NearestRoot(self.residual, low, high, weight, self._preferred)
+
+    def _preferred(self, unknowns: np.ndarray) -> np.ndarray:
+        """The unknowns with the least use: no deflection, and of each throttle the mean of all."""
+        throttles = [len(self.angles) + i for i, a in enumerate(self._free) if not isinstance(a, Servo)]
+        preferred = np.zeros(len(unknowns))
+        preferred[: len(self.angles)] = self.first_guess()[: len(self.angles)]
+        if throttles:
+            preferred[throttles] = np.mean(unknowns[throttles])
+        return preferred
 
 
 def trim(
@@ -144,29 +150,39 @@ def trim(
     altitude_m: float,
     heading_rad: float = math.pi / 2,
     held: Mapping[int, float] | None = None,
-    free: Collection[str] = ("alpha", "roll"),
+    free: Collection[str] = (),
 ) -> Trim:
     """Find the commands and angles at which all accelerations are zero; the flight is level unless `path_angle` is free.
 
     Args:
         plant: in any state, with the effectiveness that is set in it; it is left in the trimmed state.
         held: command [rad or throttle] of each actuator that is not to be solved for, by its index.
-        free: unknown angles and speeds, some of `alpha beta roll airspeed path_angle`. With the unknown commands they must be
-            six.
+        free: unknown angles and speeds, some of `alpha beta roll airspeed path_angle`. If it is empty they are alpha and roll,
+            the path angle of an aircraft without propulsion, and sideslip where the unknowns would be fewer than six.
 
     Raises:
         NoTrim: no trim was found.
-        ValueError: there are not six unknowns.
     """
     given = {"airspeed": airspeed_m_s, "altitude": altitude_m, "heading": heading_rad}
-    found = TrimProblem(plant, given, tuple(free), held or {}).solution()
+    angles = tuple(free) or _free_angles(plant.aircraft, held or {})
+    found = TrimProblem(plant, given, angles, held or {}).solution()
     if found is None:
         what = (
             f"no steady flight of {plant.aircraft.name} was found at {airspeed_m_s:g} m/s, {altitude_m:g} m"
         )
-        how = f"with {', '.join(free)} free and {plant.physics_hz:g} physics steps a second"
+        how = f"with {', '.join(angles)} free and {plant.physics_hz:g} physics steps a second"
         raise NoTrim([Problem(f"{what}, {how}")])
     return found
+
+
+def _free_angles(aircraft: Aircraft, held: Mapping[int, float]) -> tuple[str, ...]:
+    free = [a for i, a in enumerate(aircraft.actuators.values()) if i not in held]
+    angles = ["alpha", "roll"]
+    if all(isinstance(a, Servo) for a in free):
+        angles.append("path_angle")
+    if len(angles) + len(free) < 6:
+        angles.insert(1, "beta")
+    return tuple(angles)
 
 
 _starts: Cache[Trim] = Cache(32)
@@ -175,7 +191,7 @@ _starts: Cache[Trim] = Cache(32)
 def trimmed_start(
     aircraft: Aircraft, physics_hz: float, airspeed_m_s: float, altitude_m: float, heading_rad: float
 ) -> Trim:
-    """Level flight in which a flight begins; raises NoTrim. It is found on a new plant, so that it depends on nothing else.
+    """Steady flight in which a flight begins; raises NoTrim. It is found on a new plant, so that it depends on nothing else.
 
     Cached: the flights of a sweep share it, and to find it takes as long as to simulate some seconds of flight.
     """
@@ -186,20 +202,20 @@ def trimmed_start(
 
 
 def begin_at(plant: Plant, start: Trim) -> None:
-    """Put a plant into a trim, with servos and rotors steady: the first instant of a flight."""
-    settle_at(plant, start.state, start.commands)
-    plant.place(start.state)  # JSBSim's Earth has turned while the rotors settled: back to the start
+    """Put a plant into a trim, with servos, rotors and engines steady: the first instant of a flight.
+
+    JSBSim's Earth turns while they settle. Without engines the airframe is put back to the start. A turboprop would fall to
+    idle with that, so an aircraft with engines is held once more, from a place that the Earth's turning brings to the start.
+    """
+    time_s = settle_at(plant, start.state, start.commands)
+    if not plant.aircraft.has_engines:
+        plant.place(start.state)
+        return
+    steps = round(time_s * plant.physics_hz)
+    plant.place(start.state, turning_s=steps * plant.dt_s)
+    plant.settle(steps)
 
 
 def _positions(plant: Plant) -> tuple[float, ...]:
     n = len(plant.aircraft.actuators)
     return tuple(float(v) for v in plant.read()[-2 * n : -n])
-
-
-def _within_stops(aircraft: Aircraft, commands: Sequence[float]) -> bool:
-    """Whether each servo is within its stops [rad] and each throttle from 0 to 1."""
-    for actuator, command in zip(aircraft.actuators.values(), commands, strict=True):
-        low, high = map(math.radians, actuator.limits) if isinstance(actuator, Servo) else (0.0, 1.0)
-        if not low <= command <= high:
-            return False
-    return True

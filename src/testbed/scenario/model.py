@@ -15,6 +15,11 @@ from testbed.inputs.yaml_source import Source
 from testbed.scenario.requirement import Requirement
 from testbed.sensors.settings import Sensors
 
+MAX_RATE_HZ = 10_000
+"""Highest rate of control and physics steps [Hz]: with it, to find a trim takes some seconds of computing."""
+MAX_NAME = 120
+"""Longest name of a flight [characters]: folders are named after it, and file systems allow 255."""
+
 
 class Initial(Settings):
     """Initial condition: trimmed level flight. `airspeed_m_s` is relative to the air, also in wind."""
@@ -44,15 +49,15 @@ class CommandRates(Settings):
 class Scenario(Settings):
     """Everything that determines a flight, except the files of its aircraft."""
 
-    name: Text
+    name: Text = Field(max_length=MAX_NAME)
     """Title of the flight; the run folder is named after it."""
     aircraft: Text
     """Name of a shipped aircraft, or path of an aircraft folder with a slash, such as `./mine`."""
     duration_s: Positive
     """Duration of the flight, if nothing ends it earlier [s]; a whole number of control steps."""
-    rate_hz: Whole = Field(default=200, gt=0)
+    rate_hz: Whole = Field(default=200, gt=0, le=MAX_RATE_HZ)
     """Control steps per second."""
-    physics_hz: Whole = Field(default=0, validate_default=True)
+    physics_hz: Whole = Field(default=0, validate_default=True, le=MAX_RATE_HZ)
     """Physics steps per second, a whole multiple of `rate_hz`; 0 means `rate_hz`."""
     log_hz: Whole = Field(default=0, validate_default=True)
     """Logged rows per second, `rate_hz` divided by a whole number; 0 means `rate_hz`."""

@@ -29,7 +29,7 @@ def with_control(**changes: Any) -> Setup:
 def test_a_flight_begins_with_everything_available() -> None:
     modes, s = switch_of()
     k = modes.record[0]
-    assert k.available.tolist() == [1] * 4 and not k.released.any() and not k.regulated and not k.redundant
+    assert k.available.tolist() == [1] * 4 and not k.released.any() and not k.regulated
     assert np.array(k.B_hat_inv) @ (np.array(SETUP.model.input_matrix)[:4] * SETUP.scale) == pytest.approx(
         np.eye(4), abs=1e-9
     )

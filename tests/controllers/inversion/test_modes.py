@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from vtail_setup import vtail_setup
 
-from testbed.aircraft.control_design import ControlDesign
-from testbed.controllers.inversion.modes import Mode, enumerate_modes
+from testbed.aircraft.control_design import AllocationWeights, ControlDesign
+from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.records import Q_DOT, R_DOT, U_DOT
 
 SETUP = vtail_setup()
@@ -23,8 +24,30 @@ def modes(
 
 
 def test_every_combination_but_that_of_all() -> None:
-    assert len(modes()) == 15
+    assert len(modes()) == len(list(modes())) == 15
     assert modes()[(0, 2)].failed == ("left_ruddervator", "left_propeller")
+    assert modes().get((0, 1, 2, 3)) is None
+    for nonsense in ((2, 0), (0, 0), (4,), (-1,)):
+        assert nonsense not in modes(), nonsense
+
+
+def test_modes_are_made_when_they_are_asked_for() -> None:
+    """Twelve actuators have 4095 combinations; a flight needs a few."""
+    names = tuple(f"flap_{i}" for i in range(12))
+    inputs = tuple(tuple(row) for row in np.random.default_rng(1).normal(size=(6, 12)))
+    wide = replace(SETUP.model, actuators=names, input_matrix=inputs)
+    found = enumerate_modes(wide, np.ones(12), ControlDesign(condition_max=1e9), ())
+    assert len(found) == 4095
+    assert found[(0, 11)].failed == ("flap_0", "flap_11")
+    assert len(found._made) == 1
+
+
+def test_released_axes_have_no_weight_in_the_allocation() -> None:
+    weights = AllocationWeights(r_dot=2.0, u_dot=0.5)
+    row_weight, hessian = allocation_of(B, ("p_dot",), weights)
+    assert row_weight.tolist() == [0.0, 1.0, 4.0, 0.25]
+    d = np.array([0.3, -0.2, 0.5, 0.1])
+    assert d @ hessian @ d == pytest.approx(row_weight @ (B @ d) ** 2 + weights.deviation**2 * d @ d)
 
 
 def test_the_vtail_gives_up_what_its_designer_chose() -> None:
@@ -68,25 +91,13 @@ def test_kept_axes_get_what_they_ask_for_from_what_is_left() -> None:
     assert mode.condition == pytest.approx(np.linalg.cond(remaining))
 
 
-def test_the_spare_actuator_can_be_left_at_its_stop() -> None:
-    """Roll released: without any one of the four, the other three still give the three axes."""
-    mode = modes(released=("p_dot",))[()]
-    assert mode.inverse_at_stop is not None
-    kept = [Q_DOT, R_DOT, U_DOT]
-    for i in range(4):
-        effect = B @ mode.inverse_at_stop[i]
-        assert effect[np.ix_(kept, kept)] == pytest.approx(np.eye(3), abs=1e-8)
-        assert not mode.inverse_at_stop[i, i].any()
-    assert modes()[()].inverse_at_stop is None, "four axes need all four"
-
-
 def test_an_ill_conditioned_mode_is_refused_with_its_condition_number() -> None:
     mode = modes(ControlDesign(condition_max=2.0))[()]
     assert mode.refused == (
         f"nothing failed, nothing released: condition number {mode.condition:.3g} of the remaining input matrix "
         "is above 2"
     )
-    assert not mode.inverse.any() and mode.inverse_at_stop is None
+    assert not mode.inverse.any()
 
 
 def test_releasing_everything_is_refused() -> None:

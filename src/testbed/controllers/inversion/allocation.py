@@ -1,22 +1,24 @@
 """Allocation: from the virtual control nu to actuator positions within the stops, and to the commands for them.
 
-The paper inverts (29) and compensates (section 2.2.1). Added here is what to do when an actuator would pass its stop: first
-leave it at the stop and let redundant actuators make up for it, then give up airspeed control.
+The paper inverts (29) and compensates (section 2.2.1). Added here is what to do when an actuator would pass its stop: of all
+positions within the stops, those are taken whose rates are closest to nu, by weighted least squares. The weights
+(`control.allocation` of the aircraft) say which axis gives way: airspeed before attitude. So nothing that the actuators cannot
+give is ever asked of them. An actuator at its stop is made up for by the others as far as they can.
 
-Letters: m design model, c settings, k control mode, s memory, nu [4] of the working memory; their fields, shapes and
-units are in `records`.
+Letters: m design model, c settings, k control mode, s memory, w working memory; their fields, shapes and units are in
+`records`.
 """
 
 from __future__ import annotations
 
 from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
-from testbed.controllers.inversion.law import compensate, invert
-from testbed.controllers.records import U_DOT
+from testbed.controllers.inversion.bounded_least_squares import bounded_least_squares
+from testbed.controllers.inversion.law import compensate, divisor, invert
 
 
 @compiled
-def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s):
+def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
     """Fill `s` with references r, commanded positions u within the stops, and commands, for a virtual control.
 
     Args:
@@ -24,51 +26,40 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s):
         axial: airspeed along the propellers' axis [m/s].
     """
     invert(nu, pressure_ratio, m, k, s)
-    redistribute(nu, pressure_ratio, m, c, k, s)
-    give_up_airspeed(m, c, k, s)
+    if passes_a_stop(m, c, k, s):
+        allocate_within_stops(nu, pressure_ratio, m, c, k, s, w)
     compensate(m, c, k, s)
     command_actuators(axial, m, s)
 
 
 @compiled
-def redistribute(nu, pressure_ratio, m, c, k, s):
-    """With more actuators than axes, leave the actuator that would pass its stop furthest at the stop, and solve for the
-    others (redistributed pseudo-inverse; Bodson, J. Guidance 25 (2002) 703)."""
-    worst, excess = -1, 0.0
+def passes_a_stop(m, c, k, s):
+    """Whether an available actuator would have to pass a stop for its reference r."""
     for i in range(len(s.r)):
-        lam = max(s.lambda_hat[i], c.divisor_min)
-        beyond = max(s.r[i] - m.high[i] * lam, m.low[i] * lam - s.r[i])
-        if k.available[i] and beyond > excess:
-            worst, excess = i, beyond
-    if not k.redundant or worst < 0:
-        return
-    lam = max(s.lambda_hat[worst], c.divisor_min)
-    at_stop = min(max(s.r[worst], m.low[worst] * lam), m.high[worst] * lam)
-    effect = at_stop * (pressure_ratio if m.servo[worst] else 1.0) - k.r_trim[worst]
-    for j in range(len(s.r)):
-        s.r[j] = k.r_trim[j]
-        for i in range(4):
-            s.r[j] += k.B_hat_inv_at_stop[worst, j, i] * (nu[i] - m.B[i, worst] * effect)
-        if m.servo[j]:
-            s.r[j] /= pressure_ratio
-    s.r[worst] = at_stop
+        lam = divisor(i, c, s)
+        if k.available[i] and (s.r[i] > m.high[i] * lam or s.r[i] < m.low[i] * lam):
+            return True
+    return False
 
 
 @compiled
-def give_up_airspeed(m, c, k, s):
-    """When an actuator would still pass its stop, change the demanded u_dot, and no other rate, by the least that is needed.
+def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
+    """References r within the stops whose rates are closest to nu: minimises
 
-    r moves along the u_dot column of B_hat^-1 until no actuator passes its stop. Where no such point exists, it moves
-    midway between the demands of the conflicting stops."""
-    least, most = -1e9, 1e9
+        sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = pressure r - r_trim,
+
+    where pressure is `pressure_ratio` for a servo and 1 for a motor. A weak actuator has lambda_hat times its travel.
+    """
     for i in range(len(s.r)):
-        d = k.B_hat_inv[i, U_DOT]
-        if not k.available[i] or abs(d) < 1e-6:
-            continue
-        lam = max(s.lambda_hat[i], c.divisor_min)
-        a, b = (m.low[i] * lam - s.r[i]) / d, (m.high[i] * lam - s.r[i]) / d
-        least, most = max(least, min(a, b)), min(most, max(a, b))
-    shift = 0.5 * (least + most) if least > most else min(max(0.0, least), most)
-    if shift != 0.0:
-        for i in range(len(s.r)):
-            s.r[i] += k.B_hat_inv[i, U_DOT] * shift
+        pressure = pressure_ratio if m.servo[i] else 1.0
+        lam = divisor(i, c, s) * pressure if k.available[i] else 0.0
+        trim = k.r_trim[i] if k.available[i] else 0.0
+        w.low[i], w.high[i] = m.low[i] * lam - trim, m.high[i] * lam - trim
+        w.d[i] = s.r[i] * pressure - trim
+        w.g[i] = 0.0
+        for row in range(4):
+            w.g[i] += m.B[row, i] * k.row_weight[row] * nu[row]
+    bounded_least_squares(k.hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
+    for i in range(len(s.r)):
+        pressure = pressure_ratio if m.servo[i] else 1.0
+        s.r[i] = (k.r_trim[i] + w.d[i]) / pressure

@@ -158,8 +158,14 @@ def invert(nu, pressure_ratio, m, k, s):
 
 
 @compiled
+def divisor(i, c, s):
+    """What the reference of actuator i is divided by: its estimate, at least `divisor_min`; 1 without adaptation."""
+    return 1.0 if c.uncompensated else max(s.lambda_hat[i], c.divisor_min)
+
+
+@compiled
 def compensate(m, c, k, s):
     """Section 2.2.1: u = Lambda_hat^-1 r, within the stops; a failed actuator is sent to its trim position."""
     for i in range(len(s.u)):
-        u = s.r[i] / max(s.lambda_hat[i], c.divisor_min) if k.available[i] else m.trim_position[i]
+        u = s.r[i] / divisor(i, c, s) if k.available[i] else m.trim_position[i]
         s.u[i] = min(max(u, m.low[i]), m.high[i])

@@ -9,7 +9,7 @@ import numpy as np
 
 from testbed.common.signals import RATES
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight
-from testbed.controllers.inversion.modes import Mode, enumerate_modes
+from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, design_regulator, regulator_for
 from testbed.controllers.records import AIRSPEED, ALPHA, PITCH, mode_dtype
 from testbed.controllers.setup import Setup
@@ -33,7 +33,7 @@ class ModeSwitch:
 
     def __init__(self, setup: Setup, memory: np.ndarray) -> None:
         self._setup, self._memory = setup, memory
-        self._modes = enumerate_modes(setup.model, setup.scale, setup.control, setup.settings.released)
+        self._modes = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)
         self._reported: set[object] = set()
         self.record = np.zeros(1, mode_dtype(len(setup.actuators)))
         self.reasons: list[tuple[int, str]] = []
@@ -99,8 +99,8 @@ class ModeSwitch:
         loops = setup.control.loops
         motor_lost = any(setup.model.kinds[i] == "motor" for i in failed)
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
-        k.redundant = mode.inverse_at_stop is not None
-        k.B_hat_inv_at_stop[:] = 0.0 if mode.inverse_at_stop is None else mode.inverse_at_stop
+        b = np.array(setup.model.input_matrix)[:4] * setup.scale
+        k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, setup.control.allocation)
         k.available[:] = [i not in failed for i in range(len(setup.actuators))]
         k.slow_descent = loops.slow_descent_s
         k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s

@@ -1,19 +1,19 @@
 """Control modes: for each combination of failed actuators, the axes to release and the inverse for the others (29).
 
-All combinations are enumerated before the flight, from the aircraft's settings. A combination is refused, with the reason, if
-its remaining input matrix is ill-conditioned. `regulator` designs the outer loop of a mode with released axes.
+They follow from the aircraft's settings, before the flight. A combination is refused, with the reason, if its remaining input
+matrix is ill-conditioned. `regulator` designs the outer loop of a mode with released axes.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
+from itertools import chain, combinations
 
 import numpy as np
 
-from testbed.aircraft.control_design import ControlDesign
+from testbed.aircraft.control_design import AllocationWeights, ControlDesign
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
@@ -30,8 +30,6 @@ class Mode:
             there are more actuators than kept axes. Rows of failed actuators and columns of released axes are zero.
         condition: condition number of the remaining scaled input matrix, kept axes by available actuators.
         refused: why the mode cannot be flown, or empty.
-        inverse_at_stop: [n, n, 4] the inverse without the actuator of the first index, for use while that one is at its stop;
-            None if there are no more actuators than kept axes.
     """
 
     failed: tuple[str, ...]
@@ -39,7 +37,6 @@ class Mode:
     inverse: np.ndarray
     condition: float
     refused: str = ""
-    inverse_at_stop: np.ndarray | None = None
 
     @property
     def title(self) -> str:
@@ -49,33 +46,49 @@ class Mode:
         )
 
 
-_modes: Cache[Mapping[tuple[int, ...], Mode]] = Cache(32)
+class Modes(Mapping[tuple[int, ...], Mode]):
+    """The mode of every combination of failed actuators except all of them, by the ascending indices of the failed ones.
+
+    A mode is made when it is first asked for: twelve actuators have 4095 combinations, of which a flight needs a few.
+    """
+
+    def __init__(
+        self, model: DesignModel, scale: np.ndarray, control: ControlDesign, released: Sequence[str]
+    ) -> None:
+        self._model, self._control, self._released = model, control, tuple(released)
+        self._b = np.array(model.input_matrix)[:4] * scale
+        self._made: dict[tuple[int, ...], Mode] = {}
+
+    def __getitem__(self, failed: tuple[int, ...]) -> Mode:
+        n = len(self._model.actuators)
+        if failed not in self._made:
+            if len(failed) >= n or list(failed) != sorted(set(failed) & set(range(n))):
+                raise KeyError(failed)
+            self._made[failed] = _mode(self._model, self._b, failed, self._control, self._released)
+        return self._made[failed]
+
+    def __iter__(self) -> Iterator[tuple[int, ...]]:
+        n = len(self._model.actuators)
+        return chain.from_iterable(combinations(range(n), count) for count in range(n))
+
+    def __len__(self) -> int:
+        return int(2 ** len(self._model.actuators)) - 1
+
+
+_modes: Cache[Modes] = Cache(32)
 
 
 def enumerate_modes(
     model: DesignModel, scale: np.ndarray, control: ControlDesign, released: Sequence[str] = ()
-) -> Mapping[tuple[int, ...], Mode]:
-    """The mode of every combination of failed actuators except all of them, by the indices of the failed ones.
-
-    The result is cached, because most flights of a sweep share it: do not change it.
+) -> Modes:
+    """The modes of an aircraft, cached, because most flights of a sweep share them.
 
     Args:
         scale: [n] rad or N of one scaled unit.
         released: axes that are given up while nothing has failed.
     """
     key = (model, scale.tobytes(), control.model_dump_json(), tuple(released))
-    return _modes.get(key, lambda: _enumerated(model, scale, control, released))
-
-
-def _enumerated(
-    model: DesignModel, scale: np.ndarray, control: ControlDesign, released: Sequence[str]
-) -> Mapping[tuple[int, ...], Mode]:
-    b = np.array(model.input_matrix)[:4] * scale
-    return {
-        failed: _mode(model, b, failed, control, released)
-        for count in range(len(model.actuators))
-        for failed in combinations(range(len(model.actuators)), count)
-    }
+    return _modes.get(key, lambda: Modes(model, scale, control, released))
 
 
 def _mode(
@@ -97,8 +110,7 @@ def _mode(
     if refused:
         return replace(mode, refused=f"{mode.title}: {refused}")
     inverse[np.ix_(available, kept)] = np.linalg.pinv(remaining)
-    at_stop = _inverses_at_stop(b, kept, available) if len(available) > len(kept) else None
-    return replace(mode, inverse_at_stop=at_stop)
+    return mode
 
 
 def _refusal(axes: int, actuators: int, condition: float, condition_max: float) -> str:
@@ -110,12 +122,17 @@ def _refusal(axes: int, actuators: int, condition: float, condition_max: float) 
     return ""
 
 
-def _inverses_at_stop(b: np.ndarray, kept: list[int], available: list[int]) -> np.ndarray:
-    inverses = np.zeros((b.shape[1], b.shape[1], 4))
-    for i in available:
-        others = [j for j in available if j != i]
-        inverses[np.ix_([i], others, kept)] = np.linalg.pinv(b[np.ix_(kept, others)])
-    return inverses
+def allocation_of(
+    b: np.ndarray, released: Sequence[str], weights: AllocationWeights
+) -> tuple[np.ndarray, np.ndarray]:
+    """[4] weight of each rate in the allocation within the stops, squared, and [n, n] the Hessian of its sum of squares.
+
+    Args:
+        b: [4, n] scaled input matrix.
+        released: axes that are given up, and have no weight.
+    """
+    row_weight = np.array([0.0 if axis in released else getattr(weights, axis) ** 2 for axis in RATES])
+    return row_weight, b.T @ np.diag(row_weight) @ b + weights.deviation**2 * np.eye(b.shape[1])
 
 
 def _released_axes(

@@ -47,10 +47,9 @@ def adaptive_step(step, parts):
 
 
 @compiled
-def estimate(y, m, c, s, w):
-    """Estimate effectiveness from the measured rates, then monitor it and look for jams; returns 1 as `adaptive_step` does."""
-    f, z, e, phi = w.f, w.z, w.e, w.phi
-    pressure_ratio = pressure_ratio_of(y, m)
+def regression(y, pressure_ratio, m, c, s, w):
+    """The two sides of (10), z = x_c_dot - f_m and Phi, both filtered alike, into z [4] and phi [4, n] of `w`."""
+    f, z, phi = w.f, w.z, w.phi
     z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
     for i in range(4):  # both f and Phi contain the constant part of the propellers' torque: count it once
         z[i] += m.offset[i] * pressure_ratio
@@ -58,15 +57,23 @@ def estimate(y, m, c, s, w):
     low_pass(z, s.filtered, c.filter_rate * c.dt)
     for i in range(4):
         low_pass(phi[i], s.filtered_phi[:, i], c.filter_rate * c.dt)
+
+
+@compiled
+def estimate(y, m, c, s, w):
+    """Estimate effectiveness from the measured rates, then monitor it and look for jams; returns 1 as `adaptive_step` does."""
+    z, e, phi = w.z, w.e, w.phi
+    pressure_ratio = pressure_ratio_of(y, m)
+    regression(y, pressure_ratio, m, c, s, w)
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
     measured_error(z, phi, s, e)
     if c.weighted:
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)
-    if monitor(c, s):
+    if c.monitors and monitor(c, s):
         return 1
-    return detect_jam(e, pressure_ratio, m, c, s)
+    return detect_jam(e, pressure_ratio, m, c, s) if c.tests_jams else 0
 
 
 @compiled
@@ -79,5 +86,5 @@ def command_step(step, parts):
         regulate(y, ref, m, c, k, s, w.f, w.nu)
     else:
         pid_loops(y, ref, c, s, w.f, w.nu)
-    allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s)
+    allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from functools import cached_property
 from typing import Any
 
@@ -16,6 +17,10 @@ from testbed.inputs.yaml_source import describe
 
 _OPEN = 2.0**-53
 """Probabilities are kept this far from 0 and 1, where the inverse of an unbounded distribution is infinite."""
+_LARGEST = sys.float_info.max / 4.0
+"""Largest parameter of a distribution: the width of a range must be a number too."""
+_LARGEST_WHOLE = 2**53
+"""Whole numbers beyond it have no exact value as floating point numbers, by which they are drawn."""
 
 _OWN = {
     "uniform": ("[low, high]", 2),
@@ -94,10 +99,18 @@ class Distribution(Settings):
             ends = np.concatenate([[0.0], np.cumsum(self._weights) / self._weights.sum()])
             return (ends[:-1] + ends[1:]) / 2.0
         if self.name == "integers":
-            levels = self.parameters[1] - self.parameters[0] + 1
+            levels = self.grid_size(levels)
         elif self.bounds and not self._discrete:
             return np.linspace(0.0, 1.0, levels)
         return (np.arange(levels) + 0.5) / levels
+
+    def grid_size(self, levels: int) -> int:
+        """Number of levels that `grid` gives, without making them."""
+        if self.name == "choice":
+            return len(self.parameters)
+        if self.name == "integers":
+            return int(self.parameters[1] - self.parameters[0] + 1)
+        return levels
 
     @property
     def _weights(self) -> np.ndarray:
@@ -137,11 +150,15 @@ class Distribution(Settings):
         if not _numbers(given, count):
             raise refuse(f"{self.name} has {describe(given)}", meaning)
         low, high = given
-        if self.name == "integers" and not all(isinstance(p, int) for p in given):
-            raise refuse(f"integers has {given}", meaning)
+        if self.name == "integers" and not all(
+            isinstance(p, int) and abs(p) <= _LARGEST_WHOLE for p in given
+        ):
+            raise refuse(f"integers has {given}", f"{meaning}, whole, within +-2^53")
         if self.name == "normal":
             if high <= 0:
                 raise refuse(f"the standard deviation is {high}", "more than 0")
+        elif not abs(float(high) - float(low)) <= _LARGEST:
+            raise refuse(f"{self.name} is from {low} to {high}", "a range that is a finite number")
         elif (
             low > high
             or (low == high and self.name != "integers")
@@ -184,4 +201,5 @@ def distribution_names() -> list[str]:
 def _numbers(values: Any, count: int) -> bool:
     if not isinstance(values, list) or len(values) != count:
         return False
-    return all(isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values)
+    # Not math.isfinite, which a whole number of 400 digits overflows.
+    return all(isinstance(v, int | float) and not isinstance(v, bool) and abs(v) <= _LARGEST for v in values)

@@ -1,0 +1,116 @@
+"""What the design model knows of propulsion: an electric motor with its propeller, or an engine of any other kind."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+PROPELLER_POINTS = 41
+"""Number of points in each table of a propeller."""
+ENGINE_THROTTLES, ENGINE_SPEEDS = 17, 5
+"""Number of throttles and of airspeeds in the map of an engine."""
+
+
+@dataclass(frozen=True)
+class Propulsor:
+    """One motor with its propeller as the design model knows it.
+
+    Coefficients are tables over equal steps of advance ratio J = V_axial / (n D), from the first to the last value of `advance`
+    (at the last, the propeller windmills): T = rho n^2 D^4 C_T(J), Q = rho n^2 D^5 C_Q(J), n in rev/s.
+    Motor: current I = (voltage - n/K_v)/R, torque Q_motor = K_t (I - i_0).
+    """
+
+    advance: tuple[float, float]
+    thrust: tuple[float, ...]
+    torque: tuple[float, ...]
+    diameter_m: float
+    rotor_inertia_kg_m2: float
+    max_volts: float
+    velocity_constant_rps_v: float
+    torque_constant_n_m_a: float
+    resistance_ohm: float
+    no_load_current_a: float
+
+    def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
+        """Rotor speed [rev/s] at which the propeller gives this thrust."""
+        from scipy.optimize import brentq  # here, because scipy is slow to import and only set-up needs it
+
+        slowest = axial_m_s / (self.diameter_m * self.advance[1])
+        top = self.max_volts * self.velocity_constant_rps_v
+        return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
+
+    def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
+        """Steady torque [N m] at a thrust and axial airspeed, and its derivative by thrust, dQ/dT [m], at this airspeed."""
+        n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
+        (t0, q0), (_, q), (t1, q1) = (
+            self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
+        )  # a step wide enough to average over the corners of the piecewise linear tables
+        return q, (q1 - q0) / (t1 - t0)
+
+    def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
+        pressure = density_kg_m3 * n * n * self.diameter_m**4
+        j = axial_m_s / (n * self.diameter_m)
+        grid = np.linspace(*self.advance, len(self.thrust))
+        thrust, torque = np.interp(j, grid, self.thrust), np.interp(j, grid, self.torque)
+        return float(pressure * thrust), float(pressure * self.diameter_m * torque)
+
+
+@dataclass(frozen=True)
+class EngineMap:
+    """Thrust of one engine as the design model knows it, measured on a stand.
+
+    Steady thrust is a table over throttle and axial airspeed, linear in between. In time, thrust is that of a throttle which
+    follows the commanded one with a first-order lag and at limited rates: the engine's speed in units of throttle.
+
+    Attributes:
+        throttles: [`ENGINE_THROTTLES`] ascending.
+        speeds: [`ENGINE_SPEEDS`] axial airspeeds, ascending [m/s].
+        thrust: one row for each airspeed, one column for each throttle [N].
+        lag_rad_s: corner of the lag.
+        rise_s, fall_s: fastest increase and decrease of the followed throttle [1/s].
+    """
+
+    throttles: tuple[float, ...]
+    speeds: tuple[float, ...]
+    thrust: tuple[tuple[float, ...], ...]
+    lag_rad_s: float
+    rise_s: float
+    fall_s: float
+
+    @cached_property
+    def rising(self) -> np.ndarray:
+        """[speeds, throttles] the largest monotone table at or below `thrust` [N]: what a throttle is looked up in.
+
+        Where thrust falls with throttle, as that of a windmilling propeller may, no lower throttle is chosen than the one of
+        the least thrust.
+        """
+        return np.minimum.accumulate(np.array(self.thrust)[:, ::-1], axis=1)[:, ::-1]
+
+    def thrust_at(self, throttle: float, axial_m_s: float) -> float:
+        """Steady thrust [N]."""
+        return float(np.interp(throttle, self.throttles, self._row(np.array(self.thrust), axial_m_s)))
+
+    def throttle_for(self, thrust_n: float, axial_m_s: float) -> float:
+        """The lowest throttle with this steady thrust; the nearest where there is none."""
+        row = self._row(self.rising, axial_m_s)
+        climbs = np.concatenate([np.diff(row) > 0.0, [True]])  # of a level stretch only its end is needed
+        return float(np.interp(thrust_n, row[climbs], np.array(self.throttles)[climbs]))
+
+    def least_thrust(self, axial_m_s: float | np.ndarray, density_kg_m3: float) -> float | np.ndarray:
+        """Thrust at the lowest throttle that is used at an airspeed [N]."""
+        return np.interp(axial_m_s, self.speeds, self.rising[:, 0])
+
+    @property
+    def small_lag_rad_s(self) -> float:
+        """Corner of the lag with which a change of a twentieth of the throttle's range is followed, rate limit included."""
+        change = 0.05 * (self.throttles[-1] - self.throttles[0])
+        return 1.0 / (1.0 / self.lag_rad_s + 0.63 * change / min(self.rise_s, self.fall_s))
+
+    def _row(self, table: np.ndarray, axial_m_s: float) -> np.ndarray:
+        at = np.clip(
+            np.interp(axial_m_s, self.speeds, np.arange(len(self.speeds))), 0.0, len(self.speeds) - 1.0
+        )
+        left = min(int(at), len(self.speeds) - 2)
+        return np.asarray(table[left] + (at - left) * (table[left + 1] - table[left]))

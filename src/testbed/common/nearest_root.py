@@ -1,0 +1,123 @@
+"""The root of a system of equations that is nearest to a preferred point, within bounds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import least_squares
+
+_STEP = 3e-3
+"""Of the differences for the Jacobian, in the unknowns' own scale."""
+_SMALLEST = 1e-11
+"""Sum of the residual and of the last change of the unknowns at which the search ends."""
+_RANK = 1e-8  # singular values below this fraction of the largest count as zero
+_ITERATIONS, _FARTHEST_STEP = 40, 2.0
+_PREFERENCE = 2e-3
+"""Weight of the preferred point in the least-squares search that is made from where Newton's method ends without a root."""
+
+Vector = np.ndarray
+
+
+@dataclass(frozen=True)
+class NearestRoot:
+    """Of the x with f(x) = 0 and low <= x <= high, the one with the smallest sum of (weight (x - preferred(x)))^2.
+
+    Newton's method with the weighted pseudo-inverse of the Jacobian, which is updated by Broyden's formula; an unknown at a bound
+    stays there. With as many equations as unknowns it is Newton's method.
+
+    Attributes:
+        function: f, of x [n].
+        low, high: [n] bounds.
+        weight: [n], above zero.
+        preferred: the preferred point [n], which may depend on x (that of the step before is used).
+    """
+
+    function: Callable[[Vector], Vector]
+    low: Vector
+    high: Vector
+    weight: Vector
+    preferred: Callable[[Vector], Vector]
+
+    def find(self, guess: Vector, tolerance: float) -> Vector:
+        """The x [n] that was found; it is a root only if the function is small there."""
+        x, f = self._newton(np.clip(guess, self.low, self.high))
+        if np.max(np.abs(f)) >= tolerance:
+            x, f = self._newton(self._least_squares(x))
+        return x
+
+    def _newton(self, x: Vector) -> tuple[Vector, Vector]:
+        f = self.function(x)
+        jacobian, fresh = self._jacobian(x, f), True
+        for _ in range(_ITERATIONS):
+            step = self._step(x, f, jacobian)
+            x_next, f_next = self._shortened(x, f, step)
+            if x_next is None or f_next is None:
+                if fresh:
+                    return x, f
+                jacobian, fresh = self._jacobian(x, f), True
+                continue
+            moved = x_next - x
+            jacobian = jacobian + np.outer(f_next - f - jacobian @ moved, moved) / (moved @ moved)
+            x, f, fresh = x_next, f_next, False
+            if np.max(np.abs(f)) + np.max(np.abs(moved)) < _SMALLEST:
+                break
+        return x, f
+
+    def _jacobian(self, x: Vector, f: Vector) -> Vector:
+        columns = []
+        for i in range(len(x)):
+            step = np.zeros(len(x))
+            step[i] = _STEP if x[i] + _STEP <= self.high[i] else -_STEP
+            columns.append((self.function(x + step) - f) / step[i])
+        return np.array(columns).T
+
+    def _step(self, x: Vector, f: Vector, jacobian: Vector) -> Vector:
+        """Newton's step to the root of the linear system that is nearest to the preferred point, within the bounds."""
+        away = x - self.preferred(x)
+        step, free = np.zeros(len(x)), np.ones(len(x), bool)
+        while free.any():
+            scaled = jacobian[:, free] / self.weight[free]
+            target = scaled @ (self.weight * away)[free] - f - jacobian[:, ~free] @ step[~free]
+            nearest = np.linalg.lstsq(scaled, target, rcond=_RANK)[0] / self.weight[free]
+            step[free] = nearest - away[free]
+            excess = np.where(free, np.maximum(self.low - x - step, x + step - self.high), -np.inf)
+            worst = int(np.argmax(excess))
+            if excess[worst] <= 1e-12:
+                break
+            step[worst] = np.clip(x[worst] + step[worst], self.low[worst], self.high[worst]) - x[worst]
+            free[worst] = False
+        return step * min(1.0, _FARTHEST_STEP / max(np.max(np.abs(step)), 1e-12))
+
+    def _shortened(self, x: Vector, f: Vector, step: Vector) -> tuple[Vector | None, Vector | None]:
+        """The first point along the step with a small enough residual, and its residual; None if there is none.
+
+        It must be smaller than before, or small compared with the step: near a root, the way to the nearest one leaves it.
+        """
+        size = float(np.linalg.norm(f))
+        if np.max(np.abs(step)) < 1e-13:
+            return None, None
+        for fraction in (1.0, 0.5, 0.25, 0.1, 0.03):
+            there = np.clip(x + fraction * step, self.low, self.high)
+            value = self.function(there)
+            enough = max((1.0 - 0.1 * fraction) * size, 0.1 * fraction * float(np.linalg.norm(step)))
+            if np.linalg.norm(value) < enough:
+                return there, value
+        return None, None
+
+    def _least_squares(self, x: Vector) -> Vector:
+        """Where the function and the distance from the preferred point are smallest."""
+
+        def residual(at: Vector) -> Vector:
+            away = self.weight * (at - self.preferred(at))
+            return np.concatenate([self.function(at), _PREFERENCE * away])
+
+        def jacobian(at: Vector) -> Vector:
+            return np.vstack([self._jacobian(at, self.function(at)), _PREFERENCE * np.diag(self.weight)])
+
+        inside = np.clip(x, self.low + 1e-6, self.high - 1e-6)
+        found = least_squares(
+            residual, inside, jacobian, bounds=(self.low, self.high), max_nfev=40, xtol=1e-6
+        )
+        return np.asarray(found.x)

@@ -1,0 +1,52 @@
+"""The nearest root: closed forms with fewer, as many and more unknowns than equations, and with bounds."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from testbed.common.nearest_root import NearestRoot
+
+FAR = 10.0
+
+
+def root_of(function, n: int, weight=1.0, low=-FAR, high=FAR, preferred=0.0, guess=0.5) -> np.ndarray:
+    problem = NearestRoot(
+        lambda x: np.atleast_1d(np.asarray(function(x), float)),
+        np.full(n, low),
+        np.full(n, high),
+        np.broadcast_to(np.asarray(weight, float), (n,)).copy(),
+        lambda x: np.broadcast_to(np.asarray(preferred, float), (n,)).copy(),
+    )
+    return problem.find(np.broadcast_to(np.asarray(guess, float), (n,)).copy(), 1e-9)
+
+
+def test_the_point_of_a_circle_nearest_to_another_point() -> None:
+    """Of x^2 + y^2 = 4, nearest to (3, 4): (1.2, 1.6). A root to rounding, nearest as well as the updated Jacobian is known."""
+    found = root_of(lambda x: x @ x - 4.0, 2, preferred=(3.0, 4.0), guess=(1.0, 1.0))
+    assert found == pytest.approx([1.2, 1.6], abs=1e-4)
+    assert found @ found == pytest.approx(4.0, abs=1e-10)
+
+
+def test_weights_say_which_unknown_is_used() -> None:
+    """x + y = 1 with y ten times as unwanted: x = 100/101."""
+    found = root_of(lambda x: x.sum() - 1.0, 2, weight=(1.0, 10.0))
+    assert found == pytest.approx([100 / 101, 1 / 101], abs=1e-9)
+
+
+def test_an_unknown_at_its_bound_is_left_there() -> None:
+    """x + y = 3 within [-2, 2], x preferred at 5: x = 2, and y makes up for the rest."""
+    found = root_of(lambda x: x.sum() - 3.0, 2, low=-2.0, high=2.0, preferred=(5.0, -5.0))
+    assert found == pytest.approx([2.0, 1.0], abs=1e-9)
+
+
+def test_square_systems_have_their_root_to_rounding() -> None:
+    """Rosenbrock's system: 10 (y - x^2) = 0 and 1 - x = 0."""
+    found = root_of(lambda x: [10.0 * (x[1] - x[0] ** 2), 1.0 - x[0]], 2, guess=(-1.2, 1.0))
+    assert found == pytest.approx([1.0, 1.0], abs=1e-10)
+
+
+def test_where_there_is_none_the_function_is_not_small() -> None:
+    """x^2 + 1 has no root; and x = 3 is beyond the bounds."""
+    assert root_of(lambda x: x @ x + 1.0, 1) @ np.ones(1) == pytest.approx(0.0, abs=0.1)
+    assert root_of(lambda x: x - 3.0, 1, high=2.0) == pytest.approx([2.0], abs=1e-5)
