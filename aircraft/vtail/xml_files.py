@@ -219,7 +219,7 @@ def hub(g, sign):
 
 def propulsion(g):
     return "".join(
-        f"""    <engine file="vtail_motor"><thruster file="vtail_prop"><sense>{g["propulsion"][f"{side}_sense"]}</sense>
+        f"""    <engine file="{g["name"]}_motor"><thruster file="{g["name"]}_prop"><sense>{g["propulsion"][f"{side}_sense"]}</sense>
       {hub(g, sign)}<orient unit="DEG"><roll>0</roll><pitch>0</pitch><yaw>0</yaw></orient></thruster></engine>
 """
         for side, sign in SIDES
@@ -319,7 +319,7 @@ def external_reactions(g):
 def aircraft(g, m, c, reference):
     return f"""<?xml version="1.0"?>
 <!-- Written by derive.py from geometry.yaml: change those, not this. -->
-<fdm_config name="vtail" version="2.0" release="BETA">
+<fdm_config name="{g["name"]}" version="2.0" release="BETA">
   <fileheader><author>testbed</author><filecreationdate>2026-11-21</filecreationdate><version>2</version><description>Small v-tail UAV</description></fileheader>
   <metrics>
 {metrics(g, m, reference)}  </metrics>
@@ -328,7 +328,7 @@ def aircraft(g, m, c, reference):
   <ground_reactions/> <!-- none: a flight ends above the ground, and each contact point would cost time in every step -->
   <propulsion>
 {propulsion(g)}  </propulsion>
-  <flight_control name="vtail">
+  <flight_control name="{g["name"]}">
 {flight_control(g, c)}  </flight_control>
   <aerodynamics>
 {tail_loading(g, m, c, reference)}{aerodynamics(c)}  </aerodynamics>
@@ -348,7 +348,7 @@ def propeller_file(g, table):
     return f"""<?xml version="1.0"?>
 <!-- Written by derive.py: blade-element momentum theory (propeller.py) on the blade of geometry.yaml. Inertia: propeller and motor bell.
      Rows past J = 2 are the windmilling and standing rotor; table in J, so their values grow with J squared. -->
-<propeller name="vtail_prop" version="1.1">
+<propeller name="{g["name"]}_prop" version="1.1">
   <ixx unit="KG*M2">{number(inertia)}</ixx><diameter unit="M">{number(p["diameter_m"])}</diameter><numblades>{p["blades"]}</numblades><gearratio>1</gearratio><constspeed>0</constspeed>
   <table name="C_THRUST" type="internal"><tableData>
 {rows(1)}
@@ -364,7 +364,7 @@ def motor_file(g):
     motor = g["propulsion"]["motor"]
     return f"""<?xml version="1.0"?>
 <!-- Written by derive.py. Resistance is motor, speed controller, wires and battery. -->
-<brushless_dc_motor name="vtail_motor">
+<brushless_dc_motor name="{g["name"]}_motor">
   <maxvolts unit="VOLTS">{number(motor["max_volts"])}</maxvolts><velocityconstant>{number(motor["velocity_constant_rpm_v"])}</velocityconstant>
   <coilresistance unit="OHMS">{number(motor["resistance_ohm"])}</coilresistance><noloadcurrent unit="AMPERES">{number(motor["no_load_current_a"])}</noloadcurrent>
 </brushless_dc_motor>
@@ -373,8 +373,9 @@ def motor_file(g):
 
 def write(g, m, c, table, reference):
     """Text of each file, by its path in the aircraft's folder."""
+    name = g["name"]
     return {
-        "vtail.xml": aircraft(g, m, c, reference),
-        "Engines/vtail_prop.xml": propeller_file(g, table),
-        "Engines/vtail_motor.xml": motor_file(g),
+        f"{name}.xml": aircraft(g, m, c, reference),
+        f"Engines/{name}_prop.xml": propeller_file(g, table),
+        f"Engines/{name}_motor.xml": motor_file(g),
     }

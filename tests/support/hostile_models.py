@@ -193,6 +193,10 @@ HOSTILE: dict[str, Hostile] = {
         without("flight_control"), MODEL + "|" + YAML, "no (part of the model has a )?property"
     ),
     "no thruster": Hostile(replaced(MODEL, "<thruster.*?</thruster>", ""), MODEL, "has no <thruster>"),
+    "no thrust table": Hostile(
+        replaced(PROPELLER, 'name="C_THRUST"', 'name="C_THRUSTS"'), PROPELLER, "has 0 tables C_THRUST"
+    ),
+    "no volts": Hostile(replaced(MOTOR, "<maxvolts.*?</maxvolts>", ""), MOTOR, "has no <maxvolts>"),
     "unknown component": Hostile(
         channel("<integrator name='x'><input>fcs/y</input></integrator>"),
         MODEL,

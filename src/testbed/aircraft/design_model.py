@@ -61,6 +61,7 @@ class DesignModel:
             thrust.
         propulsors: [n] motor and propeller, or engine; None for servos.
         identified_from: fingerprint of the aircraft's files.
+        span_m: wing span; None if it is not known.
     """
 
     airspeed_m_s: float
@@ -77,6 +78,7 @@ class DesignModel:
     offset_matrix: tuple[tuple[float, ...], ...]
     propulsors: tuple[Propulsor | EngineMap | None, ...]
     identified_from: str = ""
+    span_m: float | None = None
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""

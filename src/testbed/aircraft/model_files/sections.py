@@ -13,6 +13,8 @@ _ENGINES = (
     "piston_engine", "turbine_engine", "turboprop_engine", "rocket_engine", "electric_engine", "brushless_dc_motor",
 )  # fmt: skip
 _THRUSTERS = ("propeller", "nozzle", "rotor", "direct")
+_MOTOR_PARTS = ("maxvolts", "velocityconstant", "coilresistance", "noloadcurrent")
+_PROPELLER_PARTS, _PROPELLER_TABLES = ("ixx", "diameter", "numblades"), ("C_THRUST", "C_POWER")
 
 
 def engines(files: ModelFiles) -> list[Element]:
@@ -33,6 +35,7 @@ def incomplete(files: ModelFiles) -> Iterator[Problem]:
             )
     for engine in engines(files):
         yield from _engine(files, engine)
+    yield from _parts(files)
 
 
 def _engine(files: ModelFiles, engine: Element) -> Iterator[Problem]:
@@ -43,6 +46,25 @@ def _engine(files: ModelFiles, engine: Element) -> Iterator[Problem]:
         yield engine.problem("has no <thruster>", "a propeller, nozzle, rotor or direct thruster")
     elif not _has_one(files, thrusters[0], _THRUSTERS):
         yield thrusters[0].problem("has no thruster", f"its file, with one of {', '.join(_THRUSTERS)}")
+
+
+def _parts(files: ModelFiles) -> Iterator[Problem]:
+    """Parts of propellers and motors that JSBSim takes for granted: without a table it ends the process."""
+    for element in files.elements():
+        if element.tag == "propeller" and element.children:
+            yield from _lacking(element, _PROPELLER_PARTS)
+            names = [table.attributes.get("name") for table in element.all("table")]
+            for name in _PROPELLER_TABLES:
+                if names.count(name) != 1:
+                    yield element.problem(f"has {names.count(name)} tables {name}", "one")
+        elif element.tag == "brushless_dc_motor":
+            yield from _lacking(element, _MOTOR_PARTS)
+
+
+def _lacking(element: Element, tags: tuple[str, ...]) -> Iterator[Problem]:
+    for tag in tags:
+        if element.first(tag) is None:
+            yield element.problem(f"has no <{tag}>", "a number that JSBSim needs")
 
 
 def _has_one(files: ModelFiles, element: Element, tags: tuple[str, ...]) -> bool:
