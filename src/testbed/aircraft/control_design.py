@@ -44,6 +44,9 @@ class Loops(Settings):
     protect_from_m_s: NonNegative = 2.0
     lost_thrust_protect_from_m_s: NonNegative = 0.7
     """In place of `protect_from_m_s` once a propeller has failed [m/s]."""
+    fast_climb_s: NonNegative = 0.5
+    """Altitude that a regulator gains for each m/s of airspeed above its trim, if an actuator is jammed [s]. V/g, 1.8 s, would
+    turn all of that airspeed into altitude, but overshoots into a stall."""
     lost_thrust_faster_m_s: NonNegative = 1.5
     """Added to the airspeed reference when one propeller of several is left [m/s]. The tail has to balance the yawing moment of
     its thrust, and the deflection for that is proportional to T/V^2, which falls with airspeed."""
