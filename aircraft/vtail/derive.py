@@ -93,8 +93,11 @@ def wing_surface(g):
     return asb.Wing(name="wing", symmetric=True, xsecs=sections)
 
 
-def tail_surfaces(g, left_deg=0.0):
-    """The two tail panels, the left one with its ruddervator at `left_deg` (positive trailing edge down)."""
+def tail_surfaces(g, left_deg=0.0, left_turned_deg=0.0):
+    """The two tail panels, the left one with its ruddervator at `left_deg` (positive trailing edge down).
+
+    `left_turned_deg` turns the whole left panel about its own span, nose up; so does `incidence_deg` of the geometry.
+    """
     t = g["tail"]
     dihedral, foil = math.radians(t["dihedral_deg"]), asb.Airfoil(t["airfoil"])
     lattice_foil = {
@@ -111,7 +114,8 @@ def tail_surfaces(g, left_deg=0.0):
         sections = [
             asb.WingXSec(
                 xyz_le=leading_edge(s, chord, side),
-                chord=chord, twist=t["incidence_deg"], airfoil=lattice_foil[side],
+                chord=chord, twist=t["incidence_deg"] + (left_turned_deg if side < 0 else 0.0),
+                airfoil=lattice_foil[side],
             ) for s, chord in stations
         ]  # fmt: skip
         return asb.Wing(name="tail", symmetric=False, xsecs=sections[::side])  # listed from left to right
@@ -128,13 +132,18 @@ def reference(g):
 
 
 class Lattice:
-    """Vortex lattice of some surfaces, which gives coefficients about the centre of gravity."""
+    """Vortex lattice of some surfaces, which gives coefficients about the centre of gravity.
+
+    The surfaces are moved so that the centre of gravity is the origin, because AeroSandbox turns an aircraft about the origin of
+    its geometry, whatever the reference point of the moments.
+    """
 
     def __init__(self, g, surfaces, cg):
         self.area, self.span, self.chord = reference(g)
         self.speed = g["reference"]["airspeed_m_s"]
+        about_cg = [surface.translate(-np.array(cg)) for surface in surfaces]
         self.airplane = asb.Airplane(
-            wings=surfaces, xyz_ref=cg, s_ref=self.area, b_ref=self.span, c_ref=self.chord
+            wings=about_cg, xyz_ref=[0, 0, 0], s_ref=self.area, b_ref=self.span, c_ref=self.chord
         )
 
     def at(self, alpha_deg, beta_deg=0.0, p=0.0, q=0.0, r=0.0):
@@ -165,13 +174,26 @@ class Lattice:
         )
 
 
+def trim_angle(g, lattice):
+    """Angle of attack [deg] of the reference lift coefficient."""
+    a, b = lattice.at(0.0)[0], lattice.at(4.0)[0]
+    return float(4.0 * (g["reference"]["lift_coefficient"] - a) / (b - a))
+
+
+def by_left_panel(g, cg, alpha_deg, flap):
+    """Derivatives of AXES, per rad, by the deflection of the LEFT ruddervator (`flap` 1) or by turning its panel (0)."""
+    h = RUDDERVATOR_STEP_DEG
+    high, low = (
+        Lattice(g, [wing_surface(g), *tail_surfaces(g, flap * d, (1 - flap) * d)], cg).at(alpha_deg)
+        for d in (h, -h)
+    )
+    return dict(zip(AXES, (high - low) / (2 * math.radians(h)), strict=True))
+
+
 def left_ruddervator(g, cg, alpha_deg):
     """Derivatives of AXES by the deflection of the LEFT ruddervator, per rad; the right one is its exact mirror image."""
-    h = RUDDERVATOR_STEP_DEG
-    high, low = (Lattice(g, [wing_surface(g), *tail_surfaces(g, d)], cg).at(alpha_deg) for d in (h, -h))
-    return dict(
-        zip(AXES, (high - low) / (2 * math.radians(h)) * g["tail"]["flap_viscous_factor"], strict=True)
-    )
+    slopes = by_left_panel(g, cg, alpha_deg, flap=1)
+    return {axis: slope * g["tail"]["flap_viscous_factor"] for axis, slope in slopes.items()}
 
 
 # ---- hand-book estimates --------------------------------------------------------
@@ -256,6 +278,45 @@ def downwash(g, cg, alpha_deg):
     }
 
 
+def slipstream_reach(g, c, alpha, beta):
+    """Share of the LEFT tail panel, by chord, inside the slipstream of its own propeller at angles in rad.
+
+    The slipstream is a cylinder of the propeller's diameter (its contraction is 1 % at cruise, 3 % at 11 N). Its axis leaves the
+    hub along the free stream, and behind the wing it follows the downwash.
+    """
+    t, prop = g["tail"], g["propulsion"]
+    dihedral, radius = math.radians(t["dihedral_deg"]), 0.5 * prop["propeller"]["diameter_m"]
+    distance, behind_wing = (
+        t["quarter_chord_x_m"] - prop["x_m"],
+        t["quarter_chord_x_m"] - 0.25 * g["wing"]["root_chord_m"],
+    )
+    washed = c["downwash"] * (alpha + c["CL0"] / c["CL_alpha"])
+    y = -prop["y_m"] - math.tan(beta) * distance
+    z = prop["z_m"] + math.tan(alpha) * distance - washed * behind_wing
+    s = (np.arange(400) + 0.5) / 400
+    chord = t["root_chord_m"] + s * (t["tip_chord_m"] - t["root_chord_m"])
+    across = -s * t["panel_span_m"] * math.cos(dihedral) - y
+    up = t["root_z_m"] + s * t["panel_span_m"] * math.sin(dihedral) - z
+    return float(np.sum(chord * (across**2 + up**2 < radius**2)) / np.sum(chord))
+
+
+def slipstream(g, c, left, turned):
+    """What the tail in the propellers' slipstream needs; `left` and `turned` are the derivatives of `by_left_panel`.
+
+    `flap_per_turn`: deflection of a ruddervator [rad] that has the lift of its panel turned by one rad.
+    `reach`: (alphas, betas, rows) of `slipstream_reach`, in rad.
+    """
+    alphas, betas = ([math.radians(d) for d in range(-low, low + 1, 5)] for low in (20, 30))
+    t = g["tail"]
+    return {
+        "active": g["propulsion"]["slipstream"],
+        "disc_m2": 0.25 * math.pi * g["propulsion"]["propeller"]["diameter_m"] ** 2,
+        "distance_m": t["quarter_chord_x_m"] - g["propulsion"]["x_m"],
+        "flap_per_turn": turned["CL"] / left["CL"],
+        "reach": (alphas, betas, [[slipstream_reach(g, c, a, b) for b in betas] for a in alphas]),
+    }
+
+
 def fairing(alpha, start, end):
     """Smooth step in |alpha| from 0 (attached flow, below `start`) to 1 (flat plate, above `end`); angles in rad."""
     x = min(max((abs(alpha) - start) / (end - start), 0.0), 1.0)
@@ -325,8 +386,7 @@ def polar(lattice):
 def coefficients(g, cg):
     lattice = Lattice(g, [wing_surface(g), *tail_surfaces(g)], cg)
     body, props, parasite = pod(g, cg), propeller_normal_force(g, cg), drag(g, cg)
-    a, b = lattice.at(0.0), lattice.at(4.0)
-    trim_deg = 4.0 * (g["reference"]["lift_coefficient"] - a[0]) / (b[0] - a[0])
+    trim_deg = trim_angle(g, lattice)
     by = {name: lattice.slope(trim_deg, name) for name in ("alpha", "beta", "p", "q", "r")}
     at_trim, wake = lattice.at(trim_deg), downwash(g, cg, trim_deg)
     c = {"trim_deg": trim_deg, "downwash": wake["gradient"]}
@@ -353,6 +413,7 @@ def coefficients(g, cg):
     left = left_ruddervator(g, cg, trim_deg)
     c.update({f"{name}_left": left[name] for name in AXES})
     c["CD_left2"] = ruddervator_drag(g)
+    c["slipstream"] = slipstream(g, c, left, by_left_panel(g, cg, trim_deg, flap=0))
     c["lattice"] = {**{f"{f}_{v}": by[v][f] for v in by for f in AXES}}
     c["angles"] = angle_tables(g, cg, c)
     return c, parasite
@@ -370,9 +431,13 @@ def propeller_table(g):
     return propeller.table(blade_of(g), g["propulsion"]["propeller"]["reynolds_rev_s"], momentum, free)
 
 
-def build():
+def stated_geometry():
+    return yaml.safe_load((HERE / "geometry.yaml").read_text())
+
+
+def build(g=None):
     """Geometry, masses, coefficients, parasite drag, propeller table, and the text of each file by its name."""
-    g = yaml.safe_load((HERE / "geometry.yaml").read_text())
+    g = g or stated_geometry()
     m = masses(g)
     c, parasite = coefficients(g, m["cg_m"])
     table = propeller_table(g)
@@ -384,7 +449,7 @@ def report(g, m, c, parasite):
     area, span, chord = reference(g)
     print(f"S {area:.4f} b {span:.3f} c {chord:.4f}  mass {m['mass_kg']:.3f} cg {m['cg_m']}")
     print("Ix Iy Iz Ixz " + " ".join(f"{x:.4f}" for x in m["inertia"]), " sum of points:", m["points"][0])
-    for name in [k for k in c if k not in ("angles", "lattice")]:
+    for name in [k for k in c if k not in ("angles", "lattice", "slipstream")]:
         print(f"  {name:12s} {c[name]: .5f}   lattice {c['lattice'].get(name, float('nan')): .5f}")
     print("  parasite " + ", ".join(f"{name} {cd:.4f}" for name, cd in parasite["items"]))
     force = math.hypot(c["CL_left"], c["CY_left"]) * area

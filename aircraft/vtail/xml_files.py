@@ -42,7 +42,7 @@ def alpha_table(rows, column):
 
 def ruddervators(axis, c, area, *lengths):
     """The terms of both ruddervators in one axis. Longitudinal terms are equal, lateral ones opposite."""
-    text = f"one ruddervator, trailing edge down positive; {LATTICE} x viscous factor"
+    text = f"one ruddervator, trailing edge down positive, with its panel's slipstream; {LATTICE} x viscous factor"
     out = ""
     for side, _ in SIDES:
         lateral = -1 if axis in ("CY", "Cl", "Cn") and side == "right" else 1
@@ -52,7 +52,7 @@ def ruddervators(axis, c, area, *lengths):
             Q,
             S,
             *lengths,
-            f"fcs/{side}-ruddervator/effective-rad",
+            f"aero/{side}-tail/loading-rad",
             value(lateral * c[f"{axis}_left"]),
         )
     return out
@@ -115,6 +115,68 @@ def aerodynamics(c):
     return "".join(f'    <axis name="{name}">\n{text}    </axis>\n' for name, text in axes.items())
 
 
+def reach_table(c, sign):
+    """Share of a tail panel inside its propeller's slipstream, by alpha and beta; the right one is the left one mirrored."""
+    alphas, betas, rows = c["slipstream"]["reach"]
+    head = " ".join(f"{b:.6f}" for b in betas)
+    data = "\n".join(
+        f"            {a:.6f} {' '.join(map(number, row[::-sign]))}"
+        for a, row in zip(alphas, rows, strict=True)
+    )
+    return (
+        f'<table>\n          <independentVar lookup="row">{ALPHA}</independentVar>'
+        f'<independentVar lookup="column">{BETA}</independentVar>\n          <tableData>\n'
+        f"            {head}\n{data}\n          </tableData></table>"
+    )
+
+
+def tail_loading(g, m, c, reference):
+    """Deflection that gives a ruddervator in the free stream the load of its panel in the slipstream.
+
+    In the slipstream the speed along the propeller's axis is (1 + w) times the airspeed. The load of a panel goes with the product
+    of that speed and the air's velocity across the panel. The panel's own incidence and its ruddervator turn the faster stream:
+    their load grows by (1 + w)^2 - 1. The velocity across the panel that comes from alpha, beta and rates does not change: its load
+    grows by w (Jameson, NASA CR-1632, 1970; Smelt and Davies, ARC R&M 1788, 1937).
+    """
+    s, t, chord = c["slipstream"], g["tail"], reference[2]
+    dihedral, own = math.radians(t["dihedral_deg"]), math.radians(t["incidence_deg"])
+    arm = 2 * (t["quarter_chord_x_m"] - m["cg_m"][0]) / chord
+    text = ""
+    for side, sign in SIDES:
+        n, w = f"fcs/{side}-ruddervator", f"<property>fcs/{side}-propeller/slipstream</property>"
+        along_alpha, along_beta = across(c["downwash"], dihedral, sign)
+        text += f"""    <function name="aero/{side}-tail/loading-rad">
+      <description>ruddervator's deflection, and the change of its panel's load by the slipstream as more deflection</description>
+      <sum><property>{n}/effective-rad</property>
+        <product>{reach_table(c, sign)}
+          {w}
+          <sum><product><sum><value>2</value>{w}</sum><sum><property>{n}/effective-rad</property>{value(s["flap_per_turn"] * own)}</sum></product>
+            <product>{value(s["flap_per_turn"])}<sum>{value(zero_incidence(g, c) - own)}
+              <product><property>{ALPHA}</property>{value(along_alpha)}</product><product><property>{BETA}</property>{value(along_beta)}</product>
+              <product><property>{Q_RATE}</property><property>{C2V}</property>{value(arm * math.cos(dihedral))}</product>
+              <product><property>{R}</property><property>{C2V}</property>{value(-sign * arm * math.sin(dihedral))}</product></sum></product></sum></product></sum>
+    </function>
+"""
+    return text
+
+
+def across(gradient, dihedral, sign):
+    """Incidence of the air at a tail panel per rad of alpha and of beta; `sign` is -1 for the left panel."""
+    return (1 - gradient) * math.cos(dihedral), sign * math.sin(dihedral)
+
+
+def zero_incidence(g, c):
+    """Incidence of a panel at zero alpha and beta [rad]: its own, less the downwash, which is zero at zero lift.
+
+    A panel's own incidence is about its own span; of the downwash it meets the part across it.
+    """
+    dihedral = math.radians(g["tail"]["dihedral_deg"])
+    return (
+        math.radians(g["tail"]["incidence_deg"])
+        - math.cos(dihedral) * c["downwash"] * c["CL0"] / c["CL_alpha"]
+    )
+
+
 def location(x, y, z, name=""):
     label = f' name="{name}"' if name else ""
     return f'<location{label} unit="M"><x>{number(x)}</x><y>{number(y)}</y><z>{number(z)}</z></location>'
@@ -157,7 +219,7 @@ def hub(g, sign):
 
 def propulsion(g):
     return "".join(
-        f"""    <engine file="vtail_motor"><thruster file="vtail_prop"><sense>{g["propulsion"][f"{side}_sense"]}</sense>
+        f"""    <engine file="{g["name"]}_motor"><thruster file="{g["name"]}_prop"><sense>{g["propulsion"][f"{side}_sense"]}</sense>
       {hub(g, sign)}<orient unit="DEG"><roll>0</roll><pitch>0</pitch><yaw>0</yaw></orient></thruster></engine>
 """
         for side, sign in SIDES
@@ -172,7 +234,7 @@ def properties(block, values):
 
 def ruddervator_channel(g, side, sign, gradient, zero):
     n, dihedral = f"fcs/{side}-ruddervator", math.radians(g["tail"]["dihedral_deg"])
-    along_alpha, along_beta = (1 - gradient) * math.cos(dihedral), sign * math.sin(dihedral)
+    along_alpha, along_beta = across(gradient, dihedral, sign)
     return f'''    <channel name="{side} ruddervator">
       <fcs_function name="{n}/demand-rad"><function><ifthen><property>{n}/override-active</property><property>{n}/override-rad</property>
         <sum><product><property>{n}/command-rad</property><property>{n}/command-scale</property></product><property>{n}/command-bias-rad</property></sum></ifthen></function></fcs_function>
@@ -189,7 +251,25 @@ def ruddervator_channel(g, side, sign, gradient, zero):
 '''
 
 
-def propeller_channel(g, index, side):
+SQUARE_FEET, FEET, NO_PRESSURE_PSF = 0.3048**2, 0.3048, 0.5
+
+
+def slipstream_channel(c, index, side):
+    """Excess of speed far behind a propeller over the airspeed: actuator disc (Glauert), lagged by the way to the tail.
+
+    (1 + w)^2 - 1 = T / (qbar A). A broken propeller's stream is that of what is left of its thrust.
+    """
+    n, s = f"fcs/{side}-propeller", c["slipstream"]
+    return f"""      <fcs_function name="{n}/slipstream-at-disc"><function><product><property>fcs/slipstream-active</property>
+        <difference><sqrt><max><value>0</value><sum><value>1</value><quotient>
+          <product><property>{n}/effectiveness</property><property>propulsion/engine[{index}]/thrust-lbs</property></product>
+          <product>{value(s["disc_m2"] / SQUARE_FEET)}<max>{value(NO_PRESSURE_PSF)}<property>{Q}</property></max></product></quotient></sum></max></sqrt><value>1</value></difference></product></function></fcs_function>
+      <fcs_function name="{n}/slipstream-lag-rad_sec"><function><product><property>velocities/vt-fps</property>{value(FEET / s["distance_m"])}</product></function></fcs_function>
+      <lag_filter name="{n}/slipstream"><input>{n}/slipstream-at-disc</input><c1>{n}/slipstream-lag-rad_sec</c1></lag_filter>
+"""
+
+
+def propeller_channel(g, c, index, side):
     n, motor = f"fcs/{side}-propeller", g["propulsion"]["motor"]
     volts_per_rpm = 1 / (motor["velocity_constant_rpm_v"] * motor["max_volts"])
     return f'''    <channel name="{side} propeller">
@@ -200,7 +280,7 @@ def propeller_channel(g, index, side):
         <ifthen><property>{n}/override-active</property><property>{n}/override-norm</property>
         <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></ifthen></function>
         <output>fcs/throttle-pos-norm[{index}]</output></fcs_function>
-    </channel>
+{slipstream_channel(c, index, side)}    </channel>
 '''
 
 
@@ -215,14 +295,12 @@ def flight_control(g, c):
         "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
         "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
     }  # fmt: skip
-    # incidence of a panel at zero alpha: the panel's own, less the downwash, which is zero at zero lift
-    zero = math.cos(math.radians(g["tail"]["dihedral_deg"])) * (
-        math.radians(g["tail"]["incidence_deg"]) - c["downwash"] * c["CL0"] / c["CL_alpha"]
-    )
-    text = "".join(properties(f"{side}-ruddervator", surface) for side, _ in SIDES)
+    zero = zero_incidence(g, c)
+    text = f'    <property value="{int(c["slipstream"]["active"])}">fcs/slipstream-active</property>\n'
+    text += "".join(properties(f"{side}-ruddervator", surface) for side, _ in SIDES)
     text += "".join(properties(f"{side}-propeller", motor) for side, _ in SIDES)
     text += "".join(ruddervator_channel(g, side, sign, c["downwash"], zero) for side, sign in SIDES)
-    return text + "".join(propeller_channel(g, i, side) for i, (side, _) in enumerate(SIDES))
+    return text + "".join(propeller_channel(g, c, i, side) for i, (side, _) in enumerate(SIDES))
 
 
 def external_reactions(g):
@@ -241,7 +319,7 @@ def external_reactions(g):
 def aircraft(g, m, c, reference):
     return f"""<?xml version="1.0"?>
 <!-- Written by derive.py from geometry.yaml: change those, not this. -->
-<fdm_config name="vtail" version="2.0" release="BETA">
+<fdm_config name="{g["name"]}" version="2.0" release="BETA">
   <fileheader><author>testbed</author><filecreationdate>2026-11-21</filecreationdate><version>2</version><description>Small v-tail UAV</description></fileheader>
   <metrics>
 {metrics(g, m, reference)}  </metrics>
@@ -250,10 +328,10 @@ def aircraft(g, m, c, reference):
   <ground_reactions/> <!-- none: a flight ends above the ground, and each contact point would cost time in every step -->
   <propulsion>
 {propulsion(g)}  </propulsion>
-  <flight_control name="vtail">
+  <flight_control name="{g["name"]}">
 {flight_control(g, c)}  </flight_control>
   <aerodynamics>
-{aerodynamics(c)}  </aerodynamics>
+{tail_loading(g, m, c, reference)}{aerodynamics(c)}  </aerodynamics>
   <external_reactions>
 {external_reactions(g)}  </external_reactions>
 </fdm_config>
@@ -270,7 +348,7 @@ def propeller_file(g, table):
     return f"""<?xml version="1.0"?>
 <!-- Written by derive.py: blade-element momentum theory (propeller.py) on the blade of geometry.yaml. Inertia: propeller and motor bell.
      Rows past J = 2 are the windmilling and standing rotor; table in J, so their values grow with J squared. -->
-<propeller name="vtail_prop" version="1.1">
+<propeller name="{g["name"]}_prop" version="1.1">
   <ixx unit="KG*M2">{number(inertia)}</ixx><diameter unit="M">{number(p["diameter_m"])}</diameter><numblades>{p["blades"]}</numblades><gearratio>1</gearratio><constspeed>0</constspeed>
   <table name="C_THRUST" type="internal"><tableData>
 {rows(1)}
@@ -286,7 +364,7 @@ def motor_file(g):
     motor = g["propulsion"]["motor"]
     return f"""<?xml version="1.0"?>
 <!-- Written by derive.py. Resistance is motor, speed controller, wires and battery. -->
-<brushless_dc_motor name="vtail_motor">
+<brushless_dc_motor name="{g["name"]}_motor">
   <maxvolts unit="VOLTS">{number(motor["max_volts"])}</maxvolts><velocityconstant>{number(motor["velocity_constant_rpm_v"])}</velocityconstant>
   <coilresistance unit="OHMS">{number(motor["resistance_ohm"])}</coilresistance><noloadcurrent unit="AMPERES">{number(motor["no_load_current_a"])}</noloadcurrent>
 </brushless_dc_motor>
@@ -295,8 +373,9 @@ def motor_file(g):
 
 def write(g, m, c, table, reference):
     """Text of each file, by its path in the aircraft's folder."""
+    name = g["name"]
     return {
-        "vtail.xml": aircraft(g, m, c, reference),
-        "Engines/vtail_prop.xml": propeller_file(g, table),
-        "Engines/vtail_motor.xml": motor_file(g),
+        f"{name}.xml": aircraft(g, m, c, reference),
+        f"Engines/{name}_prop.xml": propeller_file(g, table),
+        f"Engines/{name}_motor.xml": motor_file(g),
     }

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
-
+TYPE_CHECKING = False  # as `typing` has it; importing that takes longer than all else here
 if TYPE_CHECKING:
+    from typing import Any
+
     from testbed.loading import load as load
     from testbed.monte_carlo import sweep as sweep
     from testbed.simulation import fly as fly
@@ -23,6 +23,8 @@ def __getattr__(name: str) -> Any:
         return _version()
     if name not in _MODULES:
         raise AttributeError(f"module 'testbed' has no attribute {name!r}")
+    from importlib import import_module
+
     return getattr(import_module(_MODULES[name]), name)
 
 

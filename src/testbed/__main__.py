@@ -1,8 +1,23 @@
 """The command line, as `python -m testbed`."""
 
+from __future__ import annotations
+
 import sys
 
-from testbed.cli.commands import main
+TYPE_CHECKING = False  # as `typing` has it, without the time to import it: until Ctrl-C is handled, every millisecond counts
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command, of `sys.argv` if none is given, and return its exit status."""
+    from testbed.cli import interrupts
+
+    interrupts.end_at_once()  # before everything else is imported, which takes most of a second
+    from testbed.cli.commands import main
+
+    return main(arguments)
+
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,8 +32,8 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
 def is_sweep_folder(folder: str | Path) -> bool:
     """True for a sweep folder, False for a run folder; raises BadInput when the folder is neither."""
     folder = Path(folder)
-    if not folder.is_dir():
-        what = "is a file" if folder.exists() else "there is no such folder"
+    if not os.path.isdir(folder):
+        what = "is a file" if os.path.exists(folder) else "there is no such folder"
         raise BadInput([Problem(what, str(folder), expected="a run folder or a sweep folder")])
     if (folder / "sweep.yaml").is_file():
         return True

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from testbed.common.files import slug
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
+from testbed.reporting.attempt import attempt
 from testbed.sweeps import summary
 from testbed.sweeps.checks import check
 from testbed.sweeps.folder import reading, results
@@ -99,7 +100,10 @@ def prepare(
 
 
 def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
-    """Evaluate a sweep folder's table: write summary.json, figures and report.html; returns the summary."""
+    """Evaluate a sweep folder's table: write summary.json, figures and report.html; returns the summary.
+
+    Figures or a report that cannot be made are a warning, `reporting.attempt.NotShown`.
+    """
     frame = reading.load(folder)
     found = summary.summarize(plan, frame)
     summary.write(found, folder)
@@ -107,8 +111,8 @@ def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
         from testbed.reporting.sweep_figures import draw_sweep
         from testbed.reporting.sweep_report import write_sweep_report
 
-        draw_sweep(plan, frame, folder)
-        write_sweep_report(folder)
+        attempt("the figures", lambda: draw_sweep(plan, frame, folder))
+        attempt("the report", lambda: write_sweep_report(folder))
     return found
 
 

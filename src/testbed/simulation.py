@@ -12,6 +12,7 @@ import numpy as np
 
 from testbed.air.wind import Weather
 from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.shape import load_shape
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.controllers import Controller
@@ -23,6 +24,8 @@ from testbed.controllers.user.loader import name_of
 from testbed.flight.columns import Recorded, all_columns, table
 from testbed.flight.events import controller_events
 from testbed.flight.flight import Flight, Outcome
+from testbed.flight.loss import loss_event
+from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
 from testbed.injection.injector import Injector
 from testbed.injection.truth import Truth
@@ -105,7 +108,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         injector=injector,
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
-        references=references(scenario),
+        references=references(scenario, start.state["path_angle"]),
         flown_by=name_of(controller) if controller else "",
     )
 
@@ -162,7 +165,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     warnings = parts.injector.finish()
     if not parts.flown_by:
         warnings += conditions.warnings(scenario)
-    events = _events(parts, log, steps)
+    events = _events(parts, log, outcome, actuators)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
     metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))
     return Flight(
@@ -176,18 +179,25 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         requirements=judge(scenario.requirements, log, metrics),
         actuators=actuators,
         warnings=warnings,
+        shape=load_shape(aircraft.folder),
         flown_by=parts.flown_by,
     )
 
 
-def _events(parts: Assembly, log: dict[str, np.ndarray], steps: int) -> list[dict[str, Any]]:
-    """Injections, sensor faults, what the controller flagged and released, and its reasons, in order of time."""
-    injections = parts.injector.receipts
+def _events(
+    parts: Assembly, log: dict[str, np.ndarray], outcome: Outcome, actuators: dict[str, dict[str, Any]]
+) -> list[dict[str, Any]]:
+    """Injections, sensor faults, what the controller flagged and released, its reasons, recoveries and the loss of the
+    aircraft, in order of time."""
+    injections, survived = parts.injector.receipts, outcome is Outcome.completed
     events = [
         *injections,
-        *parts.sensors.receipts(steps),
-        *controller_events(log, tuple(parts.aircraft.actuators), injections),
+        *parts.sensors.receipts(len(log["time_s"])),
+        *controller_events(log, tuple(actuators), injections),
+        *recovery_events(log, injections, survived),
     ]
+    if not survived:
+        events.append(loss_event(log, outcome, parts.aircraft.envelope, actuators))
     for step, text in parts.controller.reasons:
         events.append({"time_s": step / parts.scenario.rate_hz, "kind": "diagnosis", "text": text})
     return sorted(events, key=lambda event: event["time_s"])

@@ -14,6 +14,7 @@ from testbed.controllers.config import IndiSettings
 from testbed.controllers.indi import IndiController, measured_remainder
 from testbed.controllers.inversion.law import regressor, state_function
 from testbed.inputs.problems import BadInput
+from testbed.metrics import readings
 from testbed.simulation import fly
 
 SETUP = vtail_setup(IndiSettings())
@@ -32,6 +33,28 @@ def test_the_remainder_is_the_measured_rates_without_the_actuators(regulated: in
     phi = np.zeros((4, 4))
     regressor(1.0, m, s, phi)
     assert w.z == pytest.approx(np.array(list(rates.values())) + m.offset - regulated * w.f - phi.sum(axis=1))
+
+
+def test_what_is_flagged_acts_by_its_known_position_or_not_at_all() -> None:
+    m, c, k, s, w = records_of(SETUP)
+    y = trim_state(MODEL)
+    c.filter_rate, k.regulated = 0.0, 0
+    s.position[:] = [0.2, -0.1, 1.0, 2.0]
+    s.failed[:], s.jammed[:], s.lambda_hat[:] = [1, 0, 1, 0], [1, 0, 0, 0], [-0.7, 1.0, 0.3, 1.0]
+    measured_remainder(y, 1.0, m, c, k, s, w.f, w.phi, w.z)
+    acts = m.B[:, 0] * -0.7 + m.B[:, 1] * -0.1 + m.B[:, 3] * 2.0
+    propeller = s.torque[3] - m.torque_slope[3] * 2.0
+    assert w.z == pytest.approx(m.offset - acts - m.B_torque[:, 3] * propeller)
+
+
+def test_with_a_monitor_it_sees_what_the_adaptive_law_would_and_divides_by_nothing(tmp_path: Path) -> None:
+    lost = "failures=[{type: effectiveness, actuator: left_ruddervator, at_s: 5, value: 0}]"
+    without = fly(scenario(tmp_path, "indi", 12, lost))
+    flight = fly(scenario(tmp_path, "indi", 12, lost, "controller.monitor=true"))
+    assert (without.metrics["missed_detections"], flight.metrics["missed_detections"]) == (1, 0)
+    assert (flight.metrics["false_alarms"], flight.outcome) == (0, "completed")
+    log = readings(flight).log
+    assert all(set(log[f"{actuator}_effectiveness_estimate"]) == {1.0} for actuator in flight.actuators)
 
 
 def test_the_filter_is_the_settings() -> None:

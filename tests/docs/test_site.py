@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -11,30 +10,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from chromium import Window, chromium, without
 from command_line import ROOT
 
 pytestmark = pytest.mark.slow
 
-REQUIRED = bool(os.environ.get("SITE_CHECK_REQUIRED"))
-"""Set by .ci/run: what is not there is a failure then, not a reason to skip."""
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-FLAGS = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
 WIDTHS = (1280, 390)
-
-
-def _without(what: str) -> None:
-    if REQUIRED:
-        pytest.fail(f"there is no {what}")
-    pytest.skip(f"there is no {what}")
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +25,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
         import material  # noqa: F401
         import mkdocstrings  # noqa: F401
     except ImportError:
-        _without("mkdocs-material or mkdocstrings: pip install '.[docs]'")
+        without("mkdocs-material or mkdocstrings: pip install '.[docs]'")
     out = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(out)]
     built = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
@@ -54,16 +35,8 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
-    if CHROMIUM is None:
-        _without("chromium: apt-get install chromium")
-    try:
-        from playwright.sync_api import sync_playwright
-    except ImportError:
-        _without("playwright: pip install '.[browser]'")
-    with sync_playwright() as playwright:
-        chromium = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-        yield chromium
-        chromium.close()
+    with chromium() as running:
+        yield running
 
 
 @pytest.fixture
@@ -74,38 +47,12 @@ def pictures(tmp_path: Path) -> Path:
     return folder
 
 
-class Page:
-    """A page in a window of some width that remembers what went wrong in it."""
-
-    def __init__(self, browser: Any, width: int, scheme: str) -> None:
-        self.context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme)
-        self.page, self.wrong = self.context.new_page(), []
-        self.page.on("console", self._said)
-        self.page.on("pageerror", lambda error: self.wrong.append(str(error)))
-        self.page.on("request", self._asked)
-
-    def _said(self, message: Any) -> None:
-        if message.type in ("error", "warning"):
-            self.wrong.append(message.text)
-
-    def _asked(self, request: Any) -> None:
-        if not request.url.startswith(("file:", "data:", "blob:", "about:")):
-            self.wrong.append(f"asked for {request.url}")
-
-    def open(self, file: Path) -> None:
-        self.page.goto(file.as_uri())
-        self.page.wait_for_load_state("networkidle")
-        wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
-        if self.page.evaluate(wide) > 0:
-            self.wrong.append("wider than the window")
-
-
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", WIDTHS)
 def test_every_page_opens_from_disk(
     site: Path, browser: Any, pictures: Path, width: int, scheme: str
 ) -> None:
-    window = Page(browser, width, scheme)
+    window = Window(browser, width, scheme)
     found = {}
     for file in sorted(site.rglob("*.html")):
         if file.name == "404.html":  # made for a server: its links begin at the root
@@ -121,7 +68,7 @@ def test_every_page_opens_from_disk(
 
 
 def test_search_works_from_disk(site: Path, browser: Any) -> None:
-    window = Page(browser, 1280, "light")
+    window = Window(browser, 1280, "light")
     window.open(site / "index.html")
     field = window.page.locator("input.md-search__input")
     field.click()
@@ -138,7 +85,7 @@ def test_the_check_can_fail(browser: Any, tmp_path: Path) -> None:
         '<meta name="viewport" content="width=device-width"><div style="width: 5000px">wide</div>'
         '<img src="http://127.0.0.1:9/x.png"><script>throw new Error("raised")</script>'
     )
-    window = Page(browser, 390, "light")
+    window = Window(browser, 390, "light")
     window.open(file)
     window.context.close()
     for part in ("wider than the window", "asked for http://127.0.0.1:9/x.png", "raised"):

@@ -101,3 +101,10 @@ def test_nothing_usable_ends() -> None:
     with pytest.raises(BadInput) as caught:
         validated(Machine, parse("[1, 2]", "f.yaml"), heavy)
     assert len(caught.value.problems) == 1
+
+
+def test_a_file_with_thousands_of_problems_is_answered_with_the_first_hundred() -> None:
+    source = parse("\n".join(f"k{i}: 1" for i in range(20_000)), "f.yaml")
+    with pytest.raises(BadInput) as caught:
+        validated(Machine, source)
+    assert 100 <= len(caught.value.problems) < 200

@@ -99,14 +99,13 @@ def test_the_suggested_spelling_is_read_as_the_same_number(value: float) -> None
         assert source.tree == {"a": float(text)}
 
 
-leaves = (
-    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.text()
-)
-trees = st.recursive(leaves, lambda inner: st.lists(inner) | st.dictionaries(st.text(), inner), max_leaves=20)
+texts = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
+leaves = st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | texts
+trees = st.recursive(leaves, lambda inner: st.lists(inner) | st.dictionaries(texts, inner), max_leaves=20)
 
 
 @pytest.mark.slow
-@given(st.dictionaries(st.text(), trees))
+@given(st.dictionaries(texts, trees))
 def test_what_is_dumped_is_read_back(tree: dict[str, object]) -> None:
     source = parse(dump(tree))
     assert source.problems == []
@@ -147,3 +146,14 @@ def test_describe(value: object, text: str) -> None:
 
 def test_a_long_value_is_cut() -> None:
     assert len(describe("x" * 1000)) == 60
+
+
+def test_text_that_no_file_can_hold_is_refused() -> None:
+    source = parse('a: "x\\0"\nb: ["\\ud800"]\n"c\\0": 1\n', "f.yaml")
+    assert [(p.line, p.path) for p in source.problems] == [(1, "a"), (2, "b.0"), (3, "")]
+    assert all("a NUL character or half a surrogate pair" in p.what for p in source.problems)
+
+
+def test_reading_stops_at_too_many_values() -> None:
+    with pytest.raises(BadInput, match=r"f\.yaml:2: has more than 100000 values"):
+        parse("a:\n [" + "{a: 1}," * 40_000 + "]", "f.yaml")

@@ -30,7 +30,9 @@ def test_perfect_healthy_flight() -> None:
     for name, value in measured.items():
         if name == "survived":
             assert value == 1.0
-        elif name.endswith(("_failed_m", "_failed_deg", "_failed_m_s", "_recovery_s")):
+        elif name == "recovery_s" or name.endswith(
+            ("_failed_m", "_failed_deg", "_failed_m_s", "_recovery_s")
+        ):
             assert math.isnan(value), name  # nothing failed
         elif name in ("detection_delay_s", "isolation_fraction") or "settling" in name:
             assert math.isnan(value), name

@@ -7,7 +7,7 @@ import pytest
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import STATE
 from testbed.failures import same_property
-from testbed.plant.jsbsim import property_catalog
+from testbed.plant.first_load import property_catalog
 from testbed.plant.properties import (
     ACCELERATIONS,
     AIR_DATA,

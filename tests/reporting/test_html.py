@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import base64
+import io
 import math
 from pathlib import Path
 
 import pytest
 from html_page import Page
+from PIL import Image
 
 from testbed.reporting import html
 from testbed.reporting.html import Html
@@ -48,7 +51,11 @@ def test_a_table_has_its_head_rows_and_caption() -> None:
 
 
 def test_only_figures_that_are_there_are_shown(tmp_path: Path) -> None:
-    (tmp_path / "one.png").write_bytes(b"not a picture, but bytes")
-    (shown,) = html.figures(tmp_path, {"one": "a <caption>", "two": "missing"})
-    assert 'src="data:image/png;base64,bm90IGEg' in shown and "a &lt;caption&gt;" in shown
-    assert Page(shown).fetches_and_runs_nothing()
+    Image.new("RGB", (300, 200), "red").save(tmp_path / "one.png")
+    (shown,) = html.figures(tmp_path, {"one": "a <caption>", "two": "missing"}, width=150)
+    assert "a &lt;caption&gt;" in shown
+    page = Page(shown)
+    assert page.fetches_and_runs_nothing()
+    data = base64.b64decode(page.references[0].partition(",")[2])
+    with Image.open(io.BytesIO(data)) as picture:
+        assert picture.size == (150, 100) and picture.convert("RGB").getpixel((75, 50))[0] > 240

@@ -83,6 +83,7 @@ def flight_of(
             "rate_hz": 100,
             "initial": {"altitude_m": 100, "airspeed_m_s": 15, "heading_deg": 350},
             "requirements": [Requirement(metric="survived", at_least=1)],
+            "failures": [{"type": "effectiveness", "actuator": "elevon", "at_s": 2.0, "value": 0.0}],
         }
     )
     return Flight(

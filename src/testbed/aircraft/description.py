@@ -11,12 +11,14 @@ from typing import Annotated, Literal
 from pydantic import Field, PrivateAttr, field_validator
 
 from testbed.aircraft.control_design import Axis, ControlDesign
+from testbed.aircraft.model_files.safe_xml import read_bytes
 from testbed.aircraft.shipped import find_aircraft
 from testbed.common.cache import Cache
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
+from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import Issue, guess, one_of
 from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import TreePath, parsed, read_text
+from testbed.inputs.yaml_source import TreePath, parsed
 
 
 class Reference(Settings):
@@ -187,13 +189,13 @@ class Aircraft(Settings):
     def fingerprint(self) -> str:
         """Hash of everything that the plant and its trim depend on: JSBSim files, actuators, reference, start; not `control`.
 
-        The files are read each time (0.1 ms), so an edit is always noticed.
+        The files are read each time (0.1 ms), so an edit is always noticed. Raises BadInput for one that is no regular file.
         """
         included = {"model", "reference", "actuators"} | ({"start"} if self.start else set())
         seen = self.model_dump_json(include=included)
         text = hashlib.sha256(seen.encode())
         for file in sorted(self.folder.rglob("*.xml")):
-            text.update(file.relative_to(self.folder).as_posix().encode() + file.read_bytes())
+            text.update(file.relative_to(self.folder).as_posix().encode() + read_bytes(file))
         return text.hexdigest()
 
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -25,6 +25,7 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.propulsors import EngineMap, Propulsor
+from testbed.common.files import replacing
 from testbed.common.units import GRAVITY_M_S2
 from testbed.inputs.problems import BadInput, Problem
 
@@ -61,6 +62,7 @@ class DesignModel:
         propulsors: [n] motor and propeller, or engine; None for servos.
         identified_from: fingerprint of the aircraft's files.
         stall_alpha_rad: angle of attack at which the slope of the lift has fallen to half of that at the trim.
+        span_m: wing span; None if it is not known.
     """
 
     airspeed_m_s: float
@@ -78,6 +80,7 @@ class DesignModel:
     propulsors: tuple[Propulsor | EngineMap | None, ...]
     identified_from: str = ""
     stall_alpha_rad: float = 0.6
+    span_m: float | None = None
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cn_left_propeller`, ..."""
@@ -138,8 +141,9 @@ class DesignModel:
         return _close(asdict(self), asdict(other), tolerance)
 
     def save(self, path: Path) -> None:
-        """Write as JSON."""
-        path.write_text(json.dumps(asdict(self), indent=1) + "\n")
+        """Write as JSON, completely or not at all."""
+        with replacing(path) as partial:
+            partial.write_text(json.dumps(asdict(self), indent=1) + "\n")
 
 
 def load_design_model(path: Path) -> DesignModel:
@@ -147,8 +151,13 @@ def load_design_model(path: Path) -> DesignModel:
     try:
         return _from_tree(json.loads(path.read_text(encoding="utf-8")))
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        what = f"is no design model: {error!r}"
+        what = f"is no design model: {_words(error)}"
         raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+
+
+def _words(error: Exception) -> str:
+    """What an exception says; the names of missing and unknown keys are said with the exception's own."""
+    return str(error) if type(error) is ValueError else repr(error)
 
 
 def _from_tree(data: dict[str, Any]) -> DesignModel:
@@ -157,7 +166,33 @@ def _from_tree(data: dict[str, Any]) -> DesignModel:
     for key in ("actuators", "kinds", "trim", "bias"):
         data[key] = tuple(data[key])
     data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
-    return DesignModel(**data)
+    model = DesignModel(**data)
+    for wrong in _impossible(model):
+        raise ValueError(wrong)
+    return model
+
+
+def _impossible(model: DesignModel) -> Iterator[str]:
+    """What no identification writes: numbers that are not finite, and arrays of another shape than the actuators ask for."""
+    n = len(model.actuators)
+    shapes = {
+        "trim": (n,), "bias": (len(ROWS),), "derivatives": (len(ROWS), len(COLUMNS)),
+        "input_matrix": (len(ROWS), n), "torque_matrix": (len(ROWS), n), "offset_matrix": (len(ROWS), n),
+        "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (),
+    }  # fmt: skip
+    for name, shape in shapes.items():
+        values = np.array(getattr(model, name), dtype=float)
+        if values.shape != shape:
+            yield f"{name} has the shape {list(values.shape)}, expected {list(shape)}"
+        elif not np.all(np.isfinite(values)):
+            yield f"{name} is not finite"
+    if len(model.kinds) != n or len(model.propulsors) != n:
+        yield f"kinds and propulsors must have {n} entries"
+    for i, propulsor in enumerate(model.propulsors):
+        if propulsor is not None and not all(
+            np.all(np.isfinite(np.ravel(v))) for v in asdict(propulsor).values() if v is not None
+        ):
+            yield f"propulsors.{i} is not finite"
 
 
 def _propulsor(data: dict[str, Any]) -> Propulsor | EngineMap:

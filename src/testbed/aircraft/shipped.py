@@ -1,7 +1,11 @@
-"""Aircraft and scenarios that come with the testbed, found from any folder."""
+"""Aircraft and scenarios that come with the testbed, found from any folder.
+
+Paths are tested by `os.path`, because pathlib raises OSError for a name that is too long.
+"""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
@@ -27,9 +31,9 @@ def is_folder_name(name: str) -> bool:
 
 def find_aircraft(name: str) -> Path:
     """The YAML of an aircraft given by name or by folder; raises BadInput when there is none."""
-    folder = Path(name).resolve() if is_folder_name(name) else data_root() / "aircraft" / name
+    folder = Path(os.path.realpath(name)) if is_folder_name(name) else data_root() / "aircraft" / name
     file = folder / f"{folder.name}.yaml"
-    if file.is_file():
+    if os.path.exists(file):
         return file
     names = aircraft_names()
     if is_folder_name(name):
@@ -40,7 +44,7 @@ def find_aircraft(name: str) -> Path:
 
 
 def _is_aircraft(folder: Path) -> bool:
-    return (folder / f"{folder.name}.yaml").is_file()
+    return os.path.isfile(folder / f"{folder.name}.yaml")
 
 
 def _folder_name(folder: Path) -> str:
@@ -50,24 +54,33 @@ def _folder_name(folder: Path) -> str:
 
 def _no_folder(name: str, folder: Path) -> Problem:
     """What is wrong with a path that leads to no aircraft's folder."""
-    if folder.is_file():
+    if os.path.isfile(folder):
         beside = _folder_name(Path(name).parent) if _is_aircraft(folder.parent) else ""
         return Problem(f"{name!r} is a file", expected="an aircraft's folder", suggestion=beside)
-    here = folder.parent.iterdir() if folder.parent.is_dir() else iter(())
-    near = [_folder_name(Path(name).with_name(each.name)) for each in here if _is_aircraft(each)]
-    what = f"{name!r} has no {folder.name}.yaml" if folder.is_dir() else f"there is no folder {name!r}"
+    near = [_folder_name(Path(name).with_name(each)) for each in _names_in(folder.parent)
+            if _is_aircraft(folder.with_name(each))]  # fmt: skip
+    what = f"{name!r} has no {folder.name}.yaml" if os.path.isdir(folder) else f"there is no folder {name!r}"
     return Problem(
         what, expected="a folder with a YAML file of its name", suggestion=did_you_mean(name, near)
     )
 
 
+def _names_in(folder: Path) -> list[str]:
+    """Names of what is in a folder; none if it cannot be read."""
+    try:
+        return os.listdir(folder)
+    except OSError:
+        return []
+
+
 def find_scenario(path: str | Path) -> Path:
     """A scenario file by its path, else the shipped file with that path; raises BadInput when there is neither."""
     for candidate in (Path(path), data_root() / path):
-        if candidate.exists():
+        if os.path.exists(candidate):
             return candidate
     shipped = {file.stem: str(file.relative_to(data_root())) for file in scenario_files()}
-    beside = {file.stem: str(file) for file in Path(path).parent.glob("*.yaml")}
+    folder = Path(path).parent
+    beside = {Path(name).stem: str(folder / name) for name in _names_in(folder) if name.endswith(".yaml")}
     known = shipped | beside
     close = known.get(did_you_mean(Path(path).stem, known), "")
     raise BadInput([Problem("there is no such file", str(path), suggestion=close)])

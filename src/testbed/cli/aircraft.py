@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel, load_design_model
+from testbed.cli.interrupts import tidily
 from testbed.common.signals import RATES
 from testbed.inputs.problems import BadInput, Problem
 
@@ -27,7 +28,8 @@ def identify(name: str, *, check: bool) -> bool:
         print(f"{file}: {'as identified' if same else 'differs from what is identified now'}")
         return same
     try:
-        model.save(file)
+        with tidily():
+            model.save(file)
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
     print(f"wrote {file}")

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from itertools import takewhile
 from pathlib import Path
 
+from testbed.common.docstrings import first_line
+
 Entries = list[tuple[str, str]]
 """(name, meaning) of each entry."""
 
@@ -49,7 +51,7 @@ def _sweeps() -> Entries:
 
 def _described(table: Mapping[str, object]) -> Entries:
     """Names, each with the first line of its docstring."""
-    return [(name, (entry.__doc__ or "").strip().partition("\n")[0]) for name, entry in table.items()]
+    return [(name, first_line(entry)) for name, entry in table.items()]
 
 
 def _files(files: Iterable[Path]) -> Entries:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import sys
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
@@ -35,25 +36,32 @@ def collect(problems: list[Problem], function: Callable[[], Result]) -> Result |
 
 
 def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
-    """The scenario in a file, with its names also checked against the log's columns, the metrics and the JSBSim model.
+    """The scenario in a file, also checked against the log's columns, the metrics, the JSBSim model and its trimmed start.
 
     Conditions that its controller is not made for are printed on stderr.
     """
     from testbed.aircraft.description import load_aircraft
     from testbed.flight.columns import all_columns
     from testbed.metrics import TABLE as METRICS
+    from testbed.plant.rehearsal import rehearse
     from testbed.scenario import conditions
     from testbed.scenario.checks import unknown_names
     from testbed.scenario.load import load_scenario
 
     scenario = load_scenario(file, settings)
     aircraft = load_aircraft(scenario.aircraft)
-    properties: Mapping[str, bool] = {}
-    if scenario.failures:  # loading the model takes longer than all else here, and only failures need it
-        from testbed.plant.jsbsim import property_catalog
-
-        properties = property_catalog(aircraft)
-    problems = unknown_names(scenario, aircraft, all_columns(aircraft, scenario), METRICS, properties)
+    found: list[Problem] = []
+    at, initial = scenario.initial, ("initial",)
+    properties = collect(
+        found,
+        lambda: rehearse(
+            aircraft, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, math.radians(at.heading_deg)
+        ),
+    )
+    checkable = scenario if properties is not None else scenario.model_copy(update={"failures": ()})
+    names = unknown_names(checkable, aircraft, all_columns(aircraft, scenario), METRICS, properties or {})
+    # A problem without a file is that there is no trimmed flight to begin with.
+    problems = [*names, *(p if p.file else scenario.source.problem(initial, p.what) for p in found)]
     if problems:
         raise BadInput(problems)
     for warning in conditions.warnings(scenario):

@@ -1,6 +1,6 @@
 """The commands, their options, and their exit status.
 
-Exit status: 0 every requirement was met; 1 one was not met, or the aircraft was lost; 2 bad input, and nothing was flown.
+`status` has the exit status. An error that no command expects is one line, too, never a traceback.
 The module of a command is imported only when the command runs, so that `--help` and `validate` are quick.
 """
 
@@ -9,29 +9,40 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+import traceback
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from testbed import __version__
-from testbed.cli import completion
+from testbed.cli import completion, interrupts
 from testbed.cli.catalogue import TABLE as CATALOGUE
+from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, MET, NOT_MET
+from testbed.cli.terminal import give_up_stdout, plain_output
 from testbed.inputs.problems import BadInput
 
-MET, NOT_MET, BAD_INPUT = 0, 1, 2
+_TRACEBACK = "TESTBED_TRACEBACK"
+"""Environment variable with which a defect of the program shows its traceback."""
 _SCENARIO = "YAML file; a shipped one is found from any folder"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status; every problem with the input is one line on stderr."""
-    try:
+    with plain_output():
         try:
-            return _run(arguments)
-        finally:
-            sys.stdout.flush()  # here, so that a closed pipe is noticed inside this `try`
-    except BrokenPipeError:
-        # As with `testbed list | head -1`. The remedy is that of the notes on SIGPIPE in Python's `signal` module.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # so that the flush at exit succeeds
-        return NOT_MET
+            try:
+                return _run(arguments)
+            finally:
+                sys.stdout.flush()  # here, so that a closed pipe or a full disk is noticed inside this `try`
+        except BrokenPipeError:  # as with `testbed list | head -1`
+            give_up_stdout()
+            return NOT_MET
+        except KeyboardInterrupt:
+            return _said(interrupts.WORDS, INTERRUPTED)
+        except Exception as error:
+            if os.environ.get(_TRACEBACK):
+                raise
+            give_up_stdout()
+            return _said(_in_words(error), ENDED_EARLY)
 
 
 def _run(arguments: Sequence[str] | None) -> int:
@@ -41,10 +52,26 @@ def _run(arguments: Sequence[str] | None) -> int:
     try:
         status: int = options.command(options)
     except BadInput as error:
-        for problem in error.problems:
-            print(problem, file=sys.stderr)
-        return BAD_INPUT
+        return _said("\n".join(map(str, error.problems)), BAD_INPUT)
     return status
+
+
+def _said(words: str, status: int) -> int:
+    print(words, file=sys.stderr)
+    return status
+
+
+def _in_words(error: Exception) -> str:
+    """One line for an error that no command expects: of the operating system, or a defect of the program."""
+    if isinstance(error, OSError):
+        where = f"{error.filename}: " if error.filename else ""
+        return f"{where}cannot be read or written: {error.strerror or error}"
+    if isinstance(error, MemoryError):
+        return "there is not enough memory for this"
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    place = f"{Path(last.filename).name}:{last.lineno}"
+    words = " ".join(str(error).split())
+    return f"a defect of testbed: {type(error).__name__} at {place}: {words}; {_TRACEBACK}=1 shows where it comes from"
 
 
 def parser() -> argparse.ArgumentParser:
@@ -168,7 +195,7 @@ def _report(options: argparse.Namespace) -> int:
         return sweep.report(options.folder)
     from testbed.cli import flight
 
-    return MET if flight.report(options.folder) else NOT_MET
+    return flight.report(options.folder)
 
 
 def _validate(options: argparse.Namespace) -> int:

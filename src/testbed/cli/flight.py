@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import argparse
+import contextlib
 import sys
 from collections.abc import Callable, Collection
+from functools import partial
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.checked import checked, collect
-from testbed.flight.folder import FolderExists, load, refuse_existing, write_run_folder
+from testbed.cli.interrupts import tidily
+from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
+from testbed.flight.folder import FolderExists, load, refuse_existing, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput, Problem
+from testbed.reporting.attempt import attempt
 from testbed.reporting.numbers import number
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
     from testbed.flight.flight import Flight
+    from testbed.scenario.load import Scenario
 
 
 def fly(options: argparse.Namespace) -> bool:
@@ -28,6 +34,7 @@ def fly(options: argparse.Namespace) -> bool:
     controller = collect(problems, lambda: _own_controller(options.controller))
     if scenario is None or problems:
         raise BadInput(problems)
+    refuse_unwritable(options.out or _default_folder(scenario, 1))  # nor this after the flight
     from testbed.common.jit import has_compiled
     from testbed.scenario import conditions
     from testbed.simulation import fly
@@ -35,18 +42,20 @@ def fly(options: argparse.Namespace) -> bool:
     if not has_compiled():
         print("compiling the control law for the first flight: some seconds, once", file=sys.stderr)
     flight = fly(scenario, controller)
-    folder = write(flight, options.out, _presentation(flight, figures=not options.no_plots))
+    with tidily():
+        folder = write(flight, options.out, partial(_present, flight, figures=not options.no_plots))
     _print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
     return flight.passed
 
 
-def report(folder: Path) -> bool:
-    """Draw the figures and write the report of a run folder again; returns whether the flight passed."""
+def report(folder: Path) -> int:
+    """Draw the figures and write the report of a run folder again; returns the exit status."""
     flight = load(folder)
-    _presentation(flight)(folder)
+    with tidily():
+        shown = _present(flight, folder)
     _print_verdict(flight)
-    return flight.passed
+    return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 
 
 def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
@@ -58,46 +67,54 @@ def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
     return load_controller(reference)
 
 
-def _presentation(flight: Flight, figures: bool = True) -> Callable[[Path], None]:
-    """A function that adds the report, and the figures if wanted, to a folder with log and summary."""
+def _present(flight: Flight, folder: Path, figures: bool = True) -> bool:
+    """Add the report, and the figures if wanted, to a folder with log and summary; returns whether all could be made."""
 
-    def write_into(folder: Path) -> None:
+    def draw() -> None:
+        from testbed.reporting.figures import draw
+
+        draw(flight, folder)
+
+    def write() -> None:
         from testbed.reporting.run_report import write_report
 
-        if figures:
-            from testbed.reporting.figures import draw
-
-            draw(flight, folder)
         write_report(folder)
 
-    return write_into
+    drawn = not figures or attempt("the figures", draw)
+    return attempt("the report", write) and drawn
 
 
-def write(flight: Flight, out: Path | None, add: Callable[[Path], None]) -> Path:
+def write(flight: Flight, out: Path | None, add: Callable[[Path], object]) -> Path:
     """Write the run folder: `out`, or else the first of runs/<name>, runs/<name>-2, ... that does not exist; returns it."""
     if out is not None:
         return write_run_folder(flight, out, add)
-    first = Path("runs") / flight.scenario.slug
     for i in count(1):
-        try:
-            return write_run_folder(flight, first if i == 1 else f"{first}-{i}", add)
-        except FolderExists:
-            continue
+        with contextlib.suppress(FolderExists):
+            return write_run_folder(flight, _default_folder(flight.scenario, i), add)
     raise AssertionError("unreachable: count() does not end")
 
 
+def _default_folder(scenario: Scenario, i: int) -> Path:
+    return Path("runs") / (scenario.slug if i == 1 else f"{scenario.slug}-{i}")
+
+
 def _print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
-    """Print how the flight ended, and its warnings but those that were `said` before it."""
-    print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s")
-    if flight.flown_by:
-        print(f"flown by {flight.flown_by}")
-    for requirement in flight.requirements:
-        verdict = "met    " if requirement["passed"] else "NOT MET"
-        reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
-        print(f"  {verdict}  {requirement['name']}: {number(requirement['value'])}{reason}")
+    """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
+    from testbed.reporting.story import story
+
+    by = f", flown by {flight.flown_by}" if flight.flown_by else ""
+    print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s{by}")
+    for line in story(flight):
+        print(f"  {line}")
     for event in flight.events:
         if event["kind"] == "diagnosis":
             print(f"  controller at {event['time_s']:.1f} s: {event['text']}")
-    print("passed" if flight.passed else "not passed")
+    missed = [requirement for requirement in flight.requirements if not requirement["passed"]]
+    for requirement in missed:
+        reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
+        print(f"  NOT MET  {requirement['name']}: {number(requirement['value'])}{reason}")
+    total = len(flight.requirements)
+    met = f": {total - len(missed)} of {total} requirements met" if total else ""
+    print(f"{'passed' if flight.passed else 'not passed'}{met}")
     for warning in [text for text in flight.warnings if text not in said]:
         print(f"WARNING: {warning}", file=sys.stderr)

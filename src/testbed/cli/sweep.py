@@ -1,6 +1,6 @@
 """`testbed sweep`, and `testbed report` of a sweep folder: fly many variations, print how often they passed.
 
-Exit status besides those of `commands`: 3 if the sweep ended early, 130 after Ctrl-C; finished flights are kept in both cases.
+When a sweep ends early, or by Ctrl-C, its finished flights are kept.
 """
 
 from __future__ import annotations
@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from testbed import monte_carlo
-from testbed.flight.folder import refuse_existing
+from testbed.cli.interrupts import tidily
+from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET
+from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.reporting.numbers import interval, number
+from testbed.sweeps.plan import Plan
 from testbed.sweeps.run import Options, Stopped, fly_sweep
-
-ENDED_EARLY, INTERRUPTED = 3, 130
 
 
 def fly(options: argparse.Namespace) -> int:
@@ -26,6 +27,11 @@ def fly(options: argparse.Namespace) -> int:
     plan, folder = monte_carlo.prepare(
         options.sweep, options.out, options.set, runs=options.runs, seed=options.seed, resume=options.resume
     )
+    with tidily():
+        return _flown(plan, folder, how, options)
+
+
+def _flown(plan: Plan, folder: Path, how: Options, options: argparse.Namespace) -> int:
     try:
         flights = fly_sweep(plan, folder, how, resume=options.resume)
     except Stopped as stopped:
@@ -48,7 +54,8 @@ def fly(options: argparse.Namespace) -> int:
 
 def report(folder: Path) -> int:
     """Write table, summary, figures and report of a sweep folder again; returns the exit status."""
-    summary = monte_carlo.rebuild(folder)
+    with tidily():
+        summary = monte_carlo.rebuild(folder)
     print_answer(summary)
     return _status(summary)
 
@@ -73,7 +80,7 @@ def print_answer(summary: dict[str, Any]) -> None:
 def _status(summary: dict[str, Any]) -> int:
     """0 when every flight passed, else 1."""
     shares = [variant["all_requirements"] for variant in summary["variants"]]
-    return 0 if all(share["successes"] == share["n"] for share in shares) else 1
+    return MET if all(share["successes"] == share["n"] for share in shares) else NOT_MET
 
 
 def _fly_only(options: argparse.Namespace, how: Options) -> int:
@@ -81,7 +88,9 @@ def _fly_only(options: argparse.Namespace, how: Options) -> int:
     plan, usual = monte_carlo.prepare(options.sweep, None, options.set, runs=options.runs, seed=options.seed)
     folder = options.out or usual.with_name(f"{usual.name}-run-{options.only}")
     refuse_existing(folder)
-    passed = monte_carlo.fly_run(plan, options.only, folder, how)
+    refuse_unwritable(folder)
+    with tidily():
+        passed = monte_carlo.fly_run(plan, options.only, folder, how)
     print((folder / "results.csv").read_text(encoding="utf-8"), end="")
     print(f"wrote {folder}")
-    return 0 if passed else 1
+    return MET if passed else NOT_MET

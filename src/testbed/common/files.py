@@ -11,10 +11,13 @@ from typing import Any
 
 import numpy as np
 
+_LONGEST_SLUG = 100
+"""Most file systems take names of 255 bytes, of which temporary names need some."""
+
 
 def slug(name: str, otherwise: str) -> str:
-    """A name as a file name: lower case letters, digits and hyphens; `otherwise` when nothing of it is left."""
-    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") or otherwise
+    """A name as a file name: at most 100 lower case letters, digits and hyphens; `otherwise` when nothing of it is left."""
+    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:_LONGEST_SLUG].strip("-") or otherwise
 
 
 @contextmanager

@@ -19,6 +19,7 @@ import numba
 import numpy as np
 
 from testbed.common.cache import Cache
+from testbed.common.jit_cache import CodeCache
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -33,9 +34,7 @@ def _cache_folder() -> Path | None:
     package = Path(__file__).parents[1]
     for file in sorted(package.rglob("*.py")):
         text.update(file.read_bytes())
-    home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "testbed"
-    ours = Path(tempfile.gettempdir()) / f"testbed-{_user()}"  # where the home folder cannot be written
-    for root in (home, ours):
+    for root in _roots():
         folder = root / f"numba-{numba.__version__}-{text.hexdigest()[:16]}"
         try:
             folder.mkdir(mode=0o700, parents=True, exist_ok=True)
@@ -47,6 +46,14 @@ def _cache_folder() -> Path | None:
             prune(root)
             return folder
     return None
+
+
+def _roots() -> Iterator[Path]:
+    """Where compiled code may be kept, best first. There may be no home folder, and no temporary folder either."""
+    with contextlib.suppress(RuntimeError):
+        yield Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "testbed"
+    with contextlib.suppress(OSError):
+        yield Path(tempfile.gettempdir()) / f"testbed-{_user()}"
 
 
 def _user() -> int:
@@ -85,7 +92,10 @@ def _one_at_a_time() -> Iterator[None]:
 
 def compiled(function: F) -> F:
     """Compile a function at its first call; without fast-math, so that results agree with the uncompiled function."""
-    return numba.njit(cache=_FOLDER is not None, error_model="numpy")(function)  # type: ignore[no-any-return, return-value]
+    made = numba.njit(error_model="numpy")(function)
+    if _FOLDER is not None and isinstance(made, numba.core.dispatcher.Dispatcher):
+        made._cache = CodeCache(function)
+    return made  # type: ignore[no-any-return, return-value]
 
 
 def bound(function: F, *like: Any) -> F:

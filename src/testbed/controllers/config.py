@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import Field, ValidationInfo, field_validator, model_validator
+from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
 
 from testbed.aircraft.control_design import Axis, ControlDesign
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
@@ -160,9 +160,10 @@ class FixedInversionSettings(ControllerSettings):
 
 
 class PidSettings(ControllerSettings):
-    """A conventional autopilot: ruddervator mixer, one throttle, cascaded loops scheduled with dynamic pressure.
+    """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
-    It never gives up an axis: `released` changes nothing. Gains are [1/s] unless the docstring says otherwise. They were
+    With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`).
+    Gains are [1/s] unless the docstring says otherwise. They were
     found by a search (CMA-ES, rounded) on healthy flights only, in calm air and at W20 = 25 ft/s, seeds 1 to 16. The
     search kept the inner loops below 20 rad/s (60 deg of phase margin with the servos' lag), and each outer loop below
     a third of the bandwidth of the loop inside it.
@@ -186,16 +187,48 @@ class PidSettings(ControllerSettings):
     """[1/s2]"""
     roll_kp: NonNegative = 1.5
     """Yaw rate for an error of bank: yawing causes sideslip, and with dihedral sideslip causes roll."""
+    bank_kp: NonNegative = 2.0
+    """Roll rate for an error of bank."""
+    p_kp: NonNegative = 8.0
     roll_max_deg: Positive = 30.0
     r_kp: NonNegative = 20.0
 
 
 class IndiSettings(ControllerSettings):
-    """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates, no monitor."""
+    """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates."""
 
     type: Literal["indi"] = "indi"
     filter_rad_s: NonNegative = 20.0
     """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
+    monitor: StrictBool = False
+    """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
+
+
+class RlsInversionSettings(ControllerSettings):
+    """Inversion (6) with effectiveness by recursive least squares with forgetting: it adapts, and diagnoses nothing."""
+
+    type: Literal["rls_inversion"] = "rls_inversion"
+    forgetting_s: Positive = 2.0
+    """Time constant with which old measurements are forgotten [s]."""
+    lambda_min: Positive = 0.1
+    lambda_max: Positive = 1.2
+    """Estimates are kept between `lambda_min` and `lambda_max`."""
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+
+
+class ImmInversionSettings(ControllerSettings):
+    """Inversion with an interacting multiple-model estimator: one model for each failure, and a mode for the likeliest."""
+
+    type: Literal["imm_inversion"] = "imm_inversion"
+    failure_rate_per_s: Positive = 0.01
+    """Rate at which a model is expected to give way to another [1/s]."""
+    probability: Annotated[Number, Field(gt=0.5, lt=1)] = 0.9
+    """An actuator is flagged as failed while the model of its loss is more probable than this for `persistence_s`."""
+    persistence_s: NonNegative = 0.2
+    """How long it must be as probable as that [s]."""
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
 
 
 class OracleSettings(ControllerSettings):
@@ -211,6 +244,8 @@ TABLE: dict[str, type[ControllerSettings]] = {
     "fixed_inversion": FixedInversionSettings,
     "pid": PidSettings,
     "indi": IndiSettings,
+    "rls_inversion": RlsInversionSettings,
+    "imm_inversion": ImmInversionSettings,
     "oracle": OracleSettings,
 }
 """Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""

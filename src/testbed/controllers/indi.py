@@ -10,7 +10,10 @@ the present dynamic pressure and motor torque into account. With all axes contro
 outer loops. With an axis released, the outer loop is the adaptive law's regulator. It keeps f_m, and with it the natural
 stability, so f_m is subtracted from the measured rates too, before the filter.
 
-There is neither estimation nor monitor: the next increment corrects for a lost actuator as for any other error.
+By itself it neither estimates nor monitors: the next increment corrects for a lost actuator as for any other error. With
+`monitor` it has the diagnosis of the adaptive law: estimation, monitor and jam test run on a memory of their own, and what
+they flag puts the mode for that failure in force. No command is divided by an estimate. So this separates what diagnosis
+brings from what compensation brings.
 
 Letters: y state, ref references, m design model, c settings, k control mode, s memory, w working memory; their fields,
 shapes and units are in `records`.
@@ -25,11 +28,12 @@ import numpy as np
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_telemetry
-from testbed.controllers.config import IndiSettings
+from testbed.controllers.config import AdaptiveInversionSettings, IndiSettings
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import low_pass, pressure_ratio_of, regressor, state_function
 from testbed.controllers.inversion.mode_switch import ModeSwitch
+from testbed.controllers.inversion.step import estimate
 from testbed.controllers.outer_loops import pid_loops, regulate
 from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
@@ -39,7 +43,8 @@ from testbed.controllers.setup import Setup
 def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
     """z = (x_c_dot - Phi 1)_f, into z [4]: the part of the measured rates that the actuators do not make.
 
-    In a regulated mode f_m is subtracted too. `m.offset` is added back: it is the constant part of the propellers' torque,
+    Of flagged actuators, one that is jammed acts by its estimated position, and one that is lost does not act. In a regulated
+    mode f_m is subtracted too. `m.offset` is added back: it is the constant part of the propellers' torque,
     which Phi contains, but which belongs to f_m because B is linear.
     """
     regressor(pressure_ratio, m, s, phi)
@@ -47,7 +52,10 @@ def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
     for i in range(4):
         z[i] += m.offset[i] * pressure_ratio - (f[i] if k.regulated else 0.0)
         for j in range(len(s.position)):
-            z[i] -= phi[i, j]
+            if s.jammed[j]:
+                z[i] -= phi[i, j] * s.lambda_hat[j]
+            elif not s.failed[j]:
+                z[i] -= phi[i, j]
     low_pass(z, s.filtered, c.filter_rate * c.dt)
 
 
@@ -71,10 +79,27 @@ def indi_step(step, parts):
     write_telemetry(telemetry[step], k.released, s)
 
 
-class IndiController:
-    """Incremental inversion with the records, the mode for no failure and the outer loops of the inversion controller.
+@compiled
+def diagnose(step, parts):
+    """One step of the adaptive law's diagnosis beside the control; returns 1 when a flag changed or a jam moved.
 
-    It takes all actuators for healthy, so its estimates are logged as 1.
+    Args:
+        step: row of the channels.
+        parts: states, then model, settings of the diagnosis, memory of the control, memory of the diagnosis, and working memory.
+    """
+    states, models, settings, memories, diagnoses, works = parts
+    y, m, c, s, d, w = states[step], models[0], settings[0], memories[0], diagnoses[0], works[0]
+    for i in range(len(d.command)):
+        d.command[i] = s.command[i]
+    advance_actuators(c.dt, axial_speed(y), m, d)
+    state_function(y, m, w.f)
+    return estimate(y, m, c, d, w)
+
+
+class IndiController:
+    """Incremental inversion with the records, modes and outer loops of the inversion controller.
+
+    Its estimates are logged as 1, for no command is divided by one.
 
     Raises:
         BadInput: as in `InversionController`.
@@ -83,10 +108,13 @@ class IndiController:
     def __init__(self, setup: Setup) -> None:
         memory = trimmed_memory(setup)
         self._modes = ModeSwitch(setup, memory)
-        settings = settings_record(setup, None)
-        settings[0].filter_rate = setup.settings_as(IndiSettings).filter_rad_s
-        work = np.zeros(1, work_dtype(len(setup.actuators)))
-        self._own = (model_record(setup), settings, self._modes.record, memory, work)
+        settings, chosen = settings_record(setup, None), setup.settings_as(IndiSettings)
+        settings[0].filter_rate = chosen.filter_rad_s
+        model, work = model_record(setup), np.zeros(1, work_dtype(len(setup.actuators)))
+        self._own = (model, settings, self._modes.record, memory, work)
+        self._memory, self._diagnosis, self._monitors = memory, trimmed_memory(setup), chosen.monitor
+        of_diagnosis = settings_record(setup, AdaptiveInversionSettings())
+        self._of_diagnosis = (model, of_diagnosis, memory, self._diagnosis, work)
         self._commands = memoryview(memory[0].command)  # quicker to go through than the array
 
     @property
@@ -98,8 +126,20 @@ class IndiController:
         """Take the channels of a flight (see `controllers.Controller`)."""
         self._parts = (states, setpoints, telemetry, *self._own)
         self._step = bound(indi_step, 0, self._parts)
+        self._watched = (states, *self._of_diagnosis)
+        self._diagnose = bound(diagnose, 0, self._watched) if self._monitors else None
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
+        if self._diagnose is not None and self._diagnose(step, self._watched):
+            self._take_over(step)
         self._step(step, self._parts)
         return self._commands
+
+    def _take_over(self, step: int) -> None:
+        """Put the mode in force for what the diagnosis has flagged."""
+        s, d = self._memory[0], self._diagnosis[0]
+        s.failed[:], s.jammed[:] = d.failed, d.jammed
+        s.lambda_hat[:] = np.where(d.jammed, d.lambda_hat, 1.0)
+        self._modes.switch(step)
+        d.designed_position[:] = s.designed_position

@@ -3,29 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 
 from testbed.controllers import Controller
 from testbed.controllers.config import (
     AdaptiveInversionSettings,
     ControllerSettings,
     FixedInversionSettings,
+    ImmInversionSettings,
     IndiSettings,
     OracleSettings,
     PidSettings,
+    RlsInversionSettings,
 )
+from testbed.controllers.imm import imm_inversion
 from testbed.controllers.indi import IndiController
-from testbed.controllers.inversion.controller import InversionController
+from testbed.controllers.inversion.controller import InversionController, fixed_inversion
 from testbed.controllers.oracle import OracleController
 from testbed.controllers.pid import PidController
+from testbed.controllers.rls import rls_inversion
 from testbed.controllers.setup import Setup
 
 CONSTRUCTORS: dict[type[ControllerSettings], Callable[[Setup], Controller]] = {
     AdaptiveInversionSettings: InversionController,
-    FixedInversionSettings: partial(InversionController, adapts=False),
+    FixedInversionSettings: fixed_inversion,
     PidSettings: PidController,
     IndiSettings: IndiController,
     OracleSettings: OracleController,
+    RlsInversionSettings: rls_inversion,
+    ImmInversionSettings: imm_inversion,
 }
 
 

@@ -19,6 +19,7 @@ from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
 from testbed.controllers.config import ControllerSettings
 from testbed.controllers.released_axes import released_from_start
+from testbed.controllers.scaling import scaled
 
 S = TypeVar("S", bound=ControllerSettings)
 
@@ -62,7 +63,7 @@ class Setup:
     Attributes:
         aircraft: its name, for messages.
         model: f_m and B_m, with the scenario's `model_error` applied.
-        control: the designer's priorities and gains for this aircraft.
+        control: the designer's priorities and gains for this aircraft; those that are not given become the ones that suit it.
         actuators: [n] in the order of `model.actuators`.
         dt_s: duration of a control step [s].
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
@@ -83,6 +84,12 @@ class Setup:
     settings: ControllerSettings
     released: tuple[str, ...] = ()
     truth: Callable[[], ActuatorTruth] | None = None
+
+    def __post_init__(self) -> None:
+        limits = np.array([(a.low, a.high) for a in self.actuators])
+        lags = [a.lag_rad_s for a in self.actuators]
+        control = scaled(self.control, self.model, limits, lags, self.released)
+        object.__setattr__(self, "control", control)
 
     @property
     def scale(self) -> np.ndarray:
@@ -143,12 +150,15 @@ def setup_for(
 
 
 def _told(actuator: AnyActuator, propulsor: Propulsor | EngineMap | None) -> ActuatorData:
-    """What a controller is told of one actuator; the lag of an engine is the identified one."""
+    """What a controller is told of one actuator. The lag of an engine is the identified one, and its thrust is not used below
+    where the propeller begins to windmill."""
     unit = _unit(actuator.kind)
     low, high = actuator.limits
     lag = propulsor.small_lag_rad_s if isinstance(propulsor, EngineMap) else actuator.lag_rad_s
     if lag is None:
         raise ValueError(f"the design model has no map of an engine that the aircraft has: {actuator.prefix}")
+    if isinstance(propulsor, EngineMap):
+        low = max(low, propulsor.least_useful_n)
     return ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, actuator.rate_limit * unit)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
@@ -125,7 +126,7 @@ class PositionLimit(ActuatorFailure):
     type: Literal["position_limit"] = "position_limit"
     low: Number | None = None
     high: Number | None = None
-    examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.4})
+    examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.3})
 
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
@@ -193,8 +194,16 @@ class Lag(ActuatorFailure):
             yield Fault("lag_rad_s", what, f"at most {healthy:g}")
 
 
+_ACTING = re.compile(
+    r"(simulation|ic|trim)/|propulsion/set-running$|atmosphere/updownburst/number-of-cells$", re.IGNORECASE
+)
+"""Properties that steer JSBSim when they are written, and break no part of the aircraft: they trim, reset, stop or seed the
+simulation, write files, or make so many objects as the number says. Found by writing each property of JSBSim 1.3.3 and from its
+source; `simulation/do_simple_trim` and `propulsion/set-running` can end the process."""
+
+
 class Property(Failure):
-    """Any writable JSBSim properties are held at given values."""
+    """Writable JSBSim properties of the aircraft or the air are held at given values."""
 
     type: Literal["property"] = "property"
     actuator: None = None
@@ -210,3 +219,9 @@ class Property(Failure):
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return dict(self.set)
+
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        for name in self.set:
+            if _ACTING.match(name.replace("[0]", "").strip("/")):
+                what = f"{name} steers the simulation when it is written"
+                yield Fault("set", what, "a property of the aircraft or the air")

@@ -130,6 +130,13 @@ class Intermittent(ActuatorFailure):
 
         return self.name(aircraft, "effectiveness"), value_at
 
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+        for field, spell in (("off_s", self.off_s), ("on_s", self.on_s)):
+            if spell * rate_hz < 1.0:
+                yield Fault(
+                    field, f"{spell:g} s is shorter than a control step", f"at least {1.0 / rate_hz:g}"
+                )
+
 
 class Decay(ActuatorFailure):
     """Effectiveness goes to `value`: linearly within `over_s`, or with `shape: exponential` with the time constant `over_s`."""

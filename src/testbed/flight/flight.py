@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from testbed.aircraft.shape import Shape
 from testbed.common.files import plain
 from testbed.flight import display
 from testbed.scenario.load import Scenario
@@ -59,6 +60,8 @@ class Flight:
     """{kind, unit, limits, scale} of each actuator by name, so that the log can be read without the aircraft's files."""
     warnings: Sequence[str] = ()
     """Reasons to doubt the result: a failure that did not act as asked, or never started."""
+    shape: Shape | None = None
+    """What the aircraft looks like, for the replay; None if its folder does not say."""
     flown_by: str = ""
     """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
 
@@ -101,6 +104,8 @@ class Flight:
             "actuators": [{"name": name, **facts} for name, facts in self.actuators.items()],
             "warnings": list(self.warnings),
         }
+        if self.shape is not None:
+            summary["shape"] = self.shape.model_dump(exclude_none=True)
         if self.flown_by:
             summary["flown_by"] = self.flown_by
         contents: dict[str, Any] = plain(summary)

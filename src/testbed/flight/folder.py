@@ -13,6 +13,8 @@ from typing import Any
 
 import numpy as np
 
+from testbed.aircraft.shape import Shape
+from testbed.common.text import cell, text_of
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import dump, load_scenario
@@ -32,31 +34,48 @@ def refuse_existing(folder: Path) -> None:
         )
 
 
+def refuse_unwritable(folder: Path) -> None:
+    """Raise BadInput when a folder could not be made at this path: better before a flight than after it.
+
+    Folders above it that do not exist are made.
+    """
+    _partial_of(folder).rmdir()
+
+
 def write_run_folder(
-    flight: Flight, folder: str | Path, add: Callable[[Path], None] = lambda _: None
+    flight: Flight, folder: str | Path, add: Callable[[Path], object] = lambda _: None
 ) -> Path:
     """Write a run folder, completely or not at all; returns its path.
 
     `add(folder)` may add figures or a report. It is called while the folder still has a temporary name.
-    Raises FolderExists when the folder exists, BadInput when it cannot be written.
+    Raises FolderExists when the folder exists, BadInput when it cannot be made, OSError when the disk is full.
     """
     folder = Path(folder)
     refuse_existing(folder)
-    try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        partial = Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".partial", dir=folder.parent))
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
+    partial = _partial_of(folder)
     try:
         _write_files(flight, partial)
         add(partial)
         _sync(partial)
         refuse_existing(folder)  # `rename` would replace an empty folder made meanwhile
         partial.rename(folder)
-    except BaseException:
+    except BaseException as error:
         shutil.rmtree(partial, ignore_errors=True)
+        if isinstance(error, OSError):  # name the folder that was asked for, not a file of a temporary one
+            raise OSError(error.errno, error.strerror or str(error), str(folder)) from error
         raise
     return folder
+
+
+def _partial_of(folder: Path) -> Path:
+    """A new folder beside the one to be made, with a temporary name; raises BadInput when there can be none."""
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        return Path(tempfile.mkdtemp(prefix=f".{folder.name}.", suffix=".partial", dir=folder.parent))
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
+    except ValueError:
+        raise BadInput([Problem("has a NUL character in its name", repr(str(folder)))]) from None
 
 
 def load(folder: str | Path) -> Flight:
@@ -85,6 +104,7 @@ def load(folder: str | Path) -> Flight:
             requirements=summary["requirements"],
             actuators={facts.pop("name"): facts for facts in summary["actuators"]},
             warnings=summary.get("warnings", ()),
+            shape=Shape.model_validate(summary["shape"]) if "shape" in summary else None,
             flown_by=summary.get("flown_by", ""),
         )
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
@@ -110,7 +130,7 @@ def _write_log(flight: Flight, file: Path) -> None:
     arrays = [pa.Array.from_buffers(pa.float64(), len(c), [None, pa.py_buffer(c)]) for c in columns]
     table = pa.Table.from_arrays(arrays, names=list(flight.columns))
     with file.open("wb") as stream:
-        stream.write((",".join(flight.columns) + "\n").encode())
+        stream.write((",".join(map(cell, flight.columns)) + "\n").encode())
         pyarrow.csv.write_csv(table, stream, pyarrow.csv.WriteOptions(include_header=False))
 
 
@@ -119,10 +139,10 @@ def _read_log(file: Path) -> tuple[tuple[str, ...], np.ndarray]:
     import pyarrow.csv
 
     with file.open(encoding="utf-8") as stream:
-        names = stream.readline().rstrip("\n").split(",")
-    floats = pyarrow.csv.ConvertOptions(column_types=dict.fromkeys(names, pa.float64()), null_values=[""])
+        cells = stream.readline().rstrip("\n").split(",")
+    floats = pyarrow.csv.ConvertOptions(column_types=dict.fromkeys(cells, pa.float64()), null_values=[""])
     table = pyarrow.csv.read_csv(file, convert_options=floats)
-    return tuple(names), np.array([_numbers(table[name]) for name in names]).T
+    return tuple(map(text_of, cells)), np.array([_numbers(table[name]) for name in cells]).T
 
 
 def _numbers(column: Any) -> np.ndarray:

@@ -23,6 +23,9 @@ Model = TypeVar("Model", bound=BaseModel)
 
 Check = Callable[[Any], Iterable[Issue]]
 
+MOST_ISSUES = 100
+"""Number of problems after which no more are looked for. A file can have tens of thousands, each of which takes time."""
+
 
 def validated(
     model: type[Model],
@@ -30,7 +33,7 @@ def validated(
     check: Check = lambda _: (),
     stand_ins: Mapping[str, Any] = types.MappingProxyType({}),
 ) -> Model:
-    """The model made from a tree; raises BadInput with every problem found.
+    """The model made from a tree; raises BadInput with every problem found, or the first MOST_ISSUES or so.
 
     Args:
         check: yields further issues of a valid model.
@@ -40,7 +43,7 @@ def validated(
     pruned = _Pruned(copy.deepcopy(source.tree), stand_ins)
     issues: list[Issue] = []
     value: Model | None = None
-    while pruned.usable:
+    while pruned.usable and len(issues) < MOST_ISSUES:
         try:
             value = model.model_validate(pruned.tree)
             break
@@ -97,7 +100,7 @@ class _Pruned:
         """
         issues = []
         targets: set[TreePath] = set()
-        for error in errors:
+        for error in errors[:MOST_ISSUES]:
             issue = issue_of(model, self.tree, error)
             whole = self.original(issue.path)
             if not any(gone[: len(whole)] == whole for gone in self._removed):

@@ -14,12 +14,16 @@ from typing import Any
 
 import yaml
 
+from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.problems import TreePath as TreePath
 
 MAX_NODES = 100_000
-"""Most values in one file, with aliases expanded. Nested aliases can expand a small file to any size."""
+"""Most keys and values in one file, and most values with aliases expanded: these can expand a small file to any size."""
+_TOO_MANY = f"more than {MAX_NODES} values"
 
+_FORBIDDEN = re.compile("[\0\ud800-\udfff]")
+_FORBIDDEN_WORDS = "a NUL character or half a surrogate pair, which text cannot have"
 _FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
 
 
@@ -57,21 +61,6 @@ def read(path: Path | str) -> Source:
     return parsed(read_text(path), str(path))
 
 
-def read_text(path: Path | str) -> str:
-    """The text of a file; raises BadInput when it cannot be read or is not UTF-8."""
-    file = str(path)
-    try:
-        return Path(path).read_text(encoding="utf-8")
-    except FileNotFoundError:
-        raise BadInput([Problem("there is no such file", file)]) from None
-    except IsADirectoryError:
-        raise BadInput([Problem("is a folder", file, expected="a YAML file")]) from None
-    except UnicodeDecodeError:
-        raise BadInput([Problem("is not UTF-8 text", file, expected="a YAML file")]) from None
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be read: {error.strerror}", file)]) from None
-
-
 def parsed(text: str, file: str) -> Source:
     """As `read`, for text that was read already; `file` is the name that problems give."""
     source = parse(text, file)
@@ -84,8 +73,10 @@ def parsed(text: str, file: str) -> Source:
 def parse(text: str, file: str = "") -> Source:
     """Read YAML text; raises BadInput with the line when it is not YAML."""
     try:
-        node = yaml.compose(text, Loader=yaml.SafeLoader)
+        node = yaml.compose(text, Loader=_Loader)
         return _Reader(file).read(node)
+    except _TooMany as error:
+        raise BadInput([Problem(f"has {_TOO_MANY}", file, error.line)]) from None
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         what = f"is not YAML: {error.problem or error.context}"
@@ -116,6 +107,25 @@ def describe(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+class _TooMany(Exception):
+    def __init__(self, line: int) -> None:
+        self.line = line
+
+
+class _Loader(yaml.SafeLoader):
+    """Stops at MAX_NODES already while it composes, which takes most of the time."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(text)
+        self._nodes = 0
+
+    def compose_node(self, parent: yaml.Node | None, index: int) -> yaml.Node | None:
+        self._nodes += 1
+        if self._nodes > MAX_NODES:
+            raise _TooMany(self.peek_event().start_mark.line + 1)
+        return super().compose_node(parent, index)
+
+
 class _Reader:
     """Turns composed YAML nodes into plain values, and records places and problems."""
 
@@ -139,7 +149,7 @@ class _Reader:
         self._source.places[path] = (self._source.file, at.start_mark.line + 1)
         self._count += 1
         if id(node) in self._open or self._count > MAX_NODES:
-            what = "contains itself" if id(node) in self._open else f"has more than {MAX_NODES} values"
+            what = "contains itself" if id(node) in self._open else f"has {_TOO_MANY}"
             raise BadInput([Problem(what, self._source.file, at.start_mark.line + 1, dotted(path))])
         if isinstance(node, yaml.ScalarNode):
             return self._scalar(node, path)
@@ -160,6 +170,9 @@ class _Reader:
                 continue
             name = key.value
             here = (*path, name)
+            if _FORBIDDEN.search(name):
+                self._complain(key, path, f"{name!r} has {_FORBIDDEN_WORDS}")
+                continue
             if key.tag == "tag:yaml.org,2002:merge":
                 self._complain(key, here, "merging with << is not supported", "the keys written out")
                 continue
@@ -175,6 +188,9 @@ class _Reader:
         except (yaml.YAMLError, ValueError, OverflowError) as error:
             what = getattr(error, "problem", None) or str(error)
             self._complain(node, path, f"{node.value!r} cannot be read: {what}")
+            return None
+        if isinstance(value, str) and _FORBIDDEN.search(value):
+            self._complain(node, path, f"has {_FORBIDDEN_WORDS}")
             return None
         if node.style is not None:
             return value

@@ -9,12 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from testbed.common.angles import wrap_deg
 from testbed.flight.columns import row_at, row_spacing_s
 from testbed.flight.flight import Flight, Outcome
+from testbed.flight.recovery import failure_times_s, tracking_error
 from testbed.scenario.load import Scenario
-
-_TRACKED = {"altitude": "m", "airspeed": "m_s", "heading": "deg"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,17 +44,15 @@ class Readings:
 
     def error(self, quantity: str) -> np.ndarray:
         """[rows] altitude, airspeed or heading minus its reference [m, m/s, deg]; headings the short way round."""
-        unit = _TRACKED[quantity]
-        error: np.ndarray = self.log[f"{quantity}_{unit}"] - self.log[f"{quantity}_command_{unit}"]
-        return wrap_deg(error) if quantity == "heading" else error
+        return tracking_error(self.log, quantity)
 
     def of_kind(self, kind: str) -> list[Mapping[str, Any]]:
         """Events of one kind."""
         return [event for event in self.events if event["kind"] == kind]
 
     def failure_times_s(self) -> list[float]:
-        """Times at which failures began, in order [s]."""
-        return sorted(event["time_s"] for event in self.of_kind("injection") if event.get("active", True))
+        """Times at which failures began, each once, in order [s]."""
+        return failure_times_s(self.events)
 
     def first_failed_row(self) -> int:
         """First row from the start of the first failure on; the number of rows if there was no failure."""

@@ -6,10 +6,12 @@ import math
 
 import numpy as np
 
+from testbed.flight.recovery import recoveries
 from testbed.metrics.flight_view import Readings, settled_after
 
-RECOVERED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
-"""A quantity has recovered when it stays this close to its reference [m, deg, m/s]."""
+SETTLED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
+"""A quantity has settled when it stays this close to its reference [m, deg, m/s]. Whether the aircraft has recovered is
+decided in `flight.recovery`, with limits that also suit turbulence."""
 
 
 def survived(readings: Readings) -> float:
@@ -102,6 +104,17 @@ def beta_excursion_failed_deg(readings: Readings) -> float:
     return _largest(readings.log["beta_deg"][readings.first_failed_row() :])
 
 
+def recovery_s(readings: Readings) -> float:
+    """Time from the start of the last failure until altitude and heading stay within 5 m and 15 deg of their references [s].
+
+    As `flight.recovery` has it: they have to stay there for at least 5 s, and to the end of the flight. NaN if they never do.
+    """
+    times = readings.failure_times_s()
+    found = recoveries(readings.log, times, readings.survived)
+    recovered = found[-1][1] if found else None
+    return math.nan if recovered is None else recovered - times[-1]
+
+
 def altitude_recovery_s(readings: Readings) -> float:
     """Time from the start of the last failure until altitude stays within 1 m of its reference [s]; NaN if never."""
     return _recovery(readings, "altitude")
@@ -118,12 +131,12 @@ def airspeed_recovery_s(readings: Readings) -> float:
 
 
 def _recovery(readings: Readings, quantity: str) -> float:
-    """Time to recover [s]: 0 if the quantity never left RECOVERED; NaN without a failure, or if the aircraft was lost."""
+    """Time to settle [s]: 0 if the quantity never left SETTLED; NaN without a failure, or if the aircraft was lost."""
     times = readings.failure_times_s()
     if not times or not readings.survived:
         return math.nan
-    # NaN compares as false, so it does not count as recovered.
-    inside = np.abs(readings.error(quantity)) <= RECOVERED[quantity]
+    # NaN compares as false, so it does not count as settled.
+    inside = np.abs(readings.error(quantity)) <= SETTLED[quantity]
     row = settled_after(~inside, readings.row_at(times[-1]))
     return math.nan if row is None else float(readings.time_s[row]) - times[-1]
 
@@ -145,5 +158,5 @@ TABLE = (
     altitude_excursion_healthy_m, heading_excursion_healthy_deg, airspeed_excursion_healthy_m_s,
     altitude_excursion_failed_m, heading_excursion_failed_deg, airspeed_excursion_failed_m_s,
     roll_excursion_failed_deg, beta_excursion_failed_deg,
-    altitude_recovery_s, heading_recovery_s, airspeed_recovery_s,
+    recovery_s, altitude_recovery_s, heading_recovery_s, airspeed_recovery_s,
 )  # fmt: skip

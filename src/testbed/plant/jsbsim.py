@@ -23,6 +23,7 @@ from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
+from testbed.plant.first_load import assure
 from testbed.plant.properties import (
     AIR_DATA,
     EARTH_DEG_S,
@@ -61,6 +62,28 @@ class NoProperty(BadInput):
     the model lacks a part of an actuator's block."""
 
 
+def loaded(aircraft: Aircraft, physics_hz: float) -> tuple[Any, tuple[str, ...]]:
+    """JSBSim with the aircraft's model loaded, and what it warned about; raises BadInput if it cannot load the model.
+
+    It must be known that the model does not end the process: see `first_load.assure`.
+    """
+    listener = _Listener()
+    jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
+    jsbsim.FGJSBBase().debug_lvl = 0
+    folder = Path(aircraft.folder).resolve()
+    fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
+    fdm.set_aircraft_path(str(folder))
+    fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
+    try:
+        done = fdm.load_model(aircraft.model, False)
+    except Exception as error:  # JSBSim's own, or whatever its C++ throws
+        raise _broken_model(aircraft, str(error)) from None
+    if not done:
+        raise _broken_model(aircraft, "; ".join(listener.warnings))
+    fdm.disable_output()
+    return fdm, tuple(listener.warnings)
+
+
 class Plant:
     """One aircraft flown by JSBSim.
 
@@ -70,7 +93,7 @@ class Plant:
         substeps: physics steps in one control step: the control rate is physics_hz / substeps.
 
     Raises:
-        BadInput: JSBSim cannot load the model.
+        BadInput: the model's files may not be loaded, or JSBSim cannot load them.
         NoProperty: the model lacks a property that one of the aircraft's actuators needs.
 
     Attributes:
@@ -82,25 +105,12 @@ class Plant:
     """
 
     def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
-        listener = _Listener()
-        jsbsim.set_logger(listener)  # thread-local, so set where the plant is made
-        jsbsim.FGJSBBase().debug_lvl = 0
+        assure(aircraft)
         self.aircraft = aircraft
         self.physics_hz = physics_hz
         self.dt_s = 1.0 / physics_hz
         self.substeps = substeps
-        folder = Path(aircraft.folder).resolve()
-        self._fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
-        self._fdm.set_aircraft_path(str(folder.parent))
-        self._fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
-        try:
-            loaded = self._fdm.load_model(aircraft.model)
-        except jsbsim.BaseError as error:
-            raise _broken_model(aircraft, str(error)) from None
-        if not loaded:
-            raise _broken_model(aircraft, "; ".join(listener.warnings))
-        self._fdm.disable_output()
-        self.warnings = tuple(listener.warnings)
+        self._fdm, self.warnings = loaded(aircraft, physics_hz)
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
         self.step: Callable[[], object] = self._run if substeps == 1 else self._run_substeps
@@ -270,11 +280,6 @@ class Plant:
         self.setter(name)(value)
 
 
-def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
-    """Name of each property of the aircraft's model, and whether it can be written."""
-    return Plant(aircraft, 200).catalog()
-
-
 _catalogs: Cache[dict[str, bool]] = Cache(8)
 
 
@@ -290,4 +295,4 @@ def _model_file(aircraft: Aircraft) -> str:
 
 
 def _broken_model(aircraft: Aircraft, why: str) -> BadInput:
-    return BadInput([Problem(f"JSBSim cannot load it: {why}", _model_file(aircraft))])
+    return BadInput([Problem(f"JSBSim says {why}", _model_file(aircraft))])

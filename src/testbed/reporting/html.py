@@ -1,11 +1,12 @@
 """Parts that all reports are made of: page, style, tables, figures and notes.
 
-A report is one HTML file. It contains its figures, has no script, and loads nothing from the network.
+A report is one HTML file. It contains its figures and scripts, and loads nothing from the network.
 """
 
 from __future__ import annotations
 
 import base64
+import io
 from collections.abc import Iterable, Mapping
 from html import escape
 from pathlib import Path
@@ -13,22 +14,9 @@ from pathlib import Path
 from testbed.common.files import replacing
 from testbed.reporting.numbers import number
 
-_STYLE = """
-body { font: 15px/1.45 system-ui, sans-serif; color: #1a1a1a; }
-body { max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
-.verdict { padding: .7rem 1rem; border-left: .5rem solid; font-size: 1.1rem; }
-.met { border-color: #2e7d32; } .missed { border-color: #b22222; background: #fdf1f0; }
-.table { overflow-x: auto; } table { border-collapse: collapse; width: 100%; margin-bottom: .8rem; }
-caption, figcaption, .note { color: #555; } caption { text-align: left; padding-bottom: .3rem; }
-th, td { text-align: left; padding: .25rem .6rem; border-bottom: 1px solid #ddd; vertical-align: top; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-tr.missed td:first-child { font-weight: bold; color: #b22222; }
-img { max-width: 100%; } figure { margin: 1.5rem 0; }
-code { background: #f4f4f4; padding: .1rem .3rem; }
-pre { background: #f4f4f4; padding: .7rem 1rem; overflow-x: auto; }
-@media print { body { max-width: none; } figure, tr { break-inside: avoid; } }
-"""
+_ASSETS = Path(__file__).parent / "assets"
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
+"""What a browser may load for a page: only what the page contains. It holds even against what a name might smuggle in."""
 
 
 class Html(str):
@@ -39,12 +27,24 @@ Cell = str | float | None
 """Content of a table's cell: text, HTML, a number, or None where there is no value."""
 
 
-def write_page(file: Path, title: str, parts: Iterable[str]) -> Path:
-    """Write a report, completely or not at all; returns its file. `parts` are HTML. Raises OSError when it cannot be written."""
+def asset(name: str) -> str:
+    """The text of a style sheet or script that reports contain."""
+    return (_ASSETS / name).read_text(encoding="utf-8")
+
+
+def write_page(file: Path, title: str, parts: Iterable[str], styles: Iterable[str] = ()) -> Path:
+    """Write a report, completely or not at all; returns its file. Raises OSError when it cannot be written.
+
+    Args:
+        parts: HTML.
+        styles: names of style sheets beside the one of all reports.
+    """
     name, body = escape(title), "\n".join(part for part in parts if part)
+    style = "\n".join(map(asset, ("report.css", *styles)))
     head = (
         f'<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{name}</title><style>{_STYLE}</style>"
+        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">'
+        f"<title>{name}</title><style>{style}</style>"
     )
     text = f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n{body}\n</body></html>\n'
     with replacing(file) as partial:
@@ -67,16 +67,48 @@ def table(heads: Iterable[str], rows: Iterable[Html], caption: str = "") -> Html
     return Html(f'<div class="table"><table>{inside}</table></div>')
 
 
-def figures(folder: Path, captions: Mapping[str, str]) -> list[Html]:
-    """A figure for each `folder/<name>.png` of {name: caption} that exists, with the picture embedded."""
+def figures(folder: Path, captions: Mapping[str, str], width: int = 1100) -> list[Html]:
+    """A figure for each `folder/<name>.png` of {name: caption} that exists, with the picture embedded.
+
+    Pictures are embedded no wider than `width` [pixels] and with 128 colours, which makes them a quarter of the size.
+    """
     found = ((folder / f"{name}.png", escape(caption)) for name, caption in captions.items())
-    return [_figure(file, caption) for file, caption in found if file.is_file()]
+    return [_figure(file, caption, width) for file, caption in found if file.is_file()]
 
 
-def _figure(file: Path, caption: str) -> Html:
-    data = base64.b64encode(file.read_bytes()).decode("ascii")
+def _figure(file: Path, caption: str, width: int) -> Html:
+    from PIL import Image  # slow to import, and needed only here
+
+    with Image.open(file) as opened:
+        picture = opened.convert("RGB")
+    if picture.width > width:
+        picture = picture.resize(
+            (width, round(picture.height * width / picture.width)), Image.Resampling.LANCZOS
+        )
+    few = picture.quantize(128, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    stream = io.BytesIO()
+    few.save(stream, "png", optimize=True)
+    data = base64.b64encode(stream.getvalue()).decode("ascii")
     image = f'<img alt="{caption}" src="data:image/png;base64,{data}">'
     return Html(f"<figure>{image}<figcaption>{caption}</figcaption></figure>")
+
+
+def script(text: str, kind: str = "", name: str = "") -> Html:
+    """A script, or data for one: `kind` is its type, and `name` its id. The text may hold anything."""
+    about = "".join(f' {key}="{value}"' for key, value in (("type", kind), ("id", name)) if value)
+    inside = text.replace("</script", "<\\/script").replace("<!--", "<\\!--")  # would end the script
+    return Html(f"<script{about}>{inside}</script>")
+
+
+def chips(facts: Mapping[str, str]) -> Html:
+    """Short facts in a row: {what: value}."""
+    inside = "".join(f"<li><b>{escape(what)}</b>{escape(value)}</li>" for what, value in facts.items())
+    return Html(f'<ul class="chips">{inside}</ul>')
+
+
+def folded(title: str, inside: str) -> Html:
+    """A part that is opened by a click."""
+    return Html(f"<details><summary>{escape(title)}</summary>\n{inside}\n</details>")
 
 
 def note(text: str) -> Html:

@@ -1,20 +1,31 @@
-"""The report of a run folder: verdict, requirements, events, figures and metrics of one flight."""
+"""The report of a run folder: one page with the story of a flight, its replay, its panels, and every number."""
 
 from __future__ import annotations
 
+import json
+from collections.abc import Iterator, Mapping
 from html import escape
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+
+from testbed.aircraft.shape import generic
+from testbed.common.files import plain
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
-from testbed.metrics import TABLE as METRICS
+from testbed.flight.recovery import failure_times_s
 from testbed.reporting import html
 from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.figures.marks import describe
+from testbed.reporting.page import sections
+from testbed.reporting.page.columns import packed
+from testbed.reporting.page.panels import error_columns, groups
+from testbed.reporting.page.phases import phases
+from testbed.reporting.story import has_estimates
 
-_AGAIN = """<h2>Fly it again</h2>
-<p>Run this in the folder of this report. With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
-<pre>python -m testbed run scenario.yaml --out again</pre>"""
+_REPLAYED = ("north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg")
+"""Columns without which there is nothing to replay."""
 
 
 def write_report(folder: str | Path) -> Path:
@@ -24,78 +35,70 @@ def write_report(folder: str | Path) -> Path:
     """
     folder = Path(folder)
     flight = load(folder)
-    parts = (
-        _verdict(flight),
-        _requirements(flight),
-        _events(flight),
-        _figures(folder / "figures"),
-        _metrics(flight),
-        _AGAIN,
-    )
-    return html.write_page(folder / "report.html", flight.scenario.name, parts)
-
-
-def _verdict(flight: Flight) -> str:
-    missed = [requirement["name"] for requirement in flight.requirements if not requirement["passed"]]
-    total = len(flight.requirements)
-    verdict = "Passed" if flight.passed else "Not passed"
-    text = f"<strong>{verdict}.</strong> The aircraft {flight.outcome.sentence} ({flight.end_time_s:g} s); "
-    met = f"{total - len(missed)} of {total} requirements met."
-    text += met if total else "the scenario has no requirements."
-    scenario = flight.scenario
-    about = f"{flight.controller}, aircraft {scenario.aircraft}, seed {scenario.seed}"
-    about += f", {scenario.duration_s:g} s asked for"
-    warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
-    return (
-        f"<h1>{escape(scenario.name)}</h1>\n<p>{escape(about)}</p>\n"
-        f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>{warnings}'
+    return html.write_page(
+        folder / "report.html", flight.scenario.name, _parts(flight, folder), ["uplot.css"]
     )
 
 
-def _requirements(flight: Flight) -> str:
-    if not flight.requirements:
-        return ""
-    rows = (
-        html.row(
-            [
-                "met" if r["passed"] else "NOT MET",
-                r["name"],
-                r.get("reason", ""),
-                r["value"],
-                r.get("margin"),
-            ],
-            "met" if r["passed"] else "missed",
-        )
-        for r in flight.requirements
-    )
-    caption = "Value: the worst value. Margin: the distance to the limit, negative if the limit is exceeded."
-    heads = ("verdict", "requirement", "remark", "value", "margin")
-    return "<h2>Requirements</h2>\n" + html.table(heads, rows, caption)
+def _parts(flight: Flight, folder: Path) -> Iterator[str]:
+    log = dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True))
+    moving = len(flight.data) > 1 and all(name in log for name in _REPLAYED)
+    yield sections.head(flight)
+    if moving:
+        log |= error_columns(log)
+        told, columns = packed(log)
+        shown = groups(flight, log, has_estimates(log, flight.actuators))
+        yield _moving(shown, list(log))
+    yield _figures(folder / "figures")
+    yield sections.requirements(flight)
+    yield sections.events(flight)
+    yield sections.metrics(flight)
+    yield sections.again(flight)
+    if moving:
+        yield html.script(_json(_for_the_script(flight, told, shown, log)), "application/json", "flight")
+        yield html.script(columns, "text/plain", "columns")
+        yield html.script(html.asset("flight.js"))
 
 
-def _events(flight: Flight) -> str:
-    if not flight.events:
-        return "<h2>Events</h2>\n<p>Nothing broke, and nothing was flagged.</p>"
-    rows = (
-        html.row([f"{event['time_s']:.3f}", str(event["kind"]).replace("_", " "), describe(event)])
-        for event in flight.events
+def _moving(shown: list[dict[str, Any]], columns: list[str]) -> str:
+    """The places that the script fills: timeline, replay, panels, and a panel of any column."""
+    parts = ['<div class="moving"><h2>The flight</h2><div id="timeline"></div><div id="replay"></div>']
+    parts.append(
+        '<p class="note">Drag in a panel to zoom, double-click for the whole flight, click to go there.</p>'
     )
-    return "<h2>Events</h2>\n" + html.table(("time [s]", "kind", "what"), rows)
+    for group in shown:
+        inside = f'<div class="panels" id="panels-{group["name"]}"></div>'
+        title = escape(group["title"])
+        parts.append(html.folded(title, inside) if group["folded"] else f"<h2>{title}</h2>{inside}")
+    options = "".join(f"<option>{escape(name)}</option>" for name in columns if name != "time_s")
+    chosen = f'<div id="any-column"><label>column <select>{options}</select></label></div>'
+    parts.append(html.folded("Any column of the log", chosen))
+    return "\n".join([*parts, "</div>"])
+
+
+def _for_the_script(
+    flight: Flight, told: Mapping[str, Any], shown: list[dict[str, Any]], log: Mapping[str, np.ndarray]
+) -> dict[str, Any]:
+    return {
+        "data": told,
+        "panels": shown,
+        "phases": phases(flight.events, flight.end_time_s, flight.scenario.duration_s),
+        "failures_s": failure_times_s(flight.events),
+        "events": [
+            {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event)}
+            for event in flight.events
+        ],
+        "actuators": flight.actuators,
+        "estimates": has_estimates(log, flight.actuators),
+        "shape": (flight.shape or generic()).model_dump(),
+    }
+
+
+def _json(value: object) -> str:
+    return json.dumps(plain(value), separators=(",", ":"), ensure_ascii=False)
 
 
 def _figures(folder: Path) -> str:
-    shown = html.figures(folder, {name: caption for name, (caption, _) in FIGURES.items()})
-    return "\n".join(["<h2>Figures</h2>", *shown]) if shown else ""
-
-
-def _metrics(flight: Flight) -> str:
-    rows = (html.row([name, definition(name), value]) for name, value in flight.metrics.items())
-    caption = "A dash means that the metric has no value in this flight."
-    heads = ("metric", "definition and [unit]", "value")
-    return "<h2>Metrics</h2>\n" + html.table(heads, rows, caption)
-
-
-def definition(metric: str) -> str:
-    """First line of a metric's docstring; "" for a metric that this version does not have."""
-    function = METRICS.get(metric)
-    return (function.__doc__ or "").strip().partition("\n")[0] if function else ""
+    """The static figures; they are hidden where the script runs, and printed."""
+    shown = html.figures(folder, {name: caption for name, (caption, _) in FIGURES.items()}, width=800)
+    return "\n".join(['<div class="still"><h2>Figures</h2>', *shown, "</div>"]) if shown else ""

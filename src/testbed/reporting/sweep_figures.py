@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from testbed.reporting.figures.page import plain_text, save
 from testbed.sweeps.folder import histories
 from testbed.sweeps.folder.reading import groups_of, unit
 from testbed.sweeps.plan import Plan
@@ -33,10 +34,10 @@ def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
     target.mkdir(exist_ok=True)
     files = []
     for name, draw in TABLE.items():
-        figure = draw(plan, frame, folder)
-        if figure is not None:
-            files.append(target / f"{name}.png")
-            figure.savefig(files[-1], dpi=110, metadata={"Software": None})
+        with plain_text():
+            figure = draw(plan, frame, folder)
+            if figure is not None:
+                files.append(save(figure, target / f"{name}.png"))
     return files
 
 

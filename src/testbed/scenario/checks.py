@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 
 from testbed.aircraft.description import Aircraft
+from testbed.common.signals import first_step_at
 from testbed.failures import Failure, overlaps, same_property
 from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
 from testbed.scenario.model import Scenario
@@ -16,6 +17,7 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
     yield from _steps(scenario)
     if aircraft is not None:
         yield from _initial(scenario, aircraft)
+        yield from _glide(scenario, aircraft)
         yield from _axes(scenario, aircraft)
         yield from _coefficients(scenario, aircraft)
         yield from _failures(scenario, aircraft)
@@ -78,6 +80,7 @@ def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[I
 def _times(scenario: Scenario) -> Iterator[Issue]:
     """Times after the end of the flight. What is asked for there would never happen, and nobody would notice."""
     end = scenario.duration_s
+    known_rate = scenario.rate_hz > 1 and end * scenario.rate_hz <= MAX_STEPS
     starts: list[tuple[TreePath, float | None]] = []
     ends: list[tuple[TreePath, float | None]] = []
     for i, failure in enumerate(scenario.failures):
@@ -97,8 +100,13 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
             ("commands",), f"the last of {last + 1} is at {scenario.commands[-1].at_s:g} s", _before(end)
         )
     for path, time in starts:
-        if time is not None and time >= end:
+        if time is None:
+            continue
+        if time >= end:
             yield Issue(path, f"{time:g} s is not within the flight", _before(end))
+        elif known_rate and first_step_at(time, scenario.rate_hz) >= scenario.steps:
+            last_s = (scenario.steps - 1) / scenario.rate_hz
+            yield Issue(path, f"{time:g} s is after the last control step", f"at most {last_s:g}")
     for path, time in ends:
         if time is not None and time > end:
             yield Issue(path, f"{time:g} s is after the flight's end", f"at most duration_s {end:g}")
@@ -112,13 +120,20 @@ MAX_STEPS = 20_000_000
 """Control steps in a flight; the log of more would not fit into memory."""
 
 
+MAX_PHYSICS_STEPS = 100_000_000
+"""Physics steps in a flight: some ten minutes of computing at 6 us each."""
+
+
 def _steps(scenario: Scenario) -> Iterator[Issue]:
     steps = scenario.duration_s * scenario.rate_hz
-    if abs(steps - round(steps)) > 1e-6 or round(steps) < 1:
+    physics_steps = scenario.duration_s * scenario.physics_hz
+    if steps > MAX_STEPS:
+        yield Issue(("duration_s",), f"is {steps:g} control steps", f"at most {MAX_STEPS}")
+    elif physics_steps > MAX_PHYSICS_STEPS:
+        yield Issue(("duration_s",), f"is {physics_steps:g} physics steps", f"at most {MAX_PHYSICS_STEPS}")
+    elif abs(steps - round(steps)) > 1e-6 or round(steps) < 1:
         what = f"{scenario.duration_s:g} s at {scenario.rate_hz} Hz is {steps:g} steps"
         yield Issue(("duration_s",), what, "a whole number of control steps")
-    elif steps > MAX_STEPS:
-        yield Issue(("duration_s",), f"is {steps:g} control steps", f"at most {MAX_STEPS}")
 
 
 def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
@@ -136,6 +151,16 @@ def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             yield Issue(
                 ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at most {high:g}"
             )
+
+
+def _glide(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
+    """Altitudes that an aircraft without propulsion is asked to fly to: its reference of altitude is its glide."""
+    if any(actuator.kind != "servo" for actuator in aircraft.actuators.values()):
+        return
+    for i, command in enumerate(scenario.commands):
+        if command.altitude_m not in (None, scenario.initial.altitude_m):
+            what = f"{aircraft.name} has no propulsion: it glides, and holds no altitude"
+            yield Issue(("commands", i, "altitude_m"), what, "no altitude_m")
 
 
 def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -70,7 +71,7 @@ def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
         return None, []
     if is_folder_name(name):
         beside = Path(source.file).parent / name
-        name = str((beside if beside.is_dir() else Path(name)).resolve())
+        name = os.path.realpath(beside if os.path.isdir(beside) else name)
         source.tree["aircraft"] = name
     try:
         return load_aircraft(name), []

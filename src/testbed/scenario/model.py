@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
 
 from testbed.air.config import Atmosphere
 from testbed.common.files import slug
+from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import AdaptiveInversionSettings, AnyController
 from testbed.failures import AnyFailure
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.requirement import Requirement
 from testbed.sensors.settings import Sensors
+
+_TURN_DEG_S, _TURN_BANK = 4.0, math.radians(20.0)
+MAX_RATE_HZ = 10_000
+"""Highest rate of control and physics steps [Hz]: with it, to find a trim takes some seconds of computing."""
+MAX_NAME = 120
+"""Longest name of a flight [characters]: folders are named after it, and file systems allow 255."""
 
 
 class Initial(Settings):
@@ -36,7 +44,8 @@ class Command(Settings):
 class CommandRates(Settings):
     """Rates at which the references approach a new command."""
 
-    heading_deg_s: Positive = 4.0
+    heading_deg_s: Positive | None = None
+    """By default 4, or the rate of a turn with 20 deg of bank at the initial airspeed if that is less."""
     altitude_m_s: Positive = 1.0
     airspeed_m_s2: Positive = 0.5
 
@@ -44,15 +53,15 @@ class CommandRates(Settings):
 class Scenario(Settings):
     """Everything that determines a flight, except the files of its aircraft."""
 
-    name: Text
+    name: Text = Field(max_length=MAX_NAME)
     """Title of the flight; the run folder is named after it."""
     aircraft: Text
     """Name of a shipped aircraft, or path of an aircraft folder with a slash, such as `./mine`."""
     duration_s: Positive
     """Duration of the flight, if nothing ends it earlier [s]; a whole number of control steps."""
-    rate_hz: Whole = Field(default=200, gt=0)
+    rate_hz: Whole = Field(default=200, gt=0, le=MAX_RATE_HZ)
     """Control steps per second."""
-    physics_hz: Whole = Field(default=0, validate_default=True)
+    physics_hz: Whole = Field(default=0, validate_default=True, le=MAX_RATE_HZ)
     """Physics steps per second, a whole multiple of `rate_hz`; 0 means `rate_hz`."""
     log_hz: Whole = Field(default=0, validate_default=True)
     """Logged rows per second, `rate_hz` divided by a whole number; 0 means `rate_hz`."""
@@ -62,7 +71,7 @@ class Scenario(Settings):
     controller: AnyController = AdaptiveInversionSettings()
     """The controller, by its `type`, and its settings."""
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
-    command_rates: CommandRates = CommandRates()
+    command_rates: CommandRates = Field(default=CommandRates(), validate_default=True)
     failures: tuple[AnyFailure, ...] = ()
     """The failures: what breaks, when, and how."""
     sensors: Sensors = Sensors()
@@ -104,6 +113,15 @@ class Scenario(Settings):
         )
         said = first.model_dump(exclude_none=True)
         return (Command.model_validate({**initial.model_dump(), **said}), *rest)
+
+    @field_validator("command_rates")
+    @classmethod
+    def _turnable(cls, rates: CommandRates, info: ValidationInfo) -> CommandRates:
+        initial = info.data.get("initial")
+        if rates.heading_deg_s is not None or initial is None:
+            return rates
+        bank = math.degrees(GRAVITY_M_S2 * math.tan(_TURN_BANK) / initial.airspeed_m_s)
+        return rates.model_copy(update={"heading_deg_s": min(_TURN_DEG_S, bank)})
 
     @property
     def physics_steps(self) -> int:

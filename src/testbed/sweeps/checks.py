@@ -86,7 +86,7 @@ class _Checker:
         """Properties of the JSBSim model, loaded once for each aircraft because loading is slow."""
         key = str(aircraft.folder)
         if key not in self._catalogs:
-            from testbed.plant.jsbsim import property_catalog
+            from testbed.plant.first_load import property_catalog
 
             self._catalogs[key] = property_catalog(aircraft)
         return self._catalogs[key]

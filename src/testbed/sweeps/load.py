@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import copy
 import itertools
+import json
+import math
+import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -14,10 +17,9 @@ from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
-from testbed.sweeps.drawing import sampling
 from testbed.sweeps.drawing.builder import Builder, Variant
 from testbed.sweeps.drawing.cases import read_cases
-from testbed.sweeps.model import Sweep
+from testbed.sweeps.model import MOST_FLIGHTS, MOST_LEVELS, Sweep
 from testbed.sweeps.plan import Plan
 
 DEFAULT_RUNS = 1000
@@ -88,7 +90,7 @@ def _base(sweep: Sweep, source: Source) -> Source:
         return Source(source.file, copy.deepcopy(sweep.scenario), places)
     beside = Path(source.file).parent / sweep.scenario
     try:
-        return yamlfile.read(beside if beside.exists() else find_scenario(sweep.scenario))
+        return yamlfile.read(beside if os.path.exists(beside) else find_scenario(sweep.scenario))
     except BadInput as error:
         missing = [p for p in error.problems if p.line is None and p.what == "there is no such file"]
         if not missing:
@@ -105,16 +107,34 @@ def _place(source: Source, path: TreePath) -> str:
 def _variants(sweep: Sweep) -> Iterator[Variant]:
     for values in itertools.product(*sweep.compare.values()):
         label = ", ".join(
-            v if isinstance(v, str) else f"{path} {v}" for path, v in zip(sweep.compare, values, strict=True)
+            v if isinstance(v, str) else f"{path} {_shown(v)}"
+            for path, v in zip(sweep.compare, values, strict=True)
         )
         yield Variant(label, dict(zip(sweep.compare, values, strict=True)))
+
+
+def _shown(value: Any) -> str:
+    """A compared value in a label: a mapping or a list as JSON, as the table has it."""
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, dict | list) else str(value)
 
 
 def _runs(sweep: Sweep, source: Source, cases: list[dict[str, Any]] | None) -> int:
     total: int | None = None if cases is None else len(cases)
     if cases is None and sweep.sampling == "grid":
-        total = sampling.grid_size([d.grid(sweep.levels) for d in sweep.vary.values()])
+        sizes = [distribution.grid_size(sweep.levels) for distribution in sweep.vary.values()]
+        total = math.prod(sizes)
+        if total > MOST_FLIGHTS or max(sizes) > MOST_LEVELS:
+            what, expected = (
+                f"a grid of {total:.3g} runs",
+                f"at most {MOST_FLIGHTS}, and {MOST_LEVELS} levels",
+            )
+            raise BadInput([source.problem(("sampling",), what, expected)])
     if total is not None and sweep.runs is not None and sweep.runs > total:
         what = f"is {describe(sweep.runs)}, there are {total}"
         raise BadInput([source.problem(("runs",), what, f"at most {total}, or no runs for all")])
-    return sweep.runs or total or DEFAULT_RUNS
+    runs = sweep.runs or total or DEFAULT_RUNS
+    flights = runs * math.prod(map(len, sweep.compare.values()))
+    if flights > MOST_FLIGHTS:
+        what = f"is {runs}, which is {flights} flights with what is compared"
+        raise BadInput([source.problem(("runs",), what, f"at most {MOST_FLIGHTS} flights")])
+    return runs

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, field_validator, model_validator
 
 from testbed.inputs.base import Number, Positive, Settings, Text, Whole, refuse
+from testbed.scenario.model import MAX_NAME
 from testbed.sweeps.drawing.distributions import Distribution
+
+MOST_FLIGHTS = 10_000_000
+"""Most runs of a sweep, and most flights, which are runs times variants. Ten million flights take weeks."""
+MOST_LEVELS = 100_000
+"""Most levels of one value in a grid."""
 
 
 class StopWhen(Settings):
@@ -22,17 +29,17 @@ class StopWhen(Settings):
 class Sweep(Settings):
     """One study: a scenario, what varies, and what is compared under the same variations."""
 
-    name: Text | None = None
+    name: Text | None = Field(default=None, max_length=MAX_NAME)
     """Title of the study; default: the file's name."""
     scenario: Text | dict[str, Any]
     """Path of a scenario file, relative to the sweep's file; or the scenario itself."""
-    runs: Annotated[int, Field(strict=True, gt=0)] | None = None
+    runs: Annotated[int, Field(strict=True, gt=0, le=MOST_FLIGHTS)] | None = None
     """Number of runs. Default: 1000; with `cases` or a grid, all of their points."""
     seed: Whole = 1
     """Seed from which the varied values and the seed of each flight are drawn."""
     sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
     """Sampling method: how the runs cover the ranges of the varied values."""
-    levels: Annotated[int, Field(strict=True, gt=1)] = 5
+    levels: Annotated[int, Field(strict=True, gt=1, le=MOST_LEVELS)] = 5
     """Number of levels of each continuous value in a grid."""
     set: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it)
     """Changes to the scenario for all runs, by dotted paths."""
@@ -59,6 +66,8 @@ class Sweep(Settings):
             raise refuse("has both vary and cases", "one of them")
         if self.cases is None and not self.vary:
             raise refuse("varies nothing", "vary, or cases: table.csv")
+        if (variants := math.prod(map(len, self.compare.values()))) > MOST_FLIGHTS:
+            raise refuse(f"compares {variants} variants", f"at most {MOST_FLIGHTS}")
         for one in self.vary:
             for other in [*self.compare, *self.vary]:
                 if f"{one}.".startswith(f"{other}.") and (one != other or other in self.compare):

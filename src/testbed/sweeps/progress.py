@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from types import TracebackType
 from typing import Any
 
+from testbed.common.text import printable
 from testbed.sweeps.plan import Plan
 
 
@@ -22,15 +24,15 @@ class Progress:
         from rich.console import Console
         from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-        console = Console(stderr=True)
+        console = Console(file=sys.__stderr__)  # not sys.stderr: commands let no escape sequence pass there
         if console.is_terminal:
             self._bar = Progress(
-                TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
-                TextColumn("{task.fields[rate]}"), TimeRemainingColumn(), TextColumn("{task.fields[passed]}"),
+                TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(),
+                TextColumn("{task.fields[rate]}"), TimeRemainingColumn(), TextColumn("{task.fields[passed]}", markup=False),
                 console=console, transient=True,
             )  # fmt: skip
             self._task = self._bar.add_task(
-                self._plan.name, total=self._plan.size, completed=self._done, rate="", passed=""
+                printable(self._plan.name), total=self._plan.size, completed=self._done, rate="", passed=""
             )
             self._bar.start()
         return self
@@ -49,7 +51,7 @@ class Progress:
     def passed(self) -> str:
         """`adaptive_inversion 93 %  fixed_inversion 12 %`."""
         shares = zip(self._plan.variants, self._counts, strict=True)
-        return "  ".join(f"{v.label or 'passed'} {100 * p / n:.0f} %" for v, (p, n) in shares if n)
+        return printable("  ".join(f"{v.label or 'passed'} {100 * p / n:.0f} %" for v, (p, n) in shares if n))
 
     def __exit__(self, *_: type[BaseException] | BaseException | TracebackType | None) -> None:
         if self._bar is not None:

@@ -59,7 +59,9 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
     Raises BadInput when it cannot begin, Stopped when it ended early: Ctrl-C, disk full, cluster gone.
     """
     job = options.job(plan)
-    store = Store(folder, plan, job.fly, resume=resume)
+    if options.cluster is not None:
+        cluster.refuse_dead(options.cluster)  # before the folder is made
+    store = _store(folder, plan, job, resume)
     try:
         flights, runs = _fly_missing(store, job, options)
         results.write(plan, lambda: (record for _, record in store.records(runs)), folder)
@@ -73,6 +75,14 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
     finally:
         with suppress(OSError):  # a full disk has been reported above
             store.close()
+
+
+def _store(folder: Path, plan: Plan, job: Job, resume: bool) -> Store:
+    """The folder, open; raises BadInput when it cannot be written."""
+    try:
+        return Store(folder, plan, job.fly, resume=resume)
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror or error}", str(folder))]) from None
 
 
 def _kept(store: Store, why: str) -> str:

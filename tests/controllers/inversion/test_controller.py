@@ -12,7 +12,7 @@ import pytest
 from vtail_setup import ACTUATORS, setpoint, trim_state, vtail_setup
 
 from testbed.common.signals import RATES, SETPOINT, STATE, record_dtype, telemetry_width
-from testbed.controllers.inversion.controller import InversionController
+from testbed.controllers.inversion.controller import InversionController, fixed_inversion
 from testbed.controllers.records import REGULATOR_STATE
 from testbed.controllers.setup import Setup
 from testbed.flight.flight import Flight, Outcome
@@ -119,11 +119,11 @@ def test_an_aircraft_that_cannot_be_inverted_is_refused_before_the_flight() -> N
     """What was an AttributeError: bad input that names the aircraft, the condition number and what to change."""
     setup = vtail_setup()
     setup = replace(setup, control=setup.control.model_copy(update={"condition_max": 2.0}))
-    for adapts in (True, False):
+    for make in (InversionController, fixed_inversion):
         with pytest.raises(
             BadInput, match=r"vtail cannot be flown by inversion: .*condition number .* is above 2"
         ):
-            InversionController(setup, adapts)
+            make(setup)
 
 
 def flown_by_hand(setup: Setup, adapts: bool, effectiveness: float) -> np.ndarray:
@@ -139,7 +139,7 @@ def flown_by_hand(setup: Setup, adapts: bool, effectiveness: float) -> np.ndarra
     references = np.zeros(steps, record_dtype(SETPOINT))
     references[:] = setpoint(altitude=model.altitude_m, airspeed=model.airspeed_m_s)
     telemetry = np.zeros((steps, telemetry_width(4)))
-    controller = InversionController(setup, adapts)
+    controller = InversionController(setup) if adapts else fixed_inversion(setup)
     controller.bind(measured, references, telemetry)
     for step in range(steps):
         commands = list(controller.step(step))

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -93,11 +95,17 @@ def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, t
 
 
 @pytest.mark.slow
-def test_no_cluster_is_said_in_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_wrong_or_dead_address_is_refused_before_a_folder_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Text that is no address, a closed port, a port that never says a word."""
     monkeypatch.setattr("testbed.sweeps.workers.cluster._CONNECT_S", 1)
-    with pytest.raises(Exception, match=r"no cluster answers at tcp://127\.0\.0\.1:9") as stopped:
-        testbed.sweep(written(tmp_path), tmp_path / "out", cluster="tcp://127.0.0.1:9")
-    assert "0 of 24 flights are kept" in str(stopped.value)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        listening = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
+        for address in ("nonsense", "tcp://127.0.0.1:9", listening):
+            with pytest.raises(BadInput, match=rf"--cluster: no cluster answers at {re.escape(address)}: \w"):
+                testbed.sweep(written(tmp_path), tmp_path / "out", cluster=address)
+    assert not (tmp_path / "out").exists()
 
 
 @pytest.mark.slow

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -20,24 +21,29 @@ class InversionController:
 
     Args:
         setup: design model, gains and actuators.
-        adapts: estimate effectiveness (13), and switch modes (29) when an actuator is flagged as failed. If false, the
-            law is a fixed inversion.
+        settings: [1] record of `records.settings_dtype`; by default that of the scenario.
+        law: the compiled step, by default the adaptive one; it takes and returns what `adaptive_step` does.
+        more: arrays that `law` needs beyond those of `adaptive_step`; they come last in its `parts`.
 
     Raises:
         BadInput: the aircraft's input matrix cannot be inverted, or no steady flight was found for the axes that are
             released from the start.
     """
 
-    def __init__(self, setup: Setup, adapts: bool = True) -> None:
+    def __init__(
+        self,
+        setup: Setup,
+        settings: np.ndarray | None = None,
+        law: Callable[[int, Any], int] = adaptive_step,
+        more: tuple[np.ndarray, ...] = (),
+    ) -> None:
+        if settings is None:
+            settings = settings_record(setup, setup.settings_as(AdaptiveInversionSettings))
         self._memory = trimmed_memory(setup)
         self._modes = ModeSwitch(setup, self._memory)
-        self._own = (
-            model_record(setup),
-            settings_record(setup, setup.settings_as(AdaptiveInversionSettings) if adapts else None),
-            self._modes.record,
-            self._memory,
-            np.zeros(1, work_dtype(len(setup.actuators))),
-        )
+        work = np.zeros(1, work_dtype(len(setup.actuators)))
+        self._own = (model_record(setup), settings, self._modes.record, self._memory, work)
+        self._law, self._more = law, more
         self._commands = memoryview(self._memory[0].command)  # quicker to go through than the array
 
     @property
@@ -56,13 +62,19 @@ class InversionController:
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
-        self._parts = (states, setpoints, telemetry, *self._own)
-        self._step = bound(adaptive_step, 0, self._parts)
-        self._command = bound(command_step, 0, self._parts)
+        self._common = (states, setpoints, telemetry, *self._own)
+        self._parts = (*self._common, *self._more)
+        self._step = bound(self._law, 0, self._parts)
+        self._command = bound(command_step, 0, self._common)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
         if self._step(step, self._parts):
             self.switch(step)
-            self._command(step, self._parts)
+            self._command(step, self._common)
         return self._commands
+
+
+def fixed_inversion(setup: Setup) -> InversionController:
+    """The inversion (6) with all actuators taken for healthy: no estimation, no monitor."""
+    return InversionController(setup, settings_record(setup, None))

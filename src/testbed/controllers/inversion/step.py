@@ -10,7 +10,7 @@ from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
-from testbed.controllers.inversion.estimator import adapt_weighted, update_model_error_variance
+from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
 from testbed.controllers.inversion.jam_detection import detect_jam
 from testbed.controllers.inversion.law import (
     adapt,
@@ -47,10 +47,9 @@ def adaptive_step(step, parts):
 
 
 @compiled
-def estimate(y, m, c, s, w):
-    """Estimate effectiveness from the measured rates, then monitor it and look for jams; returns 1 as `adaptive_step` does."""
-    f, z, e, phi = w.f, w.z, w.e, w.phi
-    pressure_ratio = pressure_ratio_of(y, m)
+def regression(y, pressure_ratio, m, c, s, w):
+    """The two sides of (10), z = x_c_dot - f_m and Phi, both filtered alike, into z [4] and phi [4, n] of `w`."""
+    f, z, phi = w.f, w.z, w.phi
     z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
     for i in range(4):  # both f and Phi contain the constant part of the propellers' torque: count it once
         z[i] += m.offset[i] * pressure_ratio
@@ -58,9 +57,18 @@ def estimate(y, m, c, s, w):
     low_pass(z, s.filtered, c.filter_rate * c.dt)
     for i in range(4):
         low_pass(phi[i], s.filtered_phi[:, i], c.filter_rate * c.dt)
+
+
+@compiled
+def estimate(y, m, c, s, w):
+    """Estimate effectiveness from the measured rates, then monitor it and look for jams; returns 1 as `adaptive_step` does."""
+    z, e, phi = w.z, w.e, w.phi
+    pressure_ratio = pressure_ratio_of(y, m)
+    regression(y, pressure_ratio, m, c, s, w)
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
     measured_error(z, phi, s, e)
     if c.weighted:
+        expect_change(e, phi, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import sys
 import traceback
 from collections.abc import Callable, Sequence
@@ -53,9 +54,9 @@ def load_controller(reference: str) -> Factory:
 
 def _module(path: Path) -> ModuleType:
     """Run a Python file and return its module. The file may import others in its folder."""
-    if not path.is_file():
-        problem = "is a folder" if path.is_dir() else "there is no such file"
-        near = [str(p) for p in path.parent.glob("*.py")] if path.parent.is_dir() else []
+    if not os.path.isfile(path):
+        problem = "is a folder" if os.path.isdir(path) else "there is no such file"
+        near = [str(p) for p in path.parent.glob("*.py")] if os.path.isdir(path.parent) else []
         raise BadInput([Problem(problem, str(path), suggestion=did_you_mean(str(path), near))])
     name = _PREFIX + path.stem
     spec = importlib.util.spec_from_file_location(name, path)

@@ -47,8 +47,9 @@ TABLE: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
 
 def draw(flight: Flight, folder: str | Path) -> list[Path]:
     """Write `folder/figures/<name>.png` for each of TABLE; returns the files in that order."""
-    from testbed.reporting.figures.page import save
+    from testbed.reporting.figures.page import plain_text, save
 
     figures = Path(folder) / "figures"
     figures.mkdir(parents=True, exist_ok=True)
-    return [save(make(flight), figures / f"{name}.png") for name, (_, make) in TABLE.items()]
+    with plain_text():
+        return [save(make(flight), figures / f"{name}.png") for name, (_, make) in TABLE.items()]

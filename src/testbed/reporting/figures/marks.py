@@ -50,6 +50,10 @@ def describe(event: Mapping[str, Any]) -> str:
         return f"{event['axis']} released"
     if kind == "diagnosis":
         return str(event["text"])
+    if kind == "recovered":
+        return f"recovered {event['after_s']:.1f} s after the failure"
+    if kind == "lost":
+        return "aircraft lost"
     what = str(event.get("actuator") or "").replace("_", " ")
     if kind == "detection":
         return f"{what} flagged after {event['delay_s']:.2f} s"

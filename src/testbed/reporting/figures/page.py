@@ -7,15 +7,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from testbed.common.files import replacing
 from testbed.flight.flight import Flight
 from testbed.reporting.figures.marks import Mark, marks, rows_of
 
@@ -178,7 +181,15 @@ def frame(panel: Axes, least: float, *signals: np.ndarray) -> None:
     panel.set_ylim(middle - half, middle + half)
 
 
+def plain_text() -> AbstractContextManager[None]:
+    """While in this context, `$` in a name is a dollar, not the beginning of a formula that may be wrong."""
+    return rc_context({"text.parse_math": False})
+
+
 def save(figure: Figure, file: Path) -> Path:
-    """Write a PNG; returns the file."""
-    figure.savefig(file, dpi=DPI, metadata={"Software": None}, pil_kwargs={"compress_level": 3})
+    """Write a PNG, completely or not at all; returns the file."""
+    with replacing(file) as partial:
+        figure.savefig(
+            partial, format="png", dpi=DPI, metadata={"Software": None}, pil_kwargs={"compress_level": 3}
+        )
     return file

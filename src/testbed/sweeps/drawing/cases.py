@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import csv
+import os
 from pathlib import Path
 from typing import Any
 
 from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.input_file import MEGABYTE, read_text
 from testbed.inputs.problems import BadInput, Problem
+
+LARGEST_TABLE = 20 * MEGABYTE
+"""Largest table of cases that is read [bytes]."""
 
 Cases = tuple[list[dict[str, Any]], str, dict[str, str]]
 """The values of each run by dotted paths, the text of the table, and the place of each column."""
@@ -18,13 +23,13 @@ def read_cases(file: Path, missing: Problem) -> Cases:
 
     Raises BadInput: with `missing` when there is no such file, else with every column and cell that cannot be used.
     """
+    if not os.path.lexists(file):
+        raise BadInput([missing])
+    text = read_text(file, LARGEST_TABLE, "a CSV table")
     try:
-        text = file.read_text(encoding="utf-8-sig")
-    except OSError:
-        raise BadInput([missing]) from None
-    except UnicodeDecodeError:
-        raise BadInput([Problem("is not UTF-8 text", str(file))]) from None
-    rows = list(csv.reader(text.splitlines()))
+        rows = list(csv.reader(text.splitlines(), strict=True))
+    except csv.Error as error:
+        raise BadInput([Problem(f"is no CSV table: {error}", str(file))]) from None
     header = [name.strip() for name in rows[0]] if rows else []
     problems = [
         Problem(f"column {j + 1} has no name" if not name else f"column {name} is there twice", str(file), 1)

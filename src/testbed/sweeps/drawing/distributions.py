@@ -16,6 +16,8 @@ from testbed.inputs.yaml_source import describe
 
 _OPEN = 2.0**-53
 """Probabilities are kept this far from 0 and 1, where the inverse of an unbounded distribution is infinite."""
+_LARGEST_WHOLE = 2**53
+"""Whole numbers beyond it have no exact value as floating point numbers, by which they are drawn."""
 
 _OWN = {
     "uniform": ("[low, high]", 2),
@@ -58,7 +60,18 @@ class Distribution(Settings):
             self._check_own()
         else:
             self._check_scipy()
+        self._check_ends()
         return self
+
+    def _check_ends(self) -> None:
+        """Refuse parameters of which some draws would be infinite."""
+        try:
+            with np.errstate(all="ignore"):
+                ends = [] if self.name == "choice" else self.quantiles(np.array([_OPEN, 1.0 - _OPEN]))
+        except (OverflowError, ValueError, TypeError):
+            ends = [math.inf]
+        if not all(map(_finite, ends)):
+            raise refuse(f"{self.name} draws numbers that are not finite", "smaller parameters")
 
     def quantiles(self, u: np.ndarray) -> list[Any]:
         """The n values at the probabilities `u` [n], as Python's own types."""
@@ -94,10 +107,18 @@ class Distribution(Settings):
             ends = np.concatenate([[0.0], np.cumsum(self._weights) / self._weights.sum()])
             return (ends[:-1] + ends[1:]) / 2.0
         if self.name == "integers":
-            levels = self.parameters[1] - self.parameters[0] + 1
+            levels = self.grid_size(levels)
         elif self.bounds and not self._discrete:
             return np.linspace(0.0, 1.0, levels)
         return (np.arange(levels) + 0.5) / levels
+
+    def grid_size(self, levels: int) -> int:
+        """Number of levels that `grid` gives, without making them."""
+        if self.name == "choice":
+            return len(self.parameters)
+        if self.name == "integers":
+            return int(self.parameters[1] - self.parameters[0] + 1)
+        return levels
 
     @property
     def _weights(self) -> np.ndarray:
@@ -110,9 +131,9 @@ class Distribution(Settings):
     @cached_property
     def _frozen(self) -> Any:
         if self.name == "normal":
-            return stats.norm(*self.parameters)
+            return stats.norm(*map(float, self.parameters))
         if self.name == "log_uniform":
-            return stats.loguniform(*self.parameters)
+            return stats.loguniform(*map(float, self.parameters))
         family = getattr(stats, self.name)
         given = self.parameters
         return family(**given) if isinstance(given, dict) else family(*given)
@@ -137,11 +158,15 @@ class Distribution(Settings):
         if not _numbers(given, count):
             raise refuse(f"{self.name} has {describe(given)}", meaning)
         low, high = given
-        if self.name == "integers" and not all(isinstance(p, int) for p in given):
-            raise refuse(f"integers has {given}", meaning)
+        if self.name == "integers" and not all(
+            isinstance(p, int) and abs(p) <= _LARGEST_WHOLE for p in given
+        ):
+            raise refuse(f"integers has {given}", f"{meaning}, whole, within +-2^53")
         if self.name == "normal":
             if high <= 0:
                 raise refuse(f"the standard deviation is {high}", "more than 0")
+        elif not _finite(float(high) - float(low)):
+            raise refuse(f"{self.name} is from {low} to {high}", "a range that is a finite number")
         elif (
             low > high
             or (low == high and self.name != "integers")
@@ -184,4 +209,12 @@ def distribution_names() -> list[str]:
 def _numbers(values: Any, count: int) -> bool:
     if not isinstance(values, list) or len(values) != count:
         return False
-    return all(isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in values)
+    return all(isinstance(v, int | float) and not isinstance(v, bool) and _finite(v) for v in values)
+
+
+def _finite(value: float) -> bool:
+    """Whether a number is finite, also as a float: YAML has whole numbers of any length."""
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False

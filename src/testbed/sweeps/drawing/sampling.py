@@ -7,7 +7,6 @@ Sobol and Halton sequences and independent draws can be continued: the first 100
 from __future__ import annotations
 
 import hashlib
-import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -57,8 +56,3 @@ def grid_point(levels: Sequence[np.ndarray], index: int) -> np.ndarray:
         index, k = divmod(index, len(values))
         point.append(values[k])
     return np.array(point[::-1])
-
-
-def grid_size(levels: Sequence[np.ndarray]) -> int:
-    """Number of points of the whole grid."""
-    return math.prod(len(values) for values in levels)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from testbed.common.files import replacing
+from testbed.common.text import cell
 from testbed.sweeps.plan import Plan
 
 Records = Callable[[], Iterator[Mapping[str, Any]]]
@@ -51,7 +52,7 @@ def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]
     for row in rows(plan, records):
         for name, value in row.items():
             if value is not None:
-                kinds.setdefault(name, set()).add(type(value))
+                kinds.setdefault(name, set()).add(_kind(value))
             (verdicts if name.startswith("requirements.") and name not in plan.paths else middle).setdefault(
                 name
             )
@@ -74,7 +75,7 @@ def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
         parquet = stack.enter_context(replacing(folder / "results.parquet"))
         stream = stack.enter_context(text.open("w", encoding="utf-8", newline=""))
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(kinds)
+        writer.writerow(map(cell, kinds))
         binary = stack.enter_context(pq.ParquetWriter(parquet, schema, compression="zstd"))
         table = ({name: _value(row.get(name), kind) for name, kind in kinds.items()}
                  for row in rows(plan, records()))  # fmt: skip
@@ -82,6 +83,11 @@ def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
             writer.writerows(map(_cell, row.values()) for row in group)
             binary.write_table(pa.Table.from_pylist(group, schema))
     return kinds
+
+
+def _kind(value: Any) -> type:
+    """Its type; text for a whole number of more than the 64 bits that a column of whole numbers has."""
+    return str if type(value) is int and not -(2**63) <= value < 2**63 else type(value)
 
 
 def _type(kinds: set[type]) -> type:
@@ -101,9 +107,9 @@ def _value(value: Any, kind: type) -> Any:
 
 
 def _cell(value: Any) -> str:
-    """Shortest text that reads back as the same value."""
+    """Shortest text that reads back as the same value; a text is quoted if a spreadsheet could take it for a formula."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return ""
     if isinstance(value, bool):
         return "True" if value else "False"
-    return value if isinstance(value, str) else repr(value)
+    return cell(value) if isinstance(value, str) else repr(value)

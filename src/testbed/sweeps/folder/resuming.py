@@ -17,8 +17,10 @@ from typing import Any
 from testbed.aircraft.description import load_aircraft
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.yaml_source import describe
+from testbed.inputs.yaml_source import Source, describe
+from testbed.sweeps.drawing.cases import LARGEST_TABLE
 from testbed.sweeps.plan import Plan
 
 _FREE = ("name", "runs", "stop_when")
@@ -56,20 +58,35 @@ def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
         if not journal.is_file():
             raise BadInput([Problem("is not the folder of a sweep", str(folder))])
         return  # the process was killed before it wrote sweep.yaml
-    before = yamlfile.read(file).tree
+    source = yamlfile.read(file)
+    before, runs = source.tree, runs_in(source)
     now = yamlfile.parse(yamlfile.dump(plan.tree)).tree
     problems = [
         Problem(what, str(file), None, path, "an unchanged sweep") for path, what in _differences(before, now)
     ]
-    if plan.runs < before["runs"]:
-        problems.append(Problem(f"has {before['runs']} already", str(file), None, "runs", "at least as many"))
-    if plan.runs > before["runs"] and not plan.extendable:
-        what = f"a latin hypercube of {before['runs']} runs cannot be made longer: its points depend on their number"
+    if plan.runs < runs:
+        problems.append(Problem(f"has {runs} already", str(file), None, "runs", "at least as many"))
+    if plan.runs > runs and not plan.extendable:
+        what = f"a latin hypercube of {runs} runs cannot be made longer: its points depend on their number"
         problems.append(Problem(what, str(file), None, "runs", "sobol, halton or random for that"))
-    if plan.cases_text is not None and (folder / "cases.csv").read_text(encoding="utf-8") != plan.cases_text:
+    if plan.cases_text is not None and _cases(folder) != plan.cases_text:
         problems.append(Problem("the table has changed", str(file), None, "cases", "an unchanged sweep"))
     if problems:
         raise BadInput(problems)
+
+
+def runs_in(source: Source) -> int:
+    """The number of runs that a folder's sweep.yaml says; raises BadInput if it does not say one."""
+    runs = source.tree.get("runs")
+    if not isinstance(runs, int) or isinstance(runs, bool) or runs < 1:
+        raise BadInput([source.problem(("runs",), f"is {describe(runs)}", "the number of runs, at least 1")])
+    return runs
+
+
+def _cases(folder: Path) -> str | None:
+    """The text of a folder's table of cases; None if it has none."""
+    file = folder / "cases.csv"
+    return read_text(file, LARGEST_TABLE, "a CSV table") if os.path.isfile(file) else None
 
 
 def _differences(before: Any, now: Any, path: str = "") -> Iterator[tuple[str, str]]:

@@ -20,7 +20,7 @@ from testbed.common.files import replacing
 from testbed.inputs import yaml_source as yamlfile
 from testbed.sweeps.folder.histories import Histories
 from testbed.sweeps.folder.journal import Journal, records
-from testbed.sweeps.folder.resuming import flown_with, refuse_changed, refuse_other
+from testbed.sweeps.folder.resuming import flown_with, refuse_changed, refuse_other, runs_in
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.workers.flying import Flown
 
@@ -110,9 +110,9 @@ def flight_label(plan: Plan, k: int) -> str:
 
 
 def runs_of(folder: Path) -> int | None:
-    """Number of runs in the sweep.yaml of a folder; None if there is none."""
+    """Number of runs in the sweep.yaml of a folder; None if there is none. Raises BadInput if the file does not say."""
     file = folder / "sweep.yaml"
-    return int(yamlfile.read(file).tree["runs"]) if file.is_file() else None
+    return runs_in(yamlfile.read(file)) if os.path.isfile(file) else None
 
 
 def _write_whole(file: Path, content: bytes) -> None:

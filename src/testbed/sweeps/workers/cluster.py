@@ -13,6 +13,8 @@ import os
 import pickle
 import queue
 import shutil
+import subprocess
+import sys
 import tempfile
 import threading
 import zlib
@@ -27,7 +29,22 @@ from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.workers.flying import Flown, Job
 from testbed.sweeps.workers.worker import Child
 
-_CONNECT_S = 20
+_CONNECT_S = 5
+_ANSWER_S = 8
+"""Longest time in which a cluster must answer `refuse_dead` [s], with the start of its process."""
+_TRY = """
+import os, sys
+try:
+    from distributed import Client
+    Client(sys.argv[1], timeout=float(sys.argv[2]), set_as_default=False)
+except ImportError:
+    os._exit(2)
+except BaseException as error:
+    print(error, flush=True)
+    os._exit(1)
+os._exit(0)
+"""
+_NO_DASK = {"what": "--cluster needs dask.distributed", "expected": "pip install 'testbed[cluster]'"}
 _AHEAD = 3
 """Tasks sent ahead for each thread of the cluster, so that none waits for work."""
 _TRIES = 5
@@ -51,6 +68,27 @@ def pack(job: Job) -> PackedJob:
     return PackedJob(hashlib.sha256(content).hexdigest()[:32], content)
 
 
+def refuse_dead(address: str) -> None:
+    """Raise BadInput when no Dask cluster answers at an address; before anything is written, and within _ANSWER_S.
+
+    A process of its own tries it. With some addresses, such as that of a port where no Dask listens, the client waits much
+    longer than its timeout, and cannot be told to stop.
+    """
+    words = f"no answer within {_ANSWER_S} s"
+    try:
+        done = subprocess.run([sys.executable, "-c", _TRY, address, str(_CONNECT_S)], stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, check=False, timeout=_ANSWER_S)  # fmt: skip
+        if done.returncode == 0:
+            return
+        words = " ".join(done.stdout.split()) or f"exit status {done.returncode}"
+        if done.returncode == 2:
+            raise BadInput([Problem(**_NO_DASK)])
+    except subprocess.TimeoutExpired:
+        pass
+    expected = "the address that `dask scheduler` prints, as tcp://host:8786"
+    raise BadInput([Problem(f"no cluster answers at {address}: {words}", "--cluster", expected=expected)])
+
+
 def fly_on_cluster(
     job: Job, tasks: Iterable[Task], address: str
 ) -> Generator[tuple[Task, Flown], None, None]:
@@ -61,8 +99,7 @@ def fly_on_cluster(
     try:
         from distributed import Client, as_completed
     except ImportError:
-        what = "--cluster needs dask.distributed"
-        raise BadInput([Problem(what, expected="pip install 'testbed[cluster]'")]) from None
+        raise BadInput([Problem(**_NO_DASK)]) from None
     try:
         client = Client(address, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:

@@ -17,6 +17,7 @@ import tempfile
 import threading
 from multiprocessing.connection import Connection
 from pathlib import Path
+from typing import IO
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.drawing.builder import Task
@@ -26,6 +27,8 @@ _START_S = 300.0
 """Longest time a process may take to start [s]."""
 _GRACE_S = 10.0
 """If its parent is gone, a process ends itself this long after the time limit of its flight [s]."""
+_STARTS = 4
+"""Attempts at starting a process that is killed while it starts."""
 _ATTEMPTS = 2
 """Attempts at a flight whose process dies. It may have died for another reason than the flight, such as a lack of memory."""
 
@@ -87,17 +90,31 @@ class Child:
         return not_flown(task, "timeout", f"no result within {limit:g} s")
 
     def _start(self) -> None:
-        if self._closed.is_set():
-            raise InterruptedError("closed")
+        """Have a process that is ready; one that a signal ends while it starts is replaced. Raises as `fly` does."""
         if self._process is not None and self._process.poll() is None:
             return
-        if self._process is not None:
+        for _ in range(_STARTS):
             self.kill()
+            status, words = self._started()
+            if status is None:
+                return
+            if self._closed.is_set():
+                raise InterruptedError("closed")
+            if status >= 0:
+                break  # it ended by itself, and would do so again
+        lines = words.decode(errors="replace").strip().splitlines()
+        reason = lines[-1] if lines else f"it was ended by {_cause(status)}"
+        raise BadInput([Problem(f"a worker process does not start: {reason}")])
+
+    def _started(self) -> tuple[int | None, bytes]:
+        """Start a process. Returns (None, b"") when it is ready, else its exit status and what it wrote to stderr."""
+        if self._closed.is_set():
+            return 0, b""
         theirs_in, ours_out = os.pipe()
         ours_in, theirs_out = os.pipe()
         self._to, self._from = Connection(ours_out, readable=False), Connection(ours_in, writable=False)
         command = [sys.executable, "-m", "testbed.sweeps.workers.worker", str(theirs_in), str(theirs_out)]
-        with tempfile.TemporaryFile() as words:
+        with _scratch_file() as words:
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,
                 pass_fds=(theirs_in, theirs_out), env=_environment(self._job), close_fds=True,
@@ -106,23 +123,21 @@ class Child:
             os.close(theirs_out)
             if self._closed.is_set():  # meanwhile
                 self._process.kill()
-            try:
+            with contextlib.suppress(EOFError, OSError):
                 self._to.send_bytes(pickle.dumps(self._job))
-                ready = self._from.poll(_START_S) and self._from.recv()
-            except (EOFError, OSError):
-                ready = False
-            if not ready:
-                words.seek(0)
-                self._fail(words.read())
+                if self._from.poll(_START_S) and self._from.recv():
+                    return None, b""
+            status = self.kill()
+            words.seek(0)
+            return status, words.read()
 
-    def _fail(self, words: bytes) -> None:
-        self.kill()
-        if self._closed.is_set():
-            raise InterruptedError("closed")
-        lines = words.decode(errors="replace").strip().splitlines()
-        raise BadInput(
-            [Problem(f"a worker process does not start: {lines[-1] if lines else 'no reason given'}")]
-        )
+
+def _scratch_file() -> IO[bytes]:
+    """A file for what a process writes; /dev/null, so without its words, where no file can be made."""
+    try:
+        return tempfile.TemporaryFile()
+    except OSError:
+        return open(os.devnull, "w+b")
 
 
 def _cause(status: int) -> str:

@@ -1,0 +1,12 @@
+"""The exit status of every command; docs/reference/command_line.md says the same to users."""
+
+MET = 0
+"""Every requirement was met, or the command has none."""
+NOT_MET = 1
+"""Flown, but a requirement was not met or the aircraft was lost."""
+BAD_INPUT = 2
+"""Bad input: nothing was flown or written."""
+ENDED_EARLY = 3
+"""The command could not be carried out to its end, as on a full disk; what a sweep has flown is kept."""
+INTERRUPTED = 130
+"""Ctrl-C: 128 and the number of the signal SIGINT, as shells have it."""

@@ -1,0 +1,52 @@
+"""What the commands print: text that a terminal shows and does not obey, in any encoding; warnings as one line each."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import sys
+import warnings
+from collections.abc import Iterator
+from typing import Any, TextIO, cast
+
+from testbed.common.text import printable
+
+
+class _Printable:
+    """A text stream that writes what `printable` makes of a text; all else is the stream's own."""
+
+    def __init__(self, stream: TextIO | None) -> None:
+        self._stream = stream or open(os.devnull, "w")  # noqa: SIM115  (None if the shell has closed it, as by `>&-`)
+
+    def write(self, text: str) -> int:
+        self._stream.write(printable(text))
+        return len(text)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+
+@contextlib.contextmanager
+def plain_output() -> Iterator[None]:
+    """While in the block, what is printed is `printable`, no character is an error, and a warning is one line on stderr."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+    out, err = (cast(TextIO, _Printable(stream)) for stream in (sys.stdout, sys.stderr))
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), warnings.catch_warnings():
+        warnings.showwarning = _show
+        yield
+
+
+def _show(message: Warning | str, *_: object, **__: object) -> None:
+    print(f"WARNING: {' '.join(str(message).split())}", file=sys.stderr)
+
+
+def give_up_stdout() -> None:
+    """Let what is still to be written to stdout vanish, because its reader has gone or its disk is full.
+
+    The remedy is that of the notes on SIGPIPE in Python's `signal` module: the flush at exit then succeeds.
+    """
+    with contextlib.suppress(OSError, ValueError):  # ValueError: it has no file descriptor, as in a test
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

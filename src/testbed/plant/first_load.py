@@ -1,0 +1,144 @@
+"""The first load of an aircraft's model happens in a process of its own, because what is wrong with a model can end the process.
+
+An aircraft is known by the digest of its files. What the first load showed is recorded in the user's cache folder, so that a
+known aircraft costs one look for a file in a new process, and nothing but its digest in a process that has seen it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from testbed.aircraft.description import Aircraft
+from testbed.aircraft.model_files.check import model_files, model_problems
+from testbed.aircraft.model_files.used import model_file
+from testbed.common.cache import Cache
+from testbed.inputs.problems import BadInput, Problem
+from testbed.plant import known
+
+LONGEST_S = 10.0
+"""Longest time that a first load may take [s]; the shipped aircraft takes half a second."""
+_WORDS = 300
+"""Longest text of JSBSim's that is repeated in a message [characters]."""
+
+_records: Cache[known.Record] = Cache(64)
+_assured: Cache[bool] = Cache(64)
+
+
+def assure(aircraft: Aircraft) -> None:
+    """Return if the model can be loaded in this process; raises BadInput, with what is wrong, if it cannot.
+
+    Each `Plant` calls it. An aircraft seen before by this process costs its digest alone, 0.1 ms.
+    """
+    digest = aircraft.fingerprint()
+    _assured.get(digest, lambda: known.holds(digest) or bool(_first_load(aircraft, digest)))
+
+
+def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
+    """Name of each property of the aircraft's model, and whether it can be written; the model is not loaded here.
+
+    Raises BadInput as `assure`.
+    """
+    digest = aircraft.fingerprint()
+    found = _records.get(digest, lambda: known.read(digest) or _first_load(aircraft, digest))
+    _assured.get(digest, lambda: True)
+    return dict(found["properties"])
+
+
+def trust(aircraft: Aircraft) -> None:
+    """Let this process load an aircraft without a first load elsewhere: it is the process of the first load."""
+    _assured.get(aircraft.fingerprint(), lambda: True)
+
+
+def _first_load(aircraft: Aircraft, digest: str) -> known.Record:
+    """Check the files, load the model in a new process, and record what it shows; raises BadInput."""
+    problems = model_problems(aircraft)
+    if problems:
+        raise BadInput(problems)
+    found = _answer(aircraft)
+    known.keep(digest, found)
+    return found
+
+
+def _answer(aircraft: Aircraft) -> known.Record:
+    """What the process of the first load says."""
+    described = aircraft.model_dump(mode="json", exclude_none=True)
+    request = {"folder": str(aircraft.folder.resolve()), "aircraft": described}
+    command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
+    try:
+        with tempfile.TemporaryDirectory() as empty:
+            done = subprocess.run(
+                command, input=json.dumps(request), capture_output=True, text=True, errors="replace",
+                timeout=LONGEST_S, cwd=empty, env=_environment(), check=False,
+            )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        what = f"JSBSim does not finish loading and starting it within {LONGEST_S:g} s"
+        raise BadInput([_of_model(aircraft, what)]) from None
+    except OSError as error:  # there may be no folder for temporary files either
+        raise BadInput([Problem(f"no process can be started to load the model: {error.strerror}")]) from None
+    answers = _lines(done.stdout)
+    if done.returncode == 0 and answers and "properties" in answers[-1]:
+        return answers[-1]
+    raise BadInput(_said(answers) or _dead(aircraft, _last_words(done)))
+
+
+def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
+    """What ended the process, at each element that names the property of which JSBSim says that there is none."""
+    missing = re.search(r"The property (\S+) does not exist", words)
+    elements = model_files(aircraft).elements() if missing else ()
+    named = [element for element in elements if missing and element.text.lstrip("-") == missing[1]]
+    return [element.problem(words) for element in named] or [_of_model(aircraft, words)]
+
+
+def _lines(text: str) -> list[dict[str, Any]]:
+    """The JSON objects among the lines of a process's output."""
+    found = []
+    for line in text.splitlines():
+        with contextlib.suppress(ValueError):
+            found.append(json.loads(line))
+    return [line for line in found if isinstance(line, dict)]
+
+
+def _said(answers: list[dict[str, Any]]) -> list[Problem]:
+    """The problems that the process found itself, those of its last answer."""
+    return [Problem(**problem) for problem in answers[-1].get("problems", [])] if answers else []
+
+
+def _last_words(done: subprocess.CompletedProcess[str]) -> str:
+    """What JSBSim said last, or the name of the signal that ended it."""
+    lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    words = (
+        " ".join(line for line in lines if not line.startswith("terminate called"))
+        .removeprefix("what():")
+        .strip()
+    )
+    if done.returncode < 0:
+        ended = f"it ended the process ({_signal(-done.returncode)})"
+        return f"JSBSim says {words[-_WORDS:]}; {ended}" if words else f"JSBSim says nothing; {ended}"
+    return f"JSBSim says {words[-_WORDS:] or f'nothing; exit status {done.returncode}'}"
+
+
+def _signal(number: int) -> str:
+    try:
+        return signal.Signals(number).name
+    except ValueError:
+        return f"signal {number}"
+
+
+def _of_model(aircraft: Aircraft, what: str) -> Problem:
+    return Problem(what, str(model_file(aircraft.folder, aircraft.model)))
+
+
+def _environment() -> dict[str, str]:
+    """The environment of the process: this package first, and one thread, because numpy would start one for each core."""
+    package = str(Path(__file__).resolve().parents[2])
+    path = os.pathsep.join([package, *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))])
+    return {**os.environ, "PYTHONPATH": path, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}

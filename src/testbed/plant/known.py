@@ -1,0 +1,86 @@
+"""What is known of aircraft that were loaded before: a small record for each digest, in the user's cache folder.
+
+A record is lost without harm: what it says is then found again, which takes a second or so.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import importlib.metadata
+import json
+import os
+import tempfile
+import time
+from collections.abc import Mapping
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+Record = Mapping[str, Any]
+"""What was found, as JSON can hold it. Of a first load: `properties`, the name of each property of the model, and whether it
+can be written."""
+_KEPT_DAYS = 30.0
+
+
+def holds(digest: str) -> bool:
+    """Whether there is a record of this digest. It was written whole, so it is not read here."""
+    file = _file_of(digest)
+    return file is not None and file.is_file()
+
+
+def read(digest: str) -> Record | None:
+    """The record of a first load, or None if there is none, or if it is not whole."""
+    file = _file_of(digest)
+    try:
+        found = json.loads(file.read_bytes()) if file is not None else None
+    except (OSError, ValueError):
+        return None
+    return found if isinstance(found, dict) and isinstance(found.get("properties"), dict) else None
+
+
+def keep(digest: str, found: Record) -> None:
+    """Write what was found, whole or not at all; without a folder that can be written, the next process finds it anew."""
+    file = _file_of(digest)
+    if file is None:
+        return
+    with contextlib.suppress(OSError):
+        file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        _prune(file.parent)
+        handle, name = tempfile.mkstemp(dir=file.parent, prefix=".")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8") as stream:
+                json.dump(found, stream)
+            os.replace(name, file)
+        finally:
+            Path(name).unlink(missing_ok=True)
+
+
+def _prune(folder: Path) -> None:
+    """Remove records that were written long ago."""
+    for file in folder.iterdir():
+        if file.stat().st_mtime < time.time() - 86400.0 * _KEPT_DAYS:
+            file.unlink(missing_ok=True)
+
+
+def _file_of(digest: str) -> Path | None:
+    """The file of a record; None where there is no home folder, or where the folder is somebody else's."""
+    try:
+        home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+        folder = home / "testbed" / "models"
+        if folder.is_dir() and hasattr(os, "getuid") and folder.stat().st_uid != os.getuid():
+            return None
+    except (RuntimeError, OSError):
+        return None
+    return folder / f"{digest}-{_rules()}.json"
+
+
+@lru_cache(1)
+def _rules() -> str:
+    """Digest of what a first load depends on besides the aircraft: JSBSim, and the modules that check and load."""
+    text = hashlib.sha256(importlib.metadata.version("jsbsim").encode())
+    plant = Path(__file__).parent
+    checks = plant.parent / "aircraft" / "model_files"
+    for file in (*sorted(checks.glob("*.py")), *sorted(plant.glob("*.py"))):
+        text.update(file.read_bytes())
+    return text.hexdigest()[:16]

@@ -1,0 +1,47 @@
+"""What a flight needs of the plant before it begins, tried ahead of the flight: its trimmed start and the design model.
+
+Both are recorded as found in the user's cache folder, so that to check a known scenario again imports neither JSBSim nor scipy.
+"""
+
+from __future__ import annotations
+
+import hashlib
+
+from testbed.aircraft.description import Aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
+from testbed.aircraft.model_files.safe_xml import read_bytes
+from testbed.plant import known
+from testbed.plant.first_load import property_catalog
+
+
+def rehearse(
+    aircraft: Aircraft, physics_hz: float, airspeed_m_s: float, altitude_m: float, heading_rad: float
+) -> dict[str, bool]:
+    """Name of each property of the aircraft's model, and whether it can be written, if a flight can begin.
+
+    Raises:
+        BadInput: the model cannot be loaded, or the stored design model is none.
+        NoTrim: there is no level flight at the initial condition, or none from which to identify a missing design model.
+    """
+    catalog = property_catalog(aircraft)
+    stored_text = _design_model(aircraft)
+    start = (physics_hz, airspeed_m_s, altitude_m, heading_rad)
+    key = f"{aircraft.fingerprint()}-{hashlib.sha256(repr((start, stored_text)).encode()).hexdigest()[:16]}"
+    if not known.holds(key):
+        from testbed.plant.identification import stored
+        from testbed.plant.trim import trimmed_start
+
+        trimmed_start(aircraft, *start)
+        stored(aircraft)
+        known.keep(key, {})
+    return catalog
+
+
+def _design_model(aircraft: Aircraft) -> bytes:
+    """The contents of the stored design model, which was read; empty if there is none. Raises BadInput."""
+    file = aircraft.folder / DESIGN_MODEL
+    if not file.exists():
+        return b""
+    contents = read_bytes(file)
+    load_design_model(file)
+    return contents

@@ -1,0 +1,229 @@
+"""A flight told in a few sentences: what failed, what the controller made of it, how far off it got, and how it ended.
+
+Everything is read from the log and the events; nothing here decides anything about the flight.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from testbed.flight.flight import Flight, Outcome
+from testbed.flight.recovery import RECOVERED, failure_times_s
+from testbed.metrics import Readings, readings
+from testbed.metrics.flight_view import settled_after
+from testbed.reporting.failure_words import predicate
+
+AXES = {
+    "p_dot": "roll acceleration",
+    "q_dot": "pitch acceleration",
+    "r_dot": "yaw acceleration",
+    "u_dot": "forward acceleration",
+}
+"""What is given up with each axis."""
+_TRACKED = {"altitude": "m", "heading": "deg"}
+_BANDS = (0.1, 0.3, 1.0, 3.0, 5.0, 10.0, 15.0)  # what "settled within" may say, in m or deg
+_LAST = 0.25  # share of the time since a failure from which the final state is judged
+_MOST = 3  # failures that are told one by one
+_WHOLE = 1e-3  # an estimate that never differs from 1 by more is none
+_LIMITS = {
+    "alpha_max_deg": "angle of attack",
+    "beta_max_deg": "sideslip",
+    "roll_max_deg": "bank",
+    "airspeed_min_m_s": "airspeed",
+    "airspeed_max_m_s": "airspeed",
+    "altitude_min_m": "altitude",
+}
+
+
+class Stretch(NamedTuple):
+    """The rows from the beginning of some failures to the next ones, or to the end of the flight."""
+
+    begin_s: float
+    end_s: float
+    rows: slice
+
+
+def story(flight: Flight) -> list[str]:
+    """Lines of one or more sentences each: the failures, the controller, the errors, and the end."""
+    view = readings(flight)
+    parts = [_failures(flight), _controller(view), _errors(view), _end(flight)]
+    return [" ".join(sentences) for sentences in map(list, parts) if sentences]
+
+
+def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bool:
+    """Whether the controller estimated effectiveness: some estimate was not 1 all the time."""
+    columns = (log.get(f"{name}_effectiveness_estimate") for name in actuators)
+    return any(c is not None and bool(np.any(np.abs(c - 1.0) > _WHOLE)) for c in columns)
+
+
+def title(name: str) -> str:
+    """An actuator's name in words."""
+    return name.replace("_", " ")
+
+
+def _starts(events: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    return [e for e in events if e["kind"] == "injection" and e.get("active", True)]
+
+
+def _failures(flight: Flight) -> Iterator[str]:
+    starts = _starts(flight.events)
+    if not starts:
+        yield "Nothing was broken."
+    for event in starts[:_MOST]:
+        what = predicate(
+            flight.scenario.failures[event["failure"]], flight.actuators.get(event["actuator"], {})
+        )
+        who = f" the {title(event['actuator'])}" if event["actuator"] and event["type"] != "property" else ""
+        late = " This had no effect on the aircraft." if event.get("verified") is False else ""
+        yield f"At {event['time_s']:.1f} s{who} {what}.{late}"
+    if len(starts) > _MOST:
+        yield f"{len(starts) - _MOST} more failures followed, the last at {starts[-1]['time_s']:.1f} s."
+
+
+def stretches_of(view: Readings) -> list[Stretch]:
+    """One for each time at which failures began."""
+    times = view.failure_times_s()
+    ends = [*times, float(view.time_s[-1]) + view.step_s]
+    return [Stretch(begin, end, slice(view.row_at(begin), view.row_at(end))) for begin, end in pairwise(ends)]
+
+
+def _controller(view: Readings) -> Iterator[str]:
+    """What the controller noticed and gave up."""
+    notices = [e for e in view.events if e["kind"] == "detection"]
+    false = [e for e in view.events if e["kind"] == "false_alarm"]
+    estimates = has_estimates(view.log, view.actuators)
+    if view.failure_times_s() and not notices:
+        yield (
+            "The controller flagged nothing as failed."
+            if estimates or false
+            else "The controller does not look for failures, and kept flying as before."
+        )
+    for stretch in stretches_of(view):
+        yield from _noticed(view, stretch, notices)
+    if estimates:
+        yield from _estimates(view)
+    if false:
+        who = _and(list(dict.fromkeys(f"the {title(e['actuator'])}" for e in false)))
+        yield f"It wrongly flagged {who}, first at {false[0]['time_s']:.1f} s."
+
+
+def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    """The sentence of one stretch: detections with their delays, axes given up, sideslip."""
+    here = {e["actuator"]: e for e in reversed(notices) if stretch.begin_s <= e["time_s"] < stretch.end_s}
+    if not here:
+        return
+    first = [f"noticed the {title(name)} after {e['delay_s']:.2f} s" for name, e in reversed(here.items())]
+    axes = dict.fromkeys(
+        AXES[e["axis"]]
+        for e in view.events
+        if e["kind"] == "release" and stretch.begin_s <= e["time_s"] < stretch.end_s
+    )
+    gave_up = [f"gave up {_and(list(axes))}"] if axes else []
+    yield f"The controller {_and([*first, *gave_up, *_sideslip(view, stretch)])}."
+
+
+def _sideslip(view: Readings, stretch: Stretch) -> list[str]:
+    beta = view.log["beta_deg"][_tail(stretch.rows)]
+    if not len(beta) or not view.survived or abs(beta.mean()) < max(0.5, 2.0 * beta.std()):
+        return []
+    return [f"flew on with {abs(beta.mean()):.1f} deg of sideslip"]
+
+
+def _estimates(view: Readings) -> Iterator[str]:
+    """Final estimate of each actuator that ends neither healthy nor lost and was not flagged."""
+    for name in view.actuators:
+        true, estimate = (view.log[f"{name}_{what}"] for what in ("effectiveness", "effectiveness_estimate"))
+        if 0.1 < true[-1] < 0.95 and not view.log[f"{name}_failed"][-1]:
+            yield f"At the end it estimated {100 * estimate[-1]:.0f} % for the {title(name)} (true {100 * true[-1]:.0f} %)."
+
+
+def _errors(view: Readings) -> Iterator[str]:
+    """The worst errors since the first failure, and whether they settled."""
+    first = min(view.first_failed_row(), len(view.time_s) - 1) if view.failure_times_s() else 0
+    worst = {q: float(np.abs(view.error(q)[first:]).max()) for q in _TRACKED}
+    yield f"Worst: {_amount(worst['altitude'])} m of altitude, {_amount(worst['heading'])} deg of heading."
+    if view.survived:
+        yield from _settled(view, slice(first, len(view.time_s)), worst)
+        yield from _speed(view, first)
+
+
+def _settled(view: Readings, rows: slice, worst: Mapping[str, float]) -> Iterator[str]:
+    """From when on each error stayed within the smallest band that it ends in, or how fast it still drifts."""
+    bands, since = [], 0
+    for quantity, unit in _TRACKED.items():
+        error = view.error(quantity)
+        end = float(np.abs(error[_tail(rows)]).max())
+        band = next((b for b in _BANDS if end <= b), math.inf)
+        if band > RECOVERED[quantity]:
+            yield _drift(view, quantity, unit, rows)
+        elif worst[quantity] > band:
+            since = max(since, settled_after(np.abs(error) > band, rows.start) or 0)
+            bands.append(f"{band:g} {unit}")
+    if bands:
+        yield f"Settled within {' and '.join(bands)} by {view.time_s[since]:.0f} s."
+
+
+def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:
+    tail = _tail(rows)
+    error, time = view.error(quantity)[tail], view.time_s[tail]
+    rate = float(np.polyfit(time, np.unwrap(error, period=360.0) if unit == "deg" else error, 1)[0])
+    off = f"{quantity.capitalize()} did not settle: {_amount(float(error[-1]), signed=True)} {unit} off at the end"
+    return f"{off}, drifting by {_amount(rate, signed=True)} {unit}/s."
+
+
+def _speed(view: Readings, first: int) -> Iterator[str]:
+    """A lasting difference of airspeed from its reference."""
+    error = view.error("airspeed")[_tail(slice(first, len(view.time_s)))]
+    mean = float(error.mean()) if len(error) else 0.0
+    if abs(mean) >= max(0.5, float(error.std())):
+        yield f"It ended {abs(mean):.1f} m/s {'faster' if mean > 0 else 'slower'} than its reference."
+
+
+def _end(flight: Flight) -> Iterator[str]:
+    """Recovered, not recovered, or lost and why."""
+    for event in flight.events:
+        if event["kind"] == "lost":
+            yield from _lost(flight, event)
+    times = failure_times_s(flight.events)
+    if not times or flight.outcome is not Outcome.completed:
+        return
+    limits = " and ".join(f"{limit:g} {_TRACKED[q]}" for q, limit in RECOVERED.items())
+    last = [e for e in flight.events if e["kind"] == "recovered" and e["time_s"] >= times[-1]]
+    if not last:
+        yield f"Not recovered: it did not stay within {limits} of its references."
+    elif last[0]["after_s"] > 0.0:
+        yield f"Recovered {last[0]['after_s']:.1f} s after the failure: within {limits} from then on."
+    else:
+        yield f"Recovered: it never left {limits}."
+
+
+def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
+    reached = [
+        f"{_LIMITS[m['limit']]} of {m['value']:.1f} {m['unit']} passed its limit of {m['allowed']:g} {m['unit']}"
+        for m in event["limits"]
+    ]
+    yield f"Lost at {event['time_s']:.1f} s: {_and(reached) or 'it ' + flight.outcome.sentence}."
+    asked = [f"the {title(a['actuator'])} for its {a['stop']}est" for a in event["at_stop"]]
+    if asked:
+        yield f"In the second before, the controller asked {_and(asked)}."
+
+
+def _tail(rows: slice) -> slice:
+    """The last part of some rows."""
+    return slice(rows.stop - math.ceil(_LAST * (rows.stop - rows.start)), rows.stop)
+
+
+def _and(parts: Sequence[str]) -> str:
+    """`a, b and c`."""
+    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
+
+
+def _amount(value: float, signed: bool = False) -> str:
+    """A number rounded to what it means: two digits after the point below 10, none above 100."""
+    digits = 2 if abs(value) < 10 else 1 if abs(value) < 100 else 0
+    return f"{value:{'+' if signed else ''}.{digits}f}"

@@ -1,0 +1,170 @@
+"""The flight's report in a real browser: quiet, complete, quick, and right about signs."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from chromium import Window, chromium
+
+from testbed.flight.folder import write_run_folder
+from testbed.reporting.run_report import write_report
+from testbed.scenario.load import load_scenario
+from testbed.simulation import fly
+
+pytestmark = pytest.mark.slow
+_CORNERS = [[-1, 0, 0], [-1, 1, 0], [-1.2, 1, 0], [-1.2, 0, 0]]  # of a right elevator
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The report of the shipped flight in turbulence: 110 s with noise on every column."""
+    flight = fly(load_scenario("scenarios/mems_turbulence.yaml"))
+    folder = write_run_folder(flight, tmp_path_factory.mktemp("browser") / "run")
+    return write_report(folder)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with chromium() as running:
+        yield running
+
+
+@pytest.fixture
+def window(browser: Any, report: Path) -> Iterator[Window]:
+    made = Window(browser, 1400, "light")
+    made.open(report)
+    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
+    yield made
+    made.context.close()
+    assert not made.wrong
+
+
+def value(window: Window, expression: str) -> Any:
+    return window.page.evaluate(f"(() => {{ const r = window.flightReport; return {expression}; }})()")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1400, 1600])
+def test_quiet_and_no_wider_than_the_window(
+    browser: Any, report: Path, tmp_path: Path, width: int, scheme: str
+) -> None:
+    made = Window(browser, width, scheme)
+    made.open(report)
+    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
+    pictures = Path(os.environ.get("SITE_PICTURES", tmp_path))
+    made.page.screenshot(path=pictures / f"report-{width}-{scheme}.png", full_page=True)
+    assert made.page.locator("#replay canvas").count() == 1
+    made.page.locator("#panels-actuators").scroll_into_view_if_needed()
+    made.page.locator(
+        "#panels-actuators canvas"
+    ).first.wait_for()  # panels are drawn when they are first seen
+    made.context.close()
+    assert not made.wrong
+
+
+def test_small_enough_for_a_mail(report: Path) -> None:
+    assert report.stat().st_size < 1_500_000
+
+
+def test_the_columns_are_those_of_the_log(window: Window, report: Path) -> None:
+    """Every column of the log is there, and a smooth one is right to 16 bits of its range."""
+    log = np.genfromtxt(report.parent / "log.csv", delimiter=",", names=True)
+    assert set(log.dtype.names) <= set(value(window, "Object.keys(r.columns)"))
+    time, altitude = (np.array(value(window, f"[...r.columns.{c}]")) for c in ("time_s", "altitude_m"))
+    true = np.interp(time, log["time_s"], log["altitude_m"])
+    assert np.abs(altitude - true).max() <= 2e-4 * np.ptp(true)
+    assert time[-1] == pytest.approx(log["time_s"][-1])
+    rate = np.array(value(window, "[...r.columns.p_dot_deg_s2]"))  # dense, from a gyro: its extremes are kept
+    true = log["p_dot_deg_s2"]
+    assert (rate.min(), rate.max()) == pytest.approx((true.min(), true.max()), rel=1e-3)
+
+
+def test_the_replay_plays(window: Window) -> None:
+    before = value(window, "r.clock.now")
+    window.page.locator("[data-do=play]").click()
+    window.page.wait_for_timeout(600)
+    window.page.keyboard.press("Escape")
+    window.page.locator("[data-do=play]").click()
+    assert value(window, "r.clock.now") > before
+    assert not value(window, "r.clock.playing")
+
+
+def test_a_click_on_a_phase_moves_panels_and_replay(window: Window) -> None:
+    phase = value(window, "r.flight.phases.find(p => p.name === 'flagged' || p.name === 'recovered')")
+    window.page.locator(f".phase[data-phase={phase['name']}]").first.click(position={"x": 1, "y": 5})
+    assert value(window, "r.clock.now") == pytest.approx(phase["from_s"])
+    low, high = (
+        value(window, "r.panels.made[0].plot.scales.x.min"),
+        value(window, "r.panels.made[0].plot.scales.x.max"),
+    )
+    assert low < phase["from_s"] < high
+    assert high - low < value(window, "r.clock.end")
+    window.page.get_by_role("button", name="Whole flight").click()
+    assert value(window, "r.clock.range[1]") == value(window, "r.clock.end")
+
+
+def test_any_column_can_be_drawn(window: Window) -> None:
+    window.page.get_by_text("Any column of the log").click()
+    window.page.locator("#any-column select").select_option("climb_rate_m_s")
+    window.page.locator("#any-column .panel canvas").wait_for()
+    assert "climb_rate_m_s" in window.page.locator("#any-column figcaption").inner_text()
+
+
+def test_without_webgl_the_track_is_drawn_flat(browser: Any, report: Path) -> None:
+    made = Window(browser, 1400, "light")
+    made.page.goto(report.as_uri() + "?webgl=0")
+    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
+    drawn = "document.querySelector('#replay canvas').getContext('2d') !== null"
+    assert made.page.evaluate(drawn)
+    made.context.close()
+    assert not made.wrong
+
+
+def rotated(window: Window, roll: float, pitch: float, heading: float, body: list[float]) -> list[float]:
+    """A body vector in the picture's axes: north, up, east."""
+    angles = ",".join(str(math.radians(a)) for a in (roll, pitch, heading))
+    moved = f"r.geometry.fromBody({body}).applyQuaternion(r.geometry.attitude({angles}))"
+    return list(value(window, f"(v => [v.x, v.y, v.z])({moved})"))
+
+
+@pytest.mark.parametrize(
+    ("angles", "body", "north_up_east"),
+    [
+        ((0, 0, 0), [1, 0, 0], (1, 0, 0)),  # level to the north: the nose points north
+        ((0, 0, 0), [0, 1, 0], (0, 0, 1)),  # and the right wing east
+        ((0, 0, 0), [0, 0, 1], (0, -1, 0)),  # and z down
+        ((0, 0, 90), [1, 0, 0], (0, 0, 1)),  # heading 90: the nose points east
+        ((0, 90, 0), [1, 0, 0], (0, 1, 0)),  # pitch 90: the nose points up
+        ((90, 0, 0), [0, 1, 0], (0, -1, 0)),  # bank 90: the right wing points down
+        ((0, 30, 90), [1, 0, 0], (0, 0.5, math.sqrt(0.75))),  # first heading, then pitch, then bank
+        ((30, 0, 90), [0, 1, 0], (-math.sqrt(0.75), -0.5, 0)),
+    ],
+)
+def test_signs_of_attitude(
+    window: Window, angles: tuple[float, ...], body: list[float], north_up_east: tuple[float, ...]
+) -> None:
+    assert rotated(window, *angles, body) == pytest.approx(north_up_east, abs=1e-9)
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize(("angle", "up"), [(10, -1), (-10, 1)])
+def test_a_positive_deflection_moves_the_trailing_edge_down(
+    window: Window, side: int, angle: float, up: int
+) -> None:
+    a, b, _, trailing = [[x, side * y, z] for x, y, z in _CORNERS]
+    matrix = f"r.geometry.deflection({a}, {b}, {trailing}, {math.radians(angle)})"
+    y = value(window, f"r.geometry.fromBody({trailing}).applyMatrix4({matrix}).y")
+    assert y == pytest.approx(up * 0.2 * math.sin(math.radians(10)), abs=1e-9)
+
+
+def test_a_positive_rudder_moves_its_trailing_edge_to_the_left(window: Window) -> None:
+    a, b, trailing = [-1, 0, 0], [-1, 0, -1], [-1.2, 0, 0]
+    matrix = f"r.geometry.deflection({a}, {b}, {trailing}, {math.radians(10)})"
+    z = value(window, f"r.geometry.fromBody({trailing}).applyMatrix4({matrix}).z")
+    assert z == pytest.approx(-0.2 * math.sin(math.radians(10)), abs=1e-9)

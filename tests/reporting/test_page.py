@@ -1,0 +1,118 @@
+"""What the page of a flight is given: phases, packed columns, panels."""
+
+from __future__ import annotations
+
+import base64
+import zlib
+
+import numpy as np
+import pytest
+from handmade import at, flight_of, injection, level_log, lost
+
+from testbed.reporting.page.columns import MOST_ROWS, packed
+from testbed.reporting.page.panels import error_columns, groups
+from testbed.reporting.page.phases import phases
+
+
+def unpacked(log: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """The columns as the script in the page decodes them."""
+    told, text = packed(log)
+    data = np.frombuffer(zlib.decompress(base64.b64decode(text)), np.uint8)
+    half = len(data) // 2
+    words = (data[:half] + 256 * data[half:].astype(np.uint16)).reshape(-1, told["rows"])
+    numbers = np.cumsum(words, axis=1, dtype=np.uint16)
+    return {
+        column["name"]: np.where(row == 65535, np.nan, column["low"] + column["step"] * row)
+        for column, row in zip(told["columns"], numbers, strict=True)
+    }
+
+
+def test_a_short_log_comes_back_to_16_bits() -> None:
+    time = np.arange(1000) / 100.0
+    log = {"time_s": time, "a": 30.0 * np.sin(time), "flat": np.full(1000, 7.5)}
+    found = unpacked(log)
+    assert np.abs(found["a"] - log["a"]).max() <= 0.5 * 60.0 / 65534 * 1.001
+    assert np.array_equal(found["flat"], log["flat"])
+    assert found["time_s"] == pytest.approx(time, abs=1e-4)
+
+
+def test_what_is_not_a_number_stays_so() -> None:
+    values = np.arange(10.0)
+    values[3], values[7] = np.nan, np.inf
+    found = unpacked({"time_s": np.arange(10.0), "a": values})["a"]
+    assert np.isnan(found[[3, 7]]).all() and np.isfinite(np.delete(found, [3, 7])).all()
+    assert np.isnan(unpacked({"time_s": np.arange(10.0), "a": np.full(10, np.nan)})["a"]).all()
+
+
+def test_a_long_log_is_thinned_and_keeps_its_last_row_and_its_envelope() -> None:
+    n = 4 * MOST_ROWS + 3
+    rng = np.random.default_rng(1)
+    log = {"time_s": np.arange(n) / 200.0, "noise": rng.normal(size=n), "slow": np.linspace(0, 1, n)}
+    found = unpacked(log)
+    assert len(found["slow"]) <= MOST_ROWS + 1
+    assert found["slow"][-1] == pytest.approx(1.0)
+    inner = log["noise"][: n - 8]
+    assert (found["noise"].min(), found["noise"].max()) == pytest.approx((inner.min(), inner.max()), abs=3e-3)
+
+
+NOTICED = {"time_s": 3.0, "kind": "detection", "actuator": "elevon", "delay_s": 1.0}
+
+
+def named(*events: dict[str, object], end_s: float = 10.0) -> list[tuple[str, float, float]]:
+    found = phases(sorted(events, key=lambda e: float(str(e["time_s"]))), end_s, 10.0)
+    return [(p["name"], p["from_s"], p["until_s"]) for p in found]
+
+
+def test_phases_of_a_failure_that_is_noticed_and_recovered_from() -> None:
+    recovered = {"time_s": 5.0, "kind": "recovered", "after_s": 3.0}
+    assert named(injection(2.0), NOTICED, recovered) == [
+        ("healthy", 0.0, 2.0),
+        ("unnoticed", 2.0, 3.0),
+        ("flagged", 3.0, 5.0),
+        ("recovered", 5.0, 10.0),
+    ]
+
+
+def test_recovered_only_once_it_is_flagged() -> None:
+    recovered = {"time_s": 2.0, "kind": "recovered", "after_s": 0.0}
+    assert named(injection(2.0), NOTICED, recovered)[-2:] == [
+        ("unnoticed", 2.0, 3.0),
+        ("recovered", 3.0, 10.0),
+    ]
+
+
+def test_a_lost_flight_is_lost_from_its_end_on() -> None:
+    loss = {"time_s": 6.0, "kind": "lost", "limits": [], "at_stop": []}
+    assert named(injection(2.0), loss, end_s=6.0) == [
+        ("healthy", 0.0, 2.0),
+        ("unnoticed", 2.0, 6.0),
+        ("lost", 6.0, 10.0),
+    ]
+
+
+def test_nothing_broken_is_healthy_all_the_time() -> None:
+    assert named() == [("healthy", 0.0, 10.0)]
+
+
+def test_no_estimate_is_drawn_where_the_controller_makes_none() -> None:
+    log = level_log()
+    flight = flight_of(lost(2.0), [injection(2.0)])
+    for estimates, count in ((True, 2), (False, 1)):
+        made = {g["name"]: g["panels"] for g in groups(flight, log | error_columns(log), estimates)}
+        assert all(len(panel["series"]) == count for panel in made["effectiveness"])
+
+
+def test_bands_of_requirements_and_the_stretches_that_miss_them() -> None:
+    from testbed.flight.requirements import judge
+    from testbed.scenario.requirement import Requirement
+
+    log = level_log()
+    log["altitude_m"][at(5) : at(6)] += 2.0
+    within = Requirement(signal="altitude_m", within=1.0, of="altitude_command_m", from_s=4.0, until_s=8.0)
+    flight = flight_of(log, requirements=judge([within], log, {}))
+    object.__setattr__(flight.scenario, "requirements", (within,))
+    panels = {g["name"]: g["panels"] for g in groups(flight, log | error_columns(log), False)}
+    (altitude,) = (p for p in panels["errors"] if p["title"].startswith("altitude"))
+    assert altitude["bands"] == [{"from_s": 4.0, "until_s": 8.0, "low": -1.0, "high": 1.0, "passed": False}]
+    (missed,) = altitude["missed"]
+    assert (missed["from_s"], missed["until_s"]) == pytest.approx((5.0, 5.99))

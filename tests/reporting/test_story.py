@@ -1,0 +1,109 @@
+"""A flight is told right: what failed, when it was noticed, how far off it got, how it ended."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from handmade import at, flight_of, injection, level_log, lost
+
+from testbed.failures import TABLE as FAILURES
+from testbed.failures.base import Failure
+from testbed.flight.flight import Outcome
+from testbed.reporting.failure_words import TABLE, predicate
+from testbed.reporting.story import story
+from testbed.scenario.load import load_scenario
+from testbed.simulation import fly
+
+
+def told(log: dict[str, np.ndarray], *events: dict[str, object], outcome: Outcome = Outcome.completed) -> str:
+    in_order = sorted(events, key=lambda event: float(str(event["time_s"])))
+    return "\n".join(story(flight_of(log, in_order, outcome)))
+
+
+def test_every_type_of_failure_has_words() -> None:
+    assert TABLE.keys() == FAILURES.keys()
+
+
+@pytest.mark.parametrize("name", [n for n, kind in FAILURES.items() if kind.examples])
+def test_words_of_each_example(name: str) -> None:
+    for kind, fields in FAILURES[name].examples.items():
+        failure: Failure = FAILURES[name].model_validate({"type": name, "actuator": "a", "at_s": 1, **fields})
+        unit = "deg" if kind == "servo" else "N"
+        words = predicate(failure, {"kind": kind, "unit": unit})
+        assert words[0].islower() and "None" not in words
+
+
+def test_what_failed_and_when_it_was_noticed() -> None:
+    noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    gave_up = {"time_s": 2.3, "kind": "release", "axis": "r_dot"}
+    text = told(lost(2.0), injection(2.0), noticed, gave_up)
+    assert "At 2.0 s the elevon was lost completely." in text
+    assert "noticed the elevon after 0.30 s and gave up yaw acceleration." in text
+
+
+def test_steady_sideslip_is_said_and_an_oscillating_one_is_not() -> None:
+    noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    log = lost(2.0)
+    log["beta_deg"][at(3) :] = -1.3
+    assert "flew on with 1.3 deg of sideslip" in told(log, injection(2.0), noticed)
+    log["beta_deg"] = 3.0 * np.sin(20.0 * log["time_s"])
+    assert "sideslip" not in told(log, injection(2.0), noticed)
+
+
+def test_the_worst_error_and_when_it_settled() -> None:
+    log = lost(2.0)
+    log["altitude_m"] += np.where((log["time_s"] > 2) & (log["time_s"] < 4), 2.5, 0.05)
+    text = told(log, injection(2.0))
+    assert "Worst: 2.50 m of altitude, 0.00 deg of heading. Settled within 0.1 m by 4 s." in text
+
+
+def test_drift_of_what_did_not_settle() -> None:
+    log = lost(2.0)
+    log["heading_deg"] = np.mod(350.0 + 4.0 * np.maximum(log["time_s"] - 2.0, 0.0), 360.0)
+    text = told(log, injection(2.0))
+    assert "Heading did not settle: +32.0 deg off at the end, drifting by +4.00 deg/s." in text
+    assert "Not recovered" in text
+
+
+def test_an_estimate_is_told_only_where_there_is_one() -> None:
+    log = level_log()
+    log["elevon_effectiveness"][at(2) :] = 0.5
+    assert "does not look for failures" in told(log, injection(2.0))
+    log["elevon_effectiveness_estimate"][at(3) :] = 0.48
+    assert "At the end it estimated 48 % for the elevon (true 50 %)." in told(log, injection(2.0))
+
+
+def test_false_alarms() -> None:
+    false = {"time_s": 4.0, "kind": "false_alarm", "actuator": "fan"}
+    assert "It wrongly flagged the fan, first at 4.0 s." in told(lost(2.0), injection(2.0), false)
+
+
+def test_nothing_broken() -> None:
+    assert story(flight_of(level_log()))[0] == "Nothing was broken."
+
+
+def test_a_lost_flight_names_the_limit_and_what_was_asked() -> None:
+    event = {
+        "time_s": 9.9,
+        "kind": "lost",
+        "outcome": "envelope_exceeded",
+        "limits": [{"limit": "beta_max_deg", "value": 40.3, "allowed": 40, "unit": "deg"}],
+        "at_stop": [{"actuator": "elevon", "stop": "high", "share": 0.9}],
+    }
+    text = told(lost(2.0), injection(2.0), event, outcome=Outcome.envelope_exceeded)
+    assert "Lost at 9.9 s: sideslip of 40.3 deg passed its limit of 40 deg." in text
+    assert "asked the elevon for its highest" in text
+    assert "ecovered" not in text and "ettled" not in text
+
+
+def test_the_shipped_flight_is_told_as_it_was() -> None:
+    flight = fly(load_scenario("scenarios/left_tail_fail.yaml"))
+    text = "\n".join(story(flight))
+    detection = next(e for e in flight.events if e["kind"] == "detection")
+    assert "At 5.0 s the left ruddervator kept 20 % of its effect." in text
+    assert "At 15.0 s the left ruddervator was lost completely." in text
+    assert f"noticed the left ruddervator after {detection['delay_s']:.2f} s" in text
+    assert f"{flight.metrics['altitude_error_max_m']:.2f} m of altitude" in text
+    assert "Recovered" in text and "wrongly" not in text
+    assert [e for e in flight.events if e["kind"] == "recovered"][-1]["time_s"] == pytest.approx(15.0)
+    assert len(story(flight)) <= 4

@@ -1,0 +1,65 @@
+// The replay's picture and its controls: play, speed, scrub, views and keys.
+import { rowAt } from "./data.js";
+import { Flat } from "./flat.js";
+import { Scene } from "./scene.js";
+
+const VIEWS = ["chase", "side", "top"];
+const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4, 8];
+
+// `?webgl=0` in the address asks for the flat picture, which is also drawn where there is no WebGL.
+function picture(canvas, flight, columns) {
+  const wanted = new URLSearchParams(location.search).get("webgl") !== "0";
+  const there = wanted && document.createElement("canvas").getContext("webgl2");
+  return there ? new Scene(canvas, flight, columns) : new Flat(canvas, flight, columns);
+}
+
+export function replay(root, flight, columns, clock) {
+  root.innerHTML = `
+    <div class="picture"><canvas aria-label="replay of the flight"></canvas><output></output></div>
+    <div class="buttons">
+      <button type="button" data-do="play" title="space">Play</button>
+      <label>speed <select>${SPEEDS.map((s) => `<option value="${s}"${s === 1 ? " selected" : ""}>${s} x</option>`).join("")}</select></label>
+      ${VIEWS.map((v, i) => `<button type="button" data-view="${v}" title="key ${i + 1}">${v}</button>`).join("")}
+      <input type="range" min="${clock.start}" max="${clock.end}" step="any" value="${clock.now}" aria-label="time">
+    </div>
+    <p class="note">Surfaces and discs are coloured by their true effectiveness, edges and thrust arrows by the controller's estimate.
+    Keys: space plays, arrows step, 1 2 3 choose the view.</p>`;
+  const scene = picture(root.querySelector("canvas"), flight, columns);
+  const [output, play, slider] = ["output", "[data-do=play]", "input"].map((s) => root.querySelector(s));
+  const views = [...root.querySelectorAll("[data-view]")];
+  const look = (view) => {
+    scene.view = view;
+    for (const button of views) button.setAttribute("aria-pressed", button.dataset.view === view);
+    scene.draw();
+  };
+  views.forEach((button) => button.addEventListener("click", () => look(button.dataset.view)));
+  play.addEventListener("click", () => clock.play());
+  slider.addEventListener("input", () => clock.go(Number(slider.value)));
+  root.querySelector("select").addEventListener("change", (e) => {
+    clock.speed = Number(e.target.value);
+  });
+  document.addEventListener("keydown", (e) => {
+    if (e.target.matches("input:not([type=range]), select, textarea") || e.ctrlKey || e.metaKey || e.altKey) return;
+    const keys = {
+      " ": () => clock.play(),
+      ArrowRight: () => clock.go(clock.now + (e.shiftKey ? 1 : 0.1)),
+      ArrowLeft: () => clock.go(clock.now - (e.shiftKey ? 1 : 0.1)),
+      1: () => look("chase"),
+      2: () => look("side"),
+      3: () => look("top"),
+    };
+    if (!keys[e.key] || (e.key === " " && e.target.matches("button, summary"))) return;
+    e.preventDefault();
+    keys[e.key]();
+  });
+  clock.listen(() => {
+    const row = rowAt(columns.time_s, clock.now);
+    scene.show(row);
+    slider.value = clock.now;
+    play.textContent = clock.playing ? "Pause" : "Play";
+    const { altitude_m, airspeed_m_s, roll_deg } = columns;
+    output.textContent = `${clock.now.toFixed(2)} s   ${altitude_m[row].toFixed(1)} m   ${airspeed_m_s[row].toFixed(1)} m/s   bank ${roll_deg[row].toFixed(1)} deg`;
+  });
+  look("chase");
+  return scene;
+}

@@ -1,0 +1,71 @@
+// The flight in phases; a click moves everything to the phase's beginning and shows it.
+import { PHASES } from "./colours.js";
+
+const TITLES = {
+  healthy: "healthy",
+  unnoticed: "broken, unnoticed",
+  flagged: "flagged",
+  recovered: "recovered",
+  lost: "lost",
+};
+
+export function timeline(root, flight, clock) {
+  const span = flight.phases[flight.phases.length - 1].until_s - clock.start || 1; // a lost flight's goes on to where it should have ended
+  const share = (t) => `${(100 * (t - clock.start)) / span}%`;
+  const bar = document.createElement("div");
+  bar.className = "bar";
+  for (const { name, from_s, until_s } of flight.phases) {
+    const phase = document.createElement("button");
+    phase.type = "button";
+    phase.className = `phase ${name}`;
+    phase.dataset.phase = name;
+    phase.style.left = share(from_s);
+    phase.style.width = `${(100 * (until_s - from_s)) / span}%`;
+    phase.textContent = TITLES[name];
+    phase.title = `${TITLES[name]}: ${from_s.toFixed(2)} to ${until_s.toFixed(2)} s`;
+    phase.addEventListener("click", () => {
+      const margin = Math.max(0.15 * (until_s - from_s), 0.5);
+      clock.show(from_s - margin, until_s + margin);
+      clock.go(from_s);
+    });
+    bar.append(phase);
+  }
+  for (const event of flight.events) {
+    const mark = document.createElement("i");
+    mark.className = `mark ${event.kind}`;
+    mark.style.left = share(event.time_s);
+    mark.title = `${event.time_s.toFixed(2)} s: ${event.text}`;
+    bar.append(mark);
+  }
+  const hand = document.createElement("i");
+  hand.className = "hand";
+  bar.append(hand);
+
+  const legend = document.createElement("p");
+  legend.className = "legend";
+  for (const name of PHASES.filter((p) => flight.phases.some((phase) => phase.name === p))) {
+    legend.insertAdjacentHTML("beforeend", `<span><i class="phase ${name}"></i>${TITLES[name]}</span>`);
+  }
+  const buttons = document.createElement("p");
+  buttons.className = "buttons";
+  const button = (text, act) => {
+    const made = document.createElement("button");
+    made.type = "button";
+    made.textContent = text;
+    made.addEventListener("click", act);
+    buttons.append(made);
+  };
+  if (flight.failures_s.length) {
+    button("Zoom to failure", () => {
+      const at = flight.failures_s[flight.failures_s.length - 1];
+      clock.show(at - 1, at + 5);
+      clock.go(at);
+    });
+  }
+  button("Whole flight", () => clock.show(clock.start, clock.end));
+  root.append(bar, legend, buttons);
+  clock.listen(() => {
+    hand.style.left = share(clock.now);
+  });
+  clock.go(flight.failures_s[0] ?? clock.start);
+}
