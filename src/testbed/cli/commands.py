@@ -93,6 +93,18 @@ def parser() -> argparse.ArgumentParser:
         "folder", type=Path, help="run or sweep folder, or one run of a sweep whose log was kept: SWEEP/17"
     )
 
+    command = _command(commands, "compare", _compare, "flights side by side, in one page")
+    command.add_argument(
+        "runs", type=Path, nargs="+", metavar="RUN", help="run folder, or a flight of a sweep: SWEEP/17"
+    )
+    command.add_argument(
+        "--out",
+        type=Path,
+        default=Path("runs/comparison.html"),
+        metavar="FILE",
+        help="page to write, or folder to write comparison.html into (default: %(default)s)",
+    )
+
     command = _command(commands, "validate", _validate, "check scenarios and sweeps without flying")
     _file(command, "files", _SCENARIO, nargs="+", metavar="FILE")
 
@@ -214,6 +226,12 @@ def _report(options: argparse.Namespace) -> int:
     from testbed.cli import flight
 
     return flight.report(options.folder)
+
+
+def _compare(options: argparse.Namespace) -> int:
+    from testbed.cli import comparing
+
+    return comparing.compare(options.runs, options.out)
 
 
 def _validate(options: argparse.Namespace) -> int:
