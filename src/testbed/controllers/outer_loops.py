@@ -84,10 +84,10 @@ def pid_loops(y, ref, c, s, f, nu):
 
 
 @compiled
-def accumulate(integral, error, most, dt):
+def accumulate(integral, error, most, dt, free=False):
     """Integral of an error one control step of `dt` [s] later, with anti-windup: an error at its limit `most` (either sign)
-    may reduce the integral, but not increase it."""
-    if abs(error) < most or error * integral < 0.0:
+    may reduce the integral, but increase it only if what acts on it is `free` of its stops."""
+    if free or abs(error) < most or error * integral < 0.0:
         return integral + clip(error, most) * dt
     return integral
 
@@ -111,7 +111,9 @@ def regulate(y, ref, m, c, k, s, f, nu):
     slow = ref.airspeed + k.airspeed_offset - y.airspeed
     e_height += k.slow_descent * max(slow - k.slow_descent_from, 0.0)
     integral = s.integral
-    integral[AIRSPEED_INTEGRAL] = accumulate(integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt)
+    integral[AIRSPEED_INTEGRAL] = accumulate(
+        integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
+    )
     integral[ALTITUDE_INTEGRAL] = accumulate(
         integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt
     )

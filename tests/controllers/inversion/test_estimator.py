@@ -180,7 +180,9 @@ def test_a_sudden_loss_is_followed_at_once_and_blamed_on_nobody_else(lost: int) 
     s = sudden_change({lost: 0.0}, 0.5)
     assert abs(s.lambda_hat[lost]) < 0.25
     assert np.delete(np.array(s.lambda_hat), lost) == pytest.approx(np.ones(3), abs=0.15)
-    assert sudden_change({lost: 0.0}, 0.5, expected=False).lambda_hat[lost] > 0.3, "a random walk alone is slow"
+    assert sudden_change({lost: 0.0}, 0.5, expected=False).lambda_hat[lost] > 0.3, (
+        "a random walk alone is slow"
+    )
 
 
 def test_without_a_change_no_variance_grows() -> None:
