@@ -2,72 +2,85 @@
 
 from __future__ import annotations
 
-import math
-from typing import Literal
+from typing import Any, Literal
 
-from testbed.common.units import GRAVITY_M_S2
 from testbed.inputs.base import NonNegative, Positive, Settings
 
 Axis = Literal["p_dot", "q_dot", "r_dot", "u_dot"]
 """A state rate that can be controlled directly, by its name in `signals.RATES`."""
 
+DERIVED: Any = None
+"""Default of a setting that follows from the design model unless it is given (`controllers.scaling`)."""
+
 
 class Loops(Settings):
-    """Gains of the paper's outer loops [1/s unless the docstring says otherwise], and their limits."""
+    """Gains of the paper's outer loops [1/s unless the docstring says otherwise], and their limits.
 
-    airspeed_kp: NonNegative = 0.8
-    airspeed_ki: NonNegative = 0.1
-    """[1/s2]"""
-    u_dot_max: Positive = 0.7
-    """Largest acceleration that airspeed may ask for [m/s2]."""
-    altitude_kp: NonNegative = 0.7
-    altitude_ki: NonNegative = 0.01
-    """[rad/(m s)]"""
-    climb_max: Positive = 2.0
-    """Largest climb rate that altitude may ask for [m/s]."""
-    pitch_kp: NonNegative = 3.0
-    q_kp: NonNegative = 8.0
-    heading_kp: NonNegative = 0.5
-    heading_ki: NonNegative = 0.02
-    """[1/s2]"""
+    What is not given follows from the aircraft: the gains are those below with ample authority of the actuators, and less with
+    little; V is the reference airspeed.
+    """
+
+    airspeed_kp: NonNegative = DERIVED
+    """0.8, or a third of the corner of the slowest propulsor's lag if that is less."""
+    airspeed_ki: NonNegative = DERIVED
+    """[1/s2] 0.1"""
+    u_dot_max: Positive = DERIVED
+    """Largest acceleration that airspeed may ask for [m/s2]: 0.7, or 0.4 of the authority if that is less."""
+    altitude_kp: NonNegative = DERIVED
+    """0.7"""
+    altitude_ki: NonNegative = DERIVED
+    """[rad/(m s)] 0.18/V"""
+    climb_max: Positive = DERIVED
+    """Largest climb rate that altitude may ask for [m/s]: V/9, or what half of the excess thrust gives if that is less."""
+    pitch_kp: NonNegative = DERIVED
+    """3"""
+    q_kp: NonNegative = DERIVED
+    """8"""
+    heading_kp: NonNegative = DERIVED
+    """0.5"""
+    heading_ki: NonNegative = DERIVED
+    """[1/s2] 0.02"""
     roll_max_deg: Positive = 25.0
-    roll_kp: NonNegative = 1.5
-    p_kp: NonNegative = 4.0
-    sideslip_kp: NonNegative = 1.0
-    sideslip_ki: NonNegative = 0.2
-    """[1/s2]"""
-    r_kp: NonNegative = 4.0
+    roll_kp: NonNegative = DERIVED
+    """1.5"""
+    p_kp: NonNegative = DERIVED
+    """4"""
+    sideslip_kp: NonNegative = DERIVED
+    """1"""
+    sideslip_ki: NonNegative = DERIVED
+    """[1/s2] 0.2"""
+    r_kp: NonNegative = DERIVED
+    """4"""
     heading_error_max_deg: Positive = 20.0
     """The heading error is limited to this; likewise the next two [deg, m, m/s]."""
-    altitude_error_max_m: Positive = 5.0
-    airspeed_error_max_m_s: Positive = 2.0
+    altitude_error_max_m: Positive = DERIVED
+    """V/3.6"""
+    airspeed_error_max_m_s: Positive = DERIVED
+    """V/9"""
     slow_descent_s: NonNegative = 2.0
     """Altitude that a regulator gives up for each m/s by which airspeed is more than `protect_from_m_s` below its reference [s]."""
-    protect_from_m_s: NonNegative = 2.0
+    protect_from_m_s: NonNegative = DERIVED
+    """By default V/9."""
+    fast_climb_s: NonNegative = DERIVED
+    """Altitude that a regulator gains for each m/s of airspeed above its trim, if an actuator is jammed [s]: V/36. V/g would turn
+    all of that airspeed into altitude, but overshoots into a stall."""
     lost_thrust_height_m: NonNegative = 8.0
     """Height that is stored as kinetic energy when one propeller of several is left [m]. It is flown faster by the difference
-    between V and the root of V^2 + 2 g h, V the reference airspeed. In air that sinks, the store is spent before altitude is
-    given up: little thrust is left to climb with, because the tail has to balance its yawing moment, which is proportional to
-    T/V^2."""
-    lost_thrust_faster_m_s: NonNegative = 4.0
+    between V and the root of V^2 + 2 g h. In air that sinks, the store is spent before altitude is given up: little thrust is left
+    to climb with, because the tail has to balance its yawing moment, which is proportional to T/V^2."""
+    lost_thrust_faster_m_s: NonNegative = DERIVED
     """In place of what `lost_thrust_height_m` gives: added to the airspeed reference when one propeller of several is left
     [m/s]."""
-    lost_thrust_protect_from_m_s: NonNegative = 4.0
+    lost_thrust_protect_from_m_s: NonNegative = DERIVED
     """In place of `protect_from_m_s` once a propeller has failed [m/s]. By default as much as is flown faster, so that altitude
     is given up below the reference airspeed."""
 
-    def at(self, airspeed_m_s: float) -> Loops:
-        """The loops of an aircraft with this reference airspeed: the two settings that follow from it, if they are not given."""
-        energy = 2.0 * GRAVITY_M_S2 * self.lost_thrust_height_m
-        faster = math.sqrt(airspeed_m_s**2 + energy) - airspeed_m_s
-        derived = {"lost_thrust_faster_m_s": faster, "lost_thrust_protect_from_m_s": faster}
-        return self.model_copy(update={k: v for k, v in derived.items() if k not in self.model_fields_set})
-
 
 class StateDeviations(Settings):
-    """Largest acceptable deviation of each state from its reference or trim [m/s, rad, rad/s, m]."""
+    """Largest acceptable deviation of each state from its reference or trim [m/s, rad, rad/s, m]; by default V/18 of airspeed and
+    V/12 of altitude."""
 
-    airspeed: Positive = 1.0
+    airspeed: Positive = DERIVED
     alpha: Positive = 0.2
     beta: Positive = 0.2
     p: Positive = 0.6
@@ -76,14 +89,14 @@ class StateDeviations(Settings):
     roll: Positive = 0.4
     pitch: Positive = 0.2
     heading: Positive = 0.15
-    altitude: Positive = 1.5
+    altitude: Positive = DERIVED
 
 
 class IntegralDeviations(Settings):
-    """Largest acceptable integral of each error [m, m s, rad s]."""
+    """Largest acceptable integral of each error [m, m s, rad s]; by default V/3.6 of airspeed and altitude."""
 
-    airspeed: Positive = 5.0
-    altitude: Positive = 5.0
+    airspeed: Positive = DERIVED
+    altitude: Positive = DERIVED
     heading: Positive = 0.4
 
 
@@ -111,21 +124,23 @@ class AllocationWeights(Settings):
 
 class GustDensity(Settings):
     """Disturbance of each rate by gusts that the design model does not predict, as the root of its two-sided spectral density
-    [rad/s2 per sqrt(Hz); u_dot m/s2 per sqrt(Hz)]."""
+    [rad/s2 per sqrt(Hz); u_dot m/s2 per sqrt(Hz)]; by default from the design model's derivatives by angle of attack, sideslip
+    and roll rate."""
 
-    p_dot: Positive = 2.0
-    q_dot: Positive = 0.5
-    r_dot: Positive = 0.15
-    u_dot: Positive = 0.08
+    p_dot: Positive = DERIVED
+    q_dot: Positive = DERIVED
+    r_dot: Positive = DERIVED
+    u_dot: Positive = DERIVED
 
 
 class TrimModelError(Settings):
-    """Standard deviation of the design model's error in each rate at its own trim [rad/s2; u_dot m/s2]."""
+    """Standard deviation of the design model's error in each rate at its own trim [rad/s2; u_dot m/s2]; by default that of 0.005
+    rad of angle of attack and of sideslip, and 0.1 m/s2."""
 
-    p_dot: Positive = 0.3
-    q_dot: Positive = 0.3
-    r_dot: Positive = 0.1
-    u_dot: Positive = 0.1
+    p_dot: Positive = DERIVED
+    q_dot: Positive = DERIVED
+    r_dot: Positive = DERIVED
+    u_dot: Positive = DERIVED
 
 
 class ControlDesign(Settings):
@@ -148,7 +163,3 @@ class ControlDesign(Settings):
     allocation: AllocationWeights = AllocationWeights()
     loops: Loops = Loops()
     regulator: RegulatorWeights = RegulatorWeights()
-
-    def at(self, airspeed_m_s: float) -> ControlDesign:
-        """The design for an aircraft with this reference airspeed (see `Loops.at`)."""
-        return self.model_copy(update={"loops": self.loops.at(airspeed_m_s)})

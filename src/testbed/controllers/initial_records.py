@@ -20,7 +20,9 @@ _JAM_SIGMA = 4.0
 """Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed. Lost effectiveness with
 20 % of model error stays above 2.6 for less than a second; an offset of 5 deg stays at 4.2 or above."""
 _JAM_TIME_S = 1.0
-_JAM_PROCESS_NOISE = 1.0  # scaled/sqrt(s)
+_JAM_PROCESS_NOISE = 0.2
+"""[scaled/sqrt(s)] A jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With
+1.0, gusts at 25 ft/s moved the estimated thrust by 2 units within a second."""
 _RESIDUAL_TIME_S = 1.0
 _LATE_NOISE = 0.1  # 1/sqrt(s)
 _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD = 0.3, 2.5, 1.3

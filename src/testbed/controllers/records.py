@@ -177,8 +177,12 @@ MODE = (
     ),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
     Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
+    Field(
+        "fast_climb", (), "s", "altitude to gain per m/s above the airspeed of the mode's trim, 0 for none"
+    ),
     Field("airspeed_offset", (), "m/s", "airspeed of the mode's trim minus that of the reference condition"),
-    Field("r_trim", (_N,), "scaled", "r at the mode's own trim"),
+    Field("r_trim", (_N,), "scaled", "position at the mode's own trim"),
+    Field("trim_effect", (_N,), "scaled", "r_trim, of surfaces times (V/V_0)^2 of that trim"),
     Field("x_trim", (_X,), "m/s, rad, rad/s, m", "state at the mode's own trim, by REGULATOR_STATE"),
     Field("K", (4, _X), "x_c per state", "regulator gains on the state"),
     Field(

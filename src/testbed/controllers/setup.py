@@ -6,9 +6,9 @@ One controller is an exception: `oracle` is told the truth about the actuators, 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
 from testbed.controllers.config import ControllerSettings
 from testbed.controllers.released_axes import released_from_start
+from testbed.controllers.scaling import scaled
 
 S = TypeVar("S", bound=ControllerSettings)
 
@@ -62,13 +63,14 @@ class Setup:
     Attributes:
         aircraft: its name, for messages.
         model: f_m and B_m, with the scenario's `model_error` applied.
-        control: the designer's priorities and gains for this aircraft.
+        control: the designer's priorities and gains for this aircraft; those that are not given become the ones that suit it.
         actuators: [n] in the order of `model.actuators`.
         dt_s: duration of a control step [s].
         trim_commands, trim_positions: [n] commands (rad, throttle) and positions (rad, N) at the start.
         trim_pitch: pitch angle [rad] at the start.
         settings: the scenario's `controller` block.
         released: axes that are given up while no actuator is flagged as failed, in the order of `signals.RATES`.
+        parameters: those of a controller of the user's own: what its class declares, with the scenario's values.
         truth: for `oracle` alone, a function that tells the truth about the actuators; None for every other controller.
     """
 
@@ -82,7 +84,14 @@ class Setup:
     trim_pitch: float
     settings: ControllerSettings
     released: tuple[str, ...] = ()
+    parameters: Mapping[str, Any] = field(default_factory=dict)
     truth: Callable[[], ActuatorTruth] | None = None
+
+    def __post_init__(self) -> None:
+        limits = np.array([(a.low, a.high) for a in self.actuators])
+        lags = [a.lag_rad_s for a in self.actuators]
+        control = scaled(self.control, self.model, limits, lags, self.released)
+        object.__setattr__(self, "control", control)
 
     @property
     def scale(self) -> np.ndarray:
@@ -131,7 +140,7 @@ def setup_for(
     return Setup(
         aircraft=aircraft.name,
         model=model.with_error(settings.model_error),
-        control=settings.applied_to(aircraft.control.at(aircraft.reference.airspeed_m_s)),
+        control=settings.applied_to(aircraft.control),
         actuators=[_told(*each) for each in zip(aircraft.actuators.values(), model.propulsors, strict=True)],
         dt_s=dt_s,
         trim_commands=commands,
@@ -143,12 +152,15 @@ def setup_for(
 
 
 def _told(actuator: AnyActuator, propulsor: Propulsor | EngineMap | None) -> ActuatorData:
-    """What a controller is told of one actuator; the lag of an engine is the identified one."""
+    """What a controller is told of one actuator. The lag of an engine is the identified one, and its thrust is not used below
+    where the propeller begins to windmill."""
     unit = _unit(actuator.kind)
     low, high = actuator.limits
     lag = propulsor.small_lag_rad_s if isinstance(propulsor, EngineMap) else actuator.lag_rad_s
     if lag is None:
         raise ValueError(f"the design model has no map of an engine that the aircraft has: {actuator.prefix}")
+    if isinstance(propulsor, EngineMap):
+        low = max(low, propulsor.least_useful_n)
     return ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, actuator.rate_limit * unit)
 
 

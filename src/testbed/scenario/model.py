@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 
 from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
 
 from testbed.air.config import Atmosphere
 from testbed.common.files import slug
+from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import AdaptiveInversionSettings, AnyController
 from testbed.failures import AnyFailure
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
@@ -15,6 +17,7 @@ from testbed.inputs.yaml_source import Source
 from testbed.scenario.requirement import Requirement
 from testbed.sensors.settings import Sensors
 
+_TURN_DEG_S, _TURN_BANK = 4.0, math.radians(20.0)
 MAX_RATE_HZ = 10_000
 """Highest rate of control and physics steps [Hz]: with it, to find a trim takes some seconds of computing."""
 MAX_NAME = 120
@@ -41,7 +44,8 @@ class Command(Settings):
 class CommandRates(Settings):
     """Rates at which the references approach a new command."""
 
-    heading_deg_s: Positive = 4.0
+    heading_deg_s: Positive | None = None
+    """By default 4, or the rate of a turn with 20 deg of bank at the initial airspeed if that is less."""
     altitude_m_s: Positive = 1.0
     airspeed_m_s2: Positive = 0.5
 
@@ -67,7 +71,7 @@ class Scenario(Settings):
     controller: AnyController = AdaptiveInversionSettings()
     """The controller, by its `type`, and its settings."""
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
-    command_rates: CommandRates = CommandRates()
+    command_rates: CommandRates = Field(default=CommandRates(), validate_default=True)
     failures: tuple[AnyFailure, ...] = ()
     """The failures: what breaks, when, and how."""
     sensors: Sensors = Sensors()
@@ -109,6 +113,15 @@ class Scenario(Settings):
         )
         said = first.model_dump(exclude_none=True)
         return (Command.model_validate({**initial.model_dump(), **said}), *rest)
+
+    @field_validator("command_rates")
+    @classmethod
+    def _turnable(cls, rates: CommandRates, info: ValidationInfo) -> CommandRates:
+        initial = info.data.get("initial")
+        if rates.heading_deg_s is not None or initial is None:
+            return rates
+        bank = math.degrees(GRAVITY_M_S2 * math.tan(_TURN_BANK) / initial.airspeed_m_s)
+        return rates.model_copy(update={"heading_deg_s": min(_TURN_DEG_S, bank)})
 
     @property
     def physics_steps(self) -> int:

@@ -1,0 +1,173 @@
+"""The control design that suits an aircraft's speed, size and engines, where its YAML does not say otherwise.
+
+Lengths and speeds of the design are times and fractions of the reference airspeed V, so that paths are similar: a climb limited
+to V/9 is one of 6.4 deg at any speed. An integral of altitude acts on pitch, so it is divided by V. An aircraft whose actuators
+cannot give the accelerations that the loops ask for has slower loops: all gains of a cascade are those of another unit of time.
+What gusts and the model's own errors do to the rates follows from the design model's derivatives.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import TypeVar
+
+import numpy as np
+
+from testbed.aircraft.control_design import ControlDesign, Loops
+from testbed.aircraft.design_model import DesignModel
+from testbed.common.cache import Cache
+from testbed.common.signals import RATES
+from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.records import D_ALPHA, D_BETA, D_P, U_DOT
+from testbed.controllers.released_axes import authorities
+from testbed.inputs.base import Settings
+
+GUST_M_S = 0.0933
+"""Root of the two-sided spectral density of gusts along each body axis [m/s per sqrt(Hz)]: light turbulence at 5 rad/s."""
+_ROLLING_GUST = 1.64
+"""Rolling of the air about the aircraft by gusts that vary along the span: this times gust velocity over span (after
+MIL-F-8785C, 3.7.5)."""
+_MODEL_ANGLE = 0.005
+"""Error of the design model at its own trim, as an angle of attack and of sideslip [rad]."""
+_MODEL_U_DOT = 0.1  # m/s2
+_ENGINE_MARGIN = 3.0  # the airspeed loop is this much slower than the slowest engine
+_LOOPS = {
+    "airspeed_kp": 0.8, "airspeed_ki": 0.1, "altitude_kp": 0.7, "altitude_ki": 0.18, "pitch_kp": 3.0, "q_kp": 8.0,
+    "heading_kp": 0.5, "heading_ki": 0.02, "roll_kp": 1.5, "p_kp": 4.0, "sideslip_kp": 1.0, "sideslip_ki": 0.2, "r_kp": 4.0,
+}  # fmt: skip
+"""Gains of an aircraft with ample authority and fast engines [1/s; integrals 1/s2, that of altitude as a rate of climb]."""
+_CASCADES = {
+    "u_dot": ("airspeed_kp", "airspeed_ki"),
+    "q_dot": ("altitude_kp", "altitude_ki", "pitch_kp", "q_kp"),
+    "p_dot": ("heading_kp", "heading_ki", "roll_kp", "p_kp"),
+    "r_dot": ("sideslip_kp", "sideslip_ki", "r_kp"),
+}
+_DEMANDS = {"q_dot": 24.0 * 0.11, "p_dot": 6.0 * math.radians(25.0), "r_dot": 4.0 * 0.15}
+"""Acceleration that each cascade asks for at once [rad/s2]: a climb at its limit, a bank at its limit, 0.15 rad of sideslip."""
+_AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
+"""Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
+_AIRSPEED_SHARE = 1.0 / 18.0  # deviation of airspeed that is acceptable to a regulator
+_THRUST_SHARE = 0.5
+"""Share of the excess thrust that a climb may use."""
+
+S = TypeVar("S", bound=Settings)
+
+
+def scaled(
+    control: ControlDesign,
+    model: DesignModel,
+    limits: np.ndarray,
+    lags: Sequence[float],
+    released: Sequence[str] = (),
+) -> ControlDesign:
+    """The control design with each value that is not given replaced by the one that suits the aircraft.
+
+    Args:
+        limits: [n, 2] stops [rad or N].
+        lags: [n] corners of the actuators' lags [rad/s].
+        released: axes that are given up from the start.
+    """
+    key = (control.model_dump_json(), model, limits.tobytes(), tuple(lags), tuple(released))
+    return _scaled.get(key, lambda: _computed(control, model, limits, lags, released))
+
+
+_scaled: Cache[ControlDesign] = Cache(32)
+
+
+def _computed(
+    control: ControlDesign,
+    model: DesignModel,
+    limits: np.ndarray,
+    lags: Sequence[float],
+    released: Sequence[str],
+) -> ControlDesign:
+    v, weights = model.airspeed_m_s, control.regulator
+    states = {"airspeed": _AIRSPEED_SHARE * v, "altitude": v / 12.0}
+    regulator = {
+        "states": _completed(weights.states, states),
+        "integrals": _completed(weights.integrals, {"airspeed": v / 3.6, "altitude": v / 3.6}),
+    }
+    return control.model_copy(
+        update={
+            "loops": _completed(
+                control.loops, {**_loops(model, limits, lags, released), **_lost_thrust(control.loops, v)}
+            ),
+            "regulator": weights.model_copy(update=regulator),
+            "disturbance": _completed(control.disturbance, _by_rate(gust_density(model))),
+            "model_error_std": _completed(control.model_error_std, _by_rate(model_error_std(model))),
+        }
+    )
+
+
+def gust_density(model: DesignModel) -> np.ndarray:
+    """[4] disturbance of each rate by gusts, as `GustDensity`: gusts change the angles by gust velocity over airspeed, and roll the
+    aircraft by their change along its span."""
+    slopes = np.array(model.derivatives)[:4]
+    angles = slopes[:, [D_ALPHA, D_BETA]] / model.airspeed_m_s
+    rolling = _ROLLING_GUST / model.span_m * slopes[:, D_P] if model.span_m else np.zeros(4)
+    aerodynamic = GUST_M_S * np.sqrt(np.sum(np.square(angles), axis=1) + np.square(rolling))
+    return np.maximum(aerodynamic, 1e-3)
+
+
+def model_error_std(model: DesignModel) -> np.ndarray:
+    """[4] error of the design model in each rate at its own trim, as `TrimModelError`."""
+    error = _MODEL_ANGLE * np.linalg.norm(np.array(model.derivatives)[:4, [D_ALPHA, D_BETA]], axis=1)
+    error[U_DOT] = _MODEL_U_DOT
+    return np.maximum(error, 1e-3)
+
+
+def excess_u_dot(model: DesignModel, limits: np.ndarray) -> float:
+    """Acceleration with all thrust that the reference trim leaves [m/s2]; 0 without propulsion."""
+    left = np.array(model.input_matrix)[U_DOT] * (limits[:, 1] - np.array(model.trim))
+    return float(sum(x for x, kind in zip(left, model.kinds, strict=True) if kind != "servo"))
+
+
+def _loops(
+    model: DesignModel, limits: np.ndarray, lags: Sequence[float], released: Sequence[str]
+) -> dict[str, float]:
+    v, excess = model.airspeed_m_s, excess_u_dot(model, limits)
+    kept = [axis for axis in RATES if axis not in released]
+    found = authorities(model, limits, kept, range(len(lags)))
+    authority = {each.axis: each.authority for each in found}
+    slowest = min((lag for lag, k in zip(lags, model.kinds, strict=True) if k != "servo"), default=math.inf)
+    pace = {axis: _pace(authority.get(axis, math.inf), demand) for axis, demand in _DEMANDS.items()}
+    pace["u_dot"] = min(1.0, slowest / _ENGINE_MARGIN / _LOOPS["airspeed_kp"])
+    gains = {
+        name: _LOOPS[name] * (pace[axis] ** 2 if name.endswith("_ki") else pace[axis])
+        for axis, names in _CASCADES.items()
+        for name in names
+    }
+    climb = v / 9.0 if not excess else min(v / 9.0, _THRUST_SHARE * excess / GRAVITY_M_S2 * v)
+    return {
+        **gains,
+        "altitude_ki": gains["altitude_ki"] / v,
+        "u_dot_max": min(_U_DOT_MAX, max(_U_DOT_SHARE * authority.get("u_dot", math.inf), 0.05)),
+        "climb_max": climb,
+        "altitude_error_max_m": v / 3.6,
+        "airspeed_error_max_m_s": v / 9.0,
+        "protect_from_m_s": v / 9.0,
+        "fast_climb_s": v / 36.0,
+    }
+
+
+def _lost_thrust(loops: Loops, v: float) -> dict[str, float]:
+    """How much faster is flown when one propeller of several is left, and from where altitude is given up [m/s]."""
+    faster = math.sqrt(v * v + 2.0 * GRAVITY_M_S2 * loops.lost_thrust_height_m) - v
+    return {"lost_thrust_faster_m_s": faster, "lost_thrust_protect_from_m_s": faster}
+
+
+def _pace(authority: float, demand: float) -> float:
+    """How fast a cascade can be, as a fraction of that with ample authority: accelerations go with its square."""
+    return min(1.0, math.sqrt(max(authority, 1e-3) / (_AMPLE * demand)))
+
+
+def _by_rate(values: np.ndarray) -> dict[str, float]:
+    return dict(zip(RATES, map(float, values), strict=True))
+
+
+def _completed(settings: S, derived: Mapping[str, float]) -> S:
+    """Settings with derived values in place of those that are not given."""
+    return settings.model_copy(
+        update={name: value for name, value in derived.items() if name not in settings.model_fields_set}
+    )
