@@ -121,6 +121,9 @@ SETTINGS = (
     Field("divisor_min", (), "1", "least lambda_hat by which r is divided", "section 2.2.1"),
     Field("filter_rate", (), "rad/s", "corner of the two lags on both sides of the regression; 0 for none"),
     Field("threshold", (), "1", "an actuator is flagged if its estimate stays below this", "section 2.3"),
+    Field(
+        "threshold_rise", (_N,), "1", "added to `threshold` for a propeller, whose estimate is more certain"
+    ),
     Field("persistence", (), "s", "how long the estimate must stay below `threshold`", "section 2.3"),
     Field("recovery", (), "1", "a flag is removed when the estimate stays above this"),
     Field("recovery_time", (), "s", "how long the estimate must stay above `recovery`"),
