@@ -33,7 +33,7 @@ from testbed.controllers.config import TABLE as CONTROLLERS
 
 LONGEST_S = 10.0
 """Longest time for one mutant [s]: the program promises an answer within it."""
-_ROUND = 250
+_ROUND = 200
 """Mutants that are drawn with one seed."""
 _START_S, _COMPILE_S = 60.0, 300.0
 BAD = ("DEFECT", "HANG", "DIED")
@@ -66,7 +66,7 @@ class Examiner:
 
     def examine(self, request: dict[str, Any], longest_s: float = LONGEST_S) -> dict[str, str]:
         """The outcome of a mutant; see `examine`. Besides, HANG and DIED, and `ended JSBSim`, which a first load reports."""
-        limit = longest_s if self._process is not None else _START_S
+        limit = longest_s if self._process is not None else max(longest_s, _START_S)
         process = self._running()
         assert process.stdin is not None and process.stdout is not None
         process.stdin.write(json.dumps(request).encode() + b"\n")

@@ -5,8 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from mutants import KINDS
+import yaml
+from mutants import KINDS, scenario_bases, sweep_bases
 from run import Examiner, fuzz
+
+from testbed.cli.checked import _valid
 
 
 @pytest.mark.slow
@@ -28,3 +31,11 @@ def test_a_defect_a_hang_and_a_dead_process_are_noticed(tmp_path: Path) -> None:
     assert examiner.examine({**good, "files": None})["outcome"] == "DIED"
     assert examiner.examine(good)["outcome"] == "refused"  # in a new process
     examiner.close()
+
+
+def test_the_unspoilt_bases_are_valid(tmp_path: Path) -> None:
+    """Else every mutant would be refused for the same reason."""
+    for i, tree in enumerate([*scenario_bases(), *sweep_bases()]):
+        file = tmp_path / f"{i}.yaml"
+        file.write_text(yaml.safe_dump(tree), encoding="utf-8")
+        _valid(str(file))
