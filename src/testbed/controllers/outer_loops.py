@@ -114,7 +114,11 @@ def regulate(y, ref, m, c, k, s, f, nu):
     # Where a jam needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So while it is
     # too fast it climbs, and does not descend to its reference before it is slow.
     if k.fast_climb > 0.0 and slow < 0.0:
-        e_height = min(e_height, 0.0) + max(e_height, 0.0) * max(1.0 + 2.0 * slow / c.airspeed_error_max, 0.0) + k.fast_climb * slow
+        e_height = (
+            min(e_height, 0.0)
+            + max(e_height, 0.0) * max(1.0 + 2.0 * slow / c.airspeed_error_max, 0.0)
+            + k.fast_climb * slow
+        )
     integral = s.integral
     integral[AIRSPEED_INTEGRAL] = accumulate(integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt)
     integral[ALTITUDE_INTEGRAL] = accumulate(
