@@ -10,7 +10,7 @@ from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
-from testbed.controllers.inversion.estimator import adapt_weighted, update_model_error_variance
+from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
 from testbed.controllers.inversion.jam_detection import detect_jam
 from testbed.controllers.inversion.law import (
     adapt,
@@ -68,6 +68,7 @@ def estimate(y, m, c, s, w):
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
     measured_error(z, phi, s, e)
     if c.weighted:
+        expect_change(e, phi, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)

@@ -51,6 +51,10 @@ _TRIES = 5
 """How often a flight is sent at most if its Dask workers die."""
 
 
+_OWN = "own controllers"
+"""Folder of the users' controllers among the unpacked files, with a folder for each."""
+
+
 @dataclass(frozen=True)
 class PackedJob:
     """A sweep's job with the files of its aircraft, compressed; `digest` identifies the content."""
@@ -60,10 +64,13 @@ class PackedJob:
 
 
 def pack(job: Job) -> PackedJob:
-    """Pack a job with every file of its aircraft's folder."""
+    """Pack a job with every file of its aircraft's folder, and the code of the user's controllers."""
     folder = load_aircraft(str(job.builder.base.tree["aircraft"])).folder
     files = sorted(f for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
-    contents = {str(file.relative_to(folder.parent)): file.read_bytes() for file in files}
+    contents = {
+        str(Path(_OWN, name, file)): code for name, own in job.builder.own.items() for file, code in own.code
+    }
+    contents |= {str(file.relative_to(folder.parent)): file.read_bytes() for file in files}
     content = zlib.compress(pickle.dumps((job, folder.name, contents)))
     return PackedJob(hashlib.sha256(content).hexdigest()[:32], content)
 
@@ -202,8 +209,9 @@ def _unpack(packed: PackedJob) -> Job:
                 raise
         finally:
             shutil.rmtree(partial, ignore_errors=True)
+    own = {name: each.unpacked(root / _OWN / name) for name, each in job.builder.own.items()}
     return Job(
-        builder=job.builder.with_aircraft(str(root / name)),
+        builder=job.builder.with_aircraft(str(root / name)).with_own(own),
         fly=job.fly,
         save_logs=job.save_logs,
         time_limit_s=job.time_limit_s,
