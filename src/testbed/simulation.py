@@ -108,7 +108,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         injector=injector,
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
-        references=references(scenario),
+        references=references(scenario, start.state["path_angle"]),
         flown_by=name_of(controller) if controller else "",
     )
 

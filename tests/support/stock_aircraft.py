@@ -100,7 +100,7 @@ def make(model: str, surfaces: Mapping[str, str], description: dict, folder: Pat
     text = (ROOT / "aircraft" / model / f"{model}.xml").read_text()
     text = re.sub(
         r"<(input|output)\b[^>]*?(/>|>.*?</\1>)",
-        lambda m: m[0] if "name=" not in m[0] else "",
+        lambda m: "" if "name=" in m[0] or "port=" in m[0] else m[0],
         text,
         flags=re.S,
     )

@@ -11,6 +11,7 @@ PROPELLER_POINTS = 41
 """Number of points in each table of a propeller."""
 ENGINE_THROTTLES, ENGINE_SPEEDS = 17, 5
 """Number of throttles and of airspeeds in the map of an engine."""
+_CLIFF = 3.0
 
 
 @dataclass(frozen=True)
@@ -101,6 +102,19 @@ class EngineMap:
     def least_thrust(self, axial_m_s: float | np.ndarray, density_kg_m3: float) -> float | np.ndarray:
         """Thrust at the lowest throttle that is used at an airspeed [N]."""
         return np.interp(axial_m_s, self.speeds, self.rising[:, 0])
+
+    @cached_property
+    def least_useful_n(self) -> float:
+        """Thrust at the middle airspeed below which the map is a cliff [N]: where a small change of throttle would change thrust
+        by more than three times as much as above it, as when a governed propeller begins to windmill. The search begins in the
+        middle of the map's rise."""
+        row, throttles = self.rising[len(self.speeds) // 2], np.array(self.throttles)
+        slopes = np.diff(row) / np.diff(throttles)
+        middle = int(np.argmin(np.abs(row - 0.5 * (row[0] + row[-1]))))
+        for k in range(middle - 1, -1, -1):
+            if slopes[k] > _CLIFF * max((row[-1] - row[k + 1]) / (throttles[-1] - throttles[k + 1]), 1e-9):
+                return float(row[k + 1])
+        return float(row[0])
 
     @property
     def small_lag_rad_s(self) -> float:

@@ -150,12 +150,15 @@ def setup_for(
 
 
 def _told(actuator: AnyActuator, propulsor: Propulsor | EngineMap | None) -> ActuatorData:
-    """What a controller is told of one actuator; the lag of an engine is the identified one."""
+    """What a controller is told of one actuator. The lag of an engine is the identified one, and its thrust is not used below
+    where the propeller begins to windmill."""
     unit = _unit(actuator.kind)
     low, high = actuator.limits
     lag = propulsor.small_lag_rad_s if isinstance(propulsor, EngineMap) else actuator.lag_rad_s
     if lag is None:
         raise ValueError(f"the design model has no map of an engine that the aircraft has: {actuator.prefix}")
+    if isinstance(propulsor, EngineMap):
+        low = max(low, propulsor.least_useful_n)
     return ActuatorData(actuator.scale * unit, low * unit, high * unit, lag, actuator.rate_limit * unit)
 
 

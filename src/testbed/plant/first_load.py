@@ -69,7 +69,10 @@ def _first_load(aircraft: Aircraft, digest: str) -> known.Record:
 
 def _answer(aircraft: Aircraft) -> known.Record:
     """What the process of the first load says."""
-    request = {"folder": str(aircraft.folder.resolve()), "aircraft": aircraft.model_dump(mode="json", exclude_none=True)}
+    request = {
+        "folder": str(aircraft.folder.resolve()),
+        "aircraft": aircraft.model_dump(mode="json", exclude_none=True),
+    }
     with tempfile.TemporaryDirectory() as empty:
         command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
         try:

@@ -17,6 +17,7 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
     yield from _steps(scenario)
     if aircraft is not None:
         yield from _initial(scenario, aircraft)
+        yield from _glide(scenario, aircraft)
         yield from _axes(scenario, aircraft)
         yield from _coefficients(scenario, aircraft)
         yield from _failures(scenario, aircraft)
@@ -150,6 +151,16 @@ def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
             yield Issue(
                 ("initial", name), f"{value:g} is outside {aircraft.name}'s envelope", f"at most {high:g}"
             )
+
+
+def _glide(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
+    """Altitudes that an aircraft without propulsion is asked to fly to: its reference of altitude is its glide."""
+    if any(actuator.kind != "servo" for actuator in aircraft.actuators.values()):
+        return
+    for i, command in enumerate(scenario.commands):
+        if command.altitude_m not in (None, scenario.initial.altitude_m):
+            what = f"{aircraft.name} has no propulsion: it glides, and holds no altitude"
+            yield Issue(("commands", i, "altitude_m"), what, "no altitude_m")
 
 
 def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:

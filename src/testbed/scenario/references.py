@@ -16,11 +16,15 @@ _FIELDS = (
 )
 
 
-def references(scenario: Scenario) -> np.ndarray:
+def references(scenario: Scenario, path_angle: float = 0.0) -> np.ndarray:
     """[steps, 6] rate-limited references and their rates, by `signals.SETPOINT` [m, m/s, rad; m/s, m/s2, rad/s].
 
     From each command on, the reference moves at a constant rate from its present value to the commanded one. Heading turns
     the short way and is not wrapped: it may pass 2 pi.
+
+    Args:
+        path_angle: of the steady flight in which the flight begins [rad]. Without propulsion that is a glide, and the reference of
+            altitude is the glide at the reference airspeed; its rate, which a controller is given to climb or descend, is zero.
     """
     limits = scenario.command_rates
     rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
@@ -44,6 +48,9 @@ def references(scenario: Scenario) -> np.ndarray:
             )
         rows[:, SETPOINT.index(name)] = value
         rows[:, SETPOINT.index(f"{name}_rate")] = rate
+    airspeed = rows[:, SETPOINT.index("airspeed")]
+    sunk = np.concatenate([[0.0], np.cumsum(airspeed[:-1])]) * math.sin(path_angle) / scenario.rate_hz
+    rows[:, SETPOINT.index("altitude")] += sunk
     return rows
 
 
