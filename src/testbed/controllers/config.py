@@ -56,7 +56,6 @@ class ControllerSettings(Settings):
 
 _DEFAULTS_OF_NEWTON = {
     "threshold": 0.1,
-    "persistence_s": 0.1,
     "recovery": 0.6,
     "filter_rad_s": 0.0,
     "lambda_min": 0.05,
@@ -78,17 +77,17 @@ class AdaptiveInversionSettings(ControllerSettings):
     newton`, and no axis given up while nothing has failed. It is also what `estimation: newton`, `gamma` or `epsilon` choose."""
     estimation: Literal["weighted", "newton"] = "weighted"
     """`weighted` is a Kalman filter for weather and real sensors: the more gusts disturb a rate, the less weight it has. `newton`
-    is the paper's (13). With `newton` these defaults differ: threshold 0.1, persistence_s 0.1, recovery 0.6, filter_rad_s 0,
+    is the paper's (13). With `newton` these defaults differ: threshold 0.1, recovery 0.6, filter_rad_s 0,
     lambda_min 0.05, lambda_max 1.1."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
     """Adaptation rate of (13) [1/s], for `newton`."""
     epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
     """Half-width of g in (14), in units of the actuator's `scale`, for `newton`."""
-    threshold: Fraction = 0.15
+    threshold: Fraction = 0.06
     """An actuator whose estimate stays below this is flagged as failed."""
     recovery: Fraction = Field(default=0.8, validate_default=True)
     """A flagged actuator whose estimate stays above this is no longer flagged."""
-    persistence_s: NonNegative = 0.2
+    persistence_s: NonNegative = 0.1
     """How long the estimate must stay below the threshold [s]."""
     recovery_s: NonNegative = 1.0
     """How long the estimate must stay above `recovery` [s]."""

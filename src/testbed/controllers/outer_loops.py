@@ -84,10 +84,10 @@ def pid_loops(y, ref, c, s, f, nu):
 
 
 @compiled
-def accumulate(integral, error, most, dt):
+def accumulate(integral, error, most, dt, free=False):
     """Integral of an error one control step of `dt` [s] later, with anti-windup: an error at its limit `most` (either sign)
-    may reduce the integral, but not increase it."""
-    if abs(error) < most or error * integral < 0.0:
+    may reduce the integral, but increase it only if what acts on it is `free` of its stops."""
+    if free or abs(error) < most or error * integral < 0.0:
         return integral + clip(error, most) * dt
     return integral
 
@@ -120,7 +120,9 @@ def regulate(y, ref, m, c, k, s, f, nu):
             + k.fast_climb * slow
         )
     integral = s.integral
-    integral[AIRSPEED_INTEGRAL] = accumulate(integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt)
+    integral[AIRSPEED_INTEGRAL] = accumulate(
+        integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
+    )
     integral[ALTITUDE_INTEGRAL] = accumulate(
         integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt
     )
