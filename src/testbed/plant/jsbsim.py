@@ -75,7 +75,7 @@ def loaded(aircraft: Aircraft, physics_hz: float) -> tuple[Any, tuple[str, ...]]
     fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
     try:
         done = fdm.load_model(aircraft.model, False)
-    except jsbsim.BaseError as error:
+    except Exception as error:  # JSBSim's own, or whatever its C++ throws
         raise _broken_model(aircraft, str(error)) from None
     if not done:
         raise _broken_model(aircraft, "; ".join(listener.warnings))

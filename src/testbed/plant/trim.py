@@ -132,7 +132,7 @@ class TrimProblem:
         found = root(self.residual, self.first_guess(), method="hybr", options={"xtol": _ROOT_TOLERANCE}).x
         state, commands = self.condition(found)
         worst = float(np.max(np.abs(self.residual(found))))
-        if worst >= _RESIDUAL_MAX or not _within_stops(self.plant.aircraft, commands):
+        if not worst < _RESIDUAL_MAX or not _within_stops(self.plant.aircraft, commands):
             return None
         self.plant.place(state)
         return Trim(state, tuple(commands), _positions(self.plant), worst)

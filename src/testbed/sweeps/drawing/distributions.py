@@ -60,7 +60,18 @@ class Distribution(Settings):
             self._check_own()
         else:
             self._check_scipy()
+        self._check_ends()
         return self
+
+    def _check_ends(self) -> None:
+        """Refuse parameters of which some draws would be infinite."""
+        try:
+            with np.errstate(all="ignore"):
+                ends = [] if self.name == "choice" else self.quantiles(np.array([_OPEN, 1.0 - _OPEN]))
+        except (OverflowError, ValueError, TypeError):
+            ends = [math.inf]
+        if not all(map(_finite, ends)):
+            raise refuse(f"{self.name} draws numbers that are not finite", "smaller parameters")
 
     def quantiles(self, u: np.ndarray) -> list[Any]:
         """The n values at the probabilities `u` [n], as Python's own types."""
@@ -120,9 +131,9 @@ class Distribution(Settings):
     @cached_property
     def _frozen(self) -> Any:
         if self.name == "normal":
-            return stats.norm(*self.parameters)
+            return stats.norm(*map(float, self.parameters))
         if self.name == "log_uniform":
-            return stats.loguniform(*self.parameters)
+            return stats.loguniform(*map(float, self.parameters))
         family = getattr(stats, self.name)
         given = self.parameters
         return family(**given) if isinstance(given, dict) else family(*given)
