@@ -61,6 +61,9 @@ class Loops(Settings):
     """Altitude that a regulator gives up for each m/s by which airspeed is more than `protect_from_m_s` below its reference [s]."""
     protect_from_m_s: NonNegative = DERIVED
     """By default V/9."""
+    fast_climb_s: NonNegative = DERIVED
+    """Altitude that a regulator gains for each m/s of airspeed above its trim, if an actuator is jammed [s]: V/36. V/g would turn
+    all of that airspeed into altitude, but overshoots into a stall."""
     lost_thrust_height_m: NonNegative = 8.0
     """Height that is stored as kinetic energy when one propeller of several is left [m]. It is flown faster by the difference
     between V and the root of V^2 + 2 g h. In air that sinks, the store is spent before altitude is given up: little thrust is left

@@ -147,6 +147,7 @@ def _loops(
         "altitude_error_max_m": v / 3.6,
         "airspeed_error_max_m_s": v / 9.0,
         "protect_from_m_s": v / 9.0,
+        "fast_climb_s": v / 36.0,
     }
 
 

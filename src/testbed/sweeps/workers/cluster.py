@@ -44,7 +44,7 @@ except BaseException as error:
     os._exit(1)
 os._exit(0)
 """
-_NO_DASK = {"what": "--cluster needs dask.distributed", "expected": "pip install 'testbed[cluster]'"}
+_NO_DASK = Problem("--cluster needs dask.distributed", expected="pip install 'testbed[cluster]'")
 _AHEAD = 3
 """Tasks sent ahead for each thread of the cluster, so that none waits for work."""
 _TRIES = 5
@@ -89,7 +89,7 @@ def refuse_dead(address: str) -> None:
             return
         words = " ".join(done.stdout.split()) or f"exit status {done.returncode}"
         if done.returncode == 2:
-            raise BadInput([Problem(**_NO_DASK)])
+            raise BadInput([_NO_DASK])
     except subprocess.TimeoutExpired:
         pass
     expected = "the address that `dask scheduler` prints, as tcp://host:8786"
@@ -106,7 +106,7 @@ def fly_on_cluster(
     try:
         from distributed import Client, as_completed
     except ImportError:
-        raise BadInput([Problem(**_NO_DASK)]) from None
+        raise BadInput([_NO_DASK]) from None
     try:
         client = Client(address, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:
