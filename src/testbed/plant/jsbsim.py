@@ -18,6 +18,7 @@ from typing import Any
 import jsbsim
 import numpy as np
 
+from testbed.aircraft.changes import model_folder
 from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
@@ -70,14 +71,14 @@ def loaded(aircraft: Aircraft, physics_hz: float) -> tuple[Any, tuple[str, ...]]
     listener = _Listener()
     jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
     jsbsim.FGJSBBase().debug_lvl = 0
-    folder = Path(aircraft.folder).resolve()
-    fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
-    fdm.set_aircraft_path(str(folder))
-    fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
-    try:
-        done = fdm.load_model(aircraft.model, False)
-    except jsbsim.BaseError as error:
-        raise _broken_model(aircraft, str(error)) from None
+    with model_folder(aircraft) as folder:
+        fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
+        fdm.set_aircraft_path(str(folder))
+        fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
+        try:
+            done = fdm.load_model(aircraft.model, False)
+        except jsbsim.BaseError as error:
+            raise _broken_model(aircraft, str(error)) from None
     if not done:
         raise _broken_model(aircraft, "; ".join(listener.warnings))
     fdm.disable_output()

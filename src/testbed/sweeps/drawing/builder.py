@@ -58,7 +58,9 @@ class Builder:
 
     def with_aircraft(self, folder: str) -> Builder:
         """The same builder with the aircraft of this folder, into which a worker has unpacked it."""
-        return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": folder}))
+        said = self.base.tree.get("aircraft")
+        there = {**said, "name": folder} if isinstance(said, dict) else folder
+        return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": there}))
 
     def _of_another_controller(self, path: str, values: Mapping[str, Any]) -> bool:
         """Whether a path is a setting that another variant's controller has, but this variant's has not."""
