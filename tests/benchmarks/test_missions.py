@@ -86,8 +86,11 @@ def test_a_report_is_of_reporting_seeds_only(tmp_path: Path) -> None:
     text = (tmp_path / "results" / "missions.md").read_text()
     assert "| default | 1.000 | 1.000 |" in text
     assert "| estimate | 0.500 | +0.500 (" in text
-    for name in ("families", "ablation"):
-        assert (tmp_path / "figures" / f"missions_{name}.png").stat().st_size > 5000
+    pays = (tmp_path / "explanation" / "when_adaptation_pays.md").read_text()
+    assert "`default` holds 100.0 % and `without_estimate` 50.0 % of 2 flights: +50.0 (" in pays
+    assert "## What the test for jams brings" not in pays  # not flown, so nothing is said of it
+    for name in ("missions_families", "missions_ablation", "finding_compensation", "finding_bound"):
+        assert (tmp_path / "figures" / f"{name}.png").stat().st_size > 5000
     list(table.write([replace(HELD, seed=49999)]))
     with pytest.raises(SystemExit, match="seed 49999 is for tuning"):
         mission_report.reporting_rows(table.file)
