@@ -105,7 +105,7 @@ def page(rows: Sequence[Row], trims: Mapping[str, str], bound: str = "oracle") -
         "",
         "This page says what adaptation, diagnosis and goal switching each bring, by comparisons of paired flights.",
         "",
-        "The flights are those of [Missions](../results/missions.md). Differences are in points of flights held, first less second,",
+        "The flights are those of [Missions](../results/missions.md). Differences are points of flights held, first less second,",
         "with 95 % intervals. A part pays where its interval is above zero.",
         "",
         *summary(rows),
