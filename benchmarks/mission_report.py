@@ -26,7 +26,7 @@ from mission_list import (
     Condition,
     Mission,
 )
-from mission_results import FAMILIES, Row, Table, by_mission, family, held_more, loses, share, totals
+from mission_results import FAMILIES, Row, Table, by_mission, details, family, held_more, loses, share, totals
 from missions import ABLATED, KNOWN, REPORTING_START, TUNING_END
 from true_trims import table as trims_of
 from true_trims import words
@@ -121,6 +121,8 @@ def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
         lines += ["", f"## Each mission: {condition.title}", ""]
         lines += ["held/survived/flights; where all survived, held/flights", ""]
         lines += by_mission([row for row in main_rows if row.condition == condition])
+        own = [row for row in main_rows if row.condition == condition and row.controller == REFERENCE]
+        lines += ["", f"`{REFERENCE}`, worst flight of each:", "", *details(own)]
     return "\n".join([*lines, "", *_missions()]) + "\n"
 
 
