@@ -27,7 +27,7 @@ def test_a_defect_a_hang_and_a_dead_process_are_noticed(tmp_path: Path) -> None:
     good = {"kind": "scenario", "files": {"s.yaml": "a: 1"}, "fly": False}
     assert examiner.examine(good)["outcome"] == "refused"
     assert examiner.examine({**good, "kind": "nothing"})["outcome"] == "DEFECT"
-    assert examiner.examine(good, 1e-9)["outcome"] == "HANG"
+    assert examiner.examine({**good, "files": {"s.yaml": "a: " + "x" * 900_000}}, 0.0)["outcome"] == "HANG"
     assert examiner.examine({**good, "files": None})["outcome"] == "DIED"
     assert examiner.examine(good)["outcome"] == "refused"  # in a new process
     examiner.close()

@@ -20,7 +20,7 @@ def prefix_of(name: str) -> str:
 def servo_block(surface: Surface, lag_rad_s: float, rate_rad_s: float) -> tuple[dict[str, float], ET.Element]:
     """Properties with their values, and the channel, of a surface's servo.
 
-    `float-incidence` is how far the free surface follows alpha and beta; zero until the adopted aircraft has been measured.
+    A free surface follows alpha and beta by `float-alpha` and `float-beta`, which are 0 until the cut model has been measured.
     """
     p = prefix_of(surface.name)
     values = {
@@ -34,10 +34,11 @@ def servo_block(surface: Surface, lag_rad_s: float, rate_rad_s: float) -> tuple[
   <actuator name="{p}/servo"><input>{p}/demand-rad</input><lag>{p}/servo-lag-rad_sec</lag>
     <rate_limit>{p}/servo-rate-rad_sec</rate_limit>
     <clipto><min>{p}/servo-min-rad</min><max>{p}/servo-max-rad</max></clipto><output>{p}/servo-rad</output></actuator>
+  <fcs_function name="{p}/incidence-rad"><function><product><value>-1</value><sum>
+    <product><property>{p}/float-alpha</property><property>aero/alpha-rad</property></product>
+    <product><property>{p}/float-beta</property><property>aero/beta-rad</property></product></sum></product></function></fcs_function>
   <fcs_function name="{p}/position-rad"><function><ifthen><property>{p}/float-active</property>
-    <product><property>{p}/float-gain</property><sum>
-      <product><property>{p}/float-alpha</property><property>aero/alpha-rad</property></product>
-      <product><property>{p}/float-beta</property><property>aero/beta-rad</property></product></sum></product>
+    <product><value>-1</value><property>{p}/float-gain</property><property>{p}/incidence-rad</property></product>
     <sum><property>{p}/servo-rad</property><property>{p}/linkage-bias-rad</property></sum></ifthen></function></fcs_function>
   <fcs_function name="{p}/effective-rad"><function>
     <product><property>{p}/effectiveness</property><property>{p}/position-rad</property></product></function></fcs_function>

@@ -164,9 +164,10 @@ class PidSettings(ControllerSettings):
     """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
     With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`).
-    Gains are [1/s] unless the docstring says otherwise. Those of the v-tail were found by a search (CMA-ES, rounded) on healthy flights only: the routes hard, slow and fast of the missions, in calm air
-    and at W20 = 25 ft/s, seeds 1 to 5. The search kept the inner loops at 20 rad/s (60 deg of phase margin with the servos'
-    lag), and pitch and altitude below a third of the loop inside them.
+    Gains are [1/s] unless the docstring says otherwise. Those of the v-tail were found by a search (CMA-ES, rounded) on healthy
+    flights only: the routes hard, slow and fast of the missions, in calm air and at W20 = 25 ft/s, seeds 1 to 5. The search kept
+    the inner loops at 20 rad/s (60 deg of phase margin with the servos' lag), and pitch and altitude below a third of the loop
+    inside them.
     """
 
     type: Literal["pid"] = "pid"
