@@ -431,9 +431,13 @@ def propeller_table(g):
     return propeller.table(blade_of(g), g["propulsion"]["propeller"]["reynolds_rev_s"], momentum, free)
 
 
-def build():
+def stated_geometry():
+    return yaml.safe_load((HERE / "geometry.yaml").read_text())
+
+
+def build(g=None):
     """Geometry, masses, coefficients, parasite drag, propeller table, and the text of each file by its name."""
-    g = yaml.safe_load((HERE / "geometry.yaml").read_text())
+    g = g or stated_geometry()
     m = masses(g)
     c, parasite = coefficients(g, m["cg_m"])
     table = propeller_table(g)

@@ -219,7 +219,7 @@ def hub(g, sign):
 
 def propulsion(g):
     return "".join(
-        f"""    <engine file="vtail_motor"><thruster file="vtail_prop"><sense>{g["propulsion"][f"{side}_sense"]}</sense>
+        f"""    <engine file="{g["name"]}_motor"><thruster file="{g["name"]}_prop"><sense>{g["propulsion"][f"{side}_sense"]}</sense>
       {hub(g, sign)}<orient unit="DEG"><roll>0</roll><pitch>0</pitch><yaw>0</yaw></orient></thruster></engine>
 """
         for side, sign in SIDES
@@ -232,23 +232,32 @@ def properties(block, values):
     )
 
 
-def ruddervator_channel(g, side, sign, gradient, zero):
-    n, dihedral = f"fcs/{side}-ruddervator", math.radians(g["tail"]["dihedral_deg"])
-    along_alpha, along_beta = across(gradient, dihedral, sign)
-    return f'''    <channel name="{side} ruddervator">
+def servo_channel(name, n, zero, terms):
+    """From command to effective deflection of the servo whose block is `n`.
+
+    The air meets its surface at `zero` + sum of value x property over `terms` [rad], which a floating surface aligns with.
+    """
+    incidence = "".join(f"<product><property>{p}</property>{value(v)}</product>" for p, v in terms)
+    return f'''    <channel name="{name}">
       <fcs_function name="{n}/demand-rad"><function><ifthen><property>{n}/override-active</property><property>{n}/override-rad</property>
         <sum><product><property>{n}/command-rad</property><property>{n}/command-scale</property></product><property>{n}/command-bias-rad</property></sum></ifthen></function></fcs_function>
       <actuator name="{n}/servo"><input>{n}/demand-rad</input><lag>{n}/servo-lag-rad_sec</lag><rate_limit>{n}/servo-rate-rad_sec</rate_limit>
         <clipto><min>{n}/servo-min-rad</min><max>{n}/servo-max-rad</max></clipto><output>{n}/servo-rad</output></actuator>
       <!-- incidence of the air at this panel: what a free surface aligns with -->
-      <fcs_function name="{n}/incidence-rad"><function><sum><value>{number(zero)}</value>
-        <product><property>{ALPHA}</property>{value(along_alpha)}</product><product><property>{BETA}</property>{value(along_beta)}</product></sum></function></fcs_function>
+      <fcs_function name="{n}/incidence-rad"><function><sum>{value(zero)}
+        {incidence}</sum></function></fcs_function>
       <fcs_function name="{n}/position-rad"><function><ifthen><property>{n}/float-active</property>
         <product><value>-1</value><property>{n}/float-gain</property><property>{n}/incidence-rad</property></product>
         <sum><property>{n}/servo-rad</property><property>{n}/linkage-bias-rad</property></sum></ifthen></function></fcs_function>
       <fcs_function name="{n}/effective-rad"><function><product><property>{n}/effectiveness</property><property>{n}/position-rad</property></product></function></fcs_function>
     </channel>
 '''
+
+
+def ruddervator_channel(g, side, sign, gradient, zero):
+    along_alpha, along_beta = across(gradient, math.radians(g["tail"]["dihedral_deg"]), sign)
+    terms = [(ALPHA, along_alpha), (BETA, along_beta)]
+    return servo_channel(f"{side} ruddervator", f"fcs/{side}-ruddervator", zero, terms)
 
 
 SQUARE_FEET, FEET, NO_PRESSURE_PSF = 0.3048**2, 0.3048, 0.5
@@ -269,10 +278,10 @@ def slipstream_channel(c, index, side):
 """
 
 
-def propeller_channel(g, c, index, side):
-    n, motor = f"fcs/{side}-propeller", g["propulsion"]["motor"]
+def propeller_channel(name, n, index, motor, more=""):
+    """From command to throttle of the motor whose block is `n`; `more` are further components."""
     volts_per_rpm = 1 / (motor["velocity_constant_rpm_v"] * motor["max_volts"])
-    return f'''    <channel name="{side} propeller">
+    return f'''    <channel name="{name}">
       <!-- without power no current flows: the motor is held at the voltage that it generates, and windmills -->
       <fcs_function name="{n}/throttle-norm"><function><ifthen><property>{n}/power-lost</property>
         <product><property>propulsion/engine[{index}]/propeller-rpm</property>{value(volts_per_rpm)}</product>
@@ -280,46 +289,60 @@ def propeller_channel(g, c, index, side):
         <ifthen><property>{n}/override-active</property><property>{n}/override-norm</property>
         <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></ifthen></function>
         <output>fcs/throttle-pos-norm[{index}]</output></fcs_function>
-{slipstream_channel(c, index, side)}    </channel>
+{more}    </channel>
 '''
 
 
-def flight_control(g, c):
-    servo, limit = g["servo"], math.radians(g["servo"]["limit_deg"])
-    surface = {
+MOTOR_PROPERTIES = {
+    "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
+    "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
+}  # fmt: skip
+
+
+def servo_properties(servo):
+    limit = math.radians(servo["limit_deg"])
+    return {
         "command-rad": 0, "command-scale": 1, "command-bias-rad": 0, "override-active": 0, "override-rad": 0,
         "servo-lag-rad_sec": servo["lag_rad_s"], "servo-rate-rad_sec": servo["rate_rad_s"], "servo-min-rad": -limit,
         "servo-max-rad": limit, "linkage-bias-rad": 0, "float-active": 0, "float-gain": servo["float_gain"], "effectiveness": 1,
     }  # fmt: skip
-    motor = {
-        "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
-        "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
-    }  # fmt: skip
+
+
+def flight_control(g, c):
     zero = zero_incidence(g, c)
     text = f'    <property value="{int(c["slipstream"]["active"])}">fcs/slipstream-active</property>\n'
-    text += "".join(properties(f"{side}-ruddervator", surface) for side, _ in SIDES)
-    text += "".join(properties(f"{side}-propeller", motor) for side, _ in SIDES)
+    text += "".join(properties(f"{side}-ruddervator", servo_properties(g["servo"])) for side, _ in SIDES)
+    text += "".join(properties(f"{side}-propeller", MOTOR_PROPERTIES) for side, _ in SIDES)
     text += "".join(ruddervator_channel(g, side, sign, c["downwash"], zero) for side, sign in SIDES)
-    return text + "".join(propeller_channel(g, c, i, side) for i, (side, _) in enumerate(SIDES))
+    motor = g["propulsion"]["motor"]
+    return text + "".join(
+        propeller_channel(
+            f"{side} propeller", f"fcs/{side}-propeller", i, motor, slipstream_channel(c, i, side)
+        )
+        for i, (side, _) in enumerate(SIDES)
+    )
+
+
+def lost_propeller(n, index, place):
+    """Force and moment that remove (1 - effectiveness) of a propeller's thrust and torque, in the same step."""
+    loss = f"<difference><property>fcs/{n}/effectiveness</property><value>1</value></difference>"
+    return f"""    <force name="{n}-loss" frame="BODY"><function name="fcs/{n}/lost-thrust-lbs"><product>{loss}<property>propulsion/engine[{index}]/thrust-lbs</property></product></function>
+      {place}<direction><x>1</x><y>0</y><z>0</z></direction></force>
+    <moment name="{n}-loss-torque" frame="BODY"><function><product>{loss}<property>propulsion/engine[{index}]/propeller-torque-ftlb</property></product></function>
+      <direction><x>1</x><y>0</y><z>0</z></direction></moment>
+"""
 
 
 def external_reactions(g):
-    """Forces and moments that remove (1 - effectiveness) of each propeller's thrust and torque, in the same step."""
-    out = ""
-    for i, (side, sign) in enumerate(SIDES):
-        loss = f"<difference><property>fcs/{side}-propeller/effectiveness</property><value>1</value></difference>"
-        out += f"""    <force name="{side}-propeller-loss" frame="BODY"><function name="fcs/{side}-propeller/lost-thrust-lbs"><product>{loss}<property>propulsion/engine[{i}]/thrust-lbs</property></product></function>
-      {hub(g, sign)}<direction><x>1</x><y>0</y><z>0</z></direction></force>
-    <moment name="{side}-propeller-loss-torque" frame="BODY"><function><product>{loss}<property>propulsion/engine[{i}]/propeller-torque-ftlb</property></product></function>
-      <direction><x>1</x><y>0</y><z>0</z></direction></moment>
-"""
-    return out
+    return "".join(
+        lost_propeller(f"{side}-propeller", i, hub(g, sign)) for i, (side, sign) in enumerate(SIDES)
+    )
 
 
 def aircraft(g, m, c, reference):
     return f"""<?xml version="1.0"?>
 <!-- Written by derive.py from geometry.yaml: change those, not this. -->
-<fdm_config name="vtail" version="2.0" release="BETA">
+<fdm_config name="{g["name"]}" version="2.0" release="BETA">
   <fileheader><author>testbed</author><filecreationdate>2026-11-21</filecreationdate><version>2</version><description>Small v-tail UAV</description></fileheader>
   <metrics>
 {metrics(g, m, reference)}  </metrics>
@@ -328,7 +351,7 @@ def aircraft(g, m, c, reference):
   <ground_reactions/> <!-- none: a flight ends above the ground, and each contact point would cost time in every step -->
   <propulsion>
 {propulsion(g)}  </propulsion>
-  <flight_control name="vtail">
+  <flight_control name="{g["name"]}">
 {flight_control(g, c)}  </flight_control>
   <aerodynamics>
 {tail_loading(g, m, c, reference)}{aerodynamics(c)}  </aerodynamics>
@@ -338,18 +361,16 @@ def aircraft(g, m, c, reference):
 """
 
 
-def propeller_file(g, table):
-    p, motor = g["propulsion"]["propeller"], g["propulsion"]["motor"]
-    inertia = p["mass_kg"] * (p["gyration_ratio"] * 0.5 * p["diameter_m"]) ** 2 + motor["can_inertia_kg_m2"]
+def propeller_file(name, comment, inertia, diameter_m, blades, table):
+    """`table`: rows (J, CT, CP)."""
 
     def rows(column):
         return "\n".join(f"      {row[0]:.3f} {row[column]:.6f}" for row in table)
 
     return f"""<?xml version="1.0"?>
-<!-- Written by derive.py: blade-element momentum theory (propeller.py) on the blade of geometry.yaml. Inertia: propeller and motor bell.
-     Rows past J = 2 are the windmilling and standing rotor; table in J, so their values grow with J squared. -->
-<propeller name="vtail_prop" version="1.1">
-  <ixx unit="KG*M2">{number(inertia)}</ixx><diameter unit="M">{number(p["diameter_m"])}</diameter><numblades>{p["blades"]}</numblades><gearratio>1</gearratio><constspeed>0</constspeed>
+<!-- {comment} -->
+<propeller name="{name}" version="1.1">
+  <ixx unit="KG*M2">{number(inertia)}</ixx><diameter unit="M">{number(diameter_m)}</diameter><numblades>{blades}</numblades><gearratio>1</gearratio><constspeed>0</constspeed>
   <table name="C_THRUST" type="internal"><tableData>
 {rows(1)}
   </tableData></table>
@@ -360,11 +381,18 @@ def propeller_file(g, table):
 """
 
 
-def motor_file(g):
-    motor = g["propulsion"]["motor"]
+def own_propeller_file(g, table):
+    p, motor = g["propulsion"]["propeller"], g["propulsion"]["motor"]
+    inertia = p["mass_kg"] * (p["gyration_ratio"] * 0.5 * p["diameter_m"]) ** 2 + motor["can_inertia_kg_m2"]
+    comment = """Written by derive.py: blade-element momentum theory (propeller.py) on the blade of geometry.yaml. Inertia: propeller and motor bell.
+     Rows past J = 2 are the windmilling and standing rotor; table in J, so their values grow with J squared."""
+    return propeller_file(f"{g['name']}_prop", comment, inertia, p["diameter_m"], p["blades"], table)
+
+
+def motor_file(name, comment, motor):
     return f"""<?xml version="1.0"?>
-<!-- Written by derive.py. Resistance is motor, speed controller, wires and battery. -->
-<brushless_dc_motor name="vtail_motor">
+<!-- {comment} -->
+<brushless_dc_motor name="{name}">
   <maxvolts unit="VOLTS">{number(motor["max_volts"])}</maxvolts><velocityconstant>{number(motor["velocity_constant_rpm_v"])}</velocityconstant>
   <coilresistance unit="OHMS">{number(motor["resistance_ohm"])}</coilresistance><noloadcurrent unit="AMPERES">{number(motor["no_load_current_a"])}</noloadcurrent>
 </brushless_dc_motor>
@@ -373,8 +401,13 @@ def motor_file(g):
 
 def write(g, m, c, table, reference):
     """Text of each file, by its path in the aircraft's folder."""
+    name = g["name"]
     return {
-        "vtail.xml": aircraft(g, m, c, reference),
-        "Engines/vtail_prop.xml": propeller_file(g, table),
-        "Engines/vtail_motor.xml": motor_file(g),
+        f"{name}.xml": aircraft(g, m, c, reference),
+        f"Engines/{name}_prop.xml": own_propeller_file(g, table),
+        f"Engines/{name}_motor.xml": motor_file(
+            f"{name}_motor",
+            "Written by derive.py. Resistance is motor, speed controller, wires and battery.",
+            g["propulsion"]["motor"],
+        ),
     }

@@ -21,6 +21,7 @@ from testbed.controllers.make import make_controller
 from testbed.controllers.setup import Setup, setup_for
 from testbed.controllers.user.adapter import adapted
 from testbed.controllers.user.loader import name_of
+from testbed.controllers.user.own import unused_parameters
 from testbed.flight.columns import Recorded, all_columns, table
 from testbed.flight.events import controller_events
 from testbed.flight.flight import Flight, Outcome
@@ -96,6 +97,8 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
     begin_at(plant, start)
     weather.begin()
+    if controller is None and (problems := unused_parameters(scenario.controller)):
+        raise BadInput(problems)
     setup = _setup(scenario, aircraft, start)
     injector = Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed)
     if controller is None and isinstance(scenario.controller, OracleSettings):

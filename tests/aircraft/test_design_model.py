@@ -190,6 +190,27 @@ def test_anything_else_is_refused(text: str, tmp_path: Path) -> None:
         load_design_model(file)
 
 
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('"bias": [', '"bias": [NaN, ', r"bias has the shape \[7\]"),
+        ('"airspeed_m_s": 18.0', '"airspeed_m_s": 1e999', "airspeed_m_s is not finite"),
+        ('"diameter_m": 0.4826', '"diameter_m": NaN', r"propulsors\.2 is not finite"),
+        ('"kinds": [', '"kinds": ["servo", ', "4 entries"),
+    ],
+)
+def test_numbers_that_no_identification_gives_are_refused(
+    model: DesignModel, tmp_path: Path, old: str, new: str, words: str
+) -> None:
+    file = tmp_path / "m.json"
+    model.save(file)
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new, 1))
+    with pytest.raises(BadInput, match=rf"m\.json: is no design model: .*{words}"):
+        load_design_model(file)
+
+
 def test_a_changed_design_model_is_noticed(model: DesignModel) -> None:
     """The negative control: a millionth of one coefficient, a millionth of one propeller."""
     assert not model.with_error({"Cm_alpha": 1.000001}).agrees_with(model)

@@ -86,6 +86,7 @@ def test_an_integral_neither_winds_up_nor_latches() -> None:
     assert accumulate(3.0, 2.0, 2.0, 0.1) == 3.0
     assert accumulate(0.0, -2.0, 2.0, 0.1) == 0.0
     assert accumulate(-45.0, 100.0, 5.0, 0.1) == pytest.approx(-44.5)
+    assert accumulate(3.0, 9.0, 2.0, 0.1, True) == pytest.approx(3.2), "with nothing at a stop it may wind"
 
 
 def test_the_regulator_is_its_state_feedback() -> None:
@@ -95,7 +96,7 @@ def test_the_regulator_is_its_state_feedback() -> None:
     k.K[:], k.K_actuator[:], k.K_integral[:] = (
         rng.normal(size=x.shape) for x in (k.K, k.K_actuator, k.K_integral)
     )
-    k.x_trim[:], k.r_trim[:] = 0.1 * rng.normal(size=10), rng.normal(size=4)
+    k.x_trim[:], k.r_trim[:], k.trim_effect[:] = 0.1 * rng.normal(size=10), *rng.normal(size=(2, 4))
     k.airspeed_offset, k.available[:] = 0.5, [1, 1, 0, 1]
     s.position[:], s.lambda_hat[:], s.integral[:] = (
         rng.normal(size=4),
@@ -119,7 +120,30 @@ def test_the_regulator_is_its_state_feedback() -> None:
     da = s.position * s.lambda_hat - k.r_trim
     assert s.integral == pytest.approx(integral)
     assert w.nu == pytest.approx(-k.K @ dx - k.K_actuator @ da - k.K_integral @ integral)
-    assert s.x_dc_dot == pytest.approx(w.f + w.nu + m.B @ (k.r_trim * k.available))
+    assert s.x_dc_dot == pytest.approx(w.f + w.nu + m.B @ (k.trim_effect * k.available))
+    s.jammed[2] = 1
+    regulate(y, ref, m, c, k, s, w.f, w.nu)
+    assert s.x_dc_dot == pytest.approx(w.f + w.nu + m.B @ k.trim_effect), (
+        "a jammed actuator has its force too"
+    )
+
+
+def test_an_aircraft_that_is_too_fast_for_a_jam_climbs_and_does_not_descend() -> None:
+    """At 0.4 m/s too fast, 60 % of an altitude that is too high still counts; at 1 m/s or more, none."""
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
+    k.K[0, 9] = -1.0  # nu of the first row is the altitude error that the regulator sees
+    k.fast_climb, k.airspeed_offset = 0.5, -4.0
+    for excess, height, altitude_error in (
+        (0.0, 2.0, 2.0),
+        (0.4, 2.0, 1.0),
+        (3.0, 2.0, -1.5),
+        (3.0, -1.0, -2.5),
+    ):
+        y = trim_state(MODEL, airspeed=MODEL.airspeed_m_s - 4.0 + excess, altitude=MODEL.altitude_m + height)
+        k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
+        regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+        assert w.nu[0] == pytest.approx(altitude_error)
 
 
 def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:

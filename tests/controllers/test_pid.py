@@ -1,24 +1,27 @@
-"""The conventional autopilot: its mixer, its loops by hand, and that it flies."""
+"""The conventional autopilot: its allocation, its loops by hand, and that it flies."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from short_flights import scenario, worst_errors
-from vtail_setup import records_of, setpoint, trim_state, vtail, vtail_setup
+from vtail_setup import records_of, setpoint, trim_state, vtail_setup
 
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import PidSettings
-from testbed.controllers.pid import GAINS, gains_record, lateral, longitudinal, mix, mixer_of
-from testbed.controllers.records import Q_DOT, R_DOT, U_DOT
+from testbed.controllers.inversion.allocation import allocate_and_command
+from testbed.controllers.pid import GAINS, gains_record, lateral, longitudinal, mode_record
+from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, U_DOT
 from testbed.simulation import fly
 
 SETUP = vtail_setup(PidSettings())
 MODEL = SETUP.model
 GAIN = PidSettings()
+K = mode_record(SETUP)[0]
 LEVEL = {"altitude": MODEL.altitude_m, "airspeed": MODEL.airspeed_m_s}
 
 
@@ -30,14 +33,14 @@ def test_gains_are_the_settings_with_angles_in_radians() -> None:
 
 def test_on_its_references_nothing_is_asked() -> None:
     s, g = records_of(SETUP).s, gains_record(GAIN)[0]
-    longitudinal(trim_state(MODEL), setpoint(**LEVEL), SETUP.dt_s, g, s)
-    lateral(trim_state(MODEL), setpoint(**LEVEL), SETUP.dt_s, g, s)
+    longitudinal(trim_state(MODEL), setpoint(**LEVEL), SETUP.dt_s, g, K, s)
+    lateral(trim_state(MODEL), setpoint(**LEVEL), SETUP.dt_s, g, K, s)
     assert s.x_dc_dot == pytest.approx(np.zeros(4), abs=1e-12)
 
 
 def test_altitude_asks_for_pitch_and_airspeed_for_thrust() -> None:
     s, g, v = records_of(SETUP).s, gains_record(GAIN)[0], MODEL.airspeed_m_s
-    longitudinal(trim_state(MODEL), setpoint(altitude=301.0, airspeed=v + 1.0), SETUP.dt_s, g, s)
+    longitudinal(trim_state(MODEL), setpoint(altitude=301.0, airspeed=v + 1.0), SETUP.dt_s, g, K, s)
     climb, integral = GAIN.altitude_kp * 1.0, GAIN.altitude_ki * SETUP.dt_s
     assert s.x_dc_dot[Q_DOT] == pytest.approx(GAIN.q_kp * GAIN.pitch_kp * (climb / v + integral))
     assert s.x_dc_dot[U_DOT] == pytest.approx(GAIN.airspeed_kp + GAIN.airspeed_ki * SETUP.dt_s)
@@ -45,35 +48,36 @@ def test_altitude_asks_for_pitch_and_airspeed_for_thrust() -> None:
 
 def test_heading_asks_for_bank_and_bank_for_yaw() -> None:
     s, g, v = records_of(SETUP).s, gains_record(GAIN)[0], MODEL.airspeed_m_s
-    lateral(trim_state(MODEL), setpoint(**LEVEL, heading=0.1), SETUP.dt_s, g, s)
+    lateral(trim_state(MODEL), setpoint(**LEVEL, heading=0.1), SETUP.dt_s, g, K, s)
     turn_rate = (GAIN.heading_kp + GAIN.heading_ki * SETUP.dt_s) * 0.1
     bank = math.atan(v / GRAVITY_M_S2 * turn_rate)
     assert s.x_dc_dot[R_DOT] == pytest.approx(GAIN.r_kp * GAIN.roll_kp * bank)
 
 
-def test_surfaces_deflect_less_at_speed_and_no_further_than_their_stops() -> None:
-    m, _, _, s, _ = records_of(SETUP)
-    mixer = mixer_of(np.array(m.B), MODEL.kinds)
-    s.x_dc_dot[:] = [0.0, 1.0, 0.0, 0.5]
-    mix(2.0, mixer, m, s)
-    moved = (s.r - m.trim_position) * np.where(m.servo == 1, 2.0, 1.0)
-    assert moved == pytest.approx(mixer @ s.x_dc_dot)
-    s.x_dc_dot[:] = [0.0, 1e4, 0.0, 1e4]
-    mix(1.0, mixer, m, s)
-    assert np.all((s.u == m.low) | (s.u == m.high))
+def test_with_roll_kept_bank_asks_for_roll_and_yaw_is_that_of_the_turn() -> None:
+    s, g, v = records_of(SETUP).s, gains_record(GAIN)[0], MODEL.airspeed_m_s
+    kept = mode_record(replace(SETUP, released=()))[0]
+    lateral(trim_state(MODEL, roll=0.2), setpoint(**LEVEL), SETUP.dt_s, g, kept, s)
+    assert s.x_dc_dot[P_DOT] == pytest.approx(GAIN.p_kp * GAIN.bank_kp * -0.2)
+    assert s.x_dc_dot[R_DOT] == pytest.approx(GAIN.r_kp * GRAVITY_M_S2 / v * math.sin(0.2))
 
 
-def test_the_mixer_is_elevator_and_rudder() -> None:
-    """Equal for pitch, opposite for yaw, equal thrust; and B times it is what was asked for."""
-    _, model = vtail()
-    b = np.array(model.input_matrix)[:4]
-    mixer = mixer_of(b, model.kinds)
-    assert mixer[:2, 1] == pytest.approx([mixer[0, 1]] * 2)
-    assert mixer[0, 2] == pytest.approx(-mixer[1, 2])
-    assert mixer[2:, 3] == pytest.approx([mixer[2, 3]] * 2)
-    assert not mixer[:, 0].any()
-    assert (b @ mixer)[1, 1] == pytest.approx(1.0)
-    assert (b @ mixer)[2, 2] == pytest.approx(1.0)
+def test_too_slow_counts_as_too_high() -> None:
+    s, g = records_of(SETUP).s, gains_record(GAIN)[0]
+    slow = trim_state(MODEL, airspeed=MODEL.airspeed_m_s - K.slow_descent_from - 1.0)
+    longitudinal(slow, setpoint(**LEVEL), SETUP.dt_s, g, K, s)
+    assert s.x_dc_dot[Q_DOT] < 0.0 < s.x_dc_dot[U_DOT]
+
+
+@pytest.mark.parametrize("pressure_ratio", [1.0, 2.0])
+def test_the_allocation_gives_what_is_asked_about_the_trim(pressure_ratio: float) -> None:
+    """Rates within what the stops allow are given exactly; the released one is not asked for."""
+    m, c, _, s, w = records_of(SETUP)
+    asked = np.array([9.0, 1.0, -0.5, 0.2])
+    allocate_and_command(asked, pressure_ratio, MODEL.airspeed_m_s, m, c, K, s, w)
+    given = m.B @ (s.u * np.where(m.servo == 1, pressure_ratio, 1.0) - m.trim_position)
+    assert K.released.tolist() == [1, 0, 0, 0]
+    assert given[1:] == pytest.approx(asked[1:])
 
 
 @pytest.mark.slow

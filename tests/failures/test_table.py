@@ -180,6 +180,8 @@ OUT_OF_RANGE = [
     ("oscillation", "left_propeller", {"amplitude": 4}, "amplitude", "0 to 1"),
     ("runaway", "left_ruddervator", {"rate": -5}, "rate", "greater than 0"),
     ("runaway", "left_ruddervator", {"rate": 600}, "rate", "deg/s is outside"),
+    ("intermittent", "left_propeller", {"off_s": 0.004}, "off_s", "shorter than a control step"),
+    ("intermittent", "left_propeller", {"on_s": 0.001}, "on_s", "shorter than a control step"),
     ("intermittent", "left_propeller", {"value": 2}, "value", "less than or equal to 1"),
     ("decay", "left_propeller", {"shape": "exponentail"}, "shape", "did you mean exponential?"),
     ("motor_stop", "left_propeller", {"braked": 1}, "braked", "boolean"),

@@ -81,3 +81,9 @@ def test_what_is_no_model_is_said(vtail_copy: Path) -> None:
     (vtail_copy / DESIGN_MODEL).write_text("{}")
     with pytest.raises(BadInput, match=r"design_model\.json: is no design model"):
         stored(load_aircraft(str(vtail_copy)))
+
+
+def test_the_stall_is_where_the_lift_curve_bends(vtail: Aircraft) -> None:
+    """The lift table of vtail.xml is straight up to 0.209 rad and at its highest at 0.236 rad."""
+    kept = load_design_model(vtail.folder / DESIGN_MODEL)
+    assert 0.209 < kept.stall_alpha_rad < 0.236

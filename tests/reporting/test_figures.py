@@ -68,6 +68,11 @@ def test_flights_that_ended_early_are_drawn(rows: int, tmp_path: Path) -> None:
     assert all(file.stat().st_size > 5000 for file in files)
 
 
+@pytest.mark.parametrize("name", ["$\\frac{1}{$", "$", "a $x$ b", "\\alpha_{"])
+def test_a_name_is_no_formula(name: str, tmp_path: Path) -> None:
+    assert len(draw(flight_of(level_log(), EVENTS[:1], name=name), tmp_path)) == len(FIGURES)
+
+
 def test_files_are_there_and_not_blank(tmp_path: Path) -> None:
     from matplotlib.image import imread
 

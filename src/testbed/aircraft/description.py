@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Literal
@@ -18,7 +19,12 @@ from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, W
 from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import Issue, guess, one_of
 from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import TreePath, parsed
+from testbed.inputs.yaml_source import TreePath, describe, parsed
+
+_PROPERTY = re.compile(r"[A-Za-z_][\w./\[\]-]*", re.ASCII)
+"""Names that JSBSim's properties can have."""
+_ACTUATOR = re.compile(r"[^\W\d][\w-]*")
+"""Names of actuators: the log's columns begin with them, and `+` and `.` have a meaning in `control` and in --set."""
 
 
 class Reference(Settings):
@@ -67,6 +73,13 @@ class Actuator(Settings):
     """Lowest and highest position that the controller may ask for."""
     scale: Positive = 1.0
     """Deflection or thrust that is one unit in the scaled input matrix, so that servos and motors can be compared."""
+
+    @field_validator("prefix")
+    @classmethod
+    def _property(cls, prefix: str) -> str:
+        if not _PROPERTY.fullmatch(prefix):
+            raise refuse(f"{describe(prefix)} is no name of a property", "letters, digits and ._-/[]")
+        return prefix
 
     @field_validator("limits")
     @classmethod
@@ -168,6 +181,16 @@ class Aircraft(Settings):
     envelope: Envelope = Envelope()
     control: ControlDesign = ControlDesign()
     _folder: Path = PrivateAttr(default=Path("."))
+
+    @field_validator("actuators")
+    @classmethod
+    def _columns(cls, actuators: dict[str, Actuator]) -> dict[str, Actuator]:
+        for name in actuators:
+            if not _ACTUATOR.fullmatch(name):
+                raise refuse(
+                    f"{describe(name)} cannot begin the name of a column", "letters, digits, _ and -"
+                )
+        return actuators
 
     @field_validator("axes")
     @classmethod

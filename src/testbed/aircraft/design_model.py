@@ -61,6 +61,7 @@ class DesignModel:
             thrust.
         propulsors: [n] motor and propeller, or engine; None for servos.
         identified_from: fingerprint of the aircraft's files.
+        stall_alpha_rad: angle of attack at which the slope of the lift has fallen to half of that at the trim.
         span_m: wing span; None if it is not known.
     """
 
@@ -78,6 +79,7 @@ class DesignModel:
     offset_matrix: tuple[tuple[float, ...], ...]
     propulsors: tuple[Propulsor | EngineMap | None, ...]
     identified_from: str = ""
+    stall_alpha_rad: float = 0.6
     span_m: float | None = None
 
     def coefficient_names(self) -> list[str]:
@@ -110,23 +112,23 @@ class DesignModel:
             bias=tuple(map(float, bias)),
         )
 
-    def rates(self, x: Mapping[str, float], u: Vector, effectiveness: Vector) -> np.ndarray:
-        """[6] rates by `ROWS` that the model predicts [rad/s2, m/s2].
+    def rates(self, x: Mapping[str, float | np.ndarray], u: Vector, effectiveness: Vector) -> np.ndarray:
+        """[..., 6] rates by `ROWS` that the model predicts [rad/s2, m/s2].
 
         Args:
-            x: airspeed, alpha, beta, p, q, r, roll, pitch [m/s, rad, rad/s].
-            u: [n] actuator positions [rad or N].
+            x: airspeed, alpha, beta, p, q, r, roll, pitch [m/s, rad, rad/s], each a number or [...] numbers.
+            u: [..., n] actuator positions [rad or N].
             effectiveness: [n] of each actuator, 1 healthy, 0 lost.
         """
-        speed = x["airspeed"] / self.airspeed_m_s
-        pressure = speed * speed
         bias, a, inputs, offsets, servo = self._arrays
-        aero = pressure * (bias + a[:, 0] * (x["alpha"] - self.alpha_rad) + a[:, 1] * x["beta"])
-        aero += speed * (a[:, 2] * x["p"] + a[:, 3] * x["q"] + a[:, 4] * x["r"])
-        scale = np.where(servo, pressure, 1.0)
+        speed = np.asarray(x["airspeed"])[..., None] / self.airspeed_m_s
+        pressure = speed * speed
+        angles = np.stack([x["alpha"] - self.alpha_rad, x["beta"]], axis=-1)  # type: ignore[arg-type]
+        turning = np.stack([x["p"], x["q"], x["r"]], axis=-1)  # type: ignore[arg-type]
+        aero = pressure * (bias + angles @ a[:, :2].T) + speed * (turning @ a[:, 2:].T)
         lam = np.asarray(effectiveness, dtype=float)
-        actuators = inputs @ (scale * lam * np.asarray(u)) + offsets @ lam
-        return aero + kinematics(x) + actuators
+        acting = np.where(servo, pressure, 1.0) * lam * np.asarray(u)
+        return aero + kinematics(x) + acting @ inputs.T + offsets @ lam
 
     @cached_property
     def _arrays(self) -> tuple[np.ndarray, ...]:
@@ -202,17 +204,19 @@ def _tuple(value: Any) -> Any:
     return tuple(map(_tuple, value)) if isinstance(value, list) else value
 
 
-def kinematics(x: Mapping[str, float]) -> np.ndarray:
-    """k(x), [6] by `ROWS`: what gravity and the rotation of the body axes add to the rates of u, v and w [m/s2]."""
+def kinematics(x: Mapping[str, float | np.ndarray]) -> np.ndarray:
+    """k(x), [..., 6] by `ROWS`: what gravity and the rotation of the body axes add to the rates of u, v and w [m/s2]."""
     alpha, beta, speed = x["alpha"], x["beta"], x["airspeed"]
-    u = speed * math.cos(alpha) * math.cos(beta)
-    v = speed * math.sin(beta)
-    w = speed * math.sin(alpha) * math.cos(beta)
+    u = speed * np.cos(alpha) * np.cos(beta)
+    v = speed * np.sin(beta)
+    w = speed * np.sin(alpha) * np.cos(beta)
     p, q, r = x["p"], x["q"], x["r"]
-    g_u = -GRAVITY_M_S2 * math.sin(x["pitch"])
-    g_v = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.sin(x["roll"])
-    g_w = GRAVITY_M_S2 * math.cos(x["pitch"]) * math.cos(x["roll"])
-    return np.array([0.0, 0.0, 0.0, g_u - q * w + r * v, g_v - r * u + p * w, g_w - p * v + q * u])
+    g_u = -GRAVITY_M_S2 * np.sin(x["pitch"])
+    g_v = GRAVITY_M_S2 * np.cos(x["pitch"]) * np.sin(x["roll"])
+    g_w = GRAVITY_M_S2 * np.cos(x["pitch"]) * np.cos(x["roll"])
+    zero = np.zeros(np.shape(g_u))
+    accelerations = (g_u - q * w + r * v, g_v - r * u + p * w, g_w - p * v + q * u)
+    return np.stack([zero, zero, zero, *accelerations], axis=-1)
 
 
 def _close(one: Any, other: Any, tolerance: float) -> bool:

@@ -42,6 +42,11 @@ class Propulsor:
         top = self.max_volts * self.velocity_constant_rps_v
         return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
 
+    def least_thrust(self, axial_m_s: float | np.ndarray, density_kg_m3: float) -> float | np.ndarray:
+        """Thrust [N] at the last advance ratio of the tables, the least that the model knows at an airspeed."""
+        diameters_per_s = axial_m_s / self.advance[1]
+        return density_kg_m3 * diameters_per_s**2 * self.diameter_m**2 * self.thrust[-1]
+
     def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
         """Steady torque [N m] at a thrust and axial airspeed, and its derivative by thrust, dQ/dT [m], at this airspeed."""
         n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)

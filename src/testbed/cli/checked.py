@@ -51,7 +51,7 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     scenario = load_scenario(file, settings)
     aircraft = load_aircraft(scenario.aircraft)
     found: list[Problem] = []
-    at = scenario.initial
+    at, initial = scenario.initial, ("initial",)
     properties = collect(
         found,
         lambda: rehearse(
@@ -60,7 +60,8 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     )
     checkable = scenario if properties is not None else scenario.model_copy(update={"failures": ()})
     names = unknown_names(checkable, aircraft, all_columns(aircraft, scenario), METRICS, properties or {})
-    problems = [*names, *found]
+    # A problem without a file is that there is no trimmed flight to begin with.
+    problems = [*names, *(p if p.file else scenario.source.problem(initial, p.what) for p in found)]
     if problems:
         raise BadInput(problems)
     for warning in conditions.warnings(scenario):

@@ -172,6 +172,13 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--seed", type=int, metavar="S", help="seed of everything random")
     command.add_argument(
+        "--controller",
+        action="append",
+        default=[],
+        metavar="NAME=FILE.py:CLASS",
+        help="compare a controller class of your own too; may be given several times",
+    )
+    command.add_argument(
         "--jobs", type=int, metavar="N", help="number of processes (default: one for each core)"
     )
     command.add_argument(

@@ -84,19 +84,20 @@ def pid_loops(y, ref, c, s, f, nu):
 
 
 @compiled
-def accumulate(integral, error, most, dt):
+def accumulate(integral, error, most, dt, free=False):
     """Integral of an error one control step of `dt` [s] later, with anti-windup: an error at its limit `most` (either sign)
-    may reduce the integral, but not increase it."""
-    if abs(error) < most or error * integral < 0.0:
+    may reduce the integral, but increase it only if what acts on it is `free` of its stops."""
+    if free or abs(error) < most or error * integral < 0.0:
         return integral + clip(error, most) * dt
     return integral
 
 
 @compiled
 def regulate(y, ref, m, c, k, s, f, nu):
-    """Follow the references about the mode's own trim: x_dc_dot = f_m(x) + B_m r_trim + nu.
+    """Follow the references about the mode's own trim: x_dc_dot = f_m(x) + B_m trim_effect + nu.
 
-    f_m is kept and not cancelled, so natural stability and damping remain. `law.invert` adds r_trim, so that nu is only
+    f_m is kept and not cancelled, so natural stability and damping remain. `law.invert` adds trim_effect, the effect of the
+    actuators at the trim, that of a jammed one included. So nu is only
 
         nu = -K (x - x_trim) - K_actuator (a lambda_hat - r_trim) - K_integral integral
 
@@ -110,8 +111,18 @@ def regulate(y, ref, m, c, k, s, f, nu):
     # A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed.
     slow = ref.airspeed + k.airspeed_offset - y.airspeed
     e_height += k.slow_descent * max(slow - k.slow_descent_from, 0.0)
+    # Where a jam needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So while it is
+    # too fast it climbs, and does not descend to its reference before it is slow.
+    if k.fast_climb > 0.0 and slow < 0.0:
+        e_height = (
+            min(e_height, 0.0)
+            + max(e_height, 0.0) * max(1.0 + 2.0 * slow / c.airspeed_error_max, 0.0)
+            + k.fast_climb * slow
+        )
     integral = s.integral
-    integral[AIRSPEED_INTEGRAL] = accumulate(integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt)
+    integral[AIRSPEED_INTEGRAL] = accumulate(
+        integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
+    )
     integral[ALTITUDE_INTEGRAL] = accumulate(
         integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt
     )
@@ -133,5 +144,5 @@ def regulate(y, ref, m, c, k, s, f, nu):
         nu[i] = v
         s.x_dc_dot[i] = f[i] + v
         for j in range(len(s.position)):
-            if k.available[j]:
-                s.x_dc_dot[i] += m.B[i, j] * k.r_trim[j]
+            if k.available[j] or s.jammed[j]:
+                s.x_dc_dot[i] += m.B[i, j] * k.trim_effect[j]

@@ -1,16 +1,17 @@
-"""A conventional autopilot: a mixer and cascaded loops, gains scheduled with dynamic pressure.
+"""A conventional autopilot: cascaded loops, and an allocation from the design model.
 
-The autopilot that a designer would give this aircraft without an inversion. The tails are mixed into an elevator (their sum) and a
-rudder (their difference), the propellers into one throttle. Altitude commands pitch, and pitch the elevator. Heading
-commands bank. There are no ailerons, so bank commands the rudder: yawing causes sideslip, and with dihedral sideslip causes
-roll. No dynamics are cancelled and nothing is estimated; integrators find the trim. The design model gives the trim to start
-from, the motors' throttle curve, and the mixer. With this mixer the gains are rates per error, so those of one aircraft are
-near those of another.
+The autopilot that a designer would give an aircraft without an inversion. Airspeed commands thrust. Altitude commands pitch,
+and pitch the pitch rate. Heading commands bank. Where the aircraft can roll against gusts, bank commands the roll rate, and
+the yaw rate is that of a coordinated turn. Where roll is given up (`released`), as on an aircraft without ailerons, bank
+commands the yaw rate: yawing causes sideslip, and with dihedral sideslip causes roll. No dynamics are cancelled and nothing
+is estimated; integrators find the trim. The design model gives the trim to start from, the motors' throttle curve, and the
+effect of each actuator. The actuators share each demand as in the other controllers (`inversion.allocation`), so the gains
+are rates per error, and those of one aircraft are near those of another.
 
 Structure: Stevens, Lewis and Johnson, Aircraft Control and Simulation, 3rd ed., sec. 4.4 to 4.6; bank by rudder and
 dihedral as on a two-axis glider. How the gains were found: `PidSettings`.
 
-Letters: y state, ref references, m design model, s memory (`records`), g gains (GAINS), mixer [n, 4] of `mixer_of`.
+Letters: y measured state, ref references, m design model, c settings, k control mode, s memory (`records`), g gains (GAINS).
 """
 
 from __future__ import annotations
@@ -21,19 +22,22 @@ from collections.abc import Sequence
 import numpy as np
 
 from testbed.common.jit import bound, compiled
+from testbed.common.signals import RATES
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import command_actuators, write_telemetry
+from testbed.controllers.commands import write_telemetry
 from testbed.controllers.config import PidSettings
-from testbed.controllers.initial_records import model_record, trimmed_memory
+from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
+from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import pressure_ratio_of
+from testbed.controllers.inversion.modes import allocation_of
 from testbed.controllers.outer_loops import clip, wrap
-from testbed.controllers.records import Q_DOT, R_DOT, U_DOT
+from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, U_DOT, mode_dtype, work_dtype
 from testbed.controllers.setup import Setup
 
 GAINS = (
     "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
-    "heading_kp", "heading_ki", "roll_kp", "roll_max", "r_kp",
+    "heading_kp", "heading_ki", "roll_kp", "roll_max", "r_kp", "bank_kp", "p_kp",
 )  # fmt: skip
 """Fields of the gains' record: those of `PidSettings`, with `roll_max` in radians."""
 
@@ -43,16 +47,20 @@ ALTITUDE_ERROR_MAX = 5.0  # m
 HEADING_ERROR_MAX = 0.35  # rad
 HEADING_INTEGRAL_MAX = 0.3  # rad/s
 PRESSURE_RATIO_MIN = 0.2
-"""Least dynamic pressure over that at the reference that the mixer divides by. So at low airspeed a surface deflects at most
+"""Least dynamic pressure over that at the reference that the allocation divides by. So at low airspeed a surface deflects at most
 five times as far as at the reference airspeed for the same desired rate."""
 
 
 @compiled
-def longitudinal(y, ref, dt, g, s):
-    """Desired u_dot from airspeed, and q_dot from altitude through pitch and pitch rate, into `s.x_dc_dot`."""
+def longitudinal(y, ref, dt, g, k, s):
+    """Desired u_dot from airspeed, and q_dot from altitude through pitch and pitch rate, into `s.x_dc_dot`.
+
+    An aircraft that is too slow counts as too high, as in `outer_loops.regulate`.
+    """
     v = max(y.airspeed, 1.0)
     e_speed = clip(ref.airspeed - y.airspeed, AIRSPEED_ERROR_MAX)
     e_height = clip(ref.altitude - y.altitude, ALTITUDE_ERROR_MAX)
+    e_height -= k.slow_descent * max(ref.airspeed - y.airspeed - k.slow_descent_from, 0.0)
     s.airspeed_integral = clip(s.airspeed_integral + g.airspeed_ki * e_speed * dt, g.u_dot_max)
     s.x_dc_dot[U_DOT] = clip(g.airspeed_kp * e_speed + s.airspeed_integral + ref.airspeed_rate, g.u_dot_max)
 
@@ -64,62 +72,55 @@ def longitudinal(y, ref, dt, g, s):
 
 
 @compiled
-def lateral(y, ref, dt, g, s):
-    """Desired r_dot from heading, into `s.x_dc_dot`: turn rate, then bank, then the yaw rate that brings this bank about."""
+def lateral(y, ref, dt, g, k, s):
+    """Desired p_dot and r_dot from heading, into `s.x_dc_dot`: turn rate, then bank, then the rates that bring it about."""
     v = max(y.airspeed, 1.0)
     e_heading = clip(wrap(ref.heading - y.heading), HEADING_ERROR_MAX)
     s.heading_integral = clip(s.heading_integral + g.heading_ki * e_heading * dt, HEADING_INTEGRAL_MAX)
     turn_rate = g.heading_kp * e_heading + ref.heading_rate + s.heading_integral
     bank = clip(math.atan(v / GRAVITY_M_S2 * turn_rate), g.roll_max)
-    r = GRAVITY_M_S2 / v * math.sin(y.roll) + g.roll_kp * (bank - y.roll)
+    r = GRAVITY_M_S2 / v * math.sin(y.roll)  # of a coordinated turn
+    if k.released[P_DOT]:
+        r += g.roll_kp * (bank - y.roll)
+    s.x_dc_dot[P_DOT] = g.p_kp * (g.bank_kp * (bank - y.roll) - y.p)
     s.x_dc_dot[R_DOT] = g.r_kp * (r - y.r)
 
 
 @compiled
-def mix(pressure_ratio, mixer, m, s):
-    """Positions for the desired rates `s.x_dc_dot`: the mixer's, about the trim, into `s.r`; limited to the stops, into `s.u`."""
-    for i in range(len(s.u)):
-        x = 0.0
-        for j in range(4):
-            x += mixer[i, j] * s.x_dc_dot[j]
-        s.r[i] = m.trim_position[i] + (x / pressure_ratio if m.servo[i] else x)
-        s.u[i] = min(max(s.r[i], m.low[i]), m.high[i])
-
-
-@compiled
 def pid_step(step, parts):
-    """One control step: loops, mixer and commands for one measured state.
+    """One control step: loops, allocation and commands for one measured state.
 
     Args:
         step: row of the channels.
-        parts: states, setpoints and telemetry (see `Controller.bind`), then model, gains and memory, each an array of one
-            record, the mixer [n, 4], the flags of released axes [4] (all 0), and the control step [s].
+        parts: states, setpoints and telemetry (see `Controller.bind`), then model, settings, mode, memory, working memory
+            and gains, each an array of one record.
     """
-    states, setpoints, telemetry, models, gains, memories, mixer, released, dt = parts
-    y, ref, m, g, s = states[step], setpoints[step], models[0], gains[0], memories[0]
+    states, setpoints, telemetry, models, settings, modes, memories, works, gains = parts
+    y, ref, g, w = states[step], setpoints[step], gains[0], works[0]
+    m, c, k, s = models[0], settings[0], modes[0], memories[0]
     axial = axial_speed(y)
-    advance_actuators(dt, axial, m, s)
-    longitudinal(y, ref, dt, g, s)
-    lateral(y, ref, dt, g, s)
-    mix(max(pressure_ratio_of(y, m), PRESSURE_RATIO_MIN), mixer, m, s)
-    command_actuators(axial, m, s)
-    write_telemetry(telemetry[step], released, s)
+    advance_actuators(c.dt, axial, m, s)
+    longitudinal(y, ref, c.dt, g, k, s)
+    lateral(y, ref, c.dt, g, k, s)
+    pressure_ratio = max(pressure_ratio_of(y, m), PRESSURE_RATIO_MIN)
+    allocate_and_command(s.x_dc_dot, pressure_ratio, axial, m, c, k, s, w)
+    write_telemetry(telemetry[step], k.released, s)
 
 
 class PidController:
-    """Mixer and loops. It takes all actuators for healthy, so its estimates are logged as 1; it never releases an axis.
+    """Loops and allocation. It takes all actuators for healthy, so its estimates are logged as 1.
 
     Args:
-        setup: design model (mixer, trim, throttle curve), stops, gains in `settings`.
+        setup: design model (effects, trim, throttle curve), stops, released axes, gains in `settings`.
     """
 
     reasons: Sequence[tuple[int, str]] = ()
 
     def __init__(self, setup: Setup) -> None:
-        memory = trimmed_memory(setup)
-        mixer = mixer_of(np.array(setup.model.input_matrix)[:4] * setup.scale, setup.model.kinds)
+        memory, work = trimmed_memory(setup), np.zeros(1, work_dtype(len(setup.actuators)))
         gains = gains_record(setup.settings_as(PidSettings))
-        self._own = (model_record(setup), gains, memory, mixer, np.zeros(4, np.int8), setup.dt_s)
+        settings = settings_record(setup, None)
+        self._own = (model_record(setup), settings, mode_record(setup), memory, work, gains)
         self._commands = memoryview(memory[0].command)  # quicker to go through than the array
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
@@ -143,16 +144,16 @@ def gains_record(settings: PidSettings) -> np.ndarray:
     return record
 
 
-def mixer_of(b: np.ndarray, kinds: tuple[str, ...]) -> np.ndarray:
-    """[n, 4] from desired rates to scaled positions: surfaces make q_dot and r_dot, equal thrusts make u_dot, nothing makes p_dot.
-
-    Args:
-        b: [4, n] scaled input matrix.
-        kinds: [n] `servo` or `motor`.
-    """
-    surfaces = [i for i, kind in enumerate(kinds) if kind == "servo"]
-    motors = [i for i, kind in enumerate(kinds) if kind == "motor"]
-    mixer = np.zeros((b.shape[1], 4))
-    mixer[np.ix_(surfaces, [Q_DOT, R_DOT])] = np.linalg.pinv(b[np.ix_([Q_DOT, R_DOT], surfaces)])
-    mixer[motors, U_DOT] = 1.0 / b[U_DOT, motors].sum()
-    return mixer
+def mode_record(setup: Setup) -> np.ndarray:
+    """The allocation about the reference trim with every actuator available: one record of `records.MODE`."""
+    n, loops = len(setup.actuators), setup.control.loops
+    b = np.array(setup.model.input_matrix)[:4] * setup.scale
+    kept = [i for i, axis in enumerate(RATES) if axis not in setup.released]
+    record = np.zeros(1, mode_dtype(n))
+    k = record[0]
+    k.available[:], k.released[:] = 1, [axis in setup.released for axis in RATES]
+    k.B_hat_inv[:, kept] = np.linalg.pinv(b[kept])
+    k.row_weight[:], k.hessian[:] = allocation_of(b, setup.released, setup.control.allocation)
+    k.trim_effect[:] = np.array(setup.model.trim) / setup.scale
+    k.slow_descent, k.slow_descent_from = loops.slow_descent_s, loops.protect_from_m_s
+    return record

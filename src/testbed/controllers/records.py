@@ -138,6 +138,10 @@ SETTINGS = (
     Field("model_error_rate", (), "1/s", "one over the correlation time of the model's error"),
     Field("coefficient_error", (), "1", "relative error to expect of each coefficient of f_m and B_m"),
     Field("residual_time", (), "s", "time constant of the means of residual and model-error variance"),
+    Field("change_time", (), "s", "time constant of the mean of the recent innovation"),
+    Field("change_sigma", (), "1", "recent innovation over its standard deviation that indicates a change"),
+    Field("change_lead", (), "1", "how much better than any other the changed actuator must explain it"),
+    Field("late_noise", (), "1/sqrt(s)", "process noise of lateness, modelled as a random walk"),
     Field("jam_sigma", (), "1", "fitted offset over its standard deviation that indicates a jam"),
     Field("jam_time", (), "s", "how long an offset must stay beyond `jam_sigma` to be a jam"),
     Field("airspeed_kp", (), "1/s", "u_dot for airspeed error"),
@@ -173,8 +177,12 @@ MODE = (
     ),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
     Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
+    Field(
+        "fast_climb", (), "s", "altitude to gain per m/s above the airspeed of the mode's trim, 0 for none"
+    ),
     Field("airspeed_offset", (), "m/s", "airspeed of the mode's trim minus that of the reference condition"),
-    Field("r_trim", (_N,), "scaled", "r at the mode's own trim"),
+    Field("r_trim", (_N,), "scaled", "position at the mode's own trim"),
+    Field("trim_effect", (_N,), "scaled", "r_trim, of surfaces times (V/V_0)^2 of that trim"),
     Field("x_trim", (_X,), "m/s, rad, rad/s, m", "state at the mode's own trim, by REGULATOR_STATE"),
     Field("K", (4, _X), "x_c per state", "regulator gains on the state"),
     Field(
@@ -211,6 +219,7 @@ MEMORY = (
         "flag",
         "the force of the actuator does not follow its command: jammed, offset or reversed",
     ),
+    Field("saturated", (), "flag", "in the last step an actuator would have had to pass a stop"),
     Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),
     Field(
         "reversal_timer",
@@ -228,6 +237,9 @@ MEMORY = (
         "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none",
     ),
     Field("residual", (4,), "x_c", "running mean of e, first-order with time constant `residual_time`"),
+    Field("late", (_N,), "1", "how late the actuator acts after its model, in time constants of the filter"),
+    Field("late_variance", (_N,), "1", "variance of `late`"),
+    Field("recent", (4,), "x_c", "running mean of the innovation e - b, with time constant `change_time`"),
     Field("b", (4,), "x_c", "estimate of the model's error: what f_m and B_m leave out of each rate"),
     Field("model_error_variance", (4,), "x_c^2", "variance of b that is expected"),
     Field("P", ("n+4", "n+4"), "1, scaled, x_c", "covariance of (lambda_hat, b)"),

@@ -14,9 +14,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from testbed.aircraft.control_design import (
-    ControlDesign,
-)
+from testbed.aircraft.control_design import ControlDesign, Loops
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
@@ -92,7 +90,9 @@ def _computed(
     }
     return control.model_copy(
         update={
-            "loops": _completed(control.loops, _loops(model, limits, lags, released)),
+            "loops": _completed(
+                control.loops, {**_loops(model, limits, lags, released), **_lost_thrust(control.loops, v)}
+            ),
             "regulator": weights.model_copy(update=regulator),
             "disturbance": _completed(control.disturbance, _by_rate(gust_density(model))),
             "model_error_std": _completed(control.model_error_std, _by_rate(model_error_std(model))),
@@ -147,7 +147,14 @@ def _loops(
         "altitude_error_max_m": v / 3.6,
         "airspeed_error_max_m_s": v / 9.0,
         "protect_from_m_s": v / 9.0,
+        "fast_climb_s": v / 36.0,
     }
+
+
+def _lost_thrust(loops: Loops, v: float) -> dict[str, float]:
+    """How much faster is flown when one propeller of several is left, and from where altitude is given up [m/s]."""
+    faster = math.sqrt(v * v + 2.0 * GRAVITY_M_S2 * loops.lost_thrust_height_m) - v
+    return {"lost_thrust_faster_m_s": faster, "lost_thrust_protect_from_m_s": faster}
 
 
 def _pace(authority: float, demand: float) -> float:

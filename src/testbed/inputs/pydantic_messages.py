@@ -41,7 +41,7 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
 
 def _expected(message: str) -> str:
     """pydantic's "Input should be a valid dictionary or instance of X" as "a mapping"."""
-    message = re.sub(r"^(Input|String|Value) should (be )?", "", message)
+    message = re.sub(r"^(Input|String|Value) should (be |have )?", "", message)
     message = re.sub(r" or (instance|(an )?object).*", "", message).replace("valid dictionary", "mapping")
     return message.replace("valid tuple", "list")
 

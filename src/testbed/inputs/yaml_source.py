@@ -24,9 +24,6 @@ _TOO_MANY = f"more than {MAX_NODES} values"
 
 _FORBIDDEN = re.compile("[\0\ud800-\udfff]")
 _FORBIDDEN_WORDS = "a NUL character or half a surrogate pair, which text cannot have"
-MAX_CHARACTERS = 500_000
-"""Most characters in one file. PyYAML reads some 100 000 a second; the longest shipped file has 6000."""
-
 _FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
 
 
@@ -75,11 +72,6 @@ def parsed(text: str, file: str) -> Source:
 
 def parse(text: str, file: str = "") -> Source:
     """Read YAML text; raises BadInput with the line when it is not YAML."""
-    if len(text) > MAX_CHARACTERS:
-        what = f"has {len(text)} characters"
-        raise BadInput(
-            [Problem(what, file, expected=f"at most {MAX_CHARACTERS}; long tables go into a CSV file")]
-        )
     try:
         node = yaml.compose(text, Loader=_Loader)
         return _Reader(file).read(node)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -17,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.model_files.check import model_problems
+from testbed.aircraft.model_files.check import model_files, model_problems
 from testbed.aircraft.model_files.used import model_file
 from testbed.common.cache import Cache
 from testbed.inputs.problems import BadInput, Problem
@@ -69,28 +70,32 @@ def _first_load(aircraft: Aircraft, digest: str) -> known.Record:
 
 def _answer(aircraft: Aircraft) -> known.Record:
     """What the process of the first load says."""
-    request = {
-        "folder": str(aircraft.folder.resolve()),
-        "aircraft": aircraft.model_dump(mode="json", exclude_none=True),
-    }
-    with tempfile.TemporaryDirectory() as empty:
-        command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
-        try:
+    described = aircraft.model_dump(mode="json", exclude_none=True)
+    request = {"folder": str(aircraft.folder.resolve()), "aircraft": described}
+    command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
+    try:
+        with tempfile.TemporaryDirectory() as empty:
             done = subprocess.run(
                 command, input=json.dumps(request), capture_output=True, text=True, errors="replace",
                 timeout=LONGEST_S, cwd=empty, env=_environment(), check=False,
             )  # fmt: skip
-        except subprocess.TimeoutExpired:
-            what = f"JSBSim does not finish loading and starting it within {LONGEST_S:g} s"
-            raise BadInput([_of_model(aircraft, what)]) from None
-        except OSError as error:
-            raise BadInput(
-                [Problem(f"no process can be started to load the model: {error.strerror}")]
-            ) from None
+    except subprocess.TimeoutExpired:
+        what = f"JSBSim does not finish loading and starting it within {LONGEST_S:g} s"
+        raise BadInput([_of_model(aircraft, what)]) from None
+    except OSError as error:  # there may be no folder for temporary files either
+        raise BadInput([Problem(f"no process can be started to load the model: {error.strerror}")]) from None
     answers = _lines(done.stdout)
     if done.returncode == 0 and answers and "properties" in answers[-1]:
         return answers[-1]
-    raise BadInput(_said(answers) or [_of_model(aircraft, _last_words(done))])
+    raise BadInput(_said(answers) or _dead(aircraft, _last_words(done)))
+
+
+def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
+    """What ended the process, at each element that names the property of which JSBSim says that there is none."""
+    missing = re.search(r"The property (\S+) does not exist", words)
+    elements = model_files(aircraft).elements() if missing else ()
+    named = [element for element in elements if missing and element.text.lstrip("-") == missing[1]]
+    return [element.problem(words) for element in named] or [_of_model(aircraft, words)]
 
 
 def _lines(text: str) -> list[dict[str, Any]]:

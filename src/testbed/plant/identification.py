@@ -30,6 +30,7 @@ from testbed.plant.trim import Trim, command_range, trim
 
 _ANGLE_STEP, _RATE_STEP = 0.005, 0.01  # of the central differences [rad, rad/s]
 _COMMAND_STEPS = {"servo": 0.005, "motor": 0.01, "engine": 0.05}  # [rad or throttle]
+_STALL_STEP, _ALPHA_MAX = 0.01, 0.6  # of the search for the stall [rad]
 _ROW_ORDER = [3, 4, 5, 0, 1, 2]  # accelerations come as u v w p q r; the model's rows are p q r u v w
 
 
@@ -70,6 +71,7 @@ def identify(aircraft: Aircraft) -> DesignModel:
         offset_matrix=tuple(tuple(map(float, row)) for row in offsets),
         propulsors=propulsors,
         identified_from=aircraft.fingerprint(),
+        stall_alpha_rad=_stall_angle(plant, level),
         span_m=plant["metrics/bw-ft"] * METRES_PER_FOOT or None,
     )
 
@@ -107,6 +109,22 @@ def _rates(
 
 def _with_rates(state: Mapping[str, float]) -> dict[str, float]:
     return {"p": 0.0, "q": 0.0, "r": 0.0, **state}
+
+
+def _stall_angle(plant: Plant, level: Trim) -> float:
+    """Angle of attack [rad] at which lift grows with half the slope that it has at the trim, at most `_ALPHA_MAX`.
+
+    The slope is that of w_dot, between steps of `_STALL_STEP`. Beyond this angle the design model is no model of the aircraft.
+    """
+    alphas = np.arange(level.state["alpha"], _ALPHA_MAX, _STALL_STEP)
+    rates = [
+        _rates(plant, {**level.state, "alpha": float(alpha)}, level.commands, plant.dt_s)[-1]
+        - kinematics({**_with_rates(level.state), "alpha": float(alpha)})[-1]
+        for alpha in alphas
+    ]
+    slopes = np.diff(rates)
+    (stalled,) = np.nonzero(slopes / slopes[0] < 0.5)
+    return float(alphas[stalled[0]]) if len(stalled) else _ALPHA_MAX
 
 
 def _input_column(plant: Plant, level: Trim, i: int) -> np.ndarray:

@@ -91,7 +91,7 @@ def engine_errors() -> Iterator[None]:
     """Within it, what JSBSim raises is an EngineError."""
     try:
         yield
-    except jsbsim.BaseError as error:
+    except Exception as error:  # JSBSim's own, or whatever its C++ throws
         raise EngineError(str(error)) from None
 
 

@@ -99,6 +99,8 @@ class Plan:
             tree["cases"] = "cases.csv"
         if sweep.compare:
             tree["compare"] = sweep.compare
+        if sweep.controllers:
+            tree["controllers"] = sweep.controllers
         if sweep.stop_when:
             tree["stop_when"] = sweep.stop_when.model_dump()
         return copy.deepcopy(tree)

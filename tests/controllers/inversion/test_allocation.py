@@ -25,7 +25,7 @@ def allocate(records: Records, nu: np.ndarray, pressure_ratio: float = 1.0) -> A
     """Rates [4] that the references r give, beyond those of the trim."""
     m, c, k, s, w = records
     allocate_and_command(nu, pressure_ratio, ALONG, m, c, k, s, w)
-    return np.array(m.B) @ (np.where(m.servo == 1, pressure_ratio, 1.0) * s.r - k.r_trim)
+    return np.array(m.B) @ (np.where(m.servo == 1, pressure_ratio, 1.0) * s.r - k.trim_effect)
 
 
 def test_without_a_stop_in_the_way_it_is_the_inverse() -> None:
@@ -95,7 +95,7 @@ def test_random_demands_in_every_mode_are_met_as_well_as_the_stops_allow() -> No
         records = records_of(REDUNDANT)
         m, _, k, s, _ = records
         k.available[list(failed)] = 0
-        k.r_trim[:] = 0.0
+        k.trim_effect[:] = 0.0
         k.row_weight[:], k.hessian[:] = allocation_of(np.array(m.B), released, SETUP.control.allocation)
         used = [i for i in range(4) if i not in failed]
         kept = [i for i in range(4) if k.row_weight[i] > 0.0]

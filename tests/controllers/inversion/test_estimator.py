@@ -13,6 +13,7 @@ from testbed.controllers.inversion.estimator import (
     JAM_VARIANCE,
     UNKNOWN_VARIANCE,
     adapt_weighted,
+    expect_change,
     predict,
     project,
     reset_covariance,
@@ -155,3 +156,57 @@ def test_model_error_variance_grows_with_the_terms_of_the_model() -> None:
     assert np.allclose(s.model_error_variance, c.model_error_std**2, rtol=1e-9), (
         "at its trim the model is exact"
     )
+
+
+def sudden_change(lost: dict[int, float], seconds: float, expected: bool = True) -> Any:
+    """Memory some time after these changes of effectiveness; each actuator's column of Phi stands out in a row of its own."""
+    c, m, s = records()
+    c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
+    s.model_error_variance[:] = 0.01
+    phi = np.diag([24.0, 6.0, 2.0, 1.0]) @ (np.eye(4) + 0.2 * RNG.normal(size=(4, N)))
+    true = np.ones(N)
+    for i, value in lost.items():
+        true[i] = value
+    for _ in range(round(seconds / c.dt)):
+        e = phi @ true - phi @ s.lambda_hat
+        if expected:
+            expect_change(e, phi, c, s)
+        adapt_weighted(phi @ true, phi, np.zeros(N + 4), m, c, s)
+    return s
+
+
+@pytest.mark.parametrize("lost", range(N))
+def test_a_sudden_loss_is_followed_at_once_and_blamed_on_nobody_else(lost: int) -> None:
+    s = sudden_change({lost: 0.0}, 0.5)
+    assert abs(s.lambda_hat[lost]) < 0.25
+    assert np.delete(np.array(s.lambda_hat), lost) == pytest.approx(np.ones(3), abs=0.15)
+    assert sudden_change({lost: 0.0}, 0.5, expected=False).lambda_hat[lost] > 0.3, (
+        "a random walk alone is slow"
+    )
+
+
+def test_without_a_change_no_variance_grows() -> None:
+    before = sudden_change({}, 0.4).P[:N, :N].diagonal()
+    assert np.all(before <= 0.01 + 0.1**2 * 0.4)
+
+
+def test_what_two_actuators_explain_alike_is_blamed_on_neither() -> None:
+    """Two equal columns: the residual is as likely the one's as the other's."""
+    c, _, s = records()
+    c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
+    phi = np.ones((4, N))
+    for _ in range(100):
+        expect_change(np.full(4, 5.0), phi, c, s)
+    assert np.array_equal(s.P[:N, :N], 0.01 * np.eye(N))
+
+
+def test_the_variance_of_a_change_is_its_square_up_to_a_bound() -> None:
+    c, _, s = records()
+    c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
+    phi = 10.0 * np.eye(4)
+    for _ in range(2000):
+        expect_change(np.array([0.0, 4.0, 0.0, 0.0]), phi, c, s)
+    assert s.P[1, 1] == pytest.approx(0.4**2, rel=1e-3)
+    expect_change(np.array([0.0, 1e6, 0.0, 0.0]), phi, c, s)
+    assert s.P[1, 1] == UNKNOWN_VARIANCE
+    assert s.P[0, 0] == s.P[2, 2] == 0.01

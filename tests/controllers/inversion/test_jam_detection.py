@@ -105,9 +105,11 @@ def test_a_jam_takes_back_recent_flags_and_starts_the_estimates_again() -> None:
     s.failed[:] = [1, 0, 1, 0]
     s.since_flag[:] = [0.9 * RECENT_FLAG_S, math.inf, 1.1 * RECENT_FLAG_S, math.inf]
     s.b[:], s.residual[:] = 1.0, 1.0
-    take_for_jammed(3, 2.5, m, s)
+    take_for_jammed(3, 2.5, 1.0, m, s)
     assert s.failed.tolist() == [0, 0, 1, 1] and s.jammed.tolist() == [0, 0, 0, 1]
     assert s.lambda_hat.tolist() == [1.0, 1.0, 0.02, 2.5]
+    column = np.array(m.B)[:, 3]
+    assert np.array(s.filtered_phi)[:, :, 3] == pytest.approx(np.array([column, column]))
     assert not s.b.any() and not s.residual.any()
     assert np.allclose(np.diag(s.P)[N:], s.model_error_variance)
     assert np.diag(s.P)[[0, 1, 3]].tolist() == [HEALTHY_VARIANCE, HEALTHY_VARIANCE, JAM_VARIANCE]
@@ -115,5 +117,5 @@ def test_a_jam_takes_back_recent_flags_and_starts_the_estimates_again() -> None:
 
 def test_a_jammed_position_is_within_the_stops() -> None:
     m, _, _, s, _ = records()
-    take_for_jammed(0, 99.0, m, s)
+    take_for_jammed(0, 99.0, 1.0, m, s)
     assert s.lambda_hat[0] == m.high[0]

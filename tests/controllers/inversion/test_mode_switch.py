@@ -96,9 +96,26 @@ def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
     assert modes.record[0].r_trim[0] == 0.6
 
 
+def test_a_new_design_for_the_same_failure_keeps_what_the_integrals_have_learnt() -> None:
+    """The part of nu that comes from the integrals is the same before and after; another failure starts with none."""
+    modes, s = switch_of(vtail_setup(WEATHER))
+    k = modes.record[0]
+    s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 0.6
+    modes.switch(5)
+    s.integral[:] = 1.0, -2.0, 0.3
+    before, gains = k.K_integral @ s.integral, k.K_integral.copy()
+    s.lambda_hat[0] = 1.1
+    modes.switch(400)
+    assert not np.allclose(k.K_integral, gains)
+    assert k.K_integral @ s.integral == pytest.approx(before, rel=1e-9)
+    s.jammed[0], s.failed[1] = 0, 1
+    modes.switch(800)
+    assert not s.integral.any()
+
+
 def test_a_jam_that_no_trim_balances_is_flown_as_a_loss() -> None:
     modes, s = switch_of()
-    s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 30.0
+    s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 300.0
     modes.switch(5)
     assert modes.mode.failed == ("left_ruddervator",)
     assert modes.record[0].r_trim[0] == pytest.approx(SETUP.model.trim[0] / SETUP.scale[0])

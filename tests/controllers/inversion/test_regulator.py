@@ -14,7 +14,7 @@ from command_line import ROOT
 from scipy.linalg import expm
 from vtail_setup import vtail_setup
 
-from testbed.controllers.inversion.mode_trim import NoSteadyFlight, Remaining, steady_flight
+from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
 from testbed.controllers.inversion.regulator import (
     design_regulator,
@@ -23,6 +23,7 @@ from testbed.controllers.inversion.regulator import (
     lq_gains,
     regulator_for,
 )
+from testbed.controllers.inversion.steady_flights import Remaining
 from testbed.controllers.records import ALTITUDE
 
 SETUP = vtail_setup()
@@ -72,7 +73,7 @@ def test_the_linear_plant_moves_as_the_design_model_does() -> None:
 @pytest.mark.parametrize("failed", REGULATED)
 def test_every_mode_of_the_vtail_is_stable_about_its_trim(failed: tuple[int, ...]) -> None:
     mode = MODES[failed]
-    regulator = design_regulator(SETUP, mode)
+    regulator = design_regulator(SETUP, mode, {})
     assert regulator.eigenvalues.real.max() < 0.0
     released = [i for i, axis in enumerate(("p_dot", "q_dot", "r_dot", "u_dot")) if axis in mode.released]
     for gains in (regulator.K, regulator.K_actuator, regulator.K_integral):
@@ -86,25 +87,53 @@ def test_bryson_a_smaller_deviation_is_held_more_tightly() -> None:
     weights = SETUP.control.regulator
     states = weights.states.model_copy(update={"roll": 0.1})
     control = SETUP.control.model_copy(update={"regulator": weights.model_copy(update={"states": states})})
-    tight = design_regulator(replace(SETUP, control=control), MODES[(0,)])
-    assert np.abs(tight.K[:, 6]).max() > 1.5 * np.abs(design_regulator(SETUP, MODES[(0,)]).K[:, 6]).max()
+    tight = design_regulator(replace(SETUP, control=control), MODES[(0,)], {})
+    assert np.abs(tight.K[:, 6]).max() > 1.5 * np.abs(design_regulator(SETUP, MODES[(0,)], {}).K[:, 6]).max()
 
 
 def test_a_jammed_surface_moves_the_trim() -> None:
     there = design_regulator(SETUP, MODES[(0,)], {0: 0.6})
     assert there.r_trim[0] == 0.6
-    assert abs(there.x_trim[2] - design_regulator(SETUP, MODES[(0,)]).x_trim[2]) > 0.01
+    assert abs(there.x_trim[2] - design_regulator(SETUP, MODES[(0,)], {}).x_trim[2]) > 0.01
+
+
+def test_at_the_airspeed_of_its_trim_the_loop_is_the_designed_one() -> None:
+    """The law divides the deflections that nu asks of surfaces by (V/V_0)^2. At 12.5 m/s that doubles them, which the gains
+    must know: the plant of the design, with the law's own division, has the designed eigenvalues."""
+    mode, jammed = MODES[(0,)], {0: -25.8 * math.radians(1.0) / SETUP.scale[0]}
+    regulator = design_regulator(SETUP, mode, jammed)
+    left = Remaining.after(SETUP, mode, jammed)
+    flight, held = steady_flight(left, SETUP.control.loops, "")
+    A, B = linearise(left, SETUP.lags, flight, held)
+    pressure_ratio = (flight.state[0] / SETUP.model.airspeed_m_s) ** 2
+    assert pressure_ratio < 0.55
+    divided = mode.inverse / np.array([pressure_ratio, pressure_ratio, 1.0, 1.0])[:, None]
+    gains = np.hstack([regulator.K, regulator.K_actuator, regulator.K_integral])
+    used = [i for i in range(len(A)) if i != 10]  # a jammed actuator's position is no state of the design
+    loop = (A - B @ divided @ gains)[np.ix_(used, used)]
+    assert np.sort_complex(np.linalg.eigvals(loop)) == pytest.approx(
+        np.sort_complex(regulator.eigenvalues), rel=1e-6
+    )
+    assert regulator.trim_effect == pytest.approx(
+        flight.positions * [pressure_ratio, pressure_ratio, 1.0, 1.0]
+    )
+
+
+def test_jams_at_nearly_the_same_position_share_a_design() -> None:
+    one, other, next_one = (regulator_for(SETUP, MODES[(0,)], {0: x}) for x in (0.58, 0.62, 0.68))
+    assert one is other and one is not next_one
+    assert one.r_trim[0] == pytest.approx(0.6)
 
 
 def test_a_regulator_is_kept_and_so_is_that_there_is_none() -> None:
-    assert regulator_for(SETUP, MODES[(2,)]) is regulator_for(SETUP, MODES[(2,)])
-    assert regulator_for(SETUP, MODES[(2,)]) is not regulator_for(SETUP, MODES[(3,)])
+    assert regulator_for(SETUP, MODES[(2,)], {}) is regulator_for(SETUP, MODES[(2,)], {})
+    assert regulator_for(SETUP, MODES[(2,)], {}) is not regulator_for(SETUP, MODES[(3,)], {})
     hopeless = Mode(
         ("left_ruddervator", "right_ruddervator", "left_propeller"), ("p_dot",), np.zeros((4, 4)), 1.0
     )
     for _ in range(2):
         with pytest.raises(NoSteadyFlight, match="one actuator cannot hold"):
-            regulator_for(SETUP, hopeless)
+            regulator_for(SETUP, hopeless, {})
 
 
 @pytest.mark.slow
@@ -114,7 +143,7 @@ def test_the_number_of_blas_threads_changes_no_bit() -> None:
         "from vtail_setup import vtail_setup; from testbed.controllers.inversion.modes import enumerate_modes\n"
         "from testbed.controllers.inversion.regulator import design_regulator\n"
         "setup = vtail_setup(); modes = enumerate_modes(setup.model, setup.scale, setup.control)\n"
-        "print(*(design_regulator(setup, modes[pair]).K.tobytes().hex() for pair in [(0, 3), (2, 3), (1,)]))"
+        "print(*(design_regulator(setup, modes[pair], {}).K.tobytes().hex() for pair in [(0, 3), (2, 3), (1,)]))"
     )
     path = os.pathsep.join([str(ROOT / "tests" / "support"), os.environ.get("PYTHONPATH", "")])
     designs = set()

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
 from scipy import stats
 
 from testbed.sweeps.drawing.distributions import Distribution
@@ -43,3 +44,17 @@ def test_discrete_draws_have_their_weights() -> None:
 def test_extreme_draws_are_finite() -> None:
     values = Distribution.model_validate({"normal": [0, 1]}).quantiles(np.array([0.0, 1.0]))
     assert values[0] < -8 and values[1] > 8 and np.isfinite(values).all()
+
+
+@pytest.mark.parametrize("name", ["uniform", "integers", "normal", "log_uniform", "norm"])
+@pytest.mark.parametrize("parameters", [[0, 10**400], [1, 1e400], [-1.7e308, 1.7e308], [-(10**308), 10**308]])
+def test_numbers_beyond_a_floats_are_refused_or_drawn(name: str, parameters: list[float]) -> None:
+    """YAML has whole numbers of any length; what a range of them draws must be finite."""
+    try:
+        drawn = Distribution.model_validate({name: parameters}).quantiles(
+            np.array([0.0, 0.5, 1.0 - 2.0**-53])
+        )
+    except ValidationError as error:
+        assert f"{name} " in str(error)
+    else:
+        assert np.all(np.isfinite(drawn))

@@ -13,6 +13,13 @@ _ENGINES = (
     "piston_engine", "turbine_engine", "turboprop_engine", "rocket_engine", "electric_engine", "brushless_dc_motor",
 )  # fmt: skip
 _THRUSTERS = ("propeller", "nozzle", "rotor", "direct")
+_MOTOR_PARTS = ("maxvolts", "velocityconstant", "coilresistance", "noloadcurrent")
+_UNITS = {
+    "ixx": ("SLUG*FT2", "KG*M2"), "diameter": ("FT", "IN", "M", "CM"), "maxvolts": ("VOLTS",),
+    "coilresistance": ("OHMS",), "noloadcurrent": ("AMPERES",),
+}  # fmt: skip
+"""Units that JSBSim converts, of parts of propellers and motors."""
+_PROPELLER_PARTS, _PROPELLER_TABLES = ("ixx", "diameter", "numblades"), ("C_THRUST", "C_POWER")
 
 
 def engines(files: ModelFiles) -> list[Element]:
@@ -33,6 +40,7 @@ def incomplete(files: ModelFiles) -> Iterator[Problem]:
             )
     for engine in engines(files):
         yield from _engine(files, engine)
+    yield from _parts(files)
 
 
 def _engine(files: ModelFiles, engine: Element) -> Iterator[Problem]:
@@ -43,6 +51,30 @@ def _engine(files: ModelFiles, engine: Element) -> Iterator[Problem]:
         yield engine.problem("has no <thruster>", "a propeller, nozzle, rotor or direct thruster")
     elif not _has_one(files, thrusters[0], _THRUSTERS):
         yield thrusters[0].problem("has no thruster", f"its file, with one of {', '.join(_THRUSTERS)}")
+
+
+def _parts(files: ModelFiles) -> Iterator[Problem]:
+    """Parts of propellers and motors that JSBSim takes for granted: without a table it ends the process."""
+    for element in files.elements():
+        if element.tag == "propeller" and element.children:
+            yield from _lacking(element, _PROPELLER_PARTS)
+            names = [table.attributes.get("name") for table in element.all("table")]
+            for name in _PROPELLER_TABLES:
+                if names.count(name) != 1:
+                    yield element.problem(f"has {names.count(name)} tables {name}", "one")
+        elif element.tag == "brushless_dc_motor":
+            yield from _lacking(element, _MOTOR_PARTS)
+
+
+def _lacking(element: Element, tags: tuple[str, ...]) -> Iterator[Problem]:
+    for tag in tags:
+        part = element.first(tag)
+        if part is None:
+            yield element.problem(f"has no <{tag}>", "a number that JSBSim needs")
+            continue
+        unit = part.attributes.get("unit", "")
+        if unit and unit not in _UNITS.get(tag, (unit,)):
+            yield part.problem(f"has unit={unit!r}", f"one of {', '.join(_UNITS[tag])}")
 
 
 def _has_one(files: ModelFiles, element: Element, tags: tuple[str, ...]) -> bool:

@@ -26,7 +26,8 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
         axial: airspeed along the propellers' axis [m/s].
     """
     invert(nu, pressure_ratio, m, k, s)
-    if passes_a_stop(m, c, k, s):
+    s.saturated = passes_a_stop(m, c, k, s)
+    if s.saturated:
         allocate_within_stops(nu, pressure_ratio, m, c, k, s, w)
     compensate(m, c, k, s)
     command_actuators(axial, m, s)
@@ -46,14 +47,14 @@ def passes_a_stop(m, c, k, s):
 def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
     """References r within the stops whose rates are closest to nu: minimises
 
-        sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = pressure r - r_trim,
+        sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = pressure r - trim_effect,
 
     where pressure is `pressure_ratio` for a servo and 1 for a motor. A weak actuator has lambda_hat times its travel.
     """
     for i in range(len(s.r)):
         pressure = pressure_ratio if m.servo[i] else 1.0
         lam = divisor(i, c, s) * pressure if k.available[i] else 0.0
-        trim = k.r_trim[i] if k.available[i] else 0.0
+        trim = k.trim_effect[i] if k.available[i] else 0.0
         w.low[i], w.high[i] = m.low[i] * lam - trim, m.high[i] * lam - trim
         w.d[i] = s.r[i] * pressure - trim
         w.g[i] = 0.0
@@ -62,4 +63,4 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
     bounded_least_squares(k.hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
     for i in range(len(s.r)):
         pressure = pressure_ratio if m.servo[i] else 1.0
-        s.r[i] = (k.r_trim[i] + w.d[i]) / pressure
+        s.r[i] = (k.trim_effect[i] + w.d[i]) / pressure

@@ -46,6 +46,35 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
 
 
 @compiled
+def expect_change(e, phi, c, s):
+    """Give the effectiveness that has just changed the variance of that change, so that the filter follows it at once.
+
+    A random walk is slow to believe in a sudden loss, and spreads it over all actuators meanwhile. So the mean of the innovation
+    e - b over the last `change_time` is explained by a change of each effectiveness alone, by weighted least squares. The
+    likelihood ratio is (change / its standard deviation)^2. If the best is above `change_sigma`^2, and `change_lead`^2 times the
+    next best, the variance of that estimate becomes at least the square of the change.
+    """
+    for row in range(4):
+        s.recent[row] += c.dt / c.change_time * (e[row] - s.b[row] - s.recent[row])
+    best, first, second, change = -1, 0.0, 0.0, 0.0
+    for i in range(len(s.lambda_hat)):
+        projection, information = 0.0, 1e-12
+        n = len(s.lambda_hat)
+        for row in range(4):
+            weight = 1.0 / (0.5 * c.noise[row] * c.noise[row] / c.change_time + s.P[n + row, n + row])
+            projection += phi[row, i] * weight * s.recent[row]
+            information += phi[row, i] * weight * phi[row, i]
+        ratio = projection * projection / information
+        if ratio > first:
+            best, first, second, change = i, ratio, first, projection / information
+        elif ratio > second:
+            second = ratio
+    if first > c.change_sigma * c.change_sigma and first > c.change_lead * c.change_lead * second:
+        most = JAM_VARIANCE if s.jammed[best] else UNKNOWN_VARIANCE
+        s.P[best, best] = max(s.P[best, best], min(change * change, most))
+
+
+@compiled
 def adapt_weighted(z, phi, P_h, m, c, s):
     """One step of the filter, in place of (13): the four rates are used one after the other."""
     predict(c, s)

@@ -17,7 +17,7 @@ REVERSED_BELOW = -0.5
 """An estimate below this with a small standard deviation means that the actuator is reversed, not that it lost effectiveness."""
 RECENT_FLAG_S = 2.0
 """Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
-REDESIGN_AFTER = 0.3
+REDESIGN_AFTER = 0.5
 """Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again."""
 
 
@@ -40,7 +40,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         if s.jam_timer[i] > c.jam_time or s.reversal_timer[i] > c.persistence + 1e-9:
             position = s.lambda_hat[i] * s.position[i] + (offset if i == likeliest else 0.0)
-            take_for_jammed(i, position, m, s)
+            take_for_jammed(i, position, pressure_ratio, m, s)
             changed = 1
         if s.jammed[i] and abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
             changed = 1
@@ -73,7 +73,7 @@ def likeliest_jam(pressure_ratio, m, c, s):
 
 
 @compiled
-def take_for_jammed(i, position, m, s):
+def take_for_jammed(i, position, pressure_ratio, m, s):
     """Flag actuator i as jammed at about this position [scaled], which is estimated from now on.
 
     Until now its force has biased the estimates of the other actuators. So the estimates of those that are not flagged start
@@ -91,5 +91,8 @@ def take_for_jammed(i, position, m, s):
     s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
     reset_covariance(i, JAM_VARIANCE, s)
     for row in range(4):
+        # Its column of Phi is now the effect of one unit, and has been so all along: the filters' states are those of a constant.
+        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
+        s.filtered_phi[0, row, i], s.filtered_phi[1, row, i] = column, column
         s.residual[row], s.b[row] = 0.0, 0.0
         reset_covariance(n + row, s.model_error_variance[row], s)

@@ -148,9 +148,12 @@ def monitor(c, s):
 
 @compiled
 def invert(nu, pressure_ratio, m, k, s):
-    """(29): r = r_trim + B_hat^-1 nu; while nothing has failed this is (6). r_trim is zero unless the mode is regulated."""
+    """(29): r = r_trim + B_hat^-1 nu; while nothing has failed this is (6). r_trim is zero unless the mode is regulated.
+
+    A surface keeps the force that it has at the mode's trim, so at another airspeed r_trim changes as 1/V^2.
+    """
     for i in range(len(s.r)):
-        s.r[i] = k.r_trim[i]
+        s.r[i] = k.trim_effect[i]
         for j in range(4):
             s.r[i] += k.B_hat_inv[i, j] * nu[j]
         if m.servo[i]:

@@ -10,8 +10,8 @@ import numpy as np
 from testbed.common.signals import RATES
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
-from testbed.controllers.inversion.regulator import Regulator, design_regulator, regulator_for
-from testbed.controllers.records import AIRSPEED, ALPHA, PITCH, mode_dtype
+from testbed.controllers.inversion.regulator import Regulator, regulator_for
+from testbed.controllers.records import AIRSPEED, ALPHA, INTEGRALS, PITCH, mode_dtype
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
 
@@ -75,7 +75,6 @@ class ModeSwitch:
             return self._report(step, str(reason))
         if regulator is not None and "altitude" not in regulator.held:
             self._report(step, _cannot_hold_altitude(mode, regulator), once_for=mode.failed)
-        self.mode = mode
         self._put_in_force(mode, regulator, failed)
 
     def _note_jams(self, step: int, jammed: Mapping[int, float]) -> None:
@@ -87,30 +86,44 @@ class ModeSwitch:
 
     def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
         """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed without them."""
-        if jammed:
-            try:
-                return design_regulator(self._setup, mode, jammed)
-            except NoSteadyFlight:
-                pass
-        return regulator_for(self._setup, mode)
+        try:
+            return regulator_for(self._setup, mode, jammed)
+        except NoSteadyFlight:
+            return regulator_for(self._setup, mode, {})
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
         k, s, setup = self.record[0], self._memory[0], self._setup
         loops = setup.control.loops
-        motor_lost = any(setup.model.kinds[i] == "motor" for i in failed)
+        motor_lost = any(setup.model.kinds[i] != "servo" for i in failed)
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
         b = np.array(setup.model.input_matrix)[:4] * setup.scale
         k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, setup.control.allocation)
         k.available[:] = [i not in failed for i in range(len(setup.actuators))]
         k.slow_descent = loops.slow_descent_s
         k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s
-        k.regulated, k.r_trim[:], k.airspeed_offset = regulator is not None, 0.0, 0.0
+        k.fast_climb = loops.fast_climb_s if s.jammed.any() else 0.0
         s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
-        s.pitch_integral, s.integral[:] = setup.trim_pitch, 0.0
+        s.pitch_integral = setup.trim_pitch
+        s.integral[:] = self._carried_over(mode, regulator)
+        k.regulated, k.r_trim[:], k.trim_effect[:], k.airspeed_offset = regulator is not None, 0.0, 0.0, 0.0
         if regulator is not None:
             k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim
+            k.trim_effect[:] = regulator.trim_effect
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
             k.airspeed_offset = regulator.x_trim[AIRSPEED] - setup.model.airspeed_m_s
+        self.mode = mode
+
+    def _carried_over(self, mode: Mode, regulator: Regulator | None) -> np.ndarray:
+        """[3] integrals of the regulator, with which the part of nu that comes from them stays as it is.
+
+        The regulator of a mode is designed again when the estimated position of a jammed actuator has moved. What the integrals
+        have made up for so far, such as the design model's error, is there still. Another mode starts with zeros: its axes are
+        others, and so is what has to be made up for.
+        """
+        k, s = self.record[0], self._memory[0]
+        if regulator is None or not k.regulated or mode.failed != self.mode.failed:
+            return np.zeros(len(INTEGRALS))
+        return np.linalg.pinv(regulator.K_integral) @ (k.K_integral @ s.integral)
 
     def _report(self, step: int, text: str, once_for: object = None) -> None:
         """Note a text once; with `once_for`, note one text for each value of it.

@@ -18,11 +18,14 @@ from threadpoolctl import threadpool_limits
 from testbed.aircraft.control_design import RegulatorWeights
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
-from testbed.controllers.inversion.mode_trim import NoSteadyFlight, Remaining, SteadyFlight, steady_flight
+from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
 from testbed.controllers.inversion.modes import Mode
-from testbed.controllers.records import ALTITUDE, INTEGRALS, REGULATOR_STATE
+from testbed.controllers.inversion.steady_flights import Remaining, SteadyFlight
+from testbed.controllers.records import AIRSPEED, ALTITUDE, INTEGRALS, REGULATOR_STATE
 from testbed.controllers.setup import Setup
 
+_JAM_STEPS = 10
+"""Steps in a scaled unit to which a jammed actuator's position is rounded for its design; the integrals make up for the rest."""
 _STEP = 1e-6  # of the central differences in `jacobian`, in the unit of each state or scaled position
 
 
@@ -33,6 +36,7 @@ class Regulator:
     Attributes:
         x_trim: [10] state by `records.REGULATOR_STATE`.
         r_trim: [n] scaled actuator positions at that trim, as if fully effective.
+        trim_effect: [n] r_trim, that of surfaces times the trim's (V/V_0)^2.
         K, K_actuator, K_integral: [4, 10], [4, n], [4, 3] gains on state, modelled actuators and integrals.
         eigenvalues: of the designed loop [rad/s].
         held: outputs that follow their references with integral action: some of airspeed, altitude, heading.
@@ -40,6 +44,7 @@ class Regulator:
 
     x_trim: np.ndarray
     r_trim: np.ndarray
+    trim_effect: np.ndarray
     K: np.ndarray
     K_actuator: np.ndarray
     K_integral: np.ndarray
@@ -82,7 +87,7 @@ def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tupl
         return K, np.linalg.eigvals(A - B @ K)
 
 
-def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | None = None) -> Regulator:
+def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
     """Linear-quadratic regulator for a mode, with weights by Bryson's rule (Bryson and Ho, sec. 5.2).
 
     Args:
@@ -91,11 +96,15 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | Non
     Raises:
         NoSteadyFlight: no steady flight within the stops, or none that can be stabilised.
     """
-    left, weights = Remaining.after(setup, mode, jammed or {}), setup.control.regulator
+    left, weights = Remaining.after(setup, mode, jammed), setup.control.regulator
     flight, held = steady_flight(left, setup.control.loops, mode.title)
     nx, n = len(REGULATOR_STATE), len(left.scale)
     A, B = linearise(left, setup.lags, flight, held)
-    B = B @ mode.inverse  # the inputs are nu
+    # Inputs are nu. The law divides positions of surfaces by (V/V_0)^2, so that their effect is what nu demands.
+    pressure_ratio = (flight.state[AIRSPEED] / setup.model.airspeed_m_s) ** 2
+    pressure = np.array([pressure_ratio if kind == "servo" else 1.0 for kind in setup.model.kinds])
+    inverse = mode.inverse / pressure[:, None]
+    B = B @ inverse
     # Actuators that are not used, and released axes, are left out of the feedback. So is altitude in a descent: it is the
     # energy that keeps the airspeed up, and cannot be held.
     unused = {ALTITUDE} if "altitude" not in held else set()
@@ -103,7 +112,7 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | Non
     states = [i for i in range(len(A)) if i not in unused]
     kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
     Q = np.diag(1.0 / np.square(_largest_deviations(weights, n, held)[states]))
-    into = mode.inverse[:, kept]  # the weights are on actuator positions; these are r = into nu
+    into = inverse[:, kept]  # the weights are on actuator positions; these are r = into nu
     R = into.T @ np.diag(left.available / weights.actuator**2) @ into
     try:
         K, eigenvalues = lq_gains(A[np.ix_(states, states)], B[np.ix_(states, kept)], Q, R)
@@ -114,7 +123,15 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float] | Non
     gains[np.ix_(kept, states)] = K
     integral = np.zeros((4, len(INTEGRALS)))
     integral[:, [INTEGRALS.index(name) for name in held]] = gains[:, nx + n :]
-    return Regulator(*flight, gains[:, :nx], gains[:, nx : nx + n], integral, eigenvalues, held)
+    return Regulator(
+        *flight,
+        flight.positions * pressure,
+        gains[:, :nx],
+        gains[:, nx : nx + n],
+        integral,
+        eigenvalues,
+        held,
+    )
 
 
 def _largest_deviations(weights: RegulatorWeights, n: int, held: Sequence[str]) -> np.ndarray:
@@ -126,16 +143,26 @@ def _largest_deviations(weights: RegulatorWeights, n: int, held: Sequence[str]) 
 _regulators: Cache[Regulator | str] = Cache(256)
 
 
-def regulator_for(setup: Setup, mode: Mode) -> Regulator:
-    """As `design_regulator` without jams, cached: to compute a design takes longer than to simulate a second of flight, and it is
-    the same in every flight. A mode without steady flight is cached too."""
+def regulator_for(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
+    """As `design_regulator`, cached: to compute a design takes longer than to simulate a second of flight, and it is the same in
+    every flight. A mode without steady flight is cached too.
+
+    Positions of jammed actuators are rounded by `_JAM_STEPS`, so that the flights of a sweep share designs."""
+    rounded = {i: round(position * _JAM_STEPS) / _JAM_STEPS for i, position in jammed.items()}
     arrays = (setup.scale, mode.inverse, setup.limits, setup.lags)
     control = setup.control.model_dump_json()
-    key = (setup.model, mode.failed, mode.released, control, *(a.tobytes() for a in arrays))
+    key = (
+        setup.model,
+        mode.failed,
+        mode.released,
+        tuple(rounded.items()),
+        control,
+        *(a.tobytes() for a in arrays),
+    )
 
     def designed() -> Regulator | str:
         try:
-            return design_regulator(setup, mode)
+            return design_regulator(setup, mode, rounded)
         except NoSteadyFlight as reason:
             return str(reason)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import sys
 from functools import cached_property
 from typing import Any
 
@@ -17,8 +16,6 @@ from testbed.inputs.yaml_source import describe
 
 _OPEN = 2.0**-53
 """Probabilities are kept this far from 0 and 1, where the inverse of an unbounded distribution is infinite."""
-_LARGEST = sys.float_info.max / 4.0
-"""Largest parameter of a distribution: the width of a range must be a number too."""
 _LARGEST_WHOLE = 2**53
 """Whole numbers beyond it have no exact value as floating point numbers, by which they are drawn."""
 
@@ -63,7 +60,18 @@ class Distribution(Settings):
             self._check_own()
         else:
             self._check_scipy()
+        self._check_ends()
         return self
+
+    def _check_ends(self) -> None:
+        """Refuse parameters of which some draws would be infinite."""
+        try:
+            with np.errstate(all="ignore"):
+                ends = [] if self.name == "choice" else self.quantiles(np.array([_OPEN, 1.0 - _OPEN]))
+        except (OverflowError, ValueError, TypeError):
+            ends = [math.inf]
+        if not all(map(_finite, ends)):
+            raise refuse(f"{self.name} draws numbers that are not finite", "smaller parameters")
 
     def quantiles(self, u: np.ndarray) -> list[Any]:
         """The n values at the probabilities `u` [n], as Python's own types."""
@@ -123,9 +131,9 @@ class Distribution(Settings):
     @cached_property
     def _frozen(self) -> Any:
         if self.name == "normal":
-            return stats.norm(*self.parameters)
+            return stats.norm(*map(float, self.parameters))
         if self.name == "log_uniform":
-            return stats.loguniform(*self.parameters)
+            return stats.loguniform(*map(float, self.parameters))
         family = getattr(stats, self.name)
         given = self.parameters
         return family(**given) if isinstance(given, dict) else family(*given)
@@ -157,7 +165,7 @@ class Distribution(Settings):
         if self.name == "normal":
             if high <= 0:
                 raise refuse(f"the standard deviation is {high}", "more than 0")
-        elif not abs(float(high) - float(low)) <= _LARGEST:
+        elif not _finite(float(high) - float(low)):
             raise refuse(f"{self.name} is from {low} to {high}", "a range that is a finite number")
         elif (
             low > high
@@ -201,5 +209,12 @@ def distribution_names() -> list[str]:
 def _numbers(values: Any, count: int) -> bool:
     if not isinstance(values, list) or len(values) != count:
         return False
-    # Not math.isfinite, which a whole number of 400 digits overflows.
-    return all(isinstance(v, int | float) and not isinstance(v, bool) and abs(v) <= _LARGEST for v in values)
+    return all(isinstance(v, int | float) and not isinstance(v, bool) and _finite(v) for v in values)
+
+
+def _finite(value: float) -> bool:
+    """Whether a number is finite, also as a float: YAML has whole numbers of any length."""
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False

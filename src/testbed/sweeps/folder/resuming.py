@@ -35,6 +35,7 @@ def flown_with(plan: Plan, fly: str) -> dict[str, Any]:
         "fly": fly,
         "aircraft_sha256": _aircraft_digest(plan),
         "versions": _versions(),
+        **_controllers(plan),
     }
 
 
@@ -108,10 +109,19 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
         yield f"the function {before.get('fly')}, this is {now['fly']}"
     if before.get("aircraft_sha256") != now["aircraft_sha256"]:
         yield "other files of the aircraft, which have changed since"
+    for name, digest in now.get("controllers_sha256", {}).items():
+        if before.get("controllers_sha256", {}).get(name) != digest:
+            yield f"other code of {name}, which has changed since"
     for name, version in now["versions"].items():
         old = before.get("versions", {}).get(name)
         if old != version:
             yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
+
+
+def _controllers(plan: Plan) -> dict[str, Any]:
+    """Digest of each controller of the user's own, if there are any."""
+    own = plan.builder.own
+    return {"controllers_sha256": {name: each.digest for name, each in own.items()}} if own else {}
 
 
 def _versions() -> dict[str, str]:

@@ -1,0 +1,206 @@
+"""Steady straight flights of the design model, many at once: the states and positions at which nothing accelerates.
+
+A flight is steady when the six rates are zero and the climb rate is that of its path angle: seven equations. The unknowns are
+alpha, beta, roll and pitch, the positions of the actuators that are left, and, where these are too few, the airspeed. Where
+there are more unknowns than equations, the Gauss-Newton steps are those of least norm, in units of `_ANGLE`, `_SPEED` and one
+scaled position. So redundant actuators share the work, and an aircraft that is its own mirror image flies symmetrically.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from testbed.aircraft.design_model import DesignModel
+from testbed.controllers.inversion.modes import Mode
+from testbed.controllers.records import AIRSPEED, ALPHA, BETA, PITCH, REGULATOR_STATE, ROLL
+from testbed.controllers.setup import Setup
+
+_ANGLE, _SPEED = 0.2, 3.0  # rad and m/s that count as one scaled position
+_ITERATIONS = 12
+_LARGEST_STEP = 1.0  # of an unknown in one iteration, in its unit
+_DIFFERENCE = 1e-6  # of the central differences, in each unknown's unit
+_RESIDUAL_MAX = 1e-7  # largest rate that may remain [rad/s2, m/s2, m/s]
+_DAMPING = 1e-10  # of the Gauss-Newton steps, so that too few actuators are no error
+
+
+@dataclass(frozen=True)
+class Remaining:
+    """What there is to fly with after failures.
+
+    Attributes:
+        scale: [n] rad or N of one scaled unit.
+        limits: [n, 2] scaled stops.
+        available: [n] 1 for actuators that are used.
+        effective: [n] effectiveness: 1 for available and for jammed actuators, 0 for the others.
+        positions: [n] scaled positions: where a jammed actuator is jammed; for the others that of the reference trim, which is
+            the first guess for those that are available.
+    """
+
+    model: DesignModel
+    scale: np.ndarray
+    limits: np.ndarray
+    available: np.ndarray
+    effective: np.ndarray
+    positions: np.ndarray
+
+    @classmethod
+    def after(cls, setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Remaining:
+        """What remains in a mode, with the scaled positions of jammed actuators."""
+        model, scale = setup.model, setup.scale
+        available = np.array([float(name not in mode.failed) for name in model.actuators])
+        effective, positions = available.copy(), np.array(model.trim) / scale
+        for i, position in jammed.items():
+            effective[i], positions[i] = 1.0, position
+        return cls(model, scale, setup.limits, available, effective, positions)
+
+    @property
+    def used(self) -> np.ndarray:
+        """Indices of the available actuators."""
+        return np.flatnonzero(self.available)
+
+    @property
+    def jammed(self) -> bool:
+        """Whether an actuator that is not available has a force."""
+        return bool(np.any(self.effective > self.available))
+
+    def least_positions(self, airspeeds: np.ndarray) -> np.ndarray:
+        """[m, n] least scaled position that the model knows at each of m airspeeds: a windmilling propeller's drag grows as
+        V^2; of other actuators minus infinity."""
+        least = np.full((len(airspeeds), len(self.scale)), -np.inf)
+        for i, propulsor in enumerate(self.model.propulsors):
+            if propulsor is not None:
+                least[:, i] = propulsor.least_thrust(airspeeds, self.model.density_kg_m3) / self.scale[i]
+        return least
+
+    def motion(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
+        """[..., 10] derivatives of the state x [..., 10] with actuators at scaled positions a [..., n]."""
+        return motion(self.model, x, a * self.scale, self.effective)
+
+
+class SteadyFlight(NamedTuple):
+    """A steady flight, or m of them: state [10] or [m, 10] by `records.REGULATOR_STATE`, and scaled positions [n] or [m, n]."""
+
+    state: np.ndarray
+    positions: np.ndarray
+
+    def only(self, which: np.ndarray | int) -> SteadyFlight:
+        """Those flights, or that flight, of m."""
+        return SteadyFlight(self.state[which], self.positions[which])
+
+
+def at_path_angles(left: Remaining, airspeeds: np.ndarray, path_angles: np.ndarray) -> SteadyFlight:
+    """The steady flights at [m] airspeeds [m/s] and path angles [rad]; those without a solution are left out."""
+    climbs = airspeeds * np.sin(path_angles)
+    return _solved(left, airspeeds, lambda climb: climb - climbs, with_airspeed=False)
+
+
+def level(left: Remaining, airspeeds: np.ndarray) -> SteadyFlight:
+    """Level flights at airspeeds that are unknown; [m] first guesses of them [m/s]."""
+    return _solved(left, airspeeds, lambda climb: climb, with_airspeed=True)
+
+
+def at_airspeeds(left: Remaining, airspeeds: np.ndarray) -> SteadyFlight:
+    """The steady flights at [m] airspeeds [m/s], at path angles that are unknown."""
+    return _solved(left, airspeeds, None, with_airspeed=False)
+
+
+def _solved(
+    left: Remaining,
+    airspeeds: np.ndarray,
+    climb_error: Callable[[np.ndarray], np.ndarray] | None,
+    with_airspeed: bool,
+) -> SteadyFlight:
+    m, used = len(airspeeds), left.used
+    states = [ALPHA, BETA, ROLL, PITCH, *([AIRSPEED] if with_airspeed else [])]
+    sizes = np.array([_SPEED if i == AIRSPEED else _ANGLE for i in states] + [1.0] * len(used))
+    state = np.zeros((m, len(REGULATOR_STATE)))
+    state[:, AIRSPEED], state[:, ALPHA], state[:, PITCH] = (
+        airspeeds,
+        left.model.alpha_rad,
+        left.model.alpha_rad,
+    )
+    positions = np.tile(left.positions, (m, 1))
+
+    def flights(z: np.ndarray) -> SteadyFlight:
+        x, a = state.copy(), positions.copy()
+        x[:, states] += z[:, : len(states)] * sizes[: len(states)]
+        a[:, used] += z[:, len(states) :]
+        return SteadyFlight(x, a)
+
+    def residuals(z: np.ndarray) -> np.ndarray:
+        x, a = flights(z)
+        rates = _rates(left.model, x, a * left.scale, left.effective)
+        if climb_error is None:
+            return rates
+        return np.column_stack([rates, climb_error(_climb_rate(x))])
+
+    z = gauss_newton(residuals, np.zeros((m, len(sizes))))
+    return flights(z).only(np.abs(residuals(z)).max(axis=1) < _RESIDUAL_MAX)
+
+
+def gauss_newton(residuals: Callable[[np.ndarray], np.ndarray], z: np.ndarray) -> np.ndarray:
+    """[m, k] zeros of m independent problems: `residuals` maps [m, k] to [m, e]; from first guesses z, by steps of least norm."""
+    for _ in range(_ITERATIONS):
+        r, columns = residuals(z), []
+        if np.abs(r).max() < 0.01 * _RESIDUAL_MAX:
+            break
+        for i in range(z.shape[1]):
+            step = np.zeros(z.shape[1])
+            step[i] = _DIFFERENCE
+            columns.append((residuals(z + step) - residuals(z - step)) / (2.0 * _DIFFERENCE))
+        J = np.stack(columns, axis=-1)
+        JT = J.transpose(0, 2, 1)
+        gram = J @ JT + _DAMPING * np.eye(r.shape[1])
+        step = (JT @ np.linalg.solve(gram, r[..., None]))[..., 0]
+        largest = np.abs(step).max(axis=1, keepdims=True)
+        z = z - step * np.minimum(1.0, _LARGEST_STEP / np.maximum(largest, 1e-12))
+    return z
+
+
+def motion(model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray) -> np.ndarray:
+    """[..., 10] time derivatives of the state on the design model (flat earth, body axes).
+
+    Args:
+        x: [..., 10] state by `records.REGULATOR_STATE`.
+        a: [..., n] actuator positions [rad, N].
+        effectiveness: [n] of each actuator, 1 healthy, 0 lost.
+    """
+    speed, alpha, beta, p, q, r, roll, pitch, _, _ = np.moveaxis(x, -1, 0)
+    p_dot, q_dot, r_dot, u_dot, v_dot, w_dot = np.moveaxis(_rates(model, x, a, effectiveness), -1, 0)
+    u, v, w = _velocity(speed, alpha, beta)
+    speed_dot = (u * u_dot + v * v_dot + w * w_dot) / speed
+    alpha_dot = (u * w_dot - w * u_dot) / (u * u + w * w)
+    beta_dot = (v_dot - np.sin(beta) * speed_dot) / (speed * np.cos(beta))
+    turn = q * np.sin(roll) + r * np.cos(roll)
+    roll_dot, pitch_dot = p + np.tan(pitch) * turn, q * np.cos(roll) - r * np.sin(roll)
+    heading_dot = turn / np.cos(pitch)
+    rates = (speed_dot, alpha_dot, beta_dot, p_dot, q_dot, r_dot, roll_dot, pitch_dot, heading_dot)
+    return np.stack([*rates, _climb_rate(x)], axis=-1)
+
+
+def path_angles(flights: SteadyFlight) -> np.ndarray:
+    """[m] path angle of each of m flights [rad]."""
+    angles: np.ndarray = np.arcsin(_climb_rate(flights.state) / flights.state[:, AIRSPEED])
+    return angles
+
+
+def _velocity(speed: np.ndarray, alpha: np.ndarray, beta: np.ndarray) -> tuple[np.ndarray, ...]:
+    """u, v, w [m/s]."""
+    return speed * np.cos(alpha) * np.cos(beta), speed * np.sin(beta), speed * np.sin(alpha) * np.cos(beta)
+
+
+def _climb_rate(x: np.ndarray) -> np.ndarray:
+    """[...] climb rate [m/s] in still air."""
+    roll, pitch = x[..., ROLL], x[..., PITCH]
+    u, v, w = _velocity(x[..., AIRSPEED], x[..., ALPHA], x[..., BETA])
+    climb: np.ndarray = u * np.sin(pitch) - (v * np.sin(roll) + w * np.cos(roll)) * np.cos(pitch)
+    return climb
+
+
+def _rates(model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray) -> np.ndarray:
+    columns = np.moveaxis(x, -1, 0)
+    return model.rates(dict(zip(REGULATOR_STATE[:8], columns, strict=False)), a, effectiveness)
