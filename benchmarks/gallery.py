@@ -24,6 +24,7 @@ import yaml
 
 from testbed import fly
 from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.inputs.problems import BadInput
 
 DURATION_S, TURN_S, FAILURE_S, CLIMB_S = 90.0, 5.0, 20.0, 25.0
 TURN_DEG, CLIMB_M = 30.0, 20.0
@@ -72,7 +73,9 @@ def _failures(aircraft: Aircraft, options: argparse.Namespace) -> Iterator[tuple
                 yield actuator, value
 
 
-def scenario(folder: str, aircraft: Aircraft, controller: str, air: str, actuator: str, value: float) -> dict[str, Any]:
+def scenario(
+    folder: str, aircraft: Aircraft, controller: str, air: str, actuator: str, value: float
+) -> dict[str, Any]:
     """One flight of the mission."""
     at, glider = aircraft.reference, not powered(aircraft)
     start = {"altitude_m": at.altitude_m, "airspeed_m_s": at.airspeed_m_s, "heading_deg": 90.0}
@@ -92,18 +95,40 @@ def flown(folder: str, aircraft: Aircraft, controller: str, air: str, actuator: 
     with tempfile.TemporaryDirectory() as scratch:
         file = Path(scratch) / "gallery.yaml"
         file.write_text(yaml.safe_dump(scenario(folder, aircraft, controller, air, actuator, value)))
-        flight = fly(file)
+        try:
+            flight = fly(file)
+        except BadInput as error:  # such as a controller that has no design for this aircraft
+            return _row(aircraft, controller, air, actuator, value, refused=str(error.problems[0]))
     since = flight.log[flight.log["time_s"] >= (FAILURE_S if actuator else 0.0)]
     altitude = (since["altitude_m"] - since["altitude_command_m"]).abs().max()
     heading = ((since["heading_deg"] - since["heading_command_deg"] + 180.0) % 360.0 - 180.0).abs().max()
-    survived = bool(flight.log["time_s"].iloc[-1] >= DURATION_S - 0.1)
+    end_s = float(flight.log["time_s"].iloc[-1])
+    survived = end_s >= DURATION_S - 0.1
     within = not powered(aircraft) or altitude <= ALTITUDE_S * aircraft.reference.airspeed_m_s
-    return {
-        "aircraft": aircraft.name, "controller": controller, "air": air, "actuator": actuator, "value": value,
-        "survived": survived, "held": survived and bool(within) and bool(heading <= HEADING_DEG),
-        "altitude_m": float(altitude), "heading_deg": float(heading), "end_s": float(flight.log["time_s"].iloc[-1]),
-        "powered": powered(aircraft),
-    }  # fmt: skip
+    held = survived and bool(within) and bool(heading <= HEADING_DEG)
+    errors = {"altitude_m": float(altitude), "heading_deg": float(heading)}
+    return _row(
+        aircraft, controller, air, actuator, value, survived=survived, held=held, end_s=end_s, **errors
+    )
+
+
+def _row(aircraft: Aircraft, controller: str, air: str, actuator: str, value: float, **result: Any) -> Row:
+    what = {
+        "aircraft": aircraft.name,
+        "controller": controller,
+        "air": air,
+        "actuator": actuator,
+        "value": value,
+    }
+    none = {
+        "survived": False,
+        "held": False,
+        "end_s": 0.0,
+        "altitude_m": 0.0,
+        "heading_deg": 0.0,
+        "refused": "",
+    }
+    return {**what, "powered": powered(aircraft), **none, **result}
 
 
 def powered(aircraft: Aircraft) -> bool:
@@ -113,8 +138,11 @@ def powered(aircraft: Aircraft) -> bool:
 
 def _words(row: Row) -> str:
     what = f"{row['actuator']} at {row['value']:g}" if row["actuator"] else "healthy"
+    if row.get("refused"):
+        return f"{row['aircraft']}, {what}, {row['air']}, {row['controller']}: {row['refused']}"
     end = "held" if row["held"] else "survived" if row["survived"] else f"lost at {row['end_s']:.0f} s"
-    return f"{row['aircraft']}, {what}, {row['air']}, {row['controller']}: {end}, {row['altitude_m']:.1f} m, {row['heading_deg']:.1f} deg"
+    errors = f"{row['altitude_m']:.1f} m, {row['heading_deg']:.1f} deg"
+    return f"{row['aircraft']}, {what}, {row['air']}, {row['controller']}: {end}, {errors}"
 
 
 def page(rows: Sequence[Row]) -> Iterator[str]:
@@ -122,19 +150,34 @@ def page(rows: Sequence[Row]) -> Iterator[str]:
     yield "# Gallery"
     yield ""
     yield "Written by `python benchmarks/gallery.py`. " + " ".join((__doc__ or "").split("\n\n")[-1].split())
-    yield "Cells are `held / survived / flown`, then the largest errors of those that survived. The default controller is not tuned for any."
+    yield "Cells are `held / survived / flown`, then the largest errors of those that survived."
+    yield "The default controller is not tuned for any of them."
     yield ""
-    kinds = {"healthy": lambda r: not r["actuator"], "one at 0.4": lambda r: r["value"] == 0.4, "one lost": lambda r: r["value"] == 0.0}
+    kinds = {
+        "healthy": lambda r: not r["actuator"],
+        "one at 0.4": lambda r: r["value"] == 0.4,
+        "one lost": lambda r: r["value"] == 0.0,
+    }
     yield "| aircraft | air | controller | " + " | ".join(kinds) + " |"
     yield "| --- | --- | --- | " + " | ".join("---" for _ in kinds) + " |"
     for key in dict.fromkeys((row["aircraft"], row["air"], row["controller"]) for row in rows):
         these = [row for row in rows if (row["aircraft"], row["air"], row["controller"]) == key]
-        yield f"| {' | '.join(key)} | " + " | ".join(_cell([r for r in these if of(r)]) for of in kinds.values()) + " |"
+        yield (
+            f"| {' | '.join(key)} | "
+            + " | ".join(_cell([r for r in these if of(r)]) for of in kinds.values())
+            + " |"
+        )
     yield ""
     yield "| lost | air | controller | held | survived | flown |"
     yield "| --- | --- | --- | --- | --- | --- |"
-    for part, air, controller in dict.fromkeys((_part(r), r["air"], r["controller"]) for r in rows if r["value"] == 0.0):
-        these = [r for r in rows if r["value"] == 0.0 and (_part(r), r["air"], r["controller"]) == (part, air, controller)]
+    for part, air, controller in dict.fromkeys(
+        (_part(r), r["air"], r["controller"]) for r in rows if r["value"] == 0.0
+    ):
+        these = [
+            r
+            for r in rows
+            if r["value"] == 0.0 and (_part(r), r["air"], r["controller"]) == (part, air, controller)
+        ]
         counts = sum(r["held"] for r in these), sum(r["survived"] for r in these), len(these)
         yield f"| {part} | {air} | {controller} | " + " | ".join(map(str, counts)) + " |"
 
@@ -155,14 +198,18 @@ def _cell(rows: Sequence[Row]) -> str:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("folders", nargs="+", metavar="FOLDER")
     parser.add_argument("--results", type=Path, default=Path("runs/gallery"))
     parser.add_argument("--document", type=Path, help="page to write")
     parser.add_argument("--controllers", default="default,indi")
     parser.add_argument("--air", default="calm,turbulent")
     parser.add_argument("--values", default="0.4,0", help="effectiveness of the broken actuator")
-    parser.add_argument("--actuators", default="", help="words in the names of those to break; all by default")
+    parser.add_argument(
+        "--actuators", default="", help="words in the names of those to break; all by default"
+    )
     return parser
 
 
