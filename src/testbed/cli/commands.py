@@ -89,7 +89,9 @@ def parser() -> argparse.ArgumentParser:
     _add_set(command)
 
     command = _command(commands, "report", _report, "rebuild figures and report of a run or sweep folder")
-    command.add_argument("folder", type=Path, help="run or sweep folder")
+    command.add_argument(
+        "folder", type=Path, help="run or sweep folder, or one run of a sweep whose log was kept: SWEEP/17"
+    )
 
     command = _command(commands, "validate", _validate, "check scenarios and sweeps without flying")
     _file(command, "files", _SCENARIO, nargs="+", metavar="FILE")
@@ -189,6 +191,11 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--only", type=int, metavar="I", help="fly run I alone and keep its whole log")
     command.add_argument(
+        "--variant",
+        metavar="LABEL",
+        help="with --only: fly only this one of the compared variants, into a run folder",
+    )
+    command.add_argument(
         "--save-logs", default="failed", metavar="WHICH", help="logs to keep: none, failed (default) or all"
     )
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
@@ -207,8 +214,12 @@ def _sweep(options: argparse.Namespace) -> int:
 
 
 def _report(options: argparse.Namespace) -> int:
-    from testbed.loading import is_sweep_folder
+    from testbed.loading import is_sweep_folder, names_kept_log
 
+    if names_kept_log(options.folder):
+        from testbed.cli import sweep
+
+        return sweep.report_run(options.folder)
     if is_sweep_folder(options.folder):
         from testbed.cli import sweep
 

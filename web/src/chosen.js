@@ -1,0 +1,44 @@
+// Which flights are looked at: those inside the brush, of some state and variant, with some words; and the one that is picked.
+export class Chosen {
+  constructor(sweep) {
+    this.sweep = sweep;
+    this.brush = null; // {x: axis, y: axis, from: [x, y], to: [x, y]}
+    this.state = "";
+    this.variant = "";
+    this.words = "";
+    this.picked = null;
+    this.listeners = [];
+  }
+
+  listen(listener) {
+    this.listeners.push(listener);
+  }
+
+  set(changes) {
+    Object.assign(this, changes);
+    for (const listener of this.listeners) listener(changes);
+  }
+
+  brushed(i) {
+    if (!this.brush) return true;
+    const { x, y, from, to } = this.brush;
+    const [a, b] = [x.values[i], y.values[i]];
+    return a != null && b != null && a >= from[0] && a <= to[0] && b >= from[1] && b <= to[1];
+  }
+
+  has(i) {
+    const flight = this.sweep.flights[i];
+    if (!this.brushed(i)) return false;
+    if (this.state !== "" && flight.state !== Number(this.state)) return false;
+    if (this.variant !== "" && flight.variant !== Number(this.variant)) return false;
+    return !this.words || this.text(i).includes(this.words);
+  }
+
+  // Everything that the words of a filter may be found in.
+  text(i) {
+    const { run, variant, state, missed, reason } = this.sweep.flights[i];
+    const inputs = this.sweep.inputs.map(({ names, values }) => (names ? names[values[i]] : values[i]));
+    const parts = [run, this.sweep.variants[variant], this.sweep.states[state], this.sweep.requirements[missed] ?? "", reason, ...inputs];
+    return parts.join(" ").toLowerCase();
+  }
+}
