@@ -35,6 +35,7 @@ def model_record(setup: Setup) -> np.ndarray:
     record = np.zeros(1, model_dtype(len(scale)))
     m = record[0]
     m.airspeed, m.alpha, m.density = model.airspeed_m_s, model.alpha_rad, model.density_kg_m3
+    m.stall_alpha = model.stall_alpha_rad
     m.servo[:] = [kind == "servo" for kind in model.kinds]
     m.scale[:], m.low[:], m.high[:] = scale, limits[:, 0], limits[:, 1]
     m.lag[:] = setup.lags
