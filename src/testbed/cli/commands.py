@@ -22,6 +22,8 @@ from testbed.inputs.problems import BadInput
 
 _TRACEBACK = "TESTBED_TRACEBACK"
 """Environment variable with which a defect of the program shows its traceback."""
+SCHEMAS = ("aircraft", "scenario", "sweep")
+"""The kinds of file of which `cli.schema` has a schema."""
 _SCENARIO = "YAML file; a shipped one is found from any folder"
 
 
@@ -124,6 +126,20 @@ def parser() -> argparse.ArgumentParser:
         commands, "list", _list, "list the names that scenarios and commands can use, with their meanings"
     )
     command.add_argument("what", nargs="?", choices=CATALOGUE, help="default: everything")
+
+    command = _command(
+        commands, "schema", _schema, "print the JSON schema of a kind of file, for editors that check YAML"
+    )
+    command.add_argument("kind", choices=SCHEMAS)
+    command.add_argument("--out", type=Path, metavar="FILE", help="write it into this file")
+
+    command = _command(
+        commands,
+        "init",
+        _init,
+        "make a small project: a scenario, a sweep, a controller, and schemas for editors",
+    )
+    command.add_argument("folder", type=Path, help="new or empty folder")
 
     command = _command(commands, "completion", _completion, "print the completion script of a shell")
     command.add_argument("shell", choices=completion.SHELLS)
@@ -246,6 +262,20 @@ def _adopt(options: argparse.Namespace) -> int:
     from testbed.cli import adopt
 
     adopt.adopt(options.model, options.out)
+    return MET
+
+
+def _schema(options: argparse.Namespace) -> int:
+    from testbed.cli import schema
+
+    schema.write(options.kind, options.out)
+    return MET
+
+
+def _init(options: argparse.Namespace) -> int:
+    from testbed.cli import project
+
+    project.make(options.folder)
     return MET
 
 
