@@ -164,6 +164,16 @@ MISSIONS: tuple[Mission, ...] = (
 )  # fmt: skip
 
 
+def chosen(missions: Sequence[Mission], choices: str | None) -> list[Mission]:
+    """The missions that any of the choices, joined by commas, means; all for None. Exits if one means none."""
+    if choices is None:
+        return list(missions)
+    for choice in choices.split(","):
+        if not any(mission.is_meant_by(choice) for mission in missions):
+            raise SystemExit(f"--missions: no mission has {choice} in its name; missions.py --list shows all")
+    return [mission for mission in missions if any(map(mission.is_meant_by, choices.split(",")))]
+
+
 @dataclass(frozen=True, order=True)
 class Condition:
     """In what a mission is flown: aircraft, wind at 20 ft (sets the turbulence) [ft/s], relative model error."""

@@ -108,6 +108,29 @@ class Table:
                 yield row
 
 
+FAMILIES: Mapping[str, tuple[str, ...]] = {
+    "nothing broken": ("healthy",),
+    "a second failure": ("second",),
+    "one actuator lost": ("lost",),
+    "weak actuators": ("weak",),
+    "reversed": ("reversed",),
+    "jammed": ("jam",),
+    "hardover, runaway, stop": ("hardover", "runaway", "stop"),
+    "intermittent, late, shaking, bent, floating": ("intermittent", "delay", "pulses", "bias", "float"),
+}
+"""Kinds of mission by words of their names; the first that fits counts."""
+
+
+def family(mission: str) -> str:
+    """The kind of a mission, of FAMILIES."""
+    return next(kind for kind, words in FAMILIES.items() if set(words) & set(mission.split("_")))
+
+
+def share(rows: Sequence[Row]) -> str:
+    """Share held; empty without flights."""
+    return f"{sum(row.held for row in rows) / len(rows):.3f}" if rows else ""
+
+
 def cell(rows: Sequence[Row]) -> str:
     """`held/survived/flights`; the number that survived is left out where it is all of them."""
     held, survived, n = sum(r.held for r in rows), sum(r.survived for r in rows), len(rows)

@@ -143,7 +143,7 @@ def tail_loading(g, m, c, reference):
     arm = 2 * (t["quarter_chord_x_m"] - m["cg_m"][0]) / chord
     text = ""
     for side, sign in SIDES:
-        n, w = f"fcs/{side}-ruddervator", f"<property>fcs/{side}-propeller/slipstream</property>"
+        n, w = f"fcs/{side}-ruddervator", f"<property>fcs/{side}-slipstream/excess</property>"
         along_alpha, along_beta = across(c["downwash"], dihedral, sign)
         text += f"""    <function name="aero/{side}-tail/loading-rad">
       <description>ruddervator's deflection, and the change of its panel's load by the slipstream as more deflection</description>
@@ -232,23 +232,32 @@ def properties(block, values):
     )
 
 
-def ruddervator_channel(g, side, sign, gradient, zero):
-    n, dihedral = f"fcs/{side}-ruddervator", math.radians(g["tail"]["dihedral_deg"])
-    along_alpha, along_beta = across(gradient, dihedral, sign)
-    return f'''    <channel name="{side} ruddervator">
+def servo_channel(name, n, zero, terms):
+    """From command to effective deflection of the servo whose block is `n`.
+
+    The air meets its surface at `zero` + sum of value x property over `terms` [rad], which a floating surface aligns with.
+    """
+    incidence = "".join(f"<product><property>{p}</property>{value(v)}</product>" for p, v in terms)
+    return f'''    <channel name="{name}">
       <fcs_function name="{n}/demand-rad"><function><ifthen><property>{n}/override-active</property><property>{n}/override-rad</property>
         <sum><product><property>{n}/command-rad</property><property>{n}/command-scale</property></product><property>{n}/command-bias-rad</property></sum></ifthen></function></fcs_function>
       <actuator name="{n}/servo"><input>{n}/demand-rad</input><lag>{n}/servo-lag-rad_sec</lag><rate_limit>{n}/servo-rate-rad_sec</rate_limit>
         <clipto><min>{n}/servo-min-rad</min><max>{n}/servo-max-rad</max></clipto><output>{n}/servo-rad</output></actuator>
       <!-- incidence of the air at this panel: what a free surface aligns with -->
-      <fcs_function name="{n}/incidence-rad"><function><sum><value>{number(zero)}</value>
-        <product><property>{ALPHA}</property>{value(along_alpha)}</product><product><property>{BETA}</property>{value(along_beta)}</product></sum></function></fcs_function>
+      <fcs_function name="{n}/incidence-rad"><function><sum>{value(zero)}
+        {incidence}</sum></function></fcs_function>
       <fcs_function name="{n}/position-rad"><function><ifthen><property>{n}/float-active</property>
         <product><value>-1</value><property>{n}/float-gain</property><property>{n}/incidence-rad</property></product>
         <sum><property>{n}/servo-rad</property><property>{n}/linkage-bias-rad</property></sum></ifthen></function></fcs_function>
       <fcs_function name="{n}/effective-rad"><function><product><property>{n}/effectiveness</property><property>{n}/position-rad</property></product></function></fcs_function>
     </channel>
 '''
+
+
+def ruddervator_channel(g, side, sign, gradient, zero):
+    along_alpha, along_beta = across(gradient, math.radians(g["tail"]["dihedral_deg"]), sign)
+    terms = [(ALPHA, along_alpha), (BETA, along_beta)]
+    return servo_channel(f"{side} ruddervator", f"fcs/{side}-ruddervator", zero, terms)
 
 
 SQUARE_FEET, FEET, NO_PRESSURE_PSF = 0.3048**2, 0.3048, 0.5
@@ -259,20 +268,20 @@ def slipstream_channel(c, index, side):
 
     (1 + w)^2 - 1 = T / (qbar A). A broken propeller's stream is that of what is left of its thrust.
     """
-    n, s = f"fcs/{side}-propeller", c["slipstream"]
-    return f"""      <fcs_function name="{n}/slipstream-at-disc"><function><product><property>fcs/slipstream-active</property>
+    n, s = f"fcs/{side}-slipstream", c["slipstream"]
+    return f"""      <fcs_function name="{n}/at-disc"><function><product><property>fcs/slipstream-active</property>
         <difference><sqrt><max><value>0</value><sum><value>1</value><quotient>
-          <product><property>{n}/effectiveness</property><property>propulsion/engine[{index}]/thrust-lbs</property></product>
+          <product><property>fcs/{side}-propeller/effectiveness</property><property>propulsion/engine[{index}]/thrust-lbs</property></product>
           <product>{value(s["disc_m2"] / SQUARE_FEET)}<max>{value(NO_PRESSURE_PSF)}<property>{Q}</property></max></product></quotient></sum></max></sqrt><value>1</value></difference></product></function></fcs_function>
-      <fcs_function name="{n}/slipstream-lag-rad_sec"><function><product><property>velocities/vt-fps</property>{value(FEET / s["distance_m"])}</product></function></fcs_function>
-      <lag_filter name="{n}/slipstream"><input>{n}/slipstream-at-disc</input><c1>{n}/slipstream-lag-rad_sec</c1></lag_filter>
+      <fcs_function name="{n}/lag-rad_sec"><function><product><property>velocities/vt-fps</property>{value(FEET / s["distance_m"])}</product></function></fcs_function>
+      <lag_filter name="{n}/excess"><input>{n}/at-disc</input><c1>{n}/lag-rad_sec</c1></lag_filter>
 """
 
 
-def propeller_channel(g, c, index, side):
-    n, motor = f"fcs/{side}-propeller", g["propulsion"]["motor"]
+def propeller_channel(name, n, index, motor, more=""):
+    """From command to throttle of the motor whose block is `n`; `more` are further components."""
     volts_per_rpm = 1 / (motor["velocity_constant_rpm_v"] * motor["max_volts"])
-    return f'''    <channel name="{side} propeller">
+    return f'''    <channel name="{name}">
       <!-- without power no current flows: the motor is held at the voltage that it generates, and windmills -->
       <fcs_function name="{n}/throttle-norm"><function><ifthen><property>{n}/power-lost</property>
         <product><property>propulsion/engine[{index}]/propeller-rpm</property>{value(volts_per_rpm)}</product>
@@ -280,40 +289,54 @@ def propeller_channel(g, c, index, side):
         <ifthen><property>{n}/override-active</property><property>{n}/override-norm</property>
         <sum><product><property>{n}/command-norm</property><property>{n}/command-scale</property></product><property>{n}/command-bias-norm</property></sum></ifthen></min></max></ifthen></function>
         <output>fcs/throttle-pos-norm[{index}]</output></fcs_function>
-{slipstream_channel(c, index, side)}    </channel>
+{more}    </channel>
 '''
 
 
-def flight_control(g, c):
-    servo, limit = g["servo"], math.radians(g["servo"]["limit_deg"])
-    surface = {
+MOTOR_PROPERTIES = {
+    "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
+    "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
+}  # fmt: skip
+
+
+def servo_properties(servo):
+    limit = math.radians(servo["limit_deg"])
+    return {
         "command-rad": 0, "command-scale": 1, "command-bias-rad": 0, "override-active": 0, "override-rad": 0,
         "servo-lag-rad_sec": servo["lag_rad_s"], "servo-rate-rad_sec": servo["rate_rad_s"], "servo-min-rad": -limit,
         "servo-max-rad": limit, "linkage-bias-rad": 0, "float-active": 0, "float-gain": servo["float_gain"], "effectiveness": 1,
     }  # fmt: skip
-    motor = {
-        "command-norm": 0, "command-scale": 1, "command-bias-norm": 0, "override-active": 0, "override-norm": 0,
-        "throttle-min-norm": 0, "throttle-max-norm": 1, "power-lost": 0, "effectiveness": 1,
-    }  # fmt: skip
+
+
+def flight_control(g, c):
     zero = zero_incidence(g, c)
     text = f'    <property value="{int(c["slipstream"]["active"])}">fcs/slipstream-active</property>\n'
-    text += "".join(properties(f"{side}-ruddervator", surface) for side, _ in SIDES)
-    text += "".join(properties(f"{side}-propeller", motor) for side, _ in SIDES)
+    text += "".join(properties(f"{side}-ruddervator", servo_properties(g["servo"])) for side, _ in SIDES)
+    text += "".join(properties(f"{side}-propeller", MOTOR_PROPERTIES) for side, _ in SIDES)
     text += "".join(ruddervator_channel(g, side, sign, c["downwash"], zero) for side, sign in SIDES)
-    return text + "".join(propeller_channel(g, c, i, side) for i, (side, _) in enumerate(SIDES))
+    motor = g["propulsion"]["motor"]
+    return text + "".join(
+        propeller_channel(
+            f"{side} propeller", f"fcs/{side}-propeller", i, motor, slipstream_channel(c, i, side)
+        )
+        for i, (side, _) in enumerate(SIDES)
+    )
+
+
+def lost_propeller(n, index, place):
+    """Force and moment that remove (1 - effectiveness) of a propeller's thrust and torque, in the same step."""
+    loss = f"<difference><property>fcs/{n}/effectiveness</property><value>1</value></difference>"
+    return f"""    <force name="{n}-loss" frame="BODY"><function name="fcs/{n}/lost-thrust-lbs"><product>{loss}<property>propulsion/engine[{index}]/thrust-lbs</property></product></function>
+      {place}<direction><x>1</x><y>0</y><z>0</z></direction></force>
+    <moment name="{n}-loss-torque" frame="BODY"><function><product>{loss}<property>propulsion/engine[{index}]/propeller-torque-ftlb</property></product></function>
+      <direction><x>1</x><y>0</y><z>0</z></direction></moment>
+"""
 
 
 def external_reactions(g):
-    """Forces and moments that remove (1 - effectiveness) of each propeller's thrust and torque, in the same step."""
-    out = ""
-    for i, (side, sign) in enumerate(SIDES):
-        loss = f"<difference><property>fcs/{side}-propeller/effectiveness</property><value>1</value></difference>"
-        out += f"""    <force name="{side}-propeller-loss" frame="BODY"><function name="fcs/{side}-propeller/lost-thrust-lbs"><product>{loss}<property>propulsion/engine[{i}]/thrust-lbs</property></product></function>
-      {hub(g, sign)}<direction><x>1</x><y>0</y><z>0</z></direction></force>
-    <moment name="{side}-propeller-loss-torque" frame="BODY"><function><product>{loss}<property>propulsion/engine[{i}]/propeller-torque-ftlb</property></product></function>
-      <direction><x>1</x><y>0</y><z>0</z></direction></moment>
-"""
-    return out
+    return "".join(
+        lost_propeller(f"{side}-propeller", i, hub(g, sign)) for i, (side, sign) in enumerate(SIDES)
+    )
 
 
 def aircraft(g, m, c, reference):
@@ -338,18 +361,16 @@ def aircraft(g, m, c, reference):
 """
 
 
-def propeller_file(g, table):
-    p, motor = g["propulsion"]["propeller"], g["propulsion"]["motor"]
-    inertia = p["mass_kg"] * (p["gyration_ratio"] * 0.5 * p["diameter_m"]) ** 2 + motor["can_inertia_kg_m2"]
+def propeller_file(name, comment, inertia, diameter_m, blades, table):
+    """`table`: rows (J, CT, CP)."""
 
     def rows(column):
         return "\n".join(f"      {row[0]:.3f} {row[column]:.6f}" for row in table)
 
     return f"""<?xml version="1.0"?>
-<!-- Written by derive.py: blade-element momentum theory (propeller.py) on the blade of geometry.yaml. Inertia: propeller and motor bell.
-     Rows past J = 2 are the windmilling and standing rotor; table in J, so their values grow with J squared. -->
-<propeller name="{g["name"]}_prop" version="1.1">
-  <ixx unit="KG*M2">{number(inertia)}</ixx><diameter unit="M">{number(p["diameter_m"])}</diameter><numblades>{p["blades"]}</numblades><gearratio>1</gearratio><constspeed>0</constspeed>
+<!-- {comment} -->
+<propeller name="{name}" version="1.1">
+  <ixx unit="KG*M2">{number(inertia)}</ixx><diameter unit="M">{number(diameter_m)}</diameter><numblades>{blades}</numblades><gearratio>1</gearratio><constspeed>0</constspeed>
   <table name="C_THRUST" type="internal"><tableData>
 {rows(1)}
   </tableData></table>
@@ -360,11 +381,18 @@ def propeller_file(g, table):
 """
 
 
-def motor_file(g):
-    motor = g["propulsion"]["motor"]
+def own_propeller_file(g, table):
+    p, motor = g["propulsion"]["propeller"], g["propulsion"]["motor"]
+    inertia = p["mass_kg"] * (p["gyration_ratio"] * 0.5 * p["diameter_m"]) ** 2 + motor["can_inertia_kg_m2"]
+    comment = """Written by derive.py: blade-element momentum theory (propeller.py) on the blade of geometry.yaml. Inertia: propeller and motor bell.
+     Rows past J = 2 are the windmilling and standing rotor; table in J, so their values grow with J squared."""
+    return propeller_file(f"{g['name']}_prop", comment, inertia, p["diameter_m"], p["blades"], table)
+
+
+def motor_file(name, comment, motor):
     return f"""<?xml version="1.0"?>
-<!-- Written by derive.py. Resistance is motor, speed controller, wires and battery. -->
-<brushless_dc_motor name="{g["name"]}_motor">
+<!-- {comment} -->
+<brushless_dc_motor name="{name}">
   <maxvolts unit="VOLTS">{number(motor["max_volts"])}</maxvolts><velocityconstant>{number(motor["velocity_constant_rpm_v"])}</velocityconstant>
   <coilresistance unit="OHMS">{number(motor["resistance_ohm"])}</coilresistance><noloadcurrent unit="AMPERES">{number(motor["no_load_current_a"])}</noloadcurrent>
 </brushless_dc_motor>
@@ -376,6 +404,10 @@ def write(g, m, c, table, reference):
     name = g["name"]
     return {
         f"{name}.xml": aircraft(g, m, c, reference),
-        f"Engines/{name}_prop.xml": propeller_file(g, table),
-        f"Engines/{name}_motor.xml": motor_file(g),
+        f"Engines/{name}_prop.xml": own_propeller_file(g, table),
+        f"Engines/{name}_motor.xml": motor_file(
+            f"{name}_motor",
+            "Written by derive.py. Resistance is motor, speed controller, wires and battery.",
+            g["propulsion"]["motor"],
+        ),
     }

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.common.files import slug
+from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.attempt import attempt
@@ -38,6 +39,7 @@ def sweep(
     save_logs: str = "failed",
     fly: Fly | None = None,
     figures: bool = True,
+    controllers: Sequence[str] = (),
 ) -> pd.DataFrame:
     """Fly the sweep of a file, write its folder, and return its table with a row for each flight (see `testbed.load`).
 
@@ -53,11 +55,13 @@ def sweep(
         save_logs: which flights' logs to keep: `none`, `failed` or `all`.
         fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
         figures: whether to draw figures and write the report.
+        controllers: classes of your own to compare with the sweep's controllers, each NAME=FILE.py:CLASS.
 
     Raises BadInput when nothing can be flown, Stopped when the sweep ended early; the finished flights are then kept.
     """
-    plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume)
-    fly_sweep(plan, folder, options(jobs, cluster, save_logs, fly), resume=resume)
+    how = options(jobs, cluster, save_logs, fly)
+    plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume, controllers=controllers)
+    fly_sweep(plan, folder, how, resume=resume)
     finish(plan, folder, figures=figures)
     return reading.load(folder)
 
@@ -82,6 +86,7 @@ def prepare(
     runs: int | None = None,
     seed: int | None = None,
     resume: bool = False,
+    controllers: Sequence[str] = (),
 ) -> tuple[Plan, Path]:
     """Read and check a sweep; returns the plan and the sweep folder. Raises BadInput with every problem found.
 
@@ -90,11 +95,12 @@ def prepare(
     if runs is not None and runs < 1:
         raise BadInput([Problem(f"is {runs}", "--runs", expected="at least 1")])
     given = [f"{name}={value}" for name, value in (("runs", runs), ("seed", seed)) if value is not None]
-    plan = load_sweep(file, [*settings, *given])
+    own = own_controllers(controllers)
+    plan = load_sweep(file, [*settings, *given], own)
     folder = Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="sweep")
     before = runs_of(folder) if resume and runs is None else None
     if before is not None and before > plan.runs:
-        plan = load_sweep(file, [*settings, *given, f"runs={before}"])
+        plan = load_sweep(file, [*settings, *given, f"runs={before}"], own)
     check(plan)
     return plan, folder
 

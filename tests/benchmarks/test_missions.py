@@ -6,10 +6,12 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+import mission_report
 import missions
 import pytest
-from mission_list import BASE, MISSIONS, ROUTES, Condition
-from mission_results import Row, Table, by_mission, held_more, loses, totals
+from mission_list import BASE, MISSIONS, PROPELLERS, ROUTES, TAILS, Condition, Mission, chosen
+from mission_results import FAMILIES, Row, Table, by_mission, family, held_more, loses, totals
+from true_trims import failures_of, steady_flights
 
 from testbed.inputs.yaml_source import parse
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
@@ -67,6 +69,38 @@ def test_a_table_survives_a_cut_line(tmp_path: Path) -> None:
     whole = table.file.read_text()
     table.file.write_text(whole[: whole.rindex("completed") + 4])
     assert table.read() == [HELD]
+
+
+def test_every_mission_has_a_kind() -> None:
+    assert {family(mission.name) for mission in MISSIONS} == set(FAMILIES)
+
+
+def test_a_report_is_of_reporting_seeds_only(tmp_path: Path) -> None:
+    table = Table(tmp_path / "flights.csv")
+    seeds = (90001, 90002)
+    names = ("default", "oracle", "without_estimate")
+    rows = [replace(HELD, controller=name, seed=seed) for name in names for seed in seeds]
+    rows[-1] = replace(rows[-1], outcome="diverged")
+    assert len(list(table.write(rows))) == 6
+    mission_report.main([str(table.file), "--docs", str(tmp_path)])
+    text = (tmp_path / "results" / "missions.md").read_text()
+    assert "| default | 1.000 | 1.000 |" in text
+    assert "| estimate | 0.500 | +0.500 (" in text
+    for name in ("families", "ablation"):
+        assert (tmp_path / "figures" / f"missions_{name}.png").stat().st_size > 5000
+    list(table.write([replace(HELD, seed=49999)]))
+    with pytest.raises(SystemExit, match="seed 49999 is for tuning"):
+        mission_report.reporting_rows(table.file)
+
+
+def test_the_truth_has_a_trim_with_a_lost_tail_and_none_without_actuators() -> None:
+    """Level flight with the left tail lost at 18 m/s as the design model finds it; nothing holds all four jammed."""
+    lost = steady_flights("vtail", failures_of(chosen(MISSIONS, "hard_left_tail_lost")[0]), (18,))
+    assert [(flight.airspeed_m_s, flight.path_angle_deg) for flight in lost] == [(18, 0)]
+    assert 0.05 < lost[0].margin < 0.9
+    jams = [{"type": "stuck_at", "actuator": a, "at_s": 1.0, "value": v} for a, v in
+            zip((*TAILS, *PROPELLERS), (10.0, -10.0, 0.1, 0.9), strict=True)]  # fmt: skip
+    assert not steady_flights("vtail", failures_of(Mission("hard_none", jams)), (18,))
 
 
 @pytest.mark.slow

@@ -52,7 +52,7 @@ def inversion(**given: object) -> AdaptiveInversionSettings:
 def test_the_type_alone_is_the_law_for_weather() -> None:
     default = inversion()
     assert (default.preset, default.estimation, default.released) == ("default", "weighted", None)
-    assert (default.threshold, default.recovery, default.lambda_min) == (0.15, 0.8, -1.2)
+    assert (default.threshold, default.recovery, default.lambda_min) == (0.06, 0.8, -1.2)
     assert inversion(estimation="weighted", released="auto") == default
     assert inversion(recovery=0.9).recovery == 0.9
 

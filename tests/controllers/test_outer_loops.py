@@ -86,6 +86,7 @@ def test_an_integral_neither_winds_up_nor_latches() -> None:
     assert accumulate(3.0, 2.0, 2.0, 0.1) == 3.0
     assert accumulate(0.0, -2.0, 2.0, 0.1) == 0.0
     assert accumulate(-45.0, 100.0, 5.0, 0.1) == pytest.approx(-44.5)
+    assert accumulate(3.0, 9.0, 2.0, 0.1, True) == pytest.approx(3.2), "with nothing at a stop it may wind"
 
 
 def test_the_regulator_is_its_state_feedback() -> None:

@@ -193,6 +193,14 @@ HOSTILE: dict[str, Hostile] = {
         without("flight_control"), MODEL + "|" + YAML, "no (part of the model has a )?property"
     ),
     "no thruster": Hostile(replaced(MODEL, "<thruster.*?</thruster>", ""), MODEL, "has no <thruster>"),
+    "short row": Hostile(
+        replaced(PROPELLER, "0.500 0.073257", "0.500"), PROPELLER, "has 1 numbers in row 11, expected as many"
+    ),
+    "unit of a propeller": Hostile(
+        replaced(PROPELLER, 'diameter unit="M"', 'diameter unit=".."'),
+        PROPELLER,
+        "expected one of FT, IN, M, CM",
+    ),
     "no thrust table": Hostile(
         replaced(PROPELLER, 'name="C_THRUST"', 'name="C_THRUSTS"'), PROPELLER, "has 0 tables C_THRUST"
     ),
@@ -211,8 +219,8 @@ HOSTILE: dict[str, Hostile] = {
     ),
     "falling table": Hostile(
         replaced(PROPELLER, r"<tableData>\s*\S+", "<tableData> 99"),
-        MODEL + "|" + PROPELLER,
-        "JSBSim says|ascending",
+        PROPELLER,
+        "ascending keys",
     ),
     "empty table": Hostile(
         replaced(PROPELLER, r"<tableData>.*?</tableData>", "<tableData></tableData>"),

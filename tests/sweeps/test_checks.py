@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -91,3 +93,14 @@ def test_bad_cases_are_refused_by_line(tmp_path: Path) -> None:
     with pytest.raises(BadInput) as refused:
         check(load_sweep(written(tmp_path, text)))
     assert "failures.0.value: is 7 (run 1), expected less than or equal to 1.5" in str(refused.value)
+
+
+def test_the_parent_of_a_sweep_loads_no_model(tmp_path: Path) -> None:
+    """It takes the properties from the record of the first load, which was made in a process of its own."""
+    (tmp_path / "s.yaml").write_text(
+        "scenario:\n  name: x\n  aircraft: vtail\n  duration_s: 1\n  failures:\n"
+        "    - {type: motor_stop, actuator: left_propeller, at_s: 0.5}\n"
+        "runs: 4\nvary: {initial.altitude_m: {uniform: [300, 310]}}\n"
+    )
+    program = "import sys; from testbed import monte_carlo; monte_carlo.prepare('s.yaml'); assert 'jsbsim' not in sys.modules"
+    subprocess.run([sys.executable, "-c", program], cwd=tmp_path, check=True)

@@ -106,6 +106,19 @@ def parser() -> argparse.ArgumentParser:
     )
 
     command = _command(
+        commands,
+        "adopt",
+        _adopt,
+        "make an aircraft of a JSBSim model, in a folder of its own, and print its card",
+    )
+    command.add_argument(
+        "model", help="name of a model in the jsbsim package, such as c172p, or a model's folder"
+    )
+    command.add_argument(
+        "--out", type=Path, metavar="DIR", help="folder to make (default: the model's name, here)"
+    )
+
+    command = _command(
         commands, "list", _list, "list the names that scenarios and commands can use, with their meanings"
     )
     command.add_argument("what", nargs="?", choices=CATALOGUE, help="default: everything")
@@ -159,6 +172,13 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--seed", type=int, metavar="S", help="seed of everything random")
     command.add_argument(
+        "--controller",
+        action="append",
+        default=[],
+        metavar="NAME=FILE.py:CLASS",
+        help="compare a controller class of your own too; may be given several times",
+    )
+    command.add_argument(
         "--jobs", type=int, metavar="N", help="number of processes (default: one for each core)"
     )
     command.add_argument(
@@ -209,6 +229,13 @@ def _identify(options: argparse.Namespace) -> int:
     from testbed.cli import aircraft
 
     return MET if aircraft.identify(options.aircraft, check=options.check) else NOT_MET
+
+
+def _adopt(options: argparse.Namespace) -> int:
+    from testbed.cli import adopt
+
+    adopt.adopt(options.model, options.out)
+    return MET
 
 
 def _list(options: argparse.Namespace) -> int:

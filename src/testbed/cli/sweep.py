@@ -25,7 +25,13 @@ def fly(options: argparse.Namespace) -> int:
     if options.only is not None:
         return _fly_only(options, how)
     plan, folder = monte_carlo.prepare(
-        options.sweep, options.out, options.set, runs=options.runs, seed=options.seed, resume=options.resume
+        options.sweep,
+        options.out,
+        options.set,
+        runs=options.runs,
+        seed=options.seed,
+        resume=options.resume,
+        controllers=options.controller,
     )
     with tidily():
         return _flown(plan, folder, how, options)
@@ -85,7 +91,9 @@ def _status(summary: dict[str, Any]) -> int:
 
 def _fly_only(options: argparse.Namespace, how: Options) -> int:
     """Fly one run alone, print its rows as results.csv has them, and return the exit status."""
-    plan, usual = monte_carlo.prepare(options.sweep, None, options.set, runs=options.runs, seed=options.seed)
+    plan, usual = monte_carlo.prepare(
+        options.sweep, None, options.set, runs=options.runs, seed=options.seed, controllers=options.controller
+    )
     folder = options.out or usual.with_name(f"{usual.name}-run-{options.only}")
     refuse_existing(folder)
     refuse_unwritable(folder)

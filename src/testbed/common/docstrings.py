@@ -18,5 +18,6 @@ def _in_source(thing: Any) -> str:
         (definition,) = ast.parse(textwrap.dedent(inspect.getsource(thing))).body
     except (OSError, TypeError, SyntaxError, ValueError):  # its source is not there, or is no definition
         return ""
-    is_definition = isinstance(definition, ast.FunctionDef | ast.ClassDef)
-    return (ast.get_docstring(definition) or "") if is_definition else ""
+    if not isinstance(definition, ast.FunctionDef | ast.ClassDef):
+        return ""
+    return ast.get_docstring(definition) or ""

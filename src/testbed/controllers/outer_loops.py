@@ -87,10 +87,10 @@ def pid_loops(y, ref, c, s, f, nu):
 
 
 @compiled
-def accumulate(integral, error, most, dt):
+def accumulate(integral, error, most, dt, free=False):
     """Integral of an error one control step of `dt` [s] later, with anti-windup: an error at its limit `most` (either sign)
-    may reduce the integral, but not increase it."""
-    if abs(error) < most or error * integral < 0.0:
+    may reduce the integral, but increase it only if what acts on it is `free` of its stops."""
+    if free or abs(error) < most or error * integral < 0.0:
         return integral + clip(error, most) * dt
     return integral
 
@@ -126,7 +126,7 @@ def regulate(y, ref, m, c, k, s, f, nu):
     # Nor can it slow down by winding up the integral, with which it would be slow to open the throttle in sinking air.
     if k.fast_climb == 0.0 or e_speed < 0.0 or integral[AIRSPEED_INTEGRAL] < 0.0:
         integral[AIRSPEED_INTEGRAL] = accumulate(
-            integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt
+            integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
         )
     integral[ALTITUDE_INTEGRAL] = accumulate(
         integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt

@@ -6,9 +6,9 @@ One controller is an exception: `oracle` is told the truth about the actuators, 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple, TypeVar
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -70,6 +70,7 @@ class Setup:
         trim_pitch: pitch angle [rad] at the start.
         settings: the scenario's `controller` block.
         released: axes that are given up while no actuator is flagged as failed, in the order of `signals.RATES`.
+        parameters: those of a controller of the user's own: what its class declares, with the scenario's values.
         truth: for `oracle` alone, a function that tells the truth about the actuators; None for every other controller.
     """
 
@@ -83,6 +84,7 @@ class Setup:
     trim_pitch: float
     settings: ControllerSettings
     released: tuple[str, ...] = ()
+    parameters: Mapping[str, Any] = field(default_factory=dict)
     truth: Callable[[], ActuatorTruth] | None = None
 
     def __post_init__(self) -> None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-import importlib.metadata
+import importlib.util
 import json
 import os
 import tempfile
@@ -78,7 +78,11 @@ def _file_of(digest: str) -> Path | None:
 @lru_cache(1)
 def _rules() -> str:
     """Digest of what a first load depends on besides the aircraft: JSBSim, and the modules that check and load."""
-    text = hashlib.sha256(importlib.metadata.version("jsbsim").encode())
+    found = importlib.util.find_spec(
+        "jsbsim"
+    )  # not its version, which takes longer to find than all else here
+    installed = Path(found.origin).parent.stat().st_mtime_ns if found and found.origin else 0
+    text = hashlib.sha256(str(installed).encode())
     plant = Path(__file__).parent
     checks = plant.parent / "aircraft" / "model_files"
     for file in (*sorted(checks.glob("*.py")), *sorted(plant.glob("*.py"))):

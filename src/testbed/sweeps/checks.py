@@ -6,7 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.changes import chosen
+from testbed.aircraft.description import Aircraft
+from testbed.controllers.user.adapter import undeclared
+from testbed.controllers.user.own import not_given, unused_parameters
 from testbed.flight.columns import all_columns
 from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
@@ -25,6 +28,9 @@ _MOST = 20
 def check(plan: Plan) -> None:
     """Raise BadInput with everything that is wrong with the scenarios of a sweep."""
     checker = _Checker(plan)
+    found = [not_given(name) for name, own in plan.builder.own.items() if not own.code]
+    if found:
+        raise BadInput(found)
     # The ends come first, because their messages show the value that the user wrote.
     found = list(dict.fromkeys(checker.ends()))
     if not found:
@@ -76,10 +82,17 @@ class _Checker:
         """Everything wrong with one flight's scenario."""
         try:
             scenario = self._plan.builder.scenario(task)
-            aircraft = load_aircraft(scenario.aircraft)
+            aircraft = chosen(scenario.aircraft)
         except BadInput as error:
             return list(error.problems)
         signals = all_columns(aircraft, scenario)
+        own = self._plan.builder.own_controller(task)
+        if own is not None:
+            unknown = undeclared(own.load(), scenario.controller.parameters)
+        else:
+            unknown = unused_parameters(scenario.controller)
+        if unknown:
+            return unknown
         return unknown_names(scenario, aircraft, signals, METRICS, self._catalog(aircraft))
 
     def _catalog(self, aircraft: Aircraft) -> Mapping[str, bool]:

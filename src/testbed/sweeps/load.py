@@ -7,17 +7,18 @@ import itertools
 import json
 import math
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.shipped import find_scenario
+from testbed.controllers.user.own import OwnController
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
-from testbed.sweeps.drawing.builder import Builder, Variant
+from testbed.sweeps.drawing.builder import TYPE, Builder, Variant
 from testbed.sweeps.drawing.cases import read_cases
 from testbed.sweeps.model import MOST_FLIGHTS, MOST_LEVELS, Sweep
 from testbed.sweeps.plan import Plan
@@ -27,11 +28,14 @@ _MAPPINGS = ("set", "vary", "compare")
 """Keys of a sweep that hold a mapping from dotted paths of the scenario."""
 
 
-def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
+def load_sweep(
+    path: str | Path, settings: Iterable[str] = (), own: Mapping[str, OwnController] | None = None
+) -> Plan:
     """Read and resolve a sweep file; raises BadInput with every problem of its own keys.
 
     `settings` are KEY=VALUE. KEY is a key of the sweep (`runs=10`), or else a dotted path of the scenario
-    (`duration_s=2`), which is then set for all runs. `checks.check` checks the scenarios that the plan draws.
+    (`duration_s=2`), which is then set for all runs. `own` are controllers of the user's, which are compared with those of
+    the sweep. `checks.check` checks the scenarios that the plan draws.
     """
     source = yamlfile.read(find_scenario(path))
     _apply(source, settings)
@@ -40,6 +44,9 @@ def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
     base = _base(sweep, source)
     for key, value in sweep.set.items():
         overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
+    if own:
+        sweep = _comparing(own, sweep, source, base)
+    unknown = {name: OwnController(name, *_split(text)) for name, text in sweep.controllers.items()}
     paths = [("vary", path) for path in sweep.vary] + [("compare", path) for path in sweep.compare]
     places = {path: _place(source, (kind, path)) for kind, path in paths}
     cases, text = None, None
@@ -50,7 +57,7 @@ def load_sweep(path: str | Path, settings: Iterable[str] = ()) -> Plan:
     variants = tuple(_variants(sweep))
     name = sweep.name or Path(path).stem.replace("_", " ")
     runs = _runs(sweep, source, cases)
-    return Plan(sweep, name, Builder(base, variants, places), runs, cases, text)
+    return Plan(sweep, name, Builder(base, variants, places, {**unknown, **(own or {})}), runs, cases, text)
 
 
 def _apply(source: Source, settings: Iterable[str]) -> None:
@@ -97,6 +104,26 @@ def _base(sweep: Sweep, source: Source) -> Source:
             raise
         raise BadInput([source.problem(("scenario",), f"there is no file {sweep.scenario!r}", "",
                                        missing[0].suggestion)]) from None  # fmt: skip
+
+
+def _comparing(own: Mapping[str, OwnController], sweep: Sweep, source: Source, base: Source) -> Sweep:
+    """The sweep with these controllers among those compared; raises BadInput where they cannot be."""
+    if "controller" in sweep.compare:
+        what = "compares whole controllers, beside which --controller has no place"
+        raise BadInput(
+            [source.problem(("compare", "controller"), what, f"{TYPE} in compare, or a list of types")]
+        )
+    chosen = base.tree.get("controller")
+    flown = [chosen["type"]] if isinstance(chosen, dict) and "type" in chosen else []
+    types = [*sweep.compare.get(TYPE, flown), *own]
+    source.tree["compare"] = {**sweep.compare, TYPE: list(dict.fromkeys(types))}
+    source.tree["controllers"] = {**sweep.controllers, **{name: o.reference for name, o in own.items()}}
+    return validated(Sweep, source, stand_ins={"scenario": "?"})
+
+
+def _split(reference: str) -> tuple[str, str]:
+    file, _, made_by = reference.rpartition(":")
+    return file, made_by
 
 
 def _place(source: Source, path: TreePath) -> str:

@@ -49,6 +49,8 @@ class Sweep(Settings):
     """CSV table used instead of `vary`: a row for each run, a column for each dotted path; relative to the sweep's file."""
     compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
     """Variants with which each run is flown: a list of values for each dotted path; with several paths, all combinations."""
+    controllers: dict[str, Text] = {}  # noqa: RUF012
+    """Controllers of one's own among those compared, each FILE.py:CLASS. `--controller` fills it in; a sweep file runs no code."""
     stop_when: StopWhen | None = None
     time_limit_s: Positive = 300.0
     """Wall time [s] after which a flight counts as hung."""
@@ -68,6 +70,9 @@ class Sweep(Settings):
             raise refuse("varies nothing", "vary, or cases: table.csv")
         if (variants := math.prod(map(len, self.compare.values()))) > MOST_FLIGHTS:
             raise refuse(f"compares {variants} variants", f"at most {MOST_FLIGHTS}")
+        for name, reference in self.controllers.items():
+            if not reference.rpartition(":")[0]:
+                raise refuse(f"has {name}: {reference!r}", "FILE.py:CLASS")
         for one in self.vary:
             for other in [*self.compare, *self.vary]:
                 if f"{one}.".startswith(f"{other}.") and (one != other or other in self.compare):

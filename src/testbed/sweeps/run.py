@@ -49,7 +49,10 @@ class Options:
     fly: Fly | None = None
 
     def job(self, plan: Plan) -> Job:
-        """The job that workers need to fly this plan."""
+        """The job that workers need to fly this plan; raises BadInput when it cannot be flown so."""
+        if self.fly is not None and plan.builder.own:
+            what = "flies the scenario in its own way, and so no controller of one's own"
+            raise BadInput([Problem(what, path="fly", expected="no fly, or no controllers")])
         return Job(plan.builder, fly_reference(self.fly), self.save_logs, plan.sweep.time_limit_s)
 
 

@@ -17,10 +17,12 @@ from pathlib import Path
 
 import pytest
 from command_line import ROOT
+from own_controllers import own_controller
 from sweep_files import SWEEP, journal_lines, same_rows, sorted_files, written
 
 import testbed
 from testbed.aircraft.shipped import find_aircraft
+from testbed.controllers.user.own import own_controllers
 from testbed.inputs.problems import BadInput
 from testbed.sweeps.folder.journal import encode
 from testbed.sweeps.load import load_sweep
@@ -120,6 +122,21 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
     packed = pack(job)
     shutil.rmtree(folder)
     flown = fly_packed(packed, plan.task(4))
+    assert flown.record["outcome"] == "completed"
+    assert (encode(flown.record), flown.history) == (encode(expected.record), expected.history)
+
+
+@pytest.mark.slow
+def test_the_code_of_ones_own_controller_travels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Class, and the module beside it: both gone after packing, and the row is the same."""
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    own = own_controllers([own_controller(tmp_path / "mine")])
+    plan = load_sweep(tmp_path / "mine" / "own.yaml", (), own)
+    job = Job(plan.builder, save_logs="none")
+    expected = fly_task(job, plan.task(2))
+    packed = pack(job)
+    shutil.rmtree(tmp_path / "mine")
+    flown = fly_packed(packed, plan.task(2))
     assert flown.record["outcome"] == "completed"
     assert (encode(flown.record), flown.history) == (encode(expected.record), expected.history)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 
 from testbed.aircraft.model_files.safe_xml import Element
 from testbed.aircraft.model_files.used import ModelFiles
@@ -91,8 +92,32 @@ def _in_a_note(element: Element) -> bool:
 
 
 def _table(element: Element) -> Iterator[Problem]:
-    for offset, row in enumerate(element.text.splitlines()):
-        for word in row.split():
+    """A table of numbers, whose rows are of equal length and whose keys ascend: JSBSim can end the process for others."""
+    rows = [row.split() for row in element.text.splitlines() if row.strip()]
+    for i, row in enumerate(rows):
+        for word in row:
             if finite(word) is None:
-                yield element.problem(f"has {word!r} in row {offset + 1}"[:100], "finite numbers")
+                yield element.problem(f"has {word!r} in row {i + 1}"[:100], "finite numbers")
                 return
+    yield from _shape(element, [[float(word) for word in row] for row in rows])
+
+
+def _shape(element: Element, rows: list[list[float]]) -> Iterator[Problem]:
+    lengths = [len(row) for row in rows]
+    if not rows:
+        return  # JSBSim says so itself, if it uses the table
+    if set(lengths) == {2}:
+        yield from _ascending(element, [row[0] for row in rows], "the keys of its rows")
+    elif set(lengths[1:]) == {lengths[0] + 1}:
+        yield from _ascending(element, rows[0], "the keys of its columns")
+        yield from _ascending(element, [row[0] for row in rows[1:]], "the keys of its rows")
+    else:
+        i = next((i for i, length in enumerate(lengths[1:], 2) if length != lengths[1]), 1)
+        yield element.problem(f"has {lengths[i - 1]} numbers in row {i}", "as many as in the other rows")
+
+
+def _ascending(element: Element, keys: list[float], which: str) -> Iterator[Problem]:
+    for before, after in pairwise(keys):
+        if after <= before:
+            yield element.problem(f"has {after:g} after {before:g} in {which}", "ascending keys")
+            return

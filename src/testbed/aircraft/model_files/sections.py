@@ -14,6 +14,11 @@ _ENGINES = (
 )  # fmt: skip
 _THRUSTERS = ("propeller", "nozzle", "rotor", "direct")
 _MOTOR_PARTS = ("maxvolts", "velocityconstant", "coilresistance", "noloadcurrent")
+_UNITS = {
+    "ixx": ("SLUG*FT2", "KG*M2"), "diameter": ("FT", "IN", "M", "CM"), "maxvolts": ("VOLTS",),
+    "coilresistance": ("OHMS",), "noloadcurrent": ("AMPERES",),
+}  # fmt: skip
+"""Units that JSBSim converts, of parts of propellers and motors."""
 _PROPELLER_PARTS, _PROPELLER_TABLES = ("ixx", "diameter", "numblades"), ("C_THRUST", "C_POWER")
 
 
@@ -63,8 +68,13 @@ def _parts(files: ModelFiles) -> Iterator[Problem]:
 
 def _lacking(element: Element, tags: tuple[str, ...]) -> Iterator[Problem]:
     for tag in tags:
-        if element.first(tag) is None:
+        part = element.first(tag)
+        if part is None:
             yield element.problem(f"has no <{tag}>", "a number that JSBSim needs")
+            continue
+        unit = part.attributes.get("unit", "")
+        if unit and unit not in _UNITS.get(tag, (unit,)):
+            yield part.problem(f"has unit={unit!r}", f"one of {', '.join(_UNITS[tag])}")
 
 
 def _has_one(files: ModelFiles, element: Element, tags: tuple[str, ...]) -> bool:

@@ -7,7 +7,9 @@
 `state` is a `State`, as measured, and `reference` is a `Reference`; both are in SI units and radians. The commands are one
 number for each actuator, in the order of `setup.model.actuators`. The object may have the attributes `effectiveness` and
 `failed`, with one number for each actuator. They are logged, and judged by the metrics, as its estimates and its flags;
-without them the log has 1 and 0. A class with `bind` and `step` (see `controllers.Controller`) is flown as it is.
+without them the log has 1 and 0. The class may have an attribute
+`parameters`, a mapping of names to defaults; `setup.parameters` then has these, with the values of `controller.parameters` in
+the scenario or the sweep. A class with `bind` and `step` (see `controllers.Controller`) is flown as it is.
 
 An error in the class is reported as bad input with the user's file and line, and with the time if it happens in flight.
 """
@@ -15,7 +17,8 @@ An error in the class is reported as bad input with the user's file and line, an
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,7 +28,7 @@ from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.initial_records import model_record, trimmed_memory
 from testbed.controllers.setup import Setup
 from testbed.controllers.user.loader import Factory, place_of, raised
-from testbed.inputs.problems import BadInput, Problem, did_you_mean
+from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
 
 _UPDATE = "update(time_s, state, reference) -> commands"
 
@@ -133,6 +136,10 @@ class CustomController:
 def adapted(factory: Factory, setup: Setup) -> Controller:
     """The controller that a user's class makes of a set-up; raises BadInput when the class fails or makes no controller."""
     name = place_of(factory)
+    given = setup.settings.parameters
+    if problems := undeclared(factory, given):
+        raise BadInput(problems)
+    setup = replace(setup, parameters={**getattr(factory, "parameters", {}), **given})
     try:
         made = factory(setup)
     except BadInput:
@@ -146,3 +153,18 @@ def adapted(factory: Factory, setup: Setup) -> Controller:
         problem = f"{type(made).__name__} has no method update"
         raise BadInput([Problem(problem, name, expected=_UPDATE, suggestion=did_you_mean("update", known))])
     return CustomController(setup, made, name)
+
+
+def undeclared(factory: Factory, given: Mapping[str, Any]) -> list[Problem]:
+    """A problem for each parameter given that the class does not declare in its attribute `parameters`."""
+    declared = getattr(factory, "parameters", {})
+    return [
+        Problem(
+            f"{place_of(factory)} declares no parameter {key}",
+            path=f"controller.parameters.{key}",
+            expected=one_of(declared) if declared else "a class with an attribute `parameters`",
+            suggestion=did_you_mean(key, declared),
+        )
+        for key in given
+        if key not in declared
+    ]

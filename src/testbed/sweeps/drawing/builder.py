@@ -9,11 +9,13 @@ from functools import cached_property
 from typing import Any
 
 from testbed.controllers.config import TABLE as CONTROLLERS
+from testbed.controllers.user.own import OwnController
 from testbed.inputs.overrides import set_value
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import Scenario, scenario_from
 
-_TYPE = "controller.type"
+TYPE = "controller.type"
+_PARAMETERS = "parameters"
 
 
 @dataclass(frozen=True)
@@ -36,11 +38,19 @@ class Task:
 
 @dataclass(frozen=True)
 class Builder:
-    """The base scenario, the variants, and the place (`file:line`) of each varied or compared path."""
+    """The base scenario, the variants, the place (`file:line`) of each varied or compared path, and the user's controllers.
+
+    A controller of the user's own flies in place of that of the base scenario, whose settings are then those of its set-up.
+    """
 
     base: Source
     variants: tuple[Variant, ...]
     places: Mapping[str, str] = field(default_factory=dict)
+    own: Mapping[str, OwnController] = field(default_factory=dict)
+
+    def own_controller(self, task: Task) -> OwnController | None:
+        """The user's controller that flies a task; None if a shipped one does."""
+        return self.own.get(str(self.variants[task.variant].values.get(TYPE)))
 
     def scenario(self, task: Task) -> Scenario:
         """The scenario of one flight; raises BadInput with every problem found."""
@@ -58,19 +68,30 @@ class Builder:
 
     def with_aircraft(self, folder: str) -> Builder:
         """The same builder with the aircraft of this folder, into which a worker has unpacked it."""
-        return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": folder}))
+        said = self.base.tree.get("aircraft")
+        there = {**said, "name": folder} if isinstance(said, dict) else folder
+        return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": there}))
+
+    def with_own(self, own: Mapping[str, OwnController]) -> Builder:
+        """The same builder with these controllers of the user's."""
+        return replace(self, own=own)
 
     def _of_another_controller(self, path: str, values: Mapping[str, Any]) -> bool:
         """Whether a path is a setting that another variant's controller has, but this variant's has not."""
         first, _, rest = path.partition(".")
-        chosen = CONTROLLERS.get(str(values.get(_TYPE)))
-        if first != "controller" or chosen is None or path == _TYPE:
+        kind = str(values.get(TYPE))
+        if first != "controller":
             return False
+        if path == TYPE:
+            return kind in self.own  # what it replaces stays
         name = rest.partition(".")[0]
-        return name in self._settings and name not in chosen.model_fields
+        if name == _PARAMETERS:
+            return bool(self.own) and kind not in self.own
+        chosen = CONTROLLERS.get(str(self.base.tree["controller"]["type"]) if kind in self.own else kind)
+        return chosen is not None and name in self._settings and name not in chosen.model_fields
 
     @cached_property
     def _settings(self) -> set[str]:
         """Names of settings that any of the compared controllers has."""
-        types = [CONTROLLERS.get(str(variant.values.get(_TYPE))) for variant in self.variants]
+        types = [CONTROLLERS.get(str(variant.values.get(TYPE))) for variant in self.variants]
         return {name for settings in types if settings for name in settings.model_fields}

@@ -35,6 +35,7 @@ def flown_with(plan: Plan, fly: str) -> dict[str, Any]:
         "fly": fly,
         "aircraft_sha256": _aircraft_digest(plan),
         "versions": _versions(),
+        **_controllers(plan),
     }
 
 
@@ -108,10 +109,19 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
         yield f"the function {before.get('fly')}, this is {now['fly']}"
     if before.get("aircraft_sha256") != now["aircraft_sha256"]:
         yield "other files of the aircraft, which have changed since"
+    for name, digest in now.get("controllers_sha256", {}).items():
+        if before.get("controllers_sha256", {}).get(name) != digest:
+            yield f"other code of {name}, which has changed since"
     for name, version in now["versions"].items():
         old = before.get("versions", {}).get(name)
         if old != version:
             yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
+
+
+def _controllers(plan: Plan) -> dict[str, Any]:
+    """Digest of each controller of the user's own, if there are any."""
+    own = plan.builder.own
+    return {"controllers_sha256": {name: each.digest for name, each in own.items()}} if own else {}
 
 
 def _versions() -> dict[str, str]:
@@ -126,9 +136,10 @@ def _versions() -> dict[str, str]:
 
 
 def _aircraft_digest(plan: Plan) -> str:
-    """SHA-256 of the aircraft's files: XML, YAML and design model."""
-    folder = load_aircraft(str(plan.builder.base.tree["aircraft"])).folder
+    """SHA-256 of the files of every aircraft that is flown: XML, YAML and design model."""
     digest = hashlib.sha256()
-    for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
-        digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
+    for name in plan.aircraft_names:
+        folder = load_aircraft(name).folder
+        for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
+            digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
     return digest.hexdigest()

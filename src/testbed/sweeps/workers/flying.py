@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from testbed.controllers.user.own import OwnController
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario
@@ -69,13 +70,21 @@ def fly_task(job: Job, task: Task, keep: Callable[[Flight], object] = lambda _: 
     except BadInput as error:
         return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
     try:
-        flight = _function(job.fly)(scenario)
+        own = job.builder.own_controller(task)
+        flight = _function(job.fly)(scenario) if own is None else fly_own(scenario, own)
         keep(flight)
         return _flown(job, task, flight)
     except BadInput as error:
         return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
     except Exception as error:
         return not_flown(task, "error", f"{type(error).__name__}: {error}")
+
+
+def fly_own(scenario: Scenario, own: OwnController) -> Flight:
+    """Fly a controller of the user's in place of the scenario's."""
+    from testbed.simulation import fly
+
+    return fly(scenario, own.load())
 
 
 def not_flown(task: Task, outcome: str, reason: str) -> Flown:

@@ -1,0 +1,59 @@
+"""Ctrl-C at many moments: one line and exit status 130, and nothing half-written."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+_FLIGHT = ["run", "scenarios/left_tail_fail.yaml", "--out", "out", "--set", "requirements=[]"]
+
+
+def interrupted(folder: Path, after_s: float, *arguments: str) -> tuple[int, str]:
+    """Exit status and last line of a command that gets SIGINT so long after Ctrl-C is first handled."""
+    begun = folder / "begun"
+    begun.unlink(missing_ok=True)
+    code = (
+        "import sys; from testbed.cli import interrupts; interrupts.end_at_once()\n"  # as the first lines of `main`
+        f"open({str(begun)!r}, 'w').close()\n"
+        "from testbed.__main__ import main; sys.exit(main())"
+    )
+    process = subprocess.Popen(
+        [sys.executable, "-c", code, *arguments], cwd=folder,
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    while not begun.exists():
+        time.sleep(0.001)
+    time.sleep(after_s)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    return process.returncode, "".join(err.splitlines()[-1:]) if "Traceback" not in err else err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("after_s", [0.0, 0.3, 0.6, 1.2, 2.4])
+def test_ctrl_c_in_a_run_is_one_line(tmp_path: Path, after_s: float) -> None:
+    assert interrupted(tmp_path, after_s, *_FLIGHT) == (130, "interrupted")
+    assert [path.name for path in tmp_path.iterdir()] == ["begun"]
+
+
+def test_ctrl_c_while_it_imports(tmp_path: Path) -> None:
+    assert interrupted(tmp_path, 0.1, "validate", "scenarios/left_tail_fail.yaml") == (130, "interrupted")
+
+
+def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
+    """As in the background of a shell, or under nohup."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "testbed", "list", "aircraft"], cwd=tmp_path, stdout=subprocess.DEVNULL
+        )
+        os.kill(process.pid, signal.SIGINT)
+        assert process.wait() == 0
+    finally:
+        signal.signal(signal.SIGINT, before)

@@ -1,0 +1,68 @@
+"""Damage to the files of compiled code: it is compiled again and kept again, whatever the damage."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from full_disk import largest_file
+
+_PROGRAM = """
+from testbed.common import jit
+def plus(a, b):
+    return a + b
+fast = jit.compiled(plus)
+assert fast(1.0, 2.0) == 3.0
+print(len(fast.stats.cache_hits), len(fast.stats.cache_misses))
+"""
+
+
+def hits_and_misses(folder: Path) -> str:
+    """Loads from the cache and compilations in a new process, for one function with its cache in this folder."""
+    file = folder / "program.py"
+    file.write_text(_PROGRAM)
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(folder / "cache")}
+    done = subprocess.run(
+        [sys.executable, str(file)], env=environment, capture_output=True, text=True, check=True
+    )
+    return done.stdout.strip()
+
+
+def _cut(content: bytes) -> bytes:
+    return content[: len(content) // 2]
+
+
+def _zeros(content: bytes) -> bytes:
+    return bytes(len(content))
+
+
+def _flipped(content: bytes) -> bytes:
+    middle = len(content) // 2
+    return content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
+
+
+def _empty(_: bytes) -> bytes:
+    return b""
+
+
+@pytest.mark.parametrize(
+    ("ending", "damage"),
+    [("nbi", _empty), ("nbi", _cut), ("nbi", _zeros), ("nbc", _empty), ("nbc", _cut), ("nbc", _zeros), ("nbc", _flipped)],
+)  # fmt: skip
+def test_a_damaged_file_is_made_anew(tmp_path: Path, ending: str, damage: Callable[[bytes], bytes]) -> None:
+    assert hits_and_misses(tmp_path) == "0 1"
+    assert hits_and_misses(tmp_path) == "1 0"
+    (file,) = tmp_path.rglob(f"*.{ending}")
+    file.write_bytes(damage(file.read_bytes()))
+    assert hits_and_misses(tmp_path) == "0 1"
+    assert hits_and_misses(tmp_path) == "1 0"
+
+
+def test_a_full_disk_costs_the_cache_alone(tmp_path: Path) -> None:
+    with largest_file(2000):
+        assert hits_and_misses(tmp_path) == "0 1"
+    assert not list(tmp_path.rglob("*.nbc"))

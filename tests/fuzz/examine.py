@@ -1,0 +1,150 @@
+"""A process that looks at mutants: it reads each from stdin, a line of JSON, and answers in lines of JSON on stdout.
+
+The last answer to a mutant has `outcome`:
+
+    refused   BadInput, in words
+    valid     checked, not flown
+    flown     flown to its end, or until the aircraft was lost
+    DEFECT    any other exception
+
+An answer without it, {"stage": ...}, says what is begun, in case the process ends or hangs. An aircraft's model is loaded
+here as the process of the first load does it (`plant.probe`), at a tenth of the time: this process may die as well as that.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import sys
+import tempfile
+import traceback
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+_SCENARIO = """\
+name: fuzz
+aircraft: ./vtail
+duration_s: 1
+initial: {heading_deg: 90}
+failures: [{type: effectiveness, actuator: left_ruddervator, at_s: 0.5, value: 0.2}]
+"""
+_LONGEST_S = 4.0
+"""Longest flight that is flown here [s]."""
+
+
+def main() -> None:
+    answers = os.fdopen(os.dup(1), "w", buffering=1)
+    sys.stdout = sys.stderr  # what the program prints is no answer
+    root = Path(tempfile.mkdtemp(prefix="fuzz-"))
+    try:
+        for line in sys.stdin:
+            with contextlib.suppress(FileNotFoundError):
+                shutil.rmtree(root)
+            root.mkdir()
+            os.chdir(root)
+            request = json.loads(line)
+            answers.write(json.dumps(_examined(request, root, answers)) + "\n")
+    finally:
+        os.chdir("/")
+        shutil.rmtree(root, ignore_errors=True)
+
+
+def _examined(request: dict[str, Any], root: Path, answers: Any) -> dict[str, str]:
+    from testbed.inputs.problems import BadInput
+
+    def begin(stage: str) -> None:
+        answers.write(json.dumps({"stage": stage}) + "\n")
+
+    _write(request["files"], root)
+    try:
+        return {"outcome": TABLE[request["kind"]](request["fly"], begin)}
+    except BadInput as error:
+        assert error.problems
+        return {"outcome": "refused", "words": str(error.problems[0])[:300]}
+    except Exception as error:
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        place = f"{Path(last.filename).name}:{last.lineno}"
+        return {"outcome": "DEFECT", "words": f"{type(error).__name__} at {place}: {str(error)[:200]}"}
+
+
+def _write(files: dict[str, str], root: Path) -> None:
+    if any(name.startswith("vtail/") for name in files):
+        from testbed.aircraft.shipped import data_root
+
+        skipped = shutil.ignore_patterns("*.py", "*.md", "__pycache__")
+        shutil.copytree(data_root() / "aircraft" / "vtail", root / "vtail", ignore=skipped)
+        (root / "s.yaml").write_text(_SCENARIO)
+    for name, text in files.items():
+        (root / name).write_bytes(text.encode("utf-8", "surrogatepass"))
+
+
+def _scenario(fly: bool, begin: Callable[[str], None]) -> str:
+    from testbed.cli.checked import checked
+    from testbed.scenario.load import dump, load_scenario
+    from testbed.simulation import fly as flown
+
+    begin("checking")
+    scenario = checked("s.yaml")
+    Path("again.yaml").write_text(dump(scenario), encoding="utf-8")
+    assert dump(load_scenario("again.yaml")) == dump(scenario), "does not load again as it is"
+    if not fly or scenario.duration_s > _LONGEST_S or scenario.physics_hz > 1000:
+        return "valid"
+    begin("flying")
+    flight = flown(scenario)
+    from testbed.flight.folder import load, write_run_folder
+
+    write_run_folder(flight, "run")
+    assert load("run").summary == flight.summary, "the run folder does not read back"
+    return "flown"
+
+
+def _sweep(fly: bool, begin: Callable[[str], None]) -> str:
+    from testbed import monte_carlo
+    from testbed.sweeps.folder import results
+    from testbed.sweeps.folder.store import Store
+    from testbed.sweeps.workers.flying import Job, fly_task
+
+    begin("checking")
+    plan, _ = monte_carlo.prepare("sweep.yaml")
+    if not fly or plan.builder.scenario(plan.task(0)).duration_s > _LONGEST_S:
+        return "valid"
+    begin("flying")
+    store = Store(Path("out"), plan, "", resume=False)
+    for k in range(min(2, plan.size)):
+        store.add(k, fly_task(Job(plan.builder, save_logs="all"), plan.task(k)))
+        assert store.record(k)["outcome"] != "error", store.record(k)["reason"]
+    results.write(plan, lambda: (record for _, record in store.records(1)), Path("out"))
+    store.close()
+    monte_carlo.finish(plan, Path("out"), figures=False)
+    return "flown"
+
+
+def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
+    from testbed.aircraft.description import load_aircraft
+    from testbed.aircraft.model_files.check import model_problems
+    from testbed.inputs.problems import BadInput
+    from testbed.plant import known, probe
+    from testbed.plant.first_load import trust
+
+    begin("checking")
+    aircraft = load_aircraft("./vtail")
+    problems = model_problems(aircraft)
+    if problems:
+        raise BadInput(problems)
+    begin("loading")
+    trust(aircraft)
+    catalog = probe._started(aircraft)
+    known.keep(aircraft.fingerprint(), {"properties": catalog})
+    return _scenario(fly, begin)
+
+
+TABLE: dict[str, Callable[[bool, Callable[[str], None]], str]] = {
+    "scenario": _scenario, "sweep": _sweep, "aircraft": _aircraft, "xml": _aircraft,
+}  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()

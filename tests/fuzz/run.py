@@ -1,0 +1,220 @@
+"""Fuzz the program: give it mutants of the shipped files for as long as asked, and count what comes of them.
+
+    python tests/fuzz/run.py --kind scenario --count 10000 --seed 1
+    python tests/fuzz/run.py --minutes 30            all kinds in turn, with further seeds
+
+Mutants are made by hypothesis (`mutants`) and looked at in processes that may die (`examine`). Every mutant that does not end
+in words, or computes longer than 10 s, is written into --keep. Exit status: 0 if there is none, 1 if there is one.
+"""
+
+from __future__ import annotations
+
+import argparse
+import itertools
+import json
+import os
+import select
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import yaml
+from hypothesis import HealthCheck, Phase, given, seed, settings
+from mutants import KINDS, ROOT, Mutant, scenario_bases
+
+from testbed.common import jit
+from testbed.controllers.config import TABLE as CONTROLLERS
+
+LONGEST_S = 10.0
+"""Longest computing time for one mutant [s]: the program promises an answer within it."""
+_BUSY = 12
+"""On the clock, at most this many times as long."""
+_ROUND = 200
+"""Mutants that are drawn with one seed."""
+_START_S, _COMPILE_S = 60.0, 300.0
+BAD = ("DEFECT", "HANG", "DIED")
+"""Outcomes that must not be."""
+
+
+class Examiner:
+    """A process of `examine`, started again when it has died."""
+
+    def __init__(self, cache: str) -> None:
+        source = str(ROOT / "src")
+        # Its own folder for records, because each mutant of an aircraft leaves one; compiled code is that of other flights.
+        self._environment = {
+            **os.environ,
+            "PYTHONPATH": source,
+            "OPENBLAS_NUM_THREADS": "1",
+            "XDG_CACHE_HOME": cache,
+        }
+        if jit._FOLDER is not None:
+            self._environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER)
+        self._process: subprocess.Popen[bytes] | None = None
+
+    def warm_up(self) -> None:
+        """Fly each controller once, unspoilt: compiling is not what the mutants are timed for."""
+        tree = scenario_bases()[0]
+        for controller in CONTROLLERS:
+            text = yaml.safe_dump({**tree, "controller": {"type": controller}})
+            answer = self.examine({"kind": "scenario", "files": {"s.yaml": text}, "fly": True}, _COMPILE_S)
+            assert answer["outcome"] == "flown", answer
+
+    def examine(self, request: dict[str, Any], longest_s: float = LONGEST_S) -> dict[str, str]:
+        """The outcome of a mutant; see `examine`. Besides, HANG and DIED, and `ended JSBSim`, which a first load reports."""
+        limit = longest_s if self._process is not None else max(longest_s, _START_S)
+        process = self._running()
+        assert process.stdin is not None and process.stdout is not None
+        process.stdin.write(json.dumps(request).encode() + b"\n")
+        process.stdin.flush()
+        stage, begun, used = "starting", time.monotonic(), _cpu_s(process.pid)
+        while True:
+            if not select.select([process.stdout], [], [], 1.0)[0]:
+                used_s, waited_s = _cpu_s(process.pid) - used, time.monotonic() - begun
+                if used_s < limit and waited_s < _BUSY * limit:
+                    continue
+                self.close()
+                return {"outcome": "HANG", "words": f"no answer after {used_s:.0f} s of {stage}"}
+            line = process.stdout.readline()
+            if not line:
+                status = self.close()
+                if stage == "loading":
+                    return {"outcome": "ended JSBSim", "words": f"exit status {status} while {stage}"}
+                return {"outcome": "DIED", "words": f"exit status {status} while {stage}"}
+            answer: dict[str, str] = json.loads(line)
+            if "outcome" in answer:
+                return answer
+            stage = answer["stage"]
+
+    def close(self) -> int:
+        """End the process; returns its exit status."""
+        process, self._process = self._process, None
+        if process is None:
+            return 0
+        process.kill() if process.poll() is None else None
+        assert process.stdin is not None and process.stdout is not None
+        process.stdout.close()
+        process.stdin.close()
+        return process.wait()
+
+    def _running(self) -> subprocess.Popen[bytes]:
+        if self._process is None:
+            command = [sys.executable, str(Path(__file__).with_name("examine.py"))]
+            self._process = subprocess.Popen(
+                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                env=self._environment, bufsize=0,
+            )  # fmt: skip
+        return self._process
+
+
+def _cpu_s(pid: int) -> float:
+    """Computing time of a process [s]: on a busy machine the time on the clock says little."""
+    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+@dataclass
+class Found:
+    """What came of the mutants of one kind: number of each outcome, slowest [s], and the bad ones."""
+
+    outcomes: Counter[str] = field(default_factory=Counter)
+    slowest_s: float = 0.0
+    bad: list[tuple[dict[str, str], Mutant]] = field(default_factory=list)
+
+    def add(self, answer: dict[str, str], mutant: Mutant, seconds: float) -> None:
+        self.outcomes[answer["outcome"]] += 1
+        self.slowest_s = max(self.slowest_s, seconds)
+        if answer["outcome"] in BAD:
+            self.bad.append((answer, mutant))
+
+
+def fuzz(kind: str, count: int, number: int, fly_every: int = 1, until: float = float("inf")) -> Found:
+    """Examine `count` mutants of a kind, drawn with the seed `number`; every `fly_every`-th valid one is flown."""
+    found, counter = Found(), itertools.count()
+    with tempfile.TemporaryDirectory() as cache:
+        examiner = Examiner(cache)
+        examiner.warm_up()
+
+        @seed(number)
+        @settings(max_examples=count, deadline=None, database=None, phases=[Phase.generate],
+                  suppress_health_check=list(HealthCheck))  # fmt: skip
+        @given(KINDS[kind])
+        def examined(mutant: Mutant) -> None:
+            if time.monotonic() > until:
+                return
+            begun = time.monotonic()
+            fly = next(counter) % fly_every == 0
+            answer = examiner.examine({"kind": kind, "files": mutant, "fly": fly})
+            found.add(answer, mutant, time.monotonic() - begun)
+
+        try:
+            examined()
+        finally:
+            examiner.close()
+    return found
+
+
+def keep(found: Found, kind: str, folder: Path) -> None:
+    """Write the bad mutants into a folder, each with what was said of it."""
+    for i, (answer, mutant) in enumerate(found.bad):
+        for name, text in {**mutant, "outcome.json": json.dumps(answer, indent=1)}.items():
+            file = folder / f"{kind}-{i:03d}" / name
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(text.encode("utf-8", "surrogatepass"))
+
+
+def _rounds(options: argparse.Namespace) -> Iterator[tuple[str, int, int]]:
+    """(kind, seed, mutants) of each round; each is short, so that its result is seen soon."""
+    kinds = [options.kind] if options.kind else list(KINDS)
+    if options.minutes:
+        yield from ((kind, number, _ROUND) for number in itertools.count(options.seed) for kind in kinds)
+    for kind in kinds:
+        for i, first in enumerate(range(0, options.count, _ROUND)):
+            yield kind, options.seed + i, min(_ROUND, options.count - first)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--kind", choices=KINDS, help="default: all kinds")
+    parser.add_argument("--count", type=int, default=1000, help="mutants of each kind (default: 1000)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--minutes", type=float, help="go on for so long, with any number of mutants")
+    parser.add_argument(
+        "--fly-every", type=int, default=1, metavar="N", help="fly every Nth mutant that is valid"
+    )
+    parser.add_argument("--keep", type=Path, default=Path("fuzz-found"), help="folder for bad mutants")
+    options = parser.parse_args()
+    until = time.monotonic() + 60.0 * options.minutes if options.minutes else float("inf")
+    totals: dict[str, Counter[str]] = {}
+    slowest: dict[str, float] = {}
+    for kind, number, count in _rounds(options):
+        found = fuzz(kind, count, number, options.fly_every, until)
+        totals[kind] = totals.get(kind, Counter()) + found.outcomes
+        slowest[kind] = max(slowest.get(kind, 0.0), found.slowest_s)
+        keep(found, f"{kind}-{number}", options.keep)
+        print(_line(f"{kind}, seed {number}", found.outcomes, found.slowest_s), flush=True)
+        for words, times in Counter(answer["words"] for answer, _ in found.bad).most_common(20):
+            print(f"  {times} x {words}", flush=True)
+        if time.monotonic() > until:
+            break
+    print("total")
+    for kind, outcomes in totals.items():
+        print(_line(kind, outcomes, slowest[kind]))
+    return 1 if any(outcomes[bad] for outcomes in totals.values() for bad in BAD) else 0
+
+
+def _line(what: str, outcomes: Counter[str], slowest_s: float) -> str:
+    counts = ", ".join(f"{count} {outcome}" for outcome, count in sorted(outcomes.items()))
+    return f"{what}: {outcomes.total()} mutants: {counts}; slowest {slowest_s:.1f} s"
+
+
+if __name__ == "__main__":
+    sys.exit(main())
