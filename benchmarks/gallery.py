@@ -151,13 +151,14 @@ def page(rows: Sequence[Row]) -> Iterator[str]:
     yield ""
     yield "Written by `python benchmarks/gallery.py`. " + " ".join((__doc__ or "").split("\n\n")[-1].split())
     yield "Cells are `held / survived / flown`, then the largest errors of those that survived."
-    yield "The default controller is not tuned for any of them."
+    yield "The default controller is not tuned for any of them. An empty cell was not flown."
     yield ""
     kinds = {
         "healthy": lambda r: not r["actuator"],
         "one at 0.4": lambda r: r["value"] == 0.4,
         "one lost": lambda r: r["value"] == 0.0,
     }
+    kinds = {name: of for name, of in kinds.items() if any(map(of, rows))}
     yield "| aircraft | air | controller | " + " | ".join(kinds) + " |"
     yield "| --- | --- | --- | " + " | ".join("---" for _ in kinds) + " |"
     for key in dict.fromkeys((row["aircraft"], row["air"], row["controller"]) for row in rows):
