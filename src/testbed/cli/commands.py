@@ -95,6 +95,8 @@ def parser() -> argparse.ArgumentParser:
         "folder", type=Path, help="run or sweep folder, or one run of a sweep whose log was kept: SWEEP/17"
     )
 
+    _add_export(_command(commands, "export", _export, "write a flight for another program"))
+
     command = _command(commands, "validate", _validate, "check scenarios and sweeps without flying")
     _file(command, "files", _SCENARIO, nargs="+", metavar="FILE")
 
@@ -217,6 +219,22 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
 
+def _add_export(command: argparse.ArgumentParser) -> None:
+    command.add_argument("run", type=Path, help="run folder")
+    command.add_argument("--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap or mat")
+    command.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE",
+        help="file to make (default: the scenario's name, in the run folder)",
+    )
+    command.add_argument(
+        "--origin",
+        metavar="LAT,LON[,ALT]",
+        help="where the flight starts, for formats that show a place (default: San Francisco airport)",
+    )
+
+
 def _fly(options: argparse.Namespace) -> int:
     from testbed.cli import flight
 
@@ -243,6 +261,13 @@ def _report(options: argparse.Namespace) -> int:
     from testbed.cli import flight
 
     return flight.report(options.folder)
+
+
+def _export(options: argparse.Namespace) -> int:
+    from testbed.cli import export
+
+    export.export(options.run, options.to, options.out, options.origin)
+    return MET
 
 
 def _validate(options: argparse.Namespace) -> int:
