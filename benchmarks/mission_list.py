@@ -125,8 +125,12 @@ MISSIONS: tuple[Mission, ...] = (
     *(Mission(f"{route}_healthy") for route in ("hard", "slow", "fast")),
     *_singles(),
     Mission("slow_left_tail_lost", [_loss(LEFT, 0.0)]),
+    Mission("slow_right_tail_lost", [_loss(RIGHT, 0.0)]),
     Mission("slow_left_propeller_lost", [_loss(LEFT_P, 0.0)]),
+    Mission("slow_right_propeller_lost", [_loss(RIGHT_P, 0.0)]),
+    Mission("slow_tails_weak", [_loss(a, 0.3) for a in TAILS]),
     Mission("slow_right_propeller_weak", [_loss(RIGHT_P, 0.3)]),
+    Mission("fast_left_propeller_lost", [_loss(LEFT_P, 0.0)]),
     Mission("fast_right_tail_lost", [_loss(RIGHT, 0.0)]),
     Mission("fast_right_propeller_lost", [_loss(RIGHT_P, 0.0)]),
     Mission("ramp_right_tail_lost", [_loss(RIGHT, 0.0)]),
@@ -136,10 +140,12 @@ MISSIONS: tuple[Mission, ...] = (
     Mission("cruise_all_weak", [_loss(a, 0.5) for a in (*TAILS, *PROPELLERS)]),
     Mission("hard_second_tail_after_tail", [_loss(LEFT, 0.0), _loss(RIGHT, 0.5, SECOND_S)]),
     Mission("hard_second_propeller_after_tail", [_loss(LEFT, 0.4), _loss(LEFT_P, 0.0, SECOND_S)]),
+    Mission("cruise_second_tail_lost_after_tail", [_loss(LEFT, 0.0), _loss(RIGHT, 0.0, SECOND_S)]),
     Mission("cruise_second_tail_after_propeller", [_loss(LEFT_P, 0.0), _loss(LEFT, 0.5, SECOND_S)]),
     Mission("cruise_second_opposite_after_propeller", [_loss(LEFT_P, 0.0), _loss(RIGHT, 0.5, SECOND_S)]),
     Mission("cruise_tail_reversed", [_failure("reversal", LEFT)]),
     Mission("hard_tail_reversed", [_failure("reversal", RIGHT)]),
+    Mission("slow_tail_reversed", [_failure("reversal", RIGHT)]),
     Mission("cruise_tail_jam_here", [_failure("stuck", LEFT)]),
     *(
         Mission(f"cruise_tail_jam_{word}", [_failure("stuck_at", LEFT, value=value)])
@@ -162,6 +168,16 @@ MISSIONS: tuple[Mission, ...] = (
     Mission("cruise_tail_bias", [_failure("bias", RIGHT, value=5.0)]),
     Mission("cruise_tail_float", [_failure("float", LEFT)]),
 )  # fmt: skip
+
+
+def chosen(missions: Sequence[Mission], choices: str | None) -> list[Mission]:
+    """The missions that any of the choices, joined by commas, means; all for None. Exits if one means none."""
+    if choices is None:
+        return list(missions)
+    for choice in choices.split(","):
+        if not any(mission.is_meant_by(choice) for mission in missions):
+            raise SystemExit(f"--missions: no mission has {choice} in its name; missions.py --list shows all")
+    return [mission for mission in missions if any(map(mission.is_meant_by, choices.split(",")))]
 
 
 @dataclass(frozen=True, order=True)

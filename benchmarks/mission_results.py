@@ -108,6 +108,29 @@ class Table:
                 yield row
 
 
+FAMILIES: Mapping[str, tuple[str, ...]] = {
+    "nothing broken": ("healthy",),
+    "a second failure": ("second",),
+    "one actuator lost": ("lost",),
+    "weak actuators": ("weak",),
+    "reversed": ("reversed",),
+    "jammed": ("jam",),
+    "hardover, runaway, stop": ("hardover", "runaway", "stop"),
+    "intermittent, late, shaking, bent, floating": ("intermittent", "delay", "pulses", "bias", "float"),
+}
+"""Kinds of mission by words of their names; the first that fits counts."""
+
+
+def family(mission: str) -> str:
+    """The kind of a mission, of FAMILIES."""
+    return next(kind for kind, words in FAMILIES.items() if set(words) & set(mission.split("_")))
+
+
+def share(rows: Sequence[Row]) -> str:
+    """Share held; empty without flights."""
+    return f"{sum(row.held for row in rows) / len(rows):.3f}" if rows else ""
+
+
 def cell(rows: Sequence[Row]) -> str:
     """`held/survived/flights`; the number that survived is left out where it is all of them."""
     held, survived, n = sum(r.held for r in rows), sum(r.survived for r in rows), len(rows)
@@ -121,6 +144,23 @@ def by_mission(rows: Sequence[Row]) -> list[str]:
     for mission in dict.fromkeys(row.mission for row in rows):
         of = [[r for r in rows if (r.mission, r.controller) == (mission, name)] for name in controllers]
         lines.append(f"| {mission} | {' | '.join(map(cell, of))} |")
+    return lines
+
+
+def details(rows: Sequence[Row]) -> list[str]:
+    """Markdown table: a row for each mission of one controller, with its worst errors and what the monitor did."""
+    lines = [
+        "| mission | held | worst altitude, heading | detection s: median, 95 % | missed | false alarms | worst seed |",
+        "| --- |" + " --- |" * 6,
+    ]
+    for mission in dict.fromkeys(row.mission for row in rows):
+        own = [row for row in rows if row.mission == mission]
+        worst = max(own, key=lambda row: max(row.altitude_m / ALTITUDE_M, row.heading_deg / HEADING_DEG))
+        errors = f"{worst.altitude_m:.1f} m, {worst.heading_deg:.0f} deg" if worst.survived else worst.outcome
+        missed, alarms = sum(row.missed for row in own), sum(row.false_alarms for row in own)
+        lines.append(
+            f"| {mission} | {cell(own)} | {errors} | {delays(own)} | {missed} | {alarms} | {worst.seed} |"
+        )
     return lines
 
 

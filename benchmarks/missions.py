@@ -3,11 +3,18 @@
     python benchmarks/missions.py --list
     python benchmarks/missions.py --missions hard,slow --seeds 6 --controllers default,oracle --jobs 1
     python benchmarks/missions.py --missions tail_jam --controller 'new={type: adaptive_inversion, threshold: 0.1}'
-    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --document docs/results/missions.md
+
+The flights of a report, in pieces; each may be stopped and run again:
+
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --controllers default,ablations
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --w20 0
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --model-error 0.2
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --model-error 0 0.2 --aircraft vtail_aft
 
 A choice of missions is a word of their names, or several joined by `_`. Seeds for tuning are below 50000 and those for
 reporting are from 90001 on; the two are never mixed. `--against FILE` compares with the flights of an earlier CSV, such as
-those of the program before a change.
+those of the program before a change. `mission_report.py` makes the pages of the documentation from a CSV of reporting seeds.
 """
 
 from __future__ import annotations
@@ -17,12 +24,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from flights import fly_each
-from mission_list import BASE, MISSIONS, Condition, Mission
+from mission_list import BASE, MISSIONS, Condition, Mission, chosen
 from mission_results import Row, Table, by_mission, loses, totals
 
+from testbed.controllers.config import Part
 from testbed.inputs.yaml_source import parse
 
 TUNING_END, REPORTING_START = 50000, 90001
@@ -30,18 +38,28 @@ TUNING_END, REPORTING_START = 50000, 90001
 CONTROLLERS: dict[str, Mapping[str, Any]] = {
     "default": {"type": "adaptive_inversion"},
     "oracle": {"type": "oracle"},
-    "fixed_inversion": {"type": "fixed_inversion"},
+    "imm_inversion": {"type": "imm_inversion"},
+    "indi_monitor": {"type": "indi", "monitor": True},
     "indi": {"type": "indi"},
+    "rls_inversion": {"type": "rls_inversion"},
+    "fixed_inversion": {"type": "fixed_inversion"},
     "pid": {"type": "pid"},
-    "paper": {"type": "adaptive_inversion", "preset": "paper", "filter_rad_s": 20.0},
 }
+"""Those that are flown if nothing else is asked for."""
+ABLATED: dict[str, Mapping[str, Any]] = {
+    f"without_{part}": {"type": "adaptive_inversion", "ablate": [part]} for part in get_args(Part)
+}
+OTHERS: dict[str, Mapping[str, Any]] = {
+    "paper": {"type": "adaptive_inversion", "preset": "paper", "filter_rad_s": 20.0}
+}
+KNOWN = {**CONTROLLERS, **ABLATED, **OTHERS}
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
     options = _parser().parse_args(arguments)
     if options.list:
         return print("\n".join(mission.name for mission in MISSIONS))
-    missions, controllers = _missions(options.missions), _controllers(options)
+    missions, controllers = chosen(MISSIONS, options.missions), _controllers(options)
     seeds = _seeds(options.reporting, options.seeds, options.first_seed)
     conditions = [Condition(*each) for each in product(options.aircraft, options.w20, options.model_error)]
     plan = [
@@ -51,16 +69,19 @@ def main(arguments: Sequence[str] | None = None) -> None:
         for name in controllers
         for seed in seeds
     ]
+    earlier = Table(options.against).read() if options.against else []
     table = Table(options.csv)
     before = table.read() if options.resume else []
-    rows = list(table.write(fly(plan, controllers, before, options.jobs)))
+    wanted = {(name, mission.name, condition, seed) for name, mission, condition, seed in plan}
+    every = table.write(fly(plan, controllers, before, options.jobs))
+    rows = [row for row in every if (row.controller, *row.key) in wanted]
     rows.sort(key=lambda row: list(controllers).index(row.controller))
     reference = next(iter(controllers))
     for condition in conditions:
         _print(condition.title, [row for row in rows if row.condition == condition], reference)
     if options.against:
         print(f"\n## Compared with {options.against}\n")
-        print("\n".join(against(rows, Table(options.against).read())))
+        print("\n".join(against(rows, earlier)))
     print(f"\n{len(rows)} flights in {options.csv}")
 
 
@@ -70,11 +91,11 @@ def fly(
     before: Iterable[Row],
     jobs: int | None,
 ) -> Iterator[Row]:
-    """The rows of a plan's flights: those that are in `before`, then the others as each has flown."""
-    names = {(name, mission.name, condition, seed) for name, mission, condition, seed in plan}
-    kept = [row for row in before if (row.controller, *row.key) in names]
-    yield from kept
-    done = {(row.controller, *row.key) for row in kept}
+    """The rows `before`, then those of the plan that are missing there, as each has flown."""
+    done = set()
+    for row in before:
+        done.add((row.controller, *row.key))
+        yield row
     missing = [each for each in plan if (each[0], each[1].name, each[2], each[3]) not in done]
     flights = [
         (seed, {"controller": dict(controllers[name]), **condition.values(mission, seed)})
@@ -105,29 +126,19 @@ def _print(title: str, rows: Sequence[Row], reference: str) -> None:
     print("\n".join(["", *loses(rows, reference)]))
 
 
-def _missions(choices: str | None) -> list[Mission]:
-    if choices is None:
-        return list(MISSIONS)
-    chosen = [m for m in MISSIONS if any(map(m.is_meant_by, choices.split(",")))]
-    for choice in choices.split(","):
-        if not any(m.is_meant_by(choice) for m in MISSIONS):
-            raise SystemExit(f"--missions: no mission has {choice} in its name; --list shows all")
-    return chosen
-
-
 def _controllers(options: argparse.Namespace) -> dict[str, Mapping[str, Any]]:
-    known = dict(CONTROLLERS)
     own = {}
     for text in options.controller:
         name, equals, settings = text.partition("=")
         if not equals:
             raise SystemExit(f"--controller {text}: expected NAME={{type: ..., ...}}")
         own[name] = parse(settings, "--controller").tree
-    names = options.controllers.split(",") if options.controllers else list(CONTROLLERS)
-    unknown = [name for name in names if name not in known]
+    asked = options.controllers.split(",") if options.controllers else list(CONTROLLERS)
+    names = [name for word in asked for name in (ABLATED if word == "ablations" else (word,))]
+    unknown = [name for name in names if name not in KNOWN]
     if unknown:
-        raise SystemExit(f"--controllers: {unknown[0]} is none of {', '.join(known)}")
-    return {**{name: known[name] for name in names}, **own}
+        raise SystemExit(f"--controllers: {unknown[0]} is none of {', '.join(KNOWN)}")
+    return {**{name: KNOWN[name] for name in names}, **own}
 
 
 def _seeds(reporting: bool, count: int | None, first: int | None) -> range:
@@ -148,7 +159,11 @@ def _parser() -> argparse.ArgumentParser:
     add = parser.add_argument
     add("--list", action="store_true", help="print the names of the missions")
     add("--missions", metavar="A,B", help="only missions with these words in their names")
-    add("--controllers", metavar="A,B", help=f"some of {', '.join(CONTROLLERS)}; the first is the reference")
+    add(
+        "--controllers",
+        metavar="A,B",
+        help=f"some of {', '.join(KNOWN)}; the first is the reference; `ablations` is all without_...",
+    )
     add("--controller", action="append", default=[], metavar="NAME={...}", help="one more, by its settings")
     add("--seeds", type=int, help="flights a cell: 6, with --reporting 20")
     add("--first-seed", type=int)
@@ -158,7 +173,7 @@ def _parser() -> argparse.ArgumentParser:
     add("--aircraft", nargs="+", default=["vtail"])
     add("--jobs", type=int, help="processes (default: one a core)")
     add("--csv", type=Path, default=Path("runs") / "missions.csv", help="where every flight is kept")
-    add("--resume", action="store_true", help="keep the flights that the CSV has")
+    add("--resume", action="store_true", help="keep every flight that the CSV has, and fly the missing ones")
     add("--against", type=Path, metavar="CSV", help="compare with earlier flights of the same controllers")
     return parser
 

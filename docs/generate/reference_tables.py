@@ -170,6 +170,16 @@ def packages() -> str:
     return markdown(("package", "what it is"), rows)
 
 
+def exports() -> str:
+    """The formats of `export`, with what reads each."""
+    from testbed.reporting.export import TABLE
+
+    return markdown(
+        ("`--to`", "file", "for"),
+        ((f"`{name}`", f"`{known.ending}`", known.meaning) for name, known in TABLE.items()),
+    )
+
+
 TABLES: dict[str, Callable[[], str]] = {
     "commands": commands,
     "top_options": top_options,
@@ -181,4 +191,5 @@ TABLES: dict[str, Callable[[], str]] = {
     "sensor_faults": sensor_faults,
     "servo_properties": lambda: property_tables.servo(markdown),
     "motor_properties": lambda: property_tables.motor(markdown),
+    "exports": exports,
 }

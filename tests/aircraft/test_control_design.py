@@ -93,20 +93,3 @@ def test_every_state_integral_and_rate_has_its_weight() -> None:
     design = ControlDesign()
     assert tuple(type(design.disturbance).model_fields) == RATES
     assert tuple(type(design.model_error_std).model_fields) == RATES
-
-
-@pytest.mark.parametrize(("airspeed_m_s", "faster"), [(18.0, 3.93), (50.0, 1.55)])
-def test_on_one_propeller_an_aircraft_flies_faster_by_a_stored_height(
-    airspeed_m_s: float, faster: float
-) -> None:
-    loops = ControlDesign().at(airspeed_m_s).loops
-    assert loops.lost_thrust_faster_m_s == pytest.approx(faster, abs=0.01)
-    assert loops.lost_thrust_protect_from_m_s == loops.lost_thrust_faster_m_s
-    stored = ((airspeed_m_s + loops.lost_thrust_faster_m_s) ** 2 - airspeed_m_s**2) / (2.0 * 9.80665)
-    assert stored == pytest.approx(loops.lost_thrust_height_m)
-
-
-def test_what_the_designer_gives_is_not_derived() -> None:
-    given = ControlDesign.model_validate({"loops": {"lost_thrust_faster_m_s": 1.5}}).at(18.0).loops
-    assert given.lost_thrust_faster_m_s == 1.5
-    assert given.lost_thrust_protect_from_m_s == pytest.approx(3.93, abs=0.01)

@@ -117,3 +117,21 @@ def test_the_fingerprint_is_of_the_contents(vtail: Aircraft, vtail_copy: Path) -
     assert load_aircraft(str(vtail_copy)).fingerprint() == vtail.fingerprint()
     change(vtail_copy, "name: vtail", "name: edited")
     assert load_aircraft(str(vtail_copy)).fingerprint() == vtail.fingerprint()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("prefix: fcs/left-ruddervator", "prefix: 'nan]]>fcs/left'", "is no name of a property"),
+        ("  left_ruddervator:", "  '=left, right':", "cannot begin the name of a column"),
+    ],
+)
+def test_names_that_a_property_or_a_column_cannot_have(
+    vtail_copy: Path, old: str, new: str, words: str
+) -> None:
+    file = vtail_copy / "vtail.yaml"
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new))
+    with pytest.raises(BadInput, match=words):
+        load_aircraft(str(vtail_copy))

@@ -76,3 +76,10 @@ def test_an_unknown_scenario(tmp_path: Path) -> None:
     (tmp_path / "climb.yaml").write_text("")
     with pytest.raises(BadInput, match=r"did you mean .*climb\.yaml"):
         find_scenario(tmp_path / "clibm.yaml")
+
+
+def test_a_model_of_jsbsim_is_not_shipped_but_can_be_adopted() -> None:
+    with pytest.raises(
+        BadInput, match=r"no aircraft 'c172p', .* expected \./c172p, after `testbed adopt c172p`"
+    ):
+        find_aircraft("c172p")

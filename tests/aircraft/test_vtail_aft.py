@@ -13,8 +13,8 @@ import pytest
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.aircraft.shipped import data_root
-from testbed.controllers.inversion.mode_trim import motion
 from testbed.controllers.inversion.regulator import jacobian
+from testbed.controllers.inversion.steady_flights import motion
 from testbed.controllers.records import REGULATOR_STATE
 from testbed.flight.flight import Outcome
 from testbed.plant.jsbsim import Plant

@@ -6,10 +6,12 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+import mission_report
 import missions
 import pytest
-from mission_list import BASE, MISSIONS, ROUTES, Condition
-from mission_results import Row, Table, by_mission, held_more, loses, totals
+from mission_list import BASE, MISSIONS, PROPELLERS, ROUTES, TAILS, Condition, Mission, chosen
+from mission_results import FAMILIES, Row, Table, by_mission, details, family, held_more, loses, totals
+from true_trims import failures_of, steady_flights
 
 from testbed.inputs.yaml_source import parse
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
@@ -58,6 +60,8 @@ def test_tables_compare_flights_of_the_same_seed() -> None:
     assert "+0.500" in totals(rows, "a")[-1]
     assert loses(rows, "b", by=1) == ["- hard_healthy (vtail, W20 = 25 ft/s): a holds 1, b 0"]
     assert not loses(rows, "b")
+    assert details(rows[:2])[-1] == "| hard_healthy | 1/2 | 6.0 m, 15 deg | 0.50, 0.50 | 0 | 0 | 2 |"
+    assert "| diverged |" in details(rows[2:])[-1]
 
 
 def test_a_table_survives_a_cut_line(tmp_path: Path) -> None:
@@ -67,6 +71,41 @@ def test_a_table_survives_a_cut_line(tmp_path: Path) -> None:
     whole = table.file.read_text()
     table.file.write_text(whole[: whole.rindex("completed") + 4])
     assert table.read() == [HELD]
+
+
+def test_every_mission_has_a_kind() -> None:
+    assert {family(mission.name) for mission in MISSIONS} == set(FAMILIES)
+
+
+def test_a_report_is_of_reporting_seeds_only(tmp_path: Path) -> None:
+    table = Table(tmp_path / "flights.csv")
+    seeds = (90001, 90002)
+    names = ("default", "oracle", "without_estimate")
+    rows = [replace(HELD, controller=name, seed=seed) for name in names for seed in seeds]
+    rows[-1] = replace(rows[-1], outcome="diverged")
+    assert len(list(table.write(rows))) == 6
+    mission_report.main([str(table.file), "--docs", str(tmp_path)])
+    text = (tmp_path / "results" / "missions.md").read_text()
+    assert "| default | 1.000 | 1.000 |" in text
+    assert "| estimate | 0.500 | +0.500 (" in text
+    pays = (tmp_path / "explanation" / "when_adaptation_pays.md").read_text()
+    assert "`default` holds 100.0 % and `without_estimate` 50.0 % of 2 flights: +50.0 (" in pays
+    assert "## What the test for jams brings" not in pays  # not flown, so nothing is said of it
+    for name in ("missions_families", "missions_ablation", "finding_compensation", "finding_bound"):
+        assert (tmp_path / "figures" / f"{name}.png").stat().st_size > 5000
+    list(table.write([replace(HELD, seed=49999)]))
+    with pytest.raises(SystemExit, match="seed 49999 is for tuning"):
+        mission_report.reporting_rows(table.file)
+
+
+def test_the_truth_has_a_trim_with_a_lost_tail_and_none_without_actuators() -> None:
+    """Level flight with the left tail lost at 18 m/s as the design model finds it; nothing holds all four jammed."""
+    lost = steady_flights("vtail", failures_of(chosen(MISSIONS, "hard_left_tail_lost")[0]), (18,))
+    assert [(flight.airspeed_m_s, flight.path_angle_deg) for flight in lost] == [(18, 0)]
+    assert 0.05 < lost[0].margin < 0.9
+    jams = [{"type": "stuck_at", "actuator": a, "at_s": 1.0, "value": v} for a, v in
+            zip((*TAILS, *PROPELLERS), (10.0, -10.0, 0.1, 0.9), strict=True)]  # fmt: skip
+    assert not steady_flights("vtail", failures_of(Mission("hard_none", jams)), (18,))
 
 
 @pytest.mark.slow

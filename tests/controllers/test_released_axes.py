@@ -60,7 +60,8 @@ def test_the_vtail_gives_up_roll() -> None:
     found = {one.axis: one for one in authorities(VTAIL, VTAIL_STOPS, RATES, range(4))}
     assert [axis for axis in RATES if not found[axis].suffices] == ["p_dot"]
     beta = math.radians(2.4255)  # 0.762 m/s at 18 m/s
-    assert found["p_dot"].disturbance == pytest.approx(50.98 * beta, rel=1e-3)
+    l_beta = abs(VTAIL.derivatives[0][1])
+    assert found["p_dot"].disturbance == pytest.approx(l_beta * beta, rel=1e-3)
 
 
 def test_authority_is_what_the_inverse_says_where_it_is_unique() -> None:

@@ -48,24 +48,26 @@ def _squeezed(tree: dict[str, Any]) -> dict[str, Any]:
 
 
 def sweep_bases() -> list[dict[str, Any]]:
-    """The shipped sweeps and one with something of everything, all with their scenario inside."""
+    """A sweep with every kind of distribution, and one of each further sampling, all with their scenario inside."""
     scenarios = scenario_bases()
     inside = {
         "name": "all kinds", "scenario": scenarios[0], "runs": 4, "seed": 3,
+        "set": {"atmosphere": {"wind_m_s": [0, 0, 0]}},
         "vary": {
             "initial.altitude_m": {"uniform": [300, 310]},
             "initial.heading_deg": {"choice": [0, 90, 180], "weights": [1, 2, 1]},
             "initial.airspeed_m_s": {"normal": [18, 0.1]},
             "atmosphere.wind_m_s.0": {"triang": {"c": 0.5, "loc": -1, "scale": 2}},
-            "seed_of_nothing": {"integers": [1, 3]},
+            "command_rates.heading_deg_s": {"integers": [1, 3]},
         },
         "compare": {"controller.type": ["pid", "indi"]},
         "stop_when": {"half_width": 0.2},
     }  # fmt: skip
-    del inside["vary"]["seed_of_nothing"]
-    files = sorted((ROOT / "scenarios" / "sweeps").glob("*.yaml"))
-    shipped = [yaml.safe_load(file.read_text(encoding="utf-8")) for file in files]
-    return [inside, *({**tree, "scenario": scenarios[1]} for tree in shipped)]
+    values = {"failures.0.value": {"uniform": [0, 1]}}
+    grid = {"scenario": scenarios[1], "sampling": "grid", "levels": 3, "vary": values}
+    altitude = {"initial.altitude_m": {"log_uniform": [290, 310]}}
+    latin = {"scenario": scenarios[2], "sampling": "latin_hypercube", "runs": 3, "vary": altitude}
+    return [inside, grid, latin]
 
 
 @st.composite

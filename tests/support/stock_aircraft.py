@@ -6,6 +6,7 @@ import re
 import shutil
 from collections.abc import Mapping
 from pathlib import Path
+from xml.etree import ElementTree
 
 import jsbsim
 import yaml
@@ -110,7 +111,9 @@ def make(model: str, surfaces: Mapping[str, str], description: dict, folder: Pat
     for file in re.findall(r'system file="([^"]+)"', text):
         (folder / "Systems").mkdir(exist_ok=True)
         if not (folder / "Systems" / f"{file.removesuffix('.xml')}.xml").is_file():
-            shutil.copy(ROOT / "systems" / f"{file.removesuffix('.xml')}.xml", folder / "Systems")
+            name = f"{file.removesuffix('.xml')}.xml"
+            plain = ElementTree.parse(ROOT / "systems" / name)  # its own entities written out
+            plain.write(folder / "Systems" / name)
     head, mark, aerodynamics = text.partition("<aerodynamics")
     values, channels, reactions = "", "", ""
     places = re.findall(r"<thruster.*?(<location.*?</location>)", text, flags=re.S)
@@ -154,3 +157,64 @@ def engine(prefix: str, number: int, limits: tuple[float, float], scale: float) 
     """The YAML of an engine; limits and scale [N]."""
     what = {"kind": "engine", "prefix": prefix, "engine": number, "unit": "N"}
     return {**what, "limits": list(limits), "scale": scale}
+
+
+AXES = ["p_dot", "q_dot", "r_dot", "u_dot"]
+CONVENTIONAL = {
+    "aileron": "fcs/left-aileron-pos-rad",
+    "elevator": "fcs/elevator-pos-rad",
+    "rudder": "fcs/rudder-pos-rad",
+}
+SERVOS = {name: servo(f"fcs/{name}-block", 16.0 if name == "rudder" else 20.0) for name in CONVENTIONAL}
+
+
+def c172p(folder: Path) -> Path:
+    """A light single with its piston engine, made in this folder."""
+    start = [
+        {"set": {"propulsion/fuel_freeze": 1.0}},
+        {"set": {"fcs/mixture-cmd-norm[0]": 0.9, "propulsion/starter_cmd": 1.0}, "run_s": 25.0},
+    ]
+    actuators = {**SERVOS, "throttle": engine("fcs/throttle-block", 0, (-100.0, 2100.0), 500.0)}
+    return make(
+        "c172p",
+        CONVENTIONAL,
+        described(folder, "propeller", 1000.0, 45.0, actuators, start),
+        folder,
+        "magneto_cmd",
+    )
+
+
+def jet(folder: Path) -> Path:
+    """A 737 with both throttles of its turbines, made in this folder."""
+    running = {f"propulsion/engine[{i}]/set-running": 1.0 for i in (0, 1)}
+    start = [
+        {"set": {"propulsion/fuel_freeze": 1.0, "gear/gear-cmd-norm": 0.0}},
+        {"set": running, "run_s": 10.0},
+    ]
+    throttles = {
+        f"{side}_throttle": engine(f"fcs/{side}-throttle-block", i, (1000.0, 59000.0), 20000.0)
+        for i, side in enumerate(("left", "right"))
+    }
+    contents = described(folder, "jet", 3000.0, 144.0, {**SERVOS, **throttles}, start)
+    return make("737", CONVENTIONAL, contents, folder, "cutoff_cmd")
+
+
+def glider(folder: Path) -> Path:
+    """A sailplane, made in this folder."""
+    contents = described(folder, "glider", 1000.0, 30.0, dict(SERVOS), [])
+    return make("SGS", CONVENTIONAL, {**contents, "axes": AXES[:3]}, folder)
+
+
+def described(
+    folder: Path, what: str, altitude: float, airspeed: float, actuators: dict, start: list
+) -> dict:
+    """The contents of a YAML."""
+    return {
+        "name": folder.name,
+        "description": what,
+        "reference": {"altitude_m": altitude, "airspeed_m_s": airspeed},
+        "axes": AXES,
+        "envelope": {"alpha_max_deg": 25.0, "beta_max_deg": 40.0, "roll_max_deg": 110.0},
+        "actuators": actuators,
+        "start": start,
+    }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -55,3 +56,40 @@ def test_the_resolved_sweep_draws_the_same(tmp_path: Path) -> None:
 def test_without_a_name_it_is_named_after_its_file(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path, SWEEP.replace("name: small\n", ""), "left_tail.yaml"))
     assert plan.name == "left tail"
+
+
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        (["runs=1000000000000"], "runs: is 1000000000000, expected less than or equal to 10000000"),
+        (
+            ["sampling=grid", "levels=1000000000000"],
+            "levels: is 1000000000000, expected less than or equal to",
+        ),
+        (["sampling=grid", "levels=90000"], "sampling: a grid of 1.46e+15 runs, expected at most 10000000"),
+        (["runs=6000000"], "runs: is 6000000, which is 12000000 flights with what is compared"),
+        (
+            ["sampling=grid", "vary={seed_x: {integers: [0, 9000000]}}", "runs=5"],
+            "sampling: a grid of 9e+06 runs",
+        ),
+    ],
+)
+def test_a_sweep_that_no_memory_could_hold_is_refused(
+    tmp_path: Path, settings: list[str], words: str
+) -> None:
+    with pytest.raises(BadInput, match=re.escape(words)):
+        load_sweep(written(tmp_path), settings)
+
+
+def test_a_compared_mapping_is_labelled_as_json(tmp_path: Path) -> None:
+    plan = load_sweep(
+        written(tmp_path),
+        [
+            "compare={controller: [{type: pid}, {type: indi}]}",
+            "vary={initial.altitude_m: {uniform: [300, 301]}}",
+        ],
+    )
+    assert [variant.label for variant in plan.variants] == [
+        'controller {"type": "pid"}',
+        'controller {"type": "indi"}',
+    ]

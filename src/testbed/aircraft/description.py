@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Literal
@@ -18,7 +19,12 @@ from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, W
 from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import Issue, guess, one_of
 from testbed.inputs.validation import validated
-from testbed.inputs.yaml_source import TreePath, parsed
+from testbed.inputs.yaml_source import TreePath, describe, parsed
+
+_PROPERTY = re.compile(r"[A-Za-z_][\w./\[\]-]*", re.ASCII)
+"""Names that JSBSim's properties can have."""
+_ACTUATOR = re.compile(r"[^\W\d][\w-]*")
+"""Names of actuators: the log's columns begin with them, and `+` and `.` have a meaning in `control` and in --set."""
 
 
 class Reference(Settings):
@@ -60,13 +66,20 @@ class Actuator(Settings):
     kind: str
     """What kind of actuator it is."""
     prefix: Text
-    """Beginning of the names of its properties in the JSBSim model, such as `fcs/left-ruddervator`."""
+    """Beginning of the names of its properties in the JSBSim model, such as `fcs/elevator`."""
     unit: Text
     """Unit of `limits`, `rate_limit`, `scale` and the log's columns: `deg` for a servo, `N` for a motor."""
     limits: tuple[Number, Number]
     """Lowest and highest position that the controller may ask for."""
     scale: Positive = 1.0
     """Deflection or thrust that is one unit in the scaled input matrix, so that servos and motors can be compared."""
+
+    @field_validator("prefix")
+    @classmethod
+    def _property(cls, prefix: str) -> str:
+        if not _PROPERTY.fullmatch(prefix):
+            raise refuse(f"{describe(prefix)} is no name of a property", "letters, digits and ._-/[]")
+        return prefix
 
     @field_validator("limits")
     @classmethod
@@ -168,6 +181,17 @@ class Aircraft(Settings):
     envelope: Envelope = Envelope()
     control: ControlDesign = ControlDesign()
     _folder: Path = PrivateAttr(default=Path("."))
+    _changes: Settings | None = PrivateAttr(default=None)
+
+    @field_validator("actuators")
+    @classmethod
+    def _columns(cls, actuators: dict[str, Actuator]) -> dict[str, Actuator]:
+        for name in actuators:
+            if not _ACTUATOR.fullmatch(name):
+                raise refuse(
+                    f"{describe(name)} cannot begin the name of a column", "letters, digits, _ and -"
+                )
+        return actuators
 
     @field_validator("axes")
     @classmethod
@@ -180,6 +204,22 @@ class Aircraft(Settings):
     def folder(self) -> Path:
         """The aircraft's folder: its YAML and the JSBSim model's files."""
         return self._folder
+
+    @property
+    def changes(self) -> Settings | None:
+        """What differs from the aircraft's files (`aircraft.changes`); None if nothing does."""
+        return self._changes
+
+    @property
+    def nominal(self) -> Aircraft:
+        """The aircraft as its files are."""
+        return self if self._changes is None else self.changed_by(None)
+
+    def changed_by(self, changes: Settings | None) -> Aircraft:
+        """The same aircraft with these changes to its truth, checked already."""
+        other = self.model_copy()
+        other._changes = changes
+        return other
 
     @property
     def has_engines(self) -> bool:
@@ -196,6 +236,8 @@ class Aircraft(Settings):
         text = hashlib.sha256(seen.encode())
         for file in sorted(self.folder.rglob("*.xml")):
             text.update(file.relative_to(self.folder).as_posix().encode() + read_bytes(file))
+        if self._changes is not None:
+            text.update(self._changes.model_dump_json(exclude={"name"}).encode())
         return text.hexdigest()
 
 

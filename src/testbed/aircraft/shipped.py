@@ -5,6 +5,7 @@ Paths are tested by `os.path`, because pathlib raises OSError for a name that is
 
 from __future__ import annotations
 
+import importlib.util
 import os
 from pathlib import Path
 
@@ -39,8 +40,19 @@ def find_aircraft(name: str) -> Path:
     if is_folder_name(name):
         raise BadInput([_no_folder(name, folder)])
     close = f"./{name}" if _is_aircraft(Path(name)) else did_you_mean(name, names)
+    if not close and _is_jsbsim_model(name):
+        how = f"./{name}, after `testbed adopt {name}`"
+        raise BadInput([Problem(f"no aircraft {name!r}, but JSBSim has a model of this name", expected=how)])
     expected = f"{one_of(names)} or a folder as ./{name}"
     raise BadInput([Problem(f"no aircraft {name!r}", expected=expected, suggestion=close)])
+
+
+def _is_jsbsim_model(name: str) -> bool:
+    """Whether the jsbsim package has a model of this name, which can be adopted."""
+    found = importlib.util.find_spec("jsbsim")
+    return (
+        found is not None and (Path(str(found.origin)).parent / "aircraft" / name / f"{name}.xml").is_file()
+    )
 
 
 def _is_aircraft(folder: Path) -> bool:

@@ -22,6 +22,8 @@ from testbed.inputs.problems import BadInput
 
 _TRACEBACK = "TESTBED_TRACEBACK"
 """Environment variable with which a defect of the program shows its traceback."""
+SCHEMAS = ("aircraft", "scenario", "sweep")
+"""The kinds of file of which `cli.schema` has a schema."""
 _SCENARIO = "YAML file; a shipped one is found from any folder"
 
 
@@ -93,17 +95,9 @@ def parser() -> argparse.ArgumentParser:
         "folder", type=Path, help="run or sweep folder, or one run of a sweep whose log was kept: SWEEP/17"
     )
 
-    command = _command(commands, "compare", _compare, "flights side by side, in one page")
-    command.add_argument(
-        "runs", type=Path, nargs="+", metavar="RUN", help="run folder, or a flight of a sweep: SWEEP/17"
-    )
-    command.add_argument(
-        "--out",
-        type=Path,
-        default=Path("runs/comparison.html"),
-        metavar="FILE",
-        help="page to write, or folder to write comparison.html into (default: %(default)s)",
-    )
+    _add_compare(_command(commands, "compare", _compare, "flights side by side, in one page"))
+
+    _add_export(_command(commands, "export", _export, "write a flight for another program"))
 
     command = _command(commands, "validate", _validate, "check scenarios and sweeps without flying")
     _file(command, "files", _SCENARIO, nargs="+", metavar="FILE")
@@ -120,9 +114,36 @@ def parser() -> argparse.ArgumentParser:
     )
 
     command = _command(
+        commands,
+        "adopt",
+        _adopt,
+        "make an aircraft of a JSBSim model, in a folder of its own, and print its card",
+    )
+    command.add_argument(
+        "model", help="name of a model in the jsbsim package, such as c172p, or a model's folder"
+    )
+    command.add_argument(
+        "--out", type=Path, metavar="DIR", help="folder to make (default: the model's name, here)"
+    )
+
+    command = _command(
         commands, "list", _list, "list the names that scenarios and commands can use, with their meanings"
     )
     command.add_argument("what", nargs="?", choices=CATALOGUE, help="default: everything")
+
+    command = _command(
+        commands, "schema", _schema, "print the JSON schema of a kind of file, for editors that check YAML"
+    )
+    command.add_argument("kind", choices=SCHEMAS)
+    command.add_argument("--out", type=Path, metavar="FILE", help="write it into this file")
+
+    command = _command(
+        commands,
+        "init",
+        _init,
+        "make a small project: a scenario, a sweep, a controller, and schemas for editors",
+    )
+    command.add_argument("folder", type=Path, help="new or empty folder")
 
     command = _command(commands, "completion", _completion, "print the completion script of a shell")
     command.add_argument("shell", choices=completion.SHELLS)
@@ -200,6 +221,35 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
 
+def _add_compare(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "runs", type=Path, nargs="+", metavar="RUN", help="run folder, or a flight of a sweep: SWEEP/17"
+    )
+    command.add_argument(
+        "--out",
+        type=Path,
+        default=Path("runs/comparison.html"),
+        metavar="FILE",
+        help="page to write, or folder to write comparison.html into (default: %(default)s)",
+    )
+
+
+def _add_export(command: argparse.ArgumentParser) -> None:
+    command.add_argument("run", type=Path, help="run folder")
+    command.add_argument("--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap or mat")
+    command.add_argument(
+        "--out",
+        type=Path,
+        metavar="FILE",
+        help="file to make (default: the scenario's name, in the run folder)",
+    )
+    command.add_argument(
+        "--origin",
+        metavar="LAT,LON[,ALT]",
+        help="where the flight starts, for formats that show a place (default: San Francisco airport)",
+    )
+
+
 def _fly(options: argparse.Namespace) -> int:
     from testbed.cli import flight
 
@@ -234,6 +284,13 @@ def _compare(options: argparse.Namespace) -> int:
     return comparing.compare(options.runs, options.out)
 
 
+def _export(options: argparse.Namespace) -> int:
+    from testbed.cli import export
+
+    export.export(options.run, options.to, options.out, options.origin)
+    return MET
+
+
 def _validate(options: argparse.Namespace) -> int:
     from testbed.cli import checked
 
@@ -245,6 +302,27 @@ def _identify(options: argparse.Namespace) -> int:
     from testbed.cli import aircraft
 
     return MET if aircraft.identify(options.aircraft, check=options.check) else NOT_MET
+
+
+def _adopt(options: argparse.Namespace) -> int:
+    from testbed.cli import adopt
+
+    adopt.adopt(options.model, options.out)
+    return MET
+
+
+def _schema(options: argparse.Namespace) -> int:
+    from testbed.cli import schema
+
+    schema.write(options.kind, options.out)
+    return MET
+
+
+def _init(options: argparse.Namespace) -> int:
+    from testbed.cli import project
+
+    project.make(options.folder)
+    return MET
 
 
 def _list(options: argparse.Namespace) -> int:

@@ -94,7 +94,7 @@ def compiled(function: F) -> F:
     """Compile a function at its first call; without fast-math, so that results agree with the uncompiled function."""
     made = numba.njit(error_model="numpy")(function)
     if _FOLDER is not None and isinstance(made, numba.core.dispatcher.Dispatcher):
-        made._cache = CodeCache(function)
+        made._cache = CodeCache(function)  # type: ignore[attr-defined]  # no public way to give numba another
     return made  # type: ignore[no-any-return, return-value]
 
 

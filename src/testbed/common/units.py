@@ -1,4 +1,4 @@
-"""Exact conversion factors, for input and output; elsewhere everything is in SI and radians."""
+"""Exact conversion factors, for input and output, and the units of columns; elsewhere everything is in SI and radians."""
 
 import math
 
@@ -8,3 +8,14 @@ NEWTON_METRES_PER_FOOT_POUND = METRES_PER_FOOT * NEWTONS_PER_POUND
 DEGREES_PER_RADIAN = 180.0 / math.pi
 GRAVITY_M_S2 = 9.80665
 METRES_PER_SECOND_PER_KNOT = 1852.0 / 3600.0
+
+_BY_ENDING = {
+    "_deg_s2": "deg/s^2", "_m_s2": "m/s^2", "_deg_s": "deg/s", "_m_s": "m/s", "_deg": "deg", "_rad": "rad",
+    "_hz": "Hz", "_m": "m", "_s": "s", "_n": "N", "_percent": "%",
+}  # fmt: skip
+
+
+def unit(column: str) -> str:
+    """Unit of a column, from the end of its name; "" when it has none."""
+    last = column.rpartition(".")[2]
+    return next((unit for ending, unit in _BY_ENDING.items() if last.endswith(ending)), "")

@@ -56,7 +56,6 @@ class ControllerSettings(Settings):
 
 _DEFAULTS_OF_NEWTON = {
     "threshold": 0.1,
-    "persistence_s": 0.1,
     "recovery": 0.6,
     "filter_rad_s": 0.0,
     "lambda_min": 0.05,
@@ -78,17 +77,20 @@ class AdaptiveInversionSettings(ControllerSettings):
     newton`, and no axis given up while nothing has failed. It is also what `estimation: newton`, `gamma` or `epsilon` choose."""
     estimation: Literal["weighted", "newton"] = "weighted"
     """`weighted` is a Kalman filter for weather and real sensors: the more gusts disturb a rate, the less weight it has. `newton`
-    is the paper's (13). With `newton` these defaults differ: threshold 0.1, persistence_s 0.1, recovery 0.6, filter_rad_s 0,
+    is the paper's (13). With `newton` these defaults differ: threshold 0.1, recovery 0.6, filter_rad_s 0,
     lambda_min 0.05, lambda_max 1.1."""
     gamma: PerKind = PerKind(servo=4.0, motor=4.0)
     """Adaptation rate of (13) [1/s], for `newton`."""
     epsilon: PerKind = PerKind(servo=0.05, motor=0.05)
     """Half-width of g in (14), in units of the actuator's `scale`, for `newton`."""
-    threshold: Fraction = 0.15
+    threshold: Fraction = 0.06
     """An actuator whose estimate stays below this is flagged as failed."""
+    propeller_threshold: Fraction | None = None
+    """In place of `threshold` for a propeller, whose estimate is more certain than a surface's. With neither given it is 0.12 for
+    `weighted`; else it is `threshold`."""
     recovery: Fraction = Field(default=0.8, validate_default=True)
     """A flagged actuator whose estimate stays above this is no longer flagged."""
-    persistence_s: NonNegative = 0.2
+    persistence_s: NonNegative = 0.1
     """How long the estimate must stay below the threshold [s]."""
     recovery_s: NonNegative = 1.0
     """How long the estimate must stay above `recovery` [s]."""
@@ -124,6 +126,8 @@ class AdaptiveInversionSettings(ControllerSettings):
             value = {**_DEFAULTS_OF_PAPER, **value}
         if value.get("estimation") == "newton":
             value = {**_DEFAULTS_OF_NEWTON, **value}
+        elif "threshold" not in value:
+            value = {"propeller_threshold": 0.12, **value}
         return value
 
     @field_validator("recovery")
@@ -165,9 +169,10 @@ class PidSettings(ControllerSettings):
     """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
     With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`).
-    Gains are [1/s] unless the docstring says otherwise. Those of the v-tail were found by a search (CMA-ES, rounded) on healthy flights only: the routes hard, slow and fast of the missions, in calm air
-    and at W20 = 25 ft/s, seeds 1 to 5. The search kept the inner loops at 20 rad/s (60 deg of phase margin with the servos'
-    lag), and pitch and altitude below a third of the loop inside them.
+    Gains are [1/s] unless the docstring says otherwise. Those of the v-tail were found by a search (CMA-ES, rounded) on healthy
+    flights only: the routes hard, slow and fast of the missions, in calm air and at W20 = 25 ft/s, seeds 1 to 5. The search kept
+    the inner loops at 20 rad/s (60 deg of phase margin with the servos' lag), and pitch and altitude below a third of the loop
+    inside them.
     """
 
     type: Literal["pid"] = "pid"

@@ -24,6 +24,7 @@ _JAM_PROCESS_NOISE = 0.2
 """[scaled/sqrt(s)] A jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With
 1.0, gusts at 25 ft/s moved the estimated thrust by 2 units within a second."""
 _RESIDUAL_TIME_S = 1.0
+_LATE_NOISE = 0.1  # 1/sqrt(s)
 _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD = 0.3, 2.5, 1.3
 """When a change of one effectiveness is seen (`estimator.expect_change`)."""
 
@@ -34,6 +35,7 @@ def model_record(setup: Setup) -> np.ndarray:
     record = np.zeros(1, model_dtype(len(scale)))
     m = record[0]
     m.airspeed, m.alpha, m.density = model.airspeed_m_s, model.alpha_rad, model.density_kg_m3
+    m.stall_alpha = model.stall_alpha_rad
     m.servo[:] = [kind == "servo" for kind in model.kinds]
     m.scale[:], m.low[:], m.high[:] = scale, limits[:, 0], limits[:, 1]
     m.lag[:] = setup.lags
@@ -86,6 +88,7 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.model_error_rate, c.coefficient_error = 1.0 / control.model_error_time_s, control.coefficient_error
     c.jam_sigma, c.jam_time = _JAM_SIGMA, _JAM_TIME_S
     c.jam_process_noise, c.residual_time = _JAM_PROCESS_NOISE, _RESIDUAL_TIME_S
+    c.late_noise = _LATE_NOISE
     c.change_time, c.change_sigma, c.change_lead = _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD
     if estimation is not None:
         _fill_estimation(c, estimation, setup.model.kinds)
@@ -113,6 +116,10 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
         c.model_error_std[:], c.coefficient_error = 0.0, 0.0
     c.gamma[:] = [chosen.gamma.of(kind) for kind in kinds]
     c.epsilon[:] = [chosen.epsilon.of(kind) for kind in kinds]
+    if chosen.propeller_threshold is not None:
+        c.threshold_rise[:] = [
+            chosen.propeller_threshold - chosen.threshold if k != "servo" else 0.0 for k in kinds
+        ]
     c.threshold, c.persistence = chosen.threshold, chosen.persistence_s
     c.recovery, c.recovery_time = chosen.recovery, chosen.recovery_s
     c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max

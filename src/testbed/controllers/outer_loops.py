@@ -35,6 +35,9 @@ from testbed.controllers.records import (
     R,
 )
 
+STALL_GAIN = 4.0
+"""Nose-down acceleration of `regulate` for each radian beyond the stall, in units of the pitch loop's stiffness pitch_kp q_kp."""
+
 wrap = compiled(angles.wrap)
 
 
@@ -84,10 +87,10 @@ def pid_loops(y, ref, c, s, f, nu):
 
 
 @compiled
-def accumulate(integral, error, most, dt):
+def accumulate(integral, error, most, dt, free=False):
     """Integral of an error one control step of `dt` [s] later, with anti-windup: an error at its limit `most` (either sign)
-    may reduce the integral, but not increase it."""
-    if abs(error) < most or error * integral < 0.0:
+    may reduce the integral, but increase it only if what acts on it is `free` of its stops."""
+    if free or abs(error) < most or error * integral < 0.0:
         return integral + clip(error, most) * dt
     return integral
 
@@ -114,9 +117,17 @@ def regulate(y, ref, m, c, k, s, f, nu):
     # Where a jam needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So while it is
     # too fast it climbs, and does not descend to its reference before it is slow.
     if k.fast_climb > 0.0 and slow < 0.0:
-        e_height = min(e_height, 0.0) + max(e_height, 0.0) * max(1.0 + 2.0 * slow / c.airspeed_error_max, 0.0) + k.fast_climb * slow
+        e_height = (
+            min(e_height, 0.0)
+            + max(e_height, 0.0) * max(1.0 + 2.0 * slow / c.airspeed_error_max, 0.0)
+            + k.fast_climb * slow
+        )
     integral = s.integral
-    integral[AIRSPEED_INTEGRAL] = accumulate(integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt)
+    # Nor can it slow down by winding up the integral, with which it would be slow to open the throttle in sinking air.
+    if k.fast_climb == 0.0 or e_speed < 0.0 or integral[AIRSPEED_INTEGRAL] < 0.0:
+        integral[AIRSPEED_INTEGRAL] = accumulate(
+            integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
+        )
     integral[ALTITUDE_INTEGRAL] = accumulate(
         integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt
     )
@@ -135,6 +146,8 @@ def regulate(y, ref, m, c, k, s, f, nu):
             v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
         for j in range(len(integral)):
             v -= k.K_integral[i, j] * integral[j]
+        if i == Q_DOT:
+            v -= STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
         nu[i] = v
         s.x_dc_dot[i] = f[i] + v
         for j in range(len(s.position)):

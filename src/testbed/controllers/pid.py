@@ -154,6 +154,6 @@ def mode_record(setup: Setup) -> np.ndarray:
     k.available[:], k.released[:] = 1, [axis in setup.released for axis in RATES]
     k.B_hat_inv[:, kept] = np.linalg.pinv(b[kept])
     k.row_weight[:], k.hessian[:] = allocation_of(b, setup.released, setup.control.allocation)
-    k.r_trim[:] = np.array(setup.model.trim) / setup.scale
+    k.trim_effect[:] = np.array(setup.model.trim) / setup.scale
     k.slow_descent, k.slow_descent_from = loops.slow_descent_s, loops.protect_from_m_s
     return record

@@ -58,6 +58,7 @@ _N, _X = "n", len(REGULATOR_STATE)
 MODEL = (
     Field("airspeed", (), "m/s", "V_0 of the reference condition"),
     Field("alpha", (), "rad", "alpha_0 of the reference condition"),
+    Field("stall_alpha", (), "rad", "angle of attack beyond which lift grows at less than half its slope"),
     Field("density", (), "kg/m3", "of the air at the reference condition"),
     Field("bias", (4,), "x_c", "f_m at the reference condition, gravity apart; it includes `offset`", "(2)"),
     Field("offset", (4,), "x_c", "effect of the part of propeller torque that does not vary with thrust"),
@@ -121,6 +122,9 @@ SETTINGS = (
     Field("divisor_min", (), "1", "least lambda_hat by which r is divided", "section 2.2.1"),
     Field("filter_rate", (), "rad/s", "corner of the two lags on both sides of the regression; 0 for none"),
     Field("threshold", (), "1", "an actuator is flagged if its estimate stays below this", "section 2.3"),
+    Field(
+        "threshold_rise", (_N,), "1", "added to `threshold` for a propeller, whose estimate is more certain"
+    ),
     Field("persistence", (), "s", "how long the estimate must stay below `threshold`", "section 2.3"),
     Field("recovery", (), "1", "a flag is removed when the estimate stays above this"),
     Field("recovery_time", (), "s", "how long the estimate must stay above `recovery`"),
@@ -141,6 +145,7 @@ SETTINGS = (
     Field("change_time", (), "s", "time constant of the mean of the recent innovation"),
     Field("change_sigma", (), "1", "recent innovation over its standard deviation that indicates a change"),
     Field("change_lead", (), "1", "how much better than any other the changed actuator must explain it"),
+    Field("late_noise", (), "1/sqrt(s)", "process noise of lateness, modelled as a random walk"),
     Field("jam_sigma", (), "1", "fitted offset over its standard deviation that indicates a jam"),
     Field("jam_time", (), "s", "how long an offset must stay beyond `jam_sigma` to be a jam"),
     Field("airspeed_kp", (), "1/s", "u_dot for airspeed error"),
@@ -218,6 +223,7 @@ MEMORY = (
         "flag",
         "the force of the actuator does not follow its command: jammed, offset or reversed",
     ),
+    Field("saturated", (), "flag", "in the last step an actuator would have had to pass a stop"),
     Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),
     Field(
         "reversal_timer",
@@ -235,6 +241,8 @@ MEMORY = (
         "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none",
     ),
     Field("residual", (4,), "x_c", "running mean of e, first-order with time constant `residual_time`"),
+    Field("late", (_N,), "1", "how late the actuator acts after its model, in time constants of the filter"),
+    Field("late_variance", (_N,), "1", "variance of `late`"),
     Field("recent", (4,), "x_c", "running mean of the innovation e - b, with time constant `change_time`"),
     Field("b", (4,), "x_c", "estimate of the model's error: what f_m and B_m leave out of each rate"),
     Field("model_error_variance", (4,), "x_c^2", "variance of b that is expected"),

@@ -126,7 +126,7 @@ class PositionLimit(ActuatorFailure):
     type: Literal["position_limit"] = "position_limit"
     low: Number | None = None
     high: Number | None = None
-    examples: ClassVar[Examples] = both({"low": -2.0, "high": 2.0}, {"high": 0.3})
+    examples: ClassVar[Examples] = both({"low": 1.0, "high": 3.0}, {"high": 0.3})
 
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:

@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 import struct
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from operator import call
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from typing import Any
 import jsbsim
 import numpy as np
 
+from testbed.aircraft.changes import model_folder
 from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
@@ -62,26 +64,49 @@ class NoProperty(BadInput):
     the model lacks a part of an actuator's block."""
 
 
+class EngineError(Exception):
+    """JSBSim cannot load or start a model; the message is what it says."""
+
+
+def opened(folder: Path, model: str, physics_hz: float) -> tuple[Any, list[str]]:
+    """JSBSim with FOLDER/MODEL.xml loaded, and the list of what it warned about, which grows; raises EngineError.
+
+    It must be known that the model does not end the process, or this process must be one that may end.
+    """
+    listener = _Listener()
+    jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
+    jsbsim.FGJSBBase().debug_lvl = 0
+    fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
+    fdm.set_aircraft_path(str(folder))
+    fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
+    with engine_errors():
+        done = fdm.load_model(model, False)
+    if not done:
+        raise EngineError("; ".join(listener.warnings))
+    fdm.disable_output()
+    return fdm, listener.warnings
+
+
+@contextmanager
+def engine_errors() -> Iterator[None]:
+    """Within it, what JSBSim raises is an EngineError."""
+    try:
+        yield
+    except Exception as error:  # JSBSim's own, or whatever its C++ throws
+        raise EngineError(str(error)) from None
+
+
 def loaded(aircraft: Aircraft, physics_hz: float) -> tuple[Any, tuple[str, ...]]:
     """JSBSim with the aircraft's model loaded, and what it warned about; raises BadInput if it cannot load the model.
 
     It must be known that the model does not end the process: see `first_load.assure`.
     """
-    listener = _Listener()
-    jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
-    jsbsim.FGJSBBase().debug_lvl = 0
-    folder = Path(aircraft.folder).resolve()
-    fdm = jsbsim.FGFDMExec(str(folder.parent.parent))
-    fdm.set_aircraft_path(str(folder))
-    fdm.set_dt(1.0 / physics_hz)  # before loading: filters freeze their step when loaded
     try:
-        done = fdm.load_model(aircraft.model, False)
-    except Exception as error:  # JSBSim's own, or whatever its C++ throws
+        with model_folder(aircraft) as folder:
+            fdm, warnings = opened(folder, aircraft.model, physics_hz)
+    except EngineError as error:
         raise _broken_model(aircraft, str(error)) from None
-    if not done:
-        raise _broken_model(aircraft, "; ".join(listener.warnings))
-    fdm.disable_output()
-    return fdm, tuple(listener.warnings)
+    return fdm, tuple(warnings)
 
 
 class Plant:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -149,11 +150,13 @@ class Responses:
         axial_m_s: the airspeed along the body's x axis.
         throttles: for each actuator's index, the commanded throttle of each sample.
         thrusts: for each actuator's index, the thrust of each sample [N].
+        before: the command of each actuator before the first step.
     """
 
     axial_m_s: float
     throttles: dict[int, np.ndarray]
     thrusts: dict[int, np.ndarray]
+    before: Sequence[float]
 
     def fitted(self, static: EngineMap, i: int, actuator: Engine) -> EngineMap:
         """The map with the lag and the rates that describe the response of engine i best; a lag in the aircraft's YAML is kept."""
@@ -162,12 +165,13 @@ class Responses:
 
         def misfit(logs: np.ndarray) -> np.ndarray:
             lag, rise, fall = map(float, np.exp(logs))
-            followed = follow(throttles, lag, rise, fall, 1.0 / _SAMPLE_HZ)
+            followed = follow(throttles, self.before[i], lag, rise, fall, 1.0 / _SAMPLE_HZ)
             return (np.interp(followed, static.throttles, row) - thrusts) / scale
 
         fastest = np.log([FASTEST_RAD_S, FASTEST_1_S, FASTEST_1_S])
         slowest = np.log([0.05, 0.01, 0.01])
-        starts = [np.log([corner, rate, rate]) for corner in (0.5, 2.0, 8.0) for rate in (0.1, 1.0, 8.0)]
+        corners, rates = (0.3, 1.0, 3.0, 10.0, 29.0), (0.05, 0.1, 0.2, 0.4, 0.8, 9.0)
+        starts = [np.log(each) for each in product(corners, rates, rates)]
         best = min(starts, key=lambda logs: float(np.sum(misfit(logs) ** 2)))
         found = least_squares(
             misfit, best, bounds=(slowest - 1e-3, fastest + 1e-3), diff_step=[1e-2] * 3, max_nfev=40
@@ -178,10 +182,11 @@ class Responses:
         )
 
 
-def follow(throttles: np.ndarray, lag: float, rise: float, fall: float, dt: float) -> np.ndarray:
-    """The throttle that an engine follows: first-order lag [rad/s] with limited rates [1/s], in steps of dt [s]."""
-    followed, gain = np.empty_like(throttles), 1.0 - math.exp(-lag * dt)
-    now = throttles[0]
+def follow(
+    throttles: np.ndarray, start: float, lag: float, rise: float, fall: float, dt: float
+) -> np.ndarray:
+    """The throttle that an engine follows from `start` on: first-order lag [rad/s] with limited rates [1/s], steps of dt [s]."""
+    followed, gain, now = np.empty_like(throttles), 1.0 - math.exp(-lag * dt), start
     for k, throttle in enumerate(throttles):
         followed[k] = now
         now += min(max(gain * (throttle - now), -fall * dt), rise * dt)
@@ -207,7 +212,10 @@ def _responses(plant: Plant, level: Trim, engines: dict[int, Engine]) -> Respons
             plant.settle(chunk)
     axial = level.state["airspeed"] * math.cos(level.state["alpha"])
     return Responses(
-        axial, {i: np.array(v) for i, v in throttles.items()}, {i: np.array(v) for i, v in thrusts.items()}
+        axial,
+        {i: np.array(v) for i, v in throttles.items()},
+        {i: np.array(v) for i, v in thrusts.items()},
+        level.commands,
     )
 
 

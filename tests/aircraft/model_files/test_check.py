@@ -6,7 +6,7 @@ from pathlib import Path
 
 import jsbsim
 import pytest
-from hostile_models import HOSTILE, MODEL, inserted, replaced
+from hostile_models import HOSTILE, MODEL, inserted, replaced, vtail_at
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.model_files import effects, mass, numbers, sections, used
@@ -80,3 +80,11 @@ def test_an_inertia_a_little_beyond_the_triangle_is_flown(vtail_copy: Path) -> N
     """As ten of JSBSim's own models have it."""
     replaced(MODEL, r'<izz unit="KG\*M2">[^<]*', '<izz unit="KG*M2">0.9')(vtail_copy)
     assert model_problems(load_aircraft(str(vtail_copy))) == []
+
+
+def test_a_model_with_a_name_too_long_for_a_file_is_not_there(tmp_path: Path) -> None:
+    folder = vtail_at(tmp_path)
+    file = folder / "vtail.yaml"
+    file.write_text(file.read_text().replace("model: vtail", f"model: {'x' * 1000}"))
+    (problem,) = model_problems(load_aircraft(str(folder)))
+    assert problem.what == "there is no such file"

@@ -71,3 +71,33 @@ def test_a_table_that_cannot_be_finished_leaves_the_old_one(plan: Plan, tmp_path
         results.write(plan, lambda: next(reading), tmp_path)
     assert (tmp_path / "results.csv").read_text().splitlines() == lines
     assert not list(tmp_path.glob(".*"))
+
+
+def test_texts_that_a_spreadsheet_would_take_for_formulas_are_quoted() -> None:
+    """In the CSV table alone; numbers, also negative ones, are as they are."""
+    assert [results._cell(value) for value in ("=1+1", "-x", "a", -1.5, True, None)] == [
+        "'=1+1",
+        "'-x",
+        "a",
+        "-1.5",
+        "True",
+        "",
+    ]
+
+
+def test_a_whole_number_of_more_than_64_bits_keeps_its_digits(tmp_path: Path) -> None:
+    values = f"{{initial.altitude_m: {{uniform: [300, 301]}}, seed_like: {{choice: [{2**70}, 1]}}}}"
+    plan = load_sweep(
+        written(tmp_path, SWEEP.replace("compare:", "x:").split("vary:")[0] + f"vary: {values}\n")
+    )
+    record: dict[str, Any] = {
+        "run": 0,
+        "seed": 2,
+        "variant": 0,
+        "outcome": "completed",
+        "passed": True,
+        "reason": "",
+    }
+    record["values"] = {"initial.altitude_m": 300.5, "seed_like": 2**70}
+    results.write(plan, lambda: iter([record]), tmp_path)
+    assert str(2**70) in (tmp_path / "results.csv").read_text()

@@ -10,6 +10,7 @@ from sweep_flights import quick
 
 import testbed
 from testbed.inputs.problems import BadInput
+from testbed.monte_carlo import prepare
 from testbed.sweeps.folder.resuming import flown_with, refuse_changed, refuse_other
 from testbed.sweeps.load import load_sweep
 
@@ -72,3 +73,14 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path: Path) -> None:
     refuse_other(tmp_path / "new", plan, resume=False)  # an empty folder is as good as none
     with pytest.raises(BadInput, match="is not the folder of a sweep"):
         refuse_other(tmp_path, plan, resume=True)
+
+
+@pytest.mark.parametrize("runs", ["", "runs: many\n", "runs: 0\n"])
+def test_a_folder_that_does_not_say_its_runs_is_refused(tmp_path: Path, runs: str) -> None:
+    folder = fly_here(load_sweep(written(tmp_path)), tmp_path / "out")
+    file = folder / "sweep.yaml"
+    file.write_text(file.read_text().replace("runs: 12\n", runs))
+    with pytest.raises(
+        BadInput, match=r"sweep\.yaml:\d+: runs: is .*, expected the number of runs, at least 1"
+    ):
+        prepare(tmp_path / "small.yaml", folder, resume=True)

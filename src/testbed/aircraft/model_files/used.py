@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -73,7 +74,7 @@ def read_model(folder: Path, model: str) -> ModelFiles:
         what = f"the model {model!r} is outside the aircraft's folder"
         yaml = folder / f"{folder.name}.yaml"
         found.problems.append(Problem(what, str(yaml), path="model", expected="a name without a path"))
-    elif not file.exists():
+    elif not os.path.exists(file):  # not `file.exists()`, which raises OSError for a name that is too long
         close = did_you_mean(model, (each.stem for each in sorted(folder.glob("*.xml"))))
         found.problems.append(Problem("there is no such file", str(file), suggestion=close))
     else:
@@ -120,7 +121,7 @@ class _Walk:
         suffixed = name if name.endswith(".xml") else f"{name}.xml"
         for place in places:
             file = self._folder / place / suffixed
-            if file.exists():
+            if os.path.exists(file):
                 if _inside(self._folder, file):
                     return file.resolve()
                 problems.append(

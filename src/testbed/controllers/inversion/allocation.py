@@ -26,7 +26,8 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
         axial: airspeed along the propellers' axis [m/s].
     """
     invert(nu, pressure_ratio, m, k, s)
-    if passes_a_stop(m, c, k, s):
+    s.saturated = passes_a_stop(m, c, k, s)
+    if s.saturated:
         allocate_within_stops(nu, pressure_ratio, m, c, k, s, w)
     compensate(m, c, k, s)
     command_actuators(axial, m, s)

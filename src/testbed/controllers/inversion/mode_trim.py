@@ -55,6 +55,7 @@ def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlig
     motor of several is left, the search begins `lost_thrust_faster_m_s` higher. Airspeed, altitude and heading are held.
 
     With two, of which at least one is a motor, the flight is level at an unknown airspeed; altitude and heading are held.
+    Without a motor the flight is a glide; airspeed and heading are held.
 
     Where there is no level trim, the flight climbs or descends; airspeed and heading are held.
 
@@ -82,7 +83,7 @@ def _after_losses(left: Remaining, loops: Loops) -> Iterator[Attempt]:
     """Attempts in the order in which they are made, when no actuator is jammed: the nearest airspeed is the best."""
     reference, motors = left.model.airspeed_m_s, _available_motors(left)
     around = reference + np.array([0.0, -2.0, 2.0, -4.0, 4.0, 8.0])
-    if left.available.sum() < 3:
+    if left.available.sum() < 3 or not any(motors):
         if any(motors):
             yield level(left, around), ("altitude", "heading"), _nearest(reference), 1.0
         yield at_airspeeds(left, around), ("airspeed", "heading"), _nearest(reference), 1.0

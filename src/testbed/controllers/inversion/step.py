@@ -12,6 +12,7 @@ from testbed.controllers.commands import write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
 from testbed.controllers.inversion.jam_detection import detect_jam
+from testbed.controllers.inversion.lateness import act_late, estimate_lateness
 from testbed.controllers.inversion.law import (
     adapt,
     low_pass,
@@ -65,9 +66,12 @@ def estimate(y, m, c, s, w):
     z, e, phi = w.z, w.e, w.phi
     pressure_ratio = pressure_ratio_of(y, m)
     regression(y, pressure_ratio, m, c, s, w)
+    if c.weighted:
+        act_late(phi, s)
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
     measured_error(z, phi, s, e)
     if c.weighted:
+        estimate_lateness(e, c, s)
         expect_change(e, phi, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:

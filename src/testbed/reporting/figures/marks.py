@@ -44,7 +44,7 @@ def marks(events: Sequence[Mapping[str, Any]], actuators: Collection[str] = ()) 
 
 
 def describe(event: Mapping[str, Any]) -> str:
-    """An event in words: `left ruddervator: effectiveness 0.2`."""
+    """An event in words: `left elevon: effectiveness 0.2`."""
     kind = event["kind"]
     if kind == "release":
         return f"{event['axis']} released"

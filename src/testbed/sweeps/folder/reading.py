@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from testbed.common.units import unit as unit
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.folder import results
 from testbed.sweeps.folder.journal import records
@@ -17,11 +18,6 @@ from testbed.sweeps.plan import Plan
 
 if TYPE_CHECKING:
     import pandas as pd
-
-_UNITS = {
-    "_deg_s2": "deg/s^2", "_m_s2": "m/s^2", "_deg_s": "deg/s", "_m_s": "m/s", "_deg": "deg", "_rad": "rad",
-    "_hz": "Hz", "_m": "m", "_s": "s", "_n": "N", "_percent": "%",
-}  # fmt: skip
 
 
 def load(folder: str | Path) -> pd.DataFrame:
@@ -79,12 +75,6 @@ def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFra
             text = len(column) and isinstance(column.iloc[0], str) and not isinstance(value, str)
             mask &= (column == (json.dumps(value, ensure_ascii=False) if text else value)).to_numpy()
         yield variant.label, frame[mask]
-
-
-def unit(column: str) -> str:
-    """Unit of a column, from the end of its name; "" when it has none."""
-    last = column.rpartition(".")[2]
-    return next((unit for ending, unit in _UNITS.items() if last.endswith(ending)), "")
 
 
 def _flights(folder: Path) -> Iterator[Mapping[str, Any]]:

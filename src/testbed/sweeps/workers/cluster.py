@@ -23,6 +23,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from testbed.aircraft.changes import name_in
 from testbed.aircraft.description import load_aircraft
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.drawing.builder import Task
@@ -44,7 +45,7 @@ except BaseException as error:
     os._exit(1)
 os._exit(0)
 """
-_NO_DASK = {"what": "--cluster needs dask.distributed", "expected": "pip install 'testbed[cluster]'"}
+_NO_DASK = Problem("--cluster needs dask.distributed", expected="pip install 'testbed[cluster]'")
 _AHEAD = 3
 """Tasks sent ahead for each thread of the cluster, so that none waits for work."""
 _TRIES = 5
@@ -65,7 +66,7 @@ class PackedJob:
 
 def pack(job: Job) -> PackedJob:
     """Pack a job with every file of its aircraft's folder, and the code of the user's controllers."""
-    folder = load_aircraft(str(job.builder.base.tree["aircraft"])).folder
+    folder = load_aircraft(name_in(job.builder.base.tree["aircraft"])).folder
     files = sorted(f for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
     contents = {
         str(Path(_OWN, name, file)): code for name, own in job.builder.own.items() for file, code in own.code
@@ -89,7 +90,7 @@ def refuse_dead(address: str) -> None:
             return
         words = " ".join(done.stdout.split()) or f"exit status {done.returncode}"
         if done.returncode == 2:
-            raise BadInput([Problem(**_NO_DASK)])
+            raise BadInput([_NO_DASK])
     except subprocess.TimeoutExpired:
         pass
     expected = "the address that `dask scheduler` prints, as tcp://host:8786"
@@ -106,7 +107,7 @@ def fly_on_cluster(
     try:
         from distributed import Client, as_completed
     except ImportError:
-        raise BadInput([Problem(**_NO_DASK)]) from None
+        raise BadInput([_NO_DASK]) from None
     try:
         client = Client(address, timeout=_CONNECT_S, set_as_default=False)
     except (OSError, ValueError, TimeoutError) as error:

@@ -93,6 +93,7 @@ class Child:
         """Have a process that is ready; one that a signal ends while it starts is replaced. Raises as `fly` does."""
         if self._process is not None and self._process.poll() is None:
             return
+        status: int | None = 0
         for _ in range(_STARTS):
             self.kill()
             status, words = self._started()
@@ -103,7 +104,7 @@ class Child:
             if status >= 0:
                 break  # it ended by itself, and would do so again
         lines = words.decode(errors="replace").strip().splitlines()
-        reason = lines[-1] if lines else f"it was ended by {_cause(status)}"
+        reason = lines[-1] if lines else f"it was ended by {_cause(status or 0)}"
         raise BadInput([Problem(f"a worker process does not start: {reason}")])
 
     def _started(self) -> tuple[int | None, bytes]:

@@ -1,0 +1,189 @@
+"""Write the pages of the documentation that rest on missions, from a CSV of `missions.py --reporting`.
+
+    python benchmarks/mission_report.py runs/reporting.csv            # results/missions.md, explanation/when_adaptation_pays.md
+    python benchmarks/mission_report.py runs/reporting.csv --trims    # and which missions can be flown at all: minutes
+
+Exits if a seed for tuning is among the flights.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import mission_figures
+import mission_findings
+from mission_list import (
+    ALTITUDE_M,
+    DURATION_S,
+    FAILURE_S,
+    HEADING_DEG,
+    MISSIONS,
+    ROUTES,
+    SECOND_S,
+    Condition,
+    Mission,
+)
+from mission_results import FAMILIES, Row, Table, by_mission, details, family, held_more, loses, share, totals
+from missions import ABLATED, KNOWN, REPORTING_START, TUNING_END
+from true_trims import table as trims_of
+from true_trims import words
+
+DOCS = Path(__file__).parents[1] / "docs"
+REFERENCE, BOUND = "default", "oracle"
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("csv", type=Path)
+    parser.add_argument("--docs", type=Path, default=DOCS, help="folder to write into")
+    parser.add_argument("--trims", action="store_true", help="look for the steady flights of every mission")
+    options = parser.parse_args(arguments)
+    rows = reporting_rows(options.csv)
+    trims = {m.name: words(found) for m, found in _trims()} if options.trims else {}
+    for folder in ("results", "explanation", "figures"):
+        (options.docs / folder).mkdir(parents=True, exist_ok=True)
+    mission_figures.draw(rows, REFERENCE, options.docs / "figures")
+    mission_findings.draw(rows, options.docs / "figures")
+    pages = {"results/missions.md": document(rows, trims)}
+    pages["explanation/when_adaptation_pays.md"] = mission_findings.page(rows, trims, BOUND)
+    for name, text in pages.items():
+        (options.docs / name).write_text(text, encoding="utf-8")
+        print(f"wrote {options.docs / name}")
+
+
+def reporting_rows(file: Path) -> list[Row]:
+    """The flights of a CSV, in the order of KNOWN; exits if there are none or one has a seed for tuning."""
+    rows = Table(file).read()
+    if not rows:
+        raise SystemExit(f"{file}: no flights")
+    tuned = sorted({row.seed for row in rows if row.seed < REPORTING_START})
+    if tuned:
+        raise SystemExit(
+            f"{file}: seed {tuned[0]} is for tuning; a report is of seeds from {REPORTING_START} on"
+        )
+    order = list(KNOWN)
+    return sorted(
+        rows, key=lambda row: order.index(row.controller) if row.controller in order else len(order)
+    )
+
+
+def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
+    """The Markdown of docs/results/missions.md."""
+    main_rows = [row for row in rows if row.controller not in ABLATED]
+    seeds, conditions = sorted({row.seed for row in rows}), sorted({row.condition for row in rows})
+    lines = [
+        "# Missions: every controller, flown hard",
+        "",
+        "<!-- Written by python benchmarks/mission_report.py: change that, not this. -->",
+        "",
+        "This page compares the controllers on missions with failures: slow and fast flight, hard turns and climbs, references",
+        "that move through the failure, single and double losses, jams, reversals and more.",
+        "",
+        f"**Held** means: flown to the end, within {ALTITUDE_M:g} m and {HEADING_DEG:g} deg of the references all the time",
+        "from the first failure on. All fly with MEMS sensors, and with the same released axis, outer loops, allocation and limits",
+        "(`pid` has loops of its own).",
+        f"`{REFERENCE}` is `{{type: adaptive_inversion}}` and nothing else. `{BOUND}` is the same law, told the truth about every",
+        f"actuator at once: what it does not hold, no better diagnosis holds. Seeds are {seeds[0]} to {seeds[-1]}; those below",
+        f"{TUNING_END} were for tuning, and no gain was chosen on these. Intervals are of paired differences, 95 % (Newcombe).",
+        "",
+        "## All flights",
+        "",
+        *totals(main_rows, REFERENCE),
+        "",
+        "![Share of missions held, by kind of failure](../figures/missions_families.png)",
+        "",
+        "## By kind of failure",
+        "",
+        *by_family(main_rows),
+        "",
+        "## By condition",
+        "",
+        *by_condition(main_rows, conditions),
+        "",
+    ]  # fmt: skip
+    if any(row.controller in ABLATED for row in rows):
+        lines += ["## What each part of the law brings", "", *ablation(rows), ""]
+        lines += ["![What each part of the law brings](../figures/missions_ablation.png)", ""]
+    lines += [f"## Where another holds more than `{REFERENCE}`", "", "By two flights of a cell or more:", ""]
+    lines += loses(main_rows, REFERENCE) or ["Nowhere."]
+    if trims:
+        lines += ["", "## What can be flown at all", ""]
+        lines += ["Steady flights of the broken v-tail, looked for on JSBSim itself (`benchmarks/true_trims.py`). The margin is",
+                  "the largest share of half its travel that the actuator nearest to a stop has left.", ""]  # fmt: skip
+        lines += ["| mission | steady flight |", "| --- | --- |"]
+        lines += [f"| {name} | {found} |" for name, found in trims.items()]
+    for condition in conditions:
+        lines += ["", f"## Each mission: {condition.title}", ""]
+        lines += ["held/survived/flights; where all survived, held/flights", ""]
+        lines += by_mission([row for row in main_rows if row.condition == condition])
+        own = [row for row in main_rows if row.condition == condition and row.controller == REFERENCE]
+        lines += ["", f"`{REFERENCE}`, worst flight of each:", "", *details(own)]
+    return "\n".join([*lines, "", *_missions()]) + "\n"
+
+
+def by_family(rows: Sequence[Row]) -> list[str]:
+    """Markdown table: share held by kind of failure and controller."""
+    names = list(dict.fromkeys(row.controller for row in rows))
+    lines = [f"| kind | {' | '.join(names)} |", f"| --- |{' --- |' * len(names)}"]
+    for kind in FAMILIES:
+        of = [[r for r in rows if family(r.mission) == kind and r.controller == name] for name in names]
+        if any(of):
+            lines.append(f"| {kind} | {' | '.join(map(share, of))} |")
+    return lines
+
+
+def by_condition(rows: Sequence[Row], conditions: Sequence[Condition]) -> list[str]:
+    """Markdown table: share held by condition and controller."""
+    names = list(dict.fromkeys(row.controller for row in rows))
+    lines = [f"| condition | {' | '.join(names)} |", f"| --- |{' --- |' * len(names)}"]
+    for condition in conditions:
+        of = [[r for r in rows if r.condition == condition and r.controller == name] for name in names]
+        lines.append(f"| {condition.title} | {' | '.join(map(share, of))} |")
+    return lines
+
+
+def ablation(rows: Sequence[Row]) -> list[str]:
+    """Markdown table: how much more the whole law holds than the law without each part, on the flights of both."""
+    head = "| without | held | the whole law holds more by (95 %) | only the whole | only without it |"
+    lines = [head, "| --- |" + " --- |" * 4]
+    whole = [row for row in rows if row.controller == REFERENCE]
+    for name in ABLATED:
+        own = [row for row in rows if row.controller == name]
+        d = held_more(whole, own)
+        if d is not None:
+            words = f"{d.difference:+.3f} ({d.low:+.3f} to {d.high:+.3f})"
+            lines.append(
+                f"| {name.removeprefix('without_')} | {share(own)} | {words} | {d.only_first} | {d.only_second} |"
+            )
+    return lines
+
+
+def _missions() -> list[str]:
+    times = f"Each lasts {DURATION_S:g} s; failures begin at {FAILURE_S:g} s, a second one at {SECOND_S:g} s."
+    lines = ["## The missions", "", times, "The first word of a name is the route.", ""]
+    lines += ["| route | airspeed m/s | what |", "| --- | --- | --- |"]
+    lines += [f"| {name} | {route.airspeed_m_s:g} | {route.words} |" for name, route in ROUTES.items()]
+    lines += ["", "| mission | failures |", "| --- | --- |"]
+    lines += [
+        f"| {mission.name} | {'; '.join(map(_said, mission.failures)) or 'none'} |" for mission in MISSIONS
+    ]
+    return lines
+
+
+def _said(failure: Mapping[str, object]) -> str:
+    fields = {key: value for key, value in failure.items() if key != "at_s" or value != FAILURE_S}
+    return f"`{json.dumps(fields)[1:-1]}`".replace('"', "")
+
+
+def _trims() -> list[tuple[Mission, list]]:
+    found = trims_of(MISSIONS, "vtail")
+    return [(mission, found[mission.name]) for mission in MISSIONS]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,128 @@
+"""The whole adoption: from a model's name or folder to an aircraft's folder with its design model."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import shutil
+import tempfile
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from testbed.adoption.card import card, release
+from testbed.adoption.draft import Draft, make_draft, refused
+from testbed.adoption.files import Condition, add_release, write_folder, write_yaml
+from testbed.adoption.losses import Kept, losses
+from testbed.adoption.source import Source
+from testbed.aircraft.description import Aircraft, Engine, load_aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel
+from testbed.aircraft.model_files.check import model_problems
+from testbed.inputs.problems import BadInput
+from testbed.plant.first_load import trust
+from testbed.plant.identification import identify
+from testbed.plant.jsbsim import Plant
+from testbed.plant.settling import settle_at
+from testbed.plant.trim import NoTrim, Trim, command_range, trim
+
+_HZ = 200.0
+_USE_MAX = 0.7  # of an actuator's travel to either side, in the reference trim
+_THROTTLE_MIN, _THROTTLE_MAX = 0.05, 0.92
+_STEADY = 1e-4  # of engines, while a condition is sought
+
+
+@dataclass(frozen=True)
+class Adopted:
+    """An adopted aircraft, the trim at its reference, its design model, and what it keeps without each actuator."""
+
+    aircraft: Aircraft
+    draft: Draft
+    trim: Trim
+    model: DesignModel
+    kept: Sequence[Kept]
+
+    def card(self) -> str:
+        """What there is to know of it, in lines."""
+        return card(self.aircraft, self.model, self.trim, self.kept)
+
+
+def adopt(source: Source, folder: Path) -> Adopted:
+    """Write an aircraft's folder from a model; raises BadInput with what is missing. The folder is not made then."""
+    version = importlib.metadata.version("jsbsim")
+    with tempfile.TemporaryDirectory() as scratch:
+        draft = make_draft(source, Path(scratch) / "bench")
+        place = Path(scratch) / folder.name
+        write_folder(draft, place, folder.name, version)
+        aircraft, found = _condition(draft, place, version)
+        model = identify(aircraft)
+        model.save(place / DESIGN_MODEL)
+        axes = release(aircraft, model)
+        if axes:
+            add_release(place, folder.name, axes)
+        kept = losses(aircraft, found)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copytree(place, folder, dirs_exist_ok=True)
+    return Adopted(load_aircraft(f"{folder.parent}/{folder.name}"), draft, found, model, kept)
+
+
+def _condition(draft: Draft, folder: Path, version: str) -> tuple[Aircraft, Trim]:
+    """Write the YAML with the first condition at which the aircraft flies steadily, well within its travel."""
+    why = ""
+    for condition in _conditions(draft):
+        write_yaml(draft, folder, folder.name, condition, version)
+        plant = Plant(_loaded(folder), _HZ)
+        try:
+            found = trim(plant, condition.airspeed_m_s, condition.altitude_m)
+        except NoTrim:
+            why = why or "no steady flight was found at any airspeed from 1.25 to 3.4 times its stall's"
+            continue
+        used = _use(plant.aircraft, found)
+        if used is None:
+            measured = Condition(condition.airspeed_m_s, condition.altitude_m, _thrusts(plant, found))
+            write_yaml(draft, folder, folder.name, measured, version)
+            return _loaded(folder), found
+        why = used
+    raise refused(draft.source, why)
+
+
+def _loaded(folder: Path) -> Aircraft:
+    """The aircraft in a folder; this process may load its model, because it is one that may end."""
+    aircraft = load_aircraft(str(folder))
+    problems = model_problems(aircraft)
+    if problems:
+        raise BadInput(problems)
+    trust(aircraft)
+    return aircraft
+
+
+def _conditions(draft: Draft) -> Iterator[Condition]:
+    size = draft.size
+    guess = tuple((0.0, draft.start.thrust_n / len(draft.propulsors)) for _ in draft.propulsors)
+    for speed in draft.speeds_m_s:
+        yield Condition(speed, size.altitude_m, guess)
+
+
+def _use(aircraft: Aircraft, found: Trim) -> str | None:
+    """What a trim uses too much of; None if nothing."""
+    for (name, actuator), command in zip(aircraft.actuators.items(), found.commands, strict=True):
+        low, high = command_range(actuator)
+        if isinstance(actuator, Engine):
+            share = (command - low) / (high - low)
+            if not _THROTTLE_MIN <= share <= _THROTTLE_MAX:
+                return f"steady flight takes {share:.0%} of the throttle of {name}"
+        elif not _USE_MAX * low <= command <= _USE_MAX * high:
+            return f"steady flight takes {max(command / low, command / high):.0%} of the travel of {name}"
+    return None
+
+
+def _thrusts(plant: Plant, found: Trim) -> tuple[tuple[float, float], ...]:
+    """Thrust of each engine at its lowest and highest throttle [N]."""
+    thrusts = []
+    for i, actuator in enumerate(plant.aircraft.actuators.values()):
+        if isinstance(actuator, Engine):
+            ends = []
+            for throttle in actuator.throttle:
+                commands = [throttle if j == i else command for j, command in enumerate(found.commands)]
+                settle_at(plant, found.state, commands, steady=_STEADY)
+                ends.append(plant.position(i))
+            thrusts.append((ends[0], ends[1]))
+    return tuple(thrusts)

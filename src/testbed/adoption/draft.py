@@ -1,0 +1,179 @@
+"""The first half of an adoption, on the bench: what the model is made of, and the model with our blocks in it."""
+
+from __future__ import annotations
+
+import math
+import xml.etree.ElementTree as ET
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from testbed.adoption.bench import Bench, write
+from testbed.adoption.blocks import prefix_of
+from testbed.adoption.condition import SPEEDS, Size, drag_n, measure_size
+from testbed.adoption.controls import Surface, find_surfaces
+from testbed.adoption.cut import cut, set_property
+from testbed.adoption.engines import GEAR_S, Start, Step, clean, find_start, full_thrust, run
+from testbed.adoption.propulsors import TURBINE, Propulsor, engine_files, find_propulsors
+from testbed.adoption.source import Source, declare, read_whole
+from testbed.inputs.problems import BadInput, Problem
+from testbed.plant.jsbsim import EngineError
+
+_HIGH_M, _LOW_M = 3000.0, 1000.0  # altitudes of turbines' flight, and of all others'
+_SMALL_SPAN_M = 4.0  # below it an aircraft has the servos of a model aircraft
+_SERVO, _MODEL_SERVO = (20.0, math.radians(60.0)), (30.0, math.radians(300.0))
+"""Lag [rad/s] and rate limit [rad/s] where the model has none: Stevens and Lewis's F-16 (20.2 rad/s, 60 to 120 deg/s), and a
+hobby servo (60 deg in 0.2 s)."""
+_ANY_SPEED_M_S = 80.0
+_PROBE_RAD = 0.02
+_EXCESS = 1.02  # of full thrust over drag, without which an airspeed is not tried
+
+
+@dataclass(frozen=True)
+class Servo:
+    """A surface with its servo: lag and rate limit [rad/s], and which of them are defaults."""
+
+    surface: Surface
+    lag_rad_s: float
+    rate_rad_s: float
+
+    @property
+    def defaults(self) -> list[str]:
+        """What the model does not have."""
+        found = self.surface.dynamics
+        return [
+            name
+            for name, value in (("lag", found.lag_rad_s), ("rate limit", found.rate_rad_s))
+            if value is None
+        ]
+
+
+@dataclass(frozen=True)
+class Draft:
+    """What the bench shows of a model, and the model with blocks."""
+
+    source: Source
+    tree: ET.Element
+    servos: tuple[Servo, ...]
+    propulsors: tuple[Propulsor, ...]
+    rockets: bool
+    size: Size
+    start: Start
+    speeds_m_s: tuple[float, ...]
+    """Airspeeds to try for the reference, the usual one first; the engines' thrust is more than the drag at each."""
+
+
+def make_draft(source: Source, folder: Path) -> Draft:
+    """Read the model and put blocks into it, with scratch files in a folder; raises BadInput with what is missing."""
+    tree = read_whole(source)
+    propulsors = find_propulsors(tree, source)
+    whole = _Loader(source, folder / "whole", tree)
+    bench = whole.bench()
+    if bench.missing:
+        declare(tree, dict.fromkeys(bench.missing, 0.0))
+        bench = whole.bench()
+    bench.place(_ANY_SPEED_M_S, _LOW_M)
+    run(bench, [Step(clean(), GEAR_S)])
+    size = measure_size(bench, _HIGH_M if any(each.kind == TURBINE for each in propulsors) else _LOW_M)
+    if size is None:
+        raise refused(source, "its wing gives no lift")
+    bench.place(SPEEDS[0] * size.stall_m_s, size.altitude_m)
+    servos = tuple(_with_servo(each, size) for each in find_surfaces(tree, bench))
+    if not servos:
+        raise refused(source, "its aerodynamics read no surface that its flight control moves")
+    adopted = cut(tree, [(each.surface, each.lag_rad_s, each.rate_rad_s) for each in servos], propulsors)
+    loader = _Loader(source, folder / "adopted", adopted)
+    _let_float(adopted, loader, servos, size)
+    start = find_start(lambda: _in_flight(loader, size), propulsors)
+    if start is None:
+        raise refused(source, "no known way to start its engines gives thrust")
+    speeds = _flyable(loader, size, propulsors, start)
+    if not speeds:
+        raise refused(
+            source, f"its engines' {start.thrust_n:.0f} N at full throttle do not hold it in level flight"
+        )
+    rockets = len(tree.findall("propulsion/engine")) > len(propulsors)
+    return Draft(source, adopted, servos, tuple(propulsors), rockets, size, start, speeds)
+
+
+class _Loader:
+    """Makes benches of one model, whose files are written into a scratch folder when one is made."""
+
+    def __init__(self, source: Source, folder: Path, tree: ET.Element) -> None:
+        self._source, self._folder, self._tree = source, folder, tree
+        place = folder / "Engines"
+        place.mkdir(parents=True)
+        for file in engine_files(tree, source):
+            (place / file.name).write_bytes(file.read_bytes())
+
+    def bench(self) -> Bench:
+        """A new bench; raises BadInput with JSBSim's words."""
+        write(self._folder, self._source.name, self._tree)
+        try:
+            bench = Bench(self._folder, self._source.name)
+            bench.start()
+        except EngineError as error:
+            raise refused(self._source, f"JSBSim does not load it: {error}") from None
+        return bench
+
+
+def refused(source: Source, why: str) -> BadInput:
+    """The one sentence that says why a model cannot be adopted."""
+    return BadInput([Problem(f"{source.name} cannot be adopted: {why}", str(source.file))])
+
+
+def _in_flight(loader: _Loader, size: Size, airspeed_m_s: float | None = None) -> Bench:
+    """A new bench with the model in level flight, at the usual airspeed if none is given."""
+    speed = airspeed_m_s or SPEEDS[0] * size.stall_m_s
+    bench = loader.bench()
+    bench.place(speed, size.altitude_m, size.alpha_at(speed))
+    return bench
+
+
+def _flyable(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start) -> tuple[float, ...]:
+    """The airspeeds to try at which full thrust is more than the drag with it."""
+    speeds = [float(f"{speed * size.stall_m_s:.4g}") for speed in SPEEDS]
+    return tuple(
+        speed for speed in speeds if not propulsors or _holds(loader, size, propulsors, start, speed)
+    )
+
+
+def _holds(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start, speed: float) -> bool:
+    bench = _in_flight(loader, size, speed)
+    return full_thrust(bench, propulsors, start.steps) > _EXCESS * drag_n(bench, size.alpha_at(speed))
+
+
+def _with_servo(surface: Surface, size: Size) -> Servo:
+    lag, rate = _MODEL_SERVO if size.span_m < _SMALL_SPAN_M else _SERVO
+    found = surface.dynamics
+    return Servo(surface, found.lag_rad_s or lag, found.rate_rad_s or rate)
+
+
+def _let_float(tree: ET.Element, loader: _Loader, servos: tuple[Servo, ...], size: Size) -> None:
+    """Set how far each surface follows the air when its linkage is gone, from the sign of its moments.
+
+    A free surface trails behind its hinge: with the wind from below its trailing edge goes up, from the right it goes left. An
+    elevator up pitches the nose up, a rudder left turns it left, a left aileron up rolls to the left. Surfaces that the model
+    moves as a pair do not float: the two sides would go up together.
+    """
+    bench = _in_flight(loader, size)
+    moments = bench.reader([f"moments/{axis}-aero-lbsft" for axis in ("m", "n", "l")])
+    for servo in servos:
+        p, lines = prefix_of(servo.surface.name), []
+        for angle in (_PROBE_RAD, -_PROBE_RAD):
+            bench.set({f"{p}/linkage-bias-rad": angle})
+            bench.settle(2.0 / bench.hz)
+            lines.append(moments())
+        bench.set({f"{p}/linkage-bias-rad": 0.0})
+        pitch, yaw, roll = (up - down for up, down in zip(*lines, strict=True))
+        side = -1.0 if servo.surface.name.startswith("left") else 1.0
+        follows = {
+            "elevator": ("float-alpha", math.copysign(1.0, pitch)),
+            "rudder": ("float-beta", -math.copysign(1.0, yaw)),
+            "aileron": (
+                "float-alpha",
+                side * math.copysign(1.0, roll) * servo.surface.name.startswith(("left", "right")),
+            ),
+        }.get(servo.surface.stick or "")
+        if follows:
+            set_property(tree, f"{p}/{follows[0]}", follows[1] + 0.0)

@@ -1,0 +1,133 @@
+"""Start the engines of a model on the bench, and find the settings with which they give the most thrust."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from testbed.adoption.bench import Bench
+from testbed.adoption.blocks import prefix_of
+from testbed.adoption.propulsors import TURBINE, Propulsor
+from testbed.common.units import NEWTONS_PER_POUND
+
+_FUEL_S = 3.0  # in which collector tanks fill
+_RUN_UP_S = 25.0  # pistons and turboprops need as long from the starter to full thrust
+_WINDOW_S, _WINDOWS, _STEADY = 5.0, 12, 0.01  # the largest rotors take half a minute
+GEAR_S = 10.0
+"""Longest travel of a gear in the jsbsim package [s]."""
+_MIXTURES, _ADVANCES, _LEAN = (0.85, 0.7), (0.7, 0.4), (0.7, 1.0)
+_START_THROTTLE = 0.6  # as in the first guess of a trim
+_ALIVE = 0.025  # thrust by weight: less than this at full throttle is no engine that runs
+_BETTER = 1.02  # a setting replaces the usual one if it gives this much of its thrust
+
+Way = Callable[[Sequence[Propulsor], float, float], tuple["Step", ...]]
+"""A way to start, with a mixture and a propeller lever."""
+
+MakeBench = Callable[[], Bench]
+"""Makes a new bench with the adopted model held in flight, throttles closed."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """Properties to set, and the time to run after that with the airframe held [s]."""
+
+    set: dict[str, float]
+    run_s: float
+
+
+_KEEP_FUEL = {"propulsion/fuel_freeze": 1.0}
+"""Mass then stays as it is. Not from the first instant, because an engine with an empty collector tank would starve; and not
+late, because one whose pumps stand still would run its collector tank dry."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """How a model is made ready to fly: `steps`, and `thrust_n` of all engines together at full throttle after them."""
+
+    steps: tuple[Step, ...]
+    thrust_n: float = 0.0
+
+
+def find_start(make: MakeBench, propulsors: Sequence[Propulsor]) -> Start | None:
+    """The start with which the engines give most thrust, or None when none of the known ways gives any.
+
+    Each setting is tried on a new bench, because some stop an engine for good.
+    """
+    if not propulsors:
+        return Start((Step(clean(), GEAR_S),))
+    least = _ALIVE * make()["inertia/weight-lbs"] * NEWTONS_PER_POUND
+    ways = (_at_once,) if all(each.kind == TURBINE for each in propulsors) else (_by_starter, _told)
+    for way in ways:
+        usual = _tried(make, propulsors, way, 1.0, 1.0)
+        if usual.thrust_n < least:
+            usual = _tried(make, propulsors, way, *_LEAN)
+        if usual.thrust_n >= least:
+            return usual if way is _at_once else _tuned(make, propulsors, way, usual)
+    return None
+
+
+def _tried(
+    make: MakeBench, propulsors: Sequence[Propulsor], way: Way, mixture: float, advance: float
+) -> Start:
+    steps = way(propulsors, mixture, advance)
+    return Start(steps, full_thrust(make(), propulsors, steps))
+
+
+def _tuned(make: MakeBench, propulsors: Sequence[Propulsor], way: Way, usual: Start) -> Start:
+    """The start with the propeller's lever, then the mixture, of the greatest thrust."""
+    best, best_advance = usual, 1.0
+    for advance in _ADVANCES:
+        tried = _tried(make, propulsors, way, 1.0, advance)
+        if tried.thrust_n > _BETTER * best.thrust_n:
+            best, best_advance = tried, advance
+    for mixture in _MIXTURES:
+        tried = _tried(make, propulsors, way, mixture, best_advance)
+        best = tried if tried.thrust_n > _BETTER * best.thrust_n else best
+    return best
+
+
+def full_thrust(bench: Bench, propulsors: Sequence[Propulsor], steps: Sequence[Step]) -> float:
+    """Thrust of all engines at full throttle [N], in flight, after a start."""
+    bench.set({f"{prefix_of(each.name)}/command-norm": _START_THROTTLE for each in propulsors})
+    run(bench, steps)
+    bench.set({f"{prefix_of(each.name)}/command-norm": each.throttle[1] for each in propulsors})
+    read = bench.reader([f"propulsion/engine[{each.number}]/thrust-lbs" for each in propulsors])
+    thrust = sum(read())
+    for _ in range(_WINDOWS):
+        bench.settle(_WINDOW_S)
+        before, thrust = thrust, sum(read())
+        if abs(thrust - before) < _STEADY * abs(thrust):
+            break
+    return thrust * NEWTONS_PER_POUND
+
+
+def run(bench: Bench, steps: Sequence[Step]) -> None:
+    """Carry out a start on a bench."""
+    for step in steps:
+        bench.set(step.set)
+        bench.settle(step.run_s)
+
+
+def clean() -> dict[str, float]:
+    """Gear up, if it can be."""
+    return {"gear/gear-cmd-norm": 0.0, "gear/gear-pos-norm": 0.0}
+
+
+def _at_once(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[Step, ...]:
+    """A turbine runs when it is told to."""
+    running = {f"propulsion/engine[{each.number}]/set-running": 1.0 for each in propulsors}
+    return Step({**clean(), **running}, _FUEL_S), Step(_KEEP_FUEL, _RUN_UP_S)
+
+
+def _by_starter(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[Step, ...]:
+    levers = {}
+    for each in propulsors:
+        levers[f"fcs/mixture-cmd-norm[{each.number}]"] = mixture
+        levers[f"fcs/advance-cmd-norm[{each.number}]"] = advance
+    return Step({**clean(), **levers, "propulsion/starter_cmd": 1.0}, _FUEL_S), Step(_KEEP_FUEL, _RUN_UP_S)
+
+
+def _told(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[Step, ...]:
+    """By the starter, then by JSBSim's own command to run, with which other engines would stop."""
+    started, frozen = _by_starter(propulsors, mixture, advance)
+    return started, frozen, Step({"propulsion/set-running": -1.0}, _RUN_UP_S)

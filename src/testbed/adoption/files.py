@@ -1,0 +1,200 @@
+"""The adopted aircraft's folder: its JSBSim files and its YAML, written so that a person can go on from them."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import yaml
+
+from testbed.adoption.blocks import prefix_of
+from testbed.adoption.draft import Draft, Servo
+from testbed.adoption.propulsors import Propulsor, engine_files
+
+_SCALE = 0.4  # of half the travel: one unit of the scaled input matrix, near what the v-tail has
+_BETA_MAX_DEG, _ROLL_MAX_DEG, _ALPHA_MAX_DEG = 40, 110, 25
+_PAST_STALL_DEG = 10
+_SLOWEST, _FASTEST = 0.65, 2.2  # of the stall speed, and of the reference airspeed
+_KINDS = {"piston_engine": "piston engine", "turboprop_engine": "turboprop", "turbine_engine": "turbine"}
+
+
+_BLOCKS = (
+    "Between each actuator and what reads it stands a block of properties, through which commands and failures act. The "
+    "model's own flight control still runs, but no longer moves these actuators. Edit what you know better."
+)
+
+
+@dataclass(frozen=True)
+class Condition:
+    """The reference of an adopted aircraft, and the thrust of each engine at its lowest and highest throttle [N]."""
+
+    airspeed_m_s: float
+    altitude_m: float
+    thrusts_n: tuple[tuple[float, float], ...] = ()
+
+
+def write_folder(draft: Draft, folder: Path, name: str, jsbsim_version: str) -> None:
+    """Write the JSBSim files: the model in one file, engines and propellers in `Engines`."""
+    (folder / "Engines").mkdir(parents=True, exist_ok=True)
+    for file in engine_files(draft.tree, draft.source):
+        (folder / "Engines" / file.name).write_bytes(file.read_bytes())
+    ET.indent(draft.tree, "  ")
+    header = origin(draft, jsbsim_version) + " Changes are listed in the YAML beside this file."
+    text = ET.tostring(draft.tree, encoding="unicode")
+    (folder / f"{name}.xml").write_text(
+        f'<?xml version="1.0"?>\n<!-- {header} -->\n{text}\n', encoding="utf-8"
+    )
+
+
+def origin(draft: Draft, jsbsim_version: str) -> str:
+    """Where the aircraft comes from, and on what terms."""
+    return (
+        f"Adopted from the JSBSim model {draft.source.name} (jsbsim {jsbsim_version}). Its authors, its licence and its "
+        "limits are in its <fileheader>; the jsbsim package itself is under the LGPL 2.1."
+    )
+
+
+def write_yaml(draft: Draft, folder: Path, name: str, condition: Condition, jsbsim_version: str) -> None:
+    """Write the aircraft's YAML."""
+    text = yaml_text(draft, name, condition, jsbsim_version)
+    (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
+
+
+def add_release(folder: Path, name: str, release: Mapping[str, Sequence[str]]) -> None:
+    """Append the axes to give up after each loss to the aircraft's YAML."""
+    lines = [
+        "",
+        "# Axes to give up after the loss of an actuator: those that the others cannot keep in gusts. Derived; yours to change.",
+        "control:",
+        "  release:",
+        *(f"    {actuator}: [{', '.join(axes)}]" for actuator, axes in release.items()),
+    ]
+    with (folder / f"{name}.yaml").open("a", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def yaml_text(draft: Draft, name: str, condition: Condition, jsbsim_version: str) -> str:
+    """The aircraft's YAML, with a comment for what is not the model's own."""
+    servos = [line for servo in draft.servos for line in _servo(servo)]
+    engines = zip(draft.propulsors, condition.thrusts_n, strict=True)
+    lines = [
+        *_comment(origin(draft, jsbsim_version)),
+        *_comment(_BLOCKS),
+        f"name: {_quoted(name)}",
+        f"description: {_quoted(_description(draft))}",
+        f"model: {_quoted(name)}",
+        *_reference(draft, condition),
+        "",
+        *_axes(draft),
+        "",
+        *_envelope(draft, condition),
+        "",
+        "# How the model is made ready to fly, once, with the airframe held: properties to write, then seconds to run.",
+        "start:",
+        *_start(draft),
+        "",
+        "actuators:",
+        *servos,
+        *(line for each, thrust in engines for line in _engine(each, thrust)),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _reference(draft: Draft, condition: Condition) -> list[str]:
+    size, speed = draft.size, condition.airspeed_m_s
+    stall = f"{size.stall_m_s:.4g} m/s at {size.stall_alpha_deg:g} deg"
+    note = f"# {speed / size.stall_m_s:.3g} times the stall's {stall}; weight {size.weight_n:.4g} N"
+    return [f"reference: {{altitude_m: {condition.altitude_m:g}, airspeed_m_s: {speed:g}}}   {note}"]
+
+
+def _axes(draft: Draft) -> list[str]:
+    if draft.propulsors:
+        return ["axes: [p_dot, q_dot, r_dot, u_dot]"]
+    return ["axes: [p_dot, q_dot, r_dot]   # without an engine no u_dot: airspeed follows from pitch"]
+
+
+def _envelope(draft: Draft, condition: Condition) -> list[str]:
+    size = draft.size
+    limits = {
+        "alpha_max_deg": max(_ALPHA_MAX_DEG, size.stall_alpha_deg + _PAST_STALL_DEG),
+        "beta_max_deg": _BETA_MAX_DEG,
+        "airspeed_min_m_s": _round(_SLOWEST * size.stall_m_s),
+        "airspeed_max_m_s": _round(_FASTEST * condition.airspeed_m_s),
+        "roll_max_deg": _ROLL_MAX_DEG,
+    }
+    inside = ", ".join(f"{name}: {value:g}" for name, value in limits.items())
+    why = "Outside these limits the aircraft counts as lost. They are set from the stall and the reference, not read."
+    return [f"# {why}", f"envelope: {{{inside}}}"]
+
+
+def _comment(text: str) -> list[str]:
+    return [f"# {line}" for line in textwrap.wrap(text, 118)]
+
+
+def _description(draft: Draft) -> str:
+    """The model's own description in one line, and what drives it."""
+    own = " ".join((draft.tree.findtext("fileheader/description") or draft.source.name).split())
+    kinds = sorted({_KINDS[each.kind] for each in draft.propulsors})
+    if kinds:
+        many = f"{len(draft.propulsors)} {kinds[0]}s" if len(draft.propulsors) > 1 else kinds[0]
+        return f"{own}; {many}; adopted from JSBSim"
+    return f"{own}; {'its rocket is off' if draft.rockets else 'glider'}; adopted from JSBSim"
+
+
+def _quoted(text: str) -> str:
+    return yaml.safe_dump(text, width=10_000, default_style='"').strip()
+
+
+def _start(draft: Draft) -> list[str]:
+    lines = []
+    for step in draft.start.steps:
+        lines += ["  - set:", *(f'      "{name}": {value:g}' for name, value in step.set.items())]
+        lines += [f"    run_s: {step.run_s:g}"] if step.run_s else []
+    return lines
+
+
+def _servo(servo: Servo) -> list[str]:
+    surface = servo.surface
+    low, high = (math.degrees(end) for end in surface.travel)
+    read = " and ".join(each.name for each in surface.readings)
+    fraction = (
+        "   # the model knows fractions of full deflection: 1 is called 20 deg" if surface.nominal else ""
+    )
+    default = {what: "   # a default, the model has none" for what in servo.defaults}
+    return [
+        f"  {surface.name}:   # instead of {read}",
+        "    kind: servo",
+        f"    prefix: {prefix_of(surface.name)}",
+        f"    unit: deg{fraction}",
+        f"    limits: [{_round(low, 5):g}, {_round(high, 5):g}]",
+        f"    rate_limit: {_round(math.degrees(servo.rate_rad_s)):g}{default.get('rate limit', '')}",
+        f"    lag_rad_s: {_round(servo.lag_rad_s):g}{default.get('lag', '')}",
+        f"    scale: {_round(_SCALE * 0.5 * (high - low)):g}",
+    ]
+
+
+def _engine(propulsor: Propulsor, thrust_n: tuple[float, float]) -> list[str]:
+    low, high = sorted(thrust_n)
+    dry = (
+        "   # to 0.98: above 0.99 JSBSim lights the afterburner, and thrust jumps"
+        if propulsor.throttle[1] < 1.0
+        else ""
+    )
+    return [
+        f"  {propulsor.name}:",
+        "    kind: engine",
+        f"    prefix: {prefix_of(propulsor.name)}",
+        f"    engine: {propulsor.number}",
+        "    unit: N",
+        f"    throttle: [{propulsor.throttle[0]:g}, {propulsor.throttle[1]:g}]{dry}",
+        f"    limits: [{_round(low):g}, {_round(high):g}]   # thrust at these throttles, measured at the reference",
+        f"    scale: {_round(_SCALE * 0.5 * (high - low)):g}",
+    ]
+
+
+def _round(value: float, digits: int = 4) -> float:
+    return float(f"{value:.{digits}g}")

@@ -1,0 +1,181 @@
+"""The model to adopt: found by name or folder, and read into one tree without references to other files."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import xml.etree.ElementTree as ET
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from testbed.inputs.problems import BadInput, Problem, did_you_mean
+
+FOREIGN = "fg/"
+"""Beginning of the names that replace names with a leading slash, which only FlightGear provides."""
+
+_READ_BY_NAME = ("system", "autopilot", "flight_control", "metrics", "mass_balance", "ground_reactions")
+_SECTIONS = (*_READ_BY_NAME, "external_reactions", "buoyant_forces", "propulsion", "aerodynamics")
+_DROPPED = ("input", "output")
+
+
+@dataclass(frozen=True)
+class Source:
+    """A JSBSim model as its author wrote it.
+
+    Attributes:
+        name: of its folder and its XML file.
+        folder: where its files are.
+        root: JSBSim's root folder, whose `engine` and `systems` folders models share.
+    """
+
+    name: str
+    folder: Path
+    root: Path
+
+    @property
+    def file(self) -> Path:
+        """The model's XML."""
+        return self.folder / f"{self.name}.xml"
+
+
+def package_root() -> Path:
+    """JSBSim's root folder: that of the jsbsim package, with `aircraft`, `engine` and `systems`."""
+    found = importlib.util.find_spec("jsbsim")
+    if found is None or found.origin is None:
+        raise BadInput([Problem("the jsbsim package is not installed")])
+    return Path(found.origin).parent
+
+
+def find_source(model: str, root: Path) -> Source:
+    """A model of the jsbsim package by its name, or any model by its folder; raises BadInput when there is none.
+
+    Args:
+        root: the folder of the jsbsim package, with `aircraft`, `engine` and `systems`.
+    """
+    packaged = root / "aircraft" / model
+    folder = packaged if "/" not in model and packaged.is_dir() else Path(model).resolve()
+    source = Source(folder.name, folder, root)
+    if source.file.is_file():
+        return source
+    if folder.is_dir():
+        raise BadInput([Problem(f"has no {folder.name}.xml, which JSBSim would load", str(folder))])
+    names = [each.name for each in (root / "aircraft").iterdir() if each.is_dir()]
+    expected = "a model of the jsbsim package or the folder of a model"
+    raise BadInput([Problem(f"no model {model!r}", expected=expected, suggestion=did_you_mean(model, names))])
+
+
+def read_whole(source: Source) -> ET.Element:
+    """The model's `fdm_config` with the contents of every section's `file=` in its place, without `input` and `output`.
+
+    Raises BadInput when a file is missing, is not XML, or is no model.
+    """
+    tree = _parsed(source.file)
+    if tree.tag != "fdm_config":
+        raise BadInput(
+            [Problem(f"is <{tree.tag}>", str(source.file), expected="a JSBSim model, <fdm_config>")]
+        )
+    _inline(tree, source)
+    for element in tree.iter():
+        for name in _DROPPED:
+            for dropped in [each for each in element.findall(name) if _is_channel_of_data(each, element)]:
+                element.remove(dropped)
+    for element in tree.iter("property"):
+        if not _is_number(element.get("value", "0")):
+            element.set("value", "0")  # as JSBSim reads it
+    declare(tree, dict.fromkeys(sorted(set(_made_local(tree))), 0.0))
+    return tree
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
+def _is_channel_of_data(element: ET.Element, parent: ET.Element) -> bool:
+    """Whether an `input` or `output` is JSBSim's socket or file, not the input or output of a component."""
+    return parent.tag in ("fdm_config", *_SECTIONS)
+
+
+def _parsed(file: Path) -> ET.Element:
+    try:
+        return ET.parse(file).getroot()
+    except (ET.ParseError, UnicodeDecodeError, LookupError, ValueError) as error:
+        raise BadInput([Problem(f"is not XML: {error}", str(file))]) from None
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be read: {error.strerror}", str(file))]) from None
+
+
+def _inline(tree: ET.Element, source: Source) -> None:
+    """Put each section's file in its place. What the element itself holds, such as properties, comes before it."""
+    for section in [each for each in tree if each.tag in _SECTIONS and each.get("file")]:
+        file = _section_file(section.get("file", ""), source)
+        content = _parsed(file)
+        if "name" in content.attrib:
+            section.attrib.setdefault("name", content.attrib["name"])
+        del section.attrib["file"]
+        section.extend(list(content))
+        _inline_within(section, source)
+
+
+def _inline_within(section: ET.Element, source: Source) -> None:
+    """A section's file may itself name a file for a part of it."""
+    for part in [each for each in section if each.get("file") and each.tag in _SECTIONS]:
+        part.extend(list(_parsed(_section_file(part.attrib.pop("file"), source))))
+
+
+def _section_file(name: str, source: Source) -> Path:
+    """The file of a section, where JSBSim looks for it."""
+    with_ending = name if name.endswith(".xml") else f"{name}.xml"
+    places = (source.folder, source.folder / "Systems", source.root / "systems")
+    for place in places:
+        if (place / with_ending).is_file():
+            return place / with_ending
+    raise BadInput(
+        [
+            Problem(
+                f"names the file {name}, which is in none of {', '.join(map(str, places))}", str(source.file)
+            )
+        ]
+    )
+
+
+def _made_local(tree: ET.Element) -> Iterator[str]:
+    """Replace names with a leading slash by names below `FOREIGN`, and yield each that no component provides."""
+    provided = set()
+    for element in tree.iter():
+        for key in ("name", "value"):
+            if element.get(key, "").lstrip("-").startswith("/"):
+                element.set(key, _local(element.get(key, "")))
+                provided |= {element.get(key, "")} if key == "name" else set()
+        text = element.text or ""
+        if "/" in text and any(word.lstrip("-").startswith("/") for word in text.split()):
+            words = [_local(word) for word in text.split()]
+            element.text = " ".join(words)
+    names = {
+        word.lstrip("-") for each in tree.iter() for word in (each.text or "").split() if FOREIGN in word
+    }
+    yield from (name for name in names if name.startswith(FOREIGN) and name not in provided)
+
+
+def _local(word: str) -> str:
+    bare = word.lstrip("-")
+    return word[: len(word) - len(bare)] + FOREIGN + bare.lstrip("/") if bare.startswith("/") else word
+
+
+def declare(tree: ET.Element, values: dict[str, float]) -> None:
+    """Add properties to the model's first system, which is made for them."""
+    if not values:
+        return
+    system = tree.find("system[@name='adopted: declared']")
+    if system is None:
+        system = ET.Element("system", {"name": "adopted: declared"})
+        first = next(
+            (i for i, each in enumerate(tree) if each.tag in ("system", "autopilot", "flight_control")),
+            len(tree),
+        )
+        tree.insert(first, system)
+    for name, value in values.items():
+        ET.SubElement(system, "property", {"value": f"{value:g}"}).text = name

@@ -1,0 +1,70 @@
+"""A flight for other programs. To add a format, write a function of a flight in a file here, and add a line to TABLE.
+
+A format is written from the log and the events, and has nothing of the clock: the same flight gives the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+
+from testbed.common.files import replacing
+from testbed.flight.flight import Flight
+from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.reporting.export.place import DEFAULT_ORIGIN, Origin
+
+Write = Callable[[Flight, Path, Origin], None]
+
+
+@dataclass(frozen=True)
+class Format:
+    """A file format: the ending of its files, what reads it, and the log's columns without which there is nothing to show."""
+
+    ending: str
+    meaning: str
+    needs: tuple[str, ...] = ()
+
+
+_POSE = ("time_s", "north_m", "east_m", "altitude_m", "roll_deg", "pitch_deg", "heading_deg")
+
+TABLE: dict[str, Format] = {
+    "acmi": Format(".acmi", "Tacview 2.2: attitude, air data, actuators, events as bookmarks", _POSE),
+    "kml": Format(".kml", "Google Earth and others: a track in time with attitude, events as places", _POSE),
+    "parquet": Format(".parquet", "pandas, polars, DuckDB: the log with units in its metadata", ("time_s",)),
+    "mcap": Format(".mcap", "Foxglove: frames, location, a topic for each actuator, events", _POSE),
+    "mat": Format(".mat", "MATLAB and Octave: structs log, units and summary, and events", ("time_s",)),
+}
+"""By the name on the command line, which is also the name of the module here that writes it."""
+
+
+def export(flight: Flight, to: str, file: str | Path, origin: Origin = DEFAULT_ORIGIN) -> Path:
+    """Write a flight in a format of TABLE, completely or not at all; returns the file.
+
+    Args:
+        to: name of the format.
+        file: the file to write; an existing one is never overwritten.
+        origin: where on earth the flight starts; for formats that show a place.
+
+    Raises:
+        BadInput: there is no such format, the file exists, the log lacks a column, or a package is not installed.
+        OSError: the file cannot be written.
+    """
+    file, needed = Path(file), format_of(to).needs
+    if file.exists():
+        raise BadInput([Problem("exists already", str(file), expected="a file that does not exist yet")])
+    if missing := [name for name in needed if name not in flight.columns]:
+        raise BadInput([Problem(f"the log has no column {name}", "--to " + to) for name in missing])
+    write: Write = import_module(f"{__name__}.{to}").write
+    with replacing(file) as partial:
+        write(flight, partial, origin)
+    return file
+
+
+def format_of(to: str) -> Format:
+    """The format of this name; raises BadInput when there is none."""
+    if to not in TABLE:
+        expected, suggestion = guess(to, TABLE)
+        raise BadInput([Problem(f"is no format: {to}", "--to", expected=expected, suggestion=suggestion)])
+    return TABLE[to]

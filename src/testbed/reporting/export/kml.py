@@ -1,0 +1,92 @@
+"""KML 2.2 with Google's extension gx:Track (https://developers.google.com/kml/documentation/kmlreference#gxtrack).
+
+gx:angles are those of a model whose y axis is the nose: heading, tilt and roll, each positive clockwise as seen from the
+tip of its axis. So tilt is nose down, roll is to the left, and both have the opposite sign of the log's.
+"""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from pathlib import Path
+from xml.etree import ElementTree as Xml
+
+import numpy as np
+
+from testbed.common.text import printable
+from testbed.flight.flight import Flight
+from testbed.reporting.export.place import EPOCH_S, Origin, Poses, poses, wind
+from testbed.reporting.figures.marks import describe
+from testbed.reporting.story import story
+
+RATE_HZ = 10.0
+_KML, _GX = "http://www.opengis.net/kml/2.2", "http://www.google.com/kml/ext/2.2"
+_SCHEMA = "air"
+
+
+def write(flight: Flight, file: Path, origin: Origin) -> None:
+    """Write the flight's track at RATE_HZ with attitude, air data and wind, and a place for each event."""
+    Xml.register_namespace("", _KML)
+    Xml.register_namespace("gx", _GX)
+    track = poses(flight, origin, RATE_HZ)
+    root = Xml.Element(f"{{{_KML}}}kml")
+    document = _add(root, "Document")
+    _add(document, "name", printable(flight.scenario.name))
+    _add(document, "description", printable("\n".join(story(flight))))
+    columns = [c for c in ("airspeed_m_s", *wind(flight)) if c in flight.columns]
+    schema = _add(document, "Schema", id=_SCHEMA)
+    for column in columns:
+        _add(schema, "SimpleArrayField", gx=True, name=column, type="float")
+    _track(_placemark(document, "flight"), flight, track, columns)
+    _events(document, flight, track)
+    Xml.ElementTree(root).write(file, encoding="utf-8", xml_declaration=True)
+
+
+def _track(place: Xml.Element, flight: Flight, track: Poses, columns: list[str]) -> None:
+    line = _add(place, "Track", gx=True)
+    _add(line, "altitudeMode", "absolute")
+    for time in track.time_s:
+        _add(line, "when", _when(float(time)))
+    for k in range(len(track.rows)):
+        _add(line, "coord", _coordinates(track, k, " "), gx=True)
+    for roll, pitch, heading in zip(track.roll_deg, track.pitch_deg, track.heading_deg, strict=True):
+        _add(line, "angles", f"{heading:.3f} {-pitch:.3f} {-roll:.3f}", gx=True)
+    data = _add(_add(line, "ExtendedData"), "SchemaData", schemaUrl=f"#{_SCHEMA}")
+    for column in columns:
+        array = _add(data, "SimpleArrayData", gx=True, name=column)
+        for value in flight.data[track.rows, flight.columns.index(column)]:
+            _add(array, "value", f"{value:.3f}", gx=True)
+
+
+def _events(document: Xml.Element, flight: Flight, track: Poses) -> None:
+    if not len(track.rows):
+        return
+    for event in flight.events:
+        place = _placemark(document, printable(describe(event)))
+        _add(_add(place, "TimeStamp"), "when", _when(event["time_s"]))
+        point = _add(place, "Point")
+        _add(point, "altitudeMode", "absolute")
+        k = min(int(np.searchsorted(track.time_s, event["time_s"] - 1e-9)), len(track.rows) - 1)
+        _add(point, "coordinates", _coordinates(track, k, ","))
+
+
+def _coordinates(track: Poses, k: int, between: str) -> str:
+    place = (track.longitude_deg[k], track.latitude_deg[k])
+    return between.join([*(f"{angle:.8f}" for angle in place), f"{track.altitude_m[k]:.2f}"])
+
+
+def _placemark(document: Xml.Element, name: str) -> Xml.Element:
+    place = _add(document, "Placemark")
+    _add(place, "name", name)
+    return place
+
+
+def _when(time_s: float) -> str:
+    return datetime.fromtimestamp(EPOCH_S + time_s, UTC).isoformat(timespec="milliseconds")[:-6] + "Z"
+
+
+def _add(
+    parent: Xml.Element, tag: str, text: str | None = None, gx: bool = False, **attributes: str
+) -> Xml.Element:
+    element = Xml.SubElement(parent, f"{{{_GX if gx else _KML}}}{tag}", attributes)
+    element.text = text
+    return element

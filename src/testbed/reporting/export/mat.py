@@ -1,0 +1,64 @@
+"""MATLAB's level 5 format: structs `log` (columns), `units` (text of each) and `flight`, and the struct array `events`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+
+from testbed.flight.flight import Flight
+from testbed.reporting.export.place import Origin
+from testbed.reporting.export.units import units_of
+from testbed.reporting.figures.marks import describe
+
+_LONGEST = 63  # characters of a name in MATLAB
+_HEADER = b"MATLAB 5.0 MAT-file, written by testbed".ljust(116)  # scipy's has the time of writing
+
+
+def write(flight: Flight, file: Path, _: Origin) -> None:
+    """Write the log in full precision, each column [rows, 1]."""
+    from scipy.io import savemat
+
+    names, units = names_of(flight.columns), units_of(flight)
+    contents = {
+        "log": {names[c]: flight.data[:, i] for i, c in enumerate(flight.columns)},
+        "units": {names[c]: units[c] for c in flight.columns},
+        "flight": {
+            "scenario": flight.scenario.name,
+            "controller": flight.controller,
+            "outcome": str(flight.outcome),
+            "end_time_s": float(flight.end_time_s),
+            "passed": bool(flight.passed),
+            "metrics": {name: float(value) for name, value in flight.metrics.items()},
+        },
+        "events": _events(flight),
+    }
+    savemat(
+        str(file), contents, appendmat=False, long_field_names=True, do_compression=True, oned_as="column"
+    )
+    with file.open("r+b") as stream:
+        stream.write(_HEADER)
+
+
+def names_of(columns: Iterable[str]) -> dict[str, str]:
+    """{column: name of a field in MATLAB}: a letter first, letters, digits and underscores, at most 63, each once."""
+    names: dict[str, str] = {}
+    for column in columns:
+        stem = re.sub(r"\W", "_", column, flags=re.ASCII)
+        stem = (stem if stem[:1].isalpha() else f"x_{stem}")[:_LONGEST]
+        name, i = stem, 2
+        while name in names.values():
+            ending = f"_{i}"
+            name, i = stem[: _LONGEST - len(ending)] + ending, i + 1
+        names[column] = name
+    return names
+
+
+def _events(flight: Flight) -> np.ndarray:
+    """[events, 1] structs of time [s], kind, and the event in words."""
+    events = np.zeros((len(flight.events), 1), dtype=[("time_s", "O"), ("kind", "O"), ("words", "O")])
+    for i, event in enumerate(flight.events):
+        events[i, 0] = (float(event["time_s"]), str(event["kind"]), describe(event))
+    return events

@@ -1,0 +1,63 @@
+"""The map of an engine: between its points, beyond them, where it is not monotone, and where it falls off."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, EngineMap
+
+THROTTLES = tuple(np.linspace(0.0, 1.0, ENGINE_THROTTLES))
+SPEEDS = tuple(np.linspace(30.0, 70.0, ENGINE_SPEEDS))
+
+
+def engine(thrust) -> EngineMap:
+    """An engine with this thrust as a function of throttle and airspeed."""
+    rows = tuple(tuple(float(thrust(t, v)) for t in THROTTLES) for v in SPEEDS)
+    return EngineMap(THROTTLES, SPEEDS, rows, lag_rad_s=2.0, rise_s=0.5, fall_s=1.0)
+
+
+LINEAR = engine(lambda t, v: 1000.0 * t - 2.0 * v)
+WINDMILLING = engine(lambda t, v: -400.0 - 1000.0 * t if t < 0.5 else -300.0 + 2000.0 * (t - 0.5))
+"""As that of c310: thrust falls with throttle, jumps at a half, and rises from there."""
+
+
+@pytest.mark.parametrize("throttle", [0.0, 0.13, 0.5, 0.99, 1.0])
+@pytest.mark.parametrize("airspeed", [30.0, 41.7, 70.0])
+def test_thrust_and_throttle_are_each_others_inverse(throttle: float, airspeed: float) -> None:
+    thrust = LINEAR.thrust_at(throttle, airspeed)
+    assert thrust == pytest.approx(1000.0 * throttle - 2.0 * airspeed)
+    assert LINEAR.throttle_for(thrust, airspeed) == pytest.approx(throttle)
+
+
+def test_beyond_the_map_the_nearest_is_taken() -> None:
+    assert LINEAR.throttle_for(5000.0, 50.0) == 1.0
+    assert LINEAR.throttle_for(-5000.0, 50.0) == 0.0
+    assert LINEAR.thrust_at(0.5, 10.0) == LINEAR.thrust_at(0.5, 30.0)
+
+
+def test_where_thrust_falls_with_throttle_the_rising_part_is_used() -> None:
+    assert WINDMILLING.throttle_for(200.0, 50.0) == pytest.approx(0.75)
+    assert WINDMILLING.throttle_for(-2000.0, 50.0) >= 7 / 16, "not below the throttle of the least thrust"
+    assert WINDMILLING.thrust_at(0.25, 50.0) == pytest.approx(-650.0), "though the map knows it"
+
+
+def test_the_thrust_below_a_cliff_is_not_useful() -> None:
+    assert WINDMILLING.least_useful_n == pytest.approx(-300.0)
+    assert LINEAR.least_useful_n == pytest.approx(-100.0), "without a cliff it is the least"
+
+
+def test_a_curved_map_has_no_cliff() -> None:
+    assert engine(lambda t, v: 1000.0 * t * t).least_useful_n == 0.0
+
+
+def test_the_least_thrust_follows_airspeed() -> None:
+    assert LINEAR.least_thrust(np.array([30.0, 50.0]), 1.2) == pytest.approx([-60.0, -100.0])
+
+
+def test_a_rate_limit_makes_small_changes_slower() -> None:
+    """A twentieth of the range at half the range a second: 63 % in 0.063 s, and the lag's 0.5 s."""
+    assert LINEAR.small_lag_rad_s == pytest.approx(1.0 / (0.5 + 0.063))
+    assert replace(LINEAR, rise_s=1e9, fall_s=1e9).small_lag_rad_s == pytest.approx(2.0)

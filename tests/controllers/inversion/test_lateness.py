@@ -1,0 +1,64 @@
+"""Late actuators: a delay is found, and is not taken for lost effectiveness."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from testbed.controllers.inversion.lateness import LATEST, MOST_VARIANCE, act_late, estimate_lateness
+from testbed.controllers.inversion.law import low_pass
+from testbed.controllers.records import memory_dtype, settings_dtype
+
+N, DT, CORNER = 2, 0.005, 20.0
+EFFECT = np.array([[2.0, 0.3], [0.2, 4.0], [1.0, -1.0], [0.1, 0.2]])
+
+
+def oscillation(delay_s: float, effectiveness: float, seconds: float = 30.0) -> tuple[Any, np.ndarray]:
+    """Memory after an oscillation of 1 Hz with the first actuator late or weak, and the last error that was left [4]."""
+    c, s = np.zeros(1, settings_dtype(N))[0], np.zeros(1, memory_dtype(N))[0]
+    c.dt, c.late_noise = DT, 0.1
+    c.noise[:] = [0.5, 0.5, 0.15, 0.08]
+    s.lambda_hat[:] = 1.0
+    phi, e, z_lags = np.zeros((4, N)), np.zeros(4), np.zeros((2, 4))
+    worst = np.zeros(4)
+    for k in range(round(seconds / DT)):
+        t = k * DT
+        a = np.array([math.sin(6.3 * t), math.cos(4.0 * t)])
+        late = np.array([effectiveness * math.sin(6.3 * (t - delay_s)), a[1]])
+        phi[:] = EFFECT * a
+        z = EFFECT @ late
+        low_pass(z, z_lags, CORNER * DT)
+        for i in range(4):
+            low_pass(phi[i], s.filtered_phi[:, i], CORNER * DT)
+        act_late(phi, s)
+        e[:] = z - phi @ s.lambda_hat
+        estimate_lateness(e, c, s)
+        if t > seconds - 2.0:
+            worst = np.maximum(worst, np.abs(e))
+    return s, worst
+
+
+@pytest.mark.parametrize("delay_s", [0.03, 0.1])
+def test_a_delay_is_found_and_explains_the_error(delay_s: float) -> None:
+    s, worst = oscillation(delay_s, 1.0)
+    assert s.late[0] / CORNER == pytest.approx(delay_s, rel=0.2)
+    assert s.late[1] == pytest.approx(0.0, abs=0.1)
+    assert worst[0] < 0.3 * 2.0 * 2.0 * math.sin(0.5 * 6.3 * 0.1), "less than a third of the error without it"
+
+
+def test_no_delay_is_found_where_there_is_none() -> None:
+    s, worst = oscillation(0.0, 1.0)
+    assert np.all(s.late < 1e-6) and np.all(worst < 1e-6)
+
+
+def test_a_weak_actuator_is_not_called_late() -> None:
+    s, _ = oscillation(0.0, 0.5)
+    assert s.late[0] / CORNER < 0.01
+
+
+def test_lateness_and_its_variance_are_bounded() -> None:
+    s, _ = oscillation(0.45, 1.0, 5.0)
+    assert np.all((s.late >= 0.0) & (s.late <= LATEST)) and np.all(s.late_variance <= MOST_VARIANCE)

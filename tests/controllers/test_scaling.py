@@ -1,0 +1,100 @@
+"""The control design that suits an aircraft: the v-tail's, and how it changes with speed, authority, engines, gusts."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from vtail_setup import vtail_setup
+
+from testbed.aircraft.control_design import ControlDesign, Loops, StateDeviations
+from testbed.aircraft.design_model import DesignModel
+from testbed.controllers.scaling import excess_u_dot, gust_density, model_error_std, scaled
+
+SETUP = vtail_setup()
+LIMITS = np.array([(a.low, a.high) for a in SETUP.actuators])
+LAGS = [a.lag_rad_s for a in SETUP.actuators]
+MODEL = SETUP.model
+
+
+def design(model: DesignModel = MODEL, limits: np.ndarray = LIMITS, lags=LAGS, control=None) -> ControlDesign:
+    return scaled(control or ControlDesign(), model, limits, lags)
+
+
+def test_ample_authority_has_the_full_gains() -> None:
+    """The v-tail's, as they were found in flight."""
+    loops = design().loops
+    assert (loops.altitude_kp, loops.pitch_kp, loops.q_kp) == (0.7, 3.0, 8.0)
+    assert (loops.heading_kp, loops.roll_kp, loops.p_kp, loops.r_kp) == (0.5, 1.5, 4.0, 4.0)
+    assert (loops.airspeed_kp, loops.altitude_ki, loops.climb_max) == (0.8, 0.01, 2.0)
+
+
+def test_what_is_given_is_kept() -> None:
+    control = ControlDesign(loops=Loops(q_kp=5.0, climb_max=9.0))
+    found = design(control=control).loops
+    assert (found.q_kp, found.climb_max, found.pitch_kp) == (5.0, 9.0, 3.0)
+
+
+def test_it_is_computed_once_and_again_gives_itself() -> None:
+    once = design()
+    assert design() is once
+    assert design(control=once) == once
+
+
+def test_nothing_is_left_open() -> None:
+    assert "null" not in design().model_dump_json()
+    assert "null" in ControlDesign().model_dump_json()
+
+
+def test_twice_as_fast_has_twice_the_lengths_and_speeds() -> None:
+    one, two = design(), design(replace(MODEL, airspeed_m_s=2.0 * MODEL.airspeed_m_s))
+    for name in ("climb_max", "altitude_error_max_m", "airspeed_error_max_m_s"):
+        assert getattr(two.loops, name) == pytest.approx(2.0 * getattr(one.loops, name))
+    assert two.loops.altitude_ki == pytest.approx(0.5 * one.loops.altitude_ki)
+    assert two.regulator.states.altitude == pytest.approx(2.0 * one.regulator.states.altitude)
+    assert two.regulator.states.pitch == one.regulator.states.pitch == StateDeviations().pitch
+
+
+def test_little_authority_slows_the_whole_cascade() -> None:
+    """Surfaces with a fortieth of their effect: the gains of pitch are those of a longer unit of time, the integral's squared."""
+    weak = np.array(MODEL.input_matrix)
+    weak[:, :2] /= 40.0
+    slow, full = design(replace(MODEL, input_matrix=tuple(map(tuple, weak)))).loops, design().loops
+    pace = slow.q_kp / full.q_kp
+    assert 0.2 < pace < 0.9
+    assert slow.pitch_kp / full.pitch_kp == pytest.approx(pace)
+    assert slow.altitude_kp / full.altitude_kp == pytest.approx(pace)
+    assert slow.altitude_ki / full.altitude_ki == pytest.approx(pace**2)
+
+
+def test_slow_engines_slow_the_airspeed_loop() -> None:
+    loops = design(lags=[30.0, 30.0, 0.6, 1.5]).loops
+    assert loops.airspeed_kp == pytest.approx(0.2)
+    assert loops.airspeed_ki == pytest.approx(0.1 / 16.0)
+
+
+def test_a_climb_uses_half_of_the_excess_thrust() -> None:
+    """6 N are left of each propeller's, of 0.2 m/s2 each: 2.4 m/s2, so that tan gamma is 0.12 at the most."""
+    limits = LIMITS.copy()
+    limits[2:, 1] = np.array(MODEL.trim)[2:] + 1.5
+    excess = excess_u_dot(MODEL, limits)
+    assert excess == pytest.approx(1.5 * sum(MODEL.input_matrix[3][2:]))
+    assert design(limits=limits).loops.climb_max == pytest.approx(0.5 * excess / 9.80665 * 18.0, rel=1e-3)
+
+
+def test_gusts_act_by_angles_and_along_the_span() -> None:
+    """Twice the airspeed halves the change of angle; a wider span rolls less."""
+    found, fast = gust_density(MODEL), gust_density(replace(MODEL, airspeed_m_s=36.0))
+    assert found[1] == pytest.approx(0.5, abs=0.05), "of the v-tail, measured in flight"
+    assert found[0] == pytest.approx(2.0, abs=0.2), "likewise"
+    assert fast[1] == pytest.approx(0.5 * found[1])
+    assert gust_density(replace(MODEL, span_m=4.0))[0] == pytest.approx(0.5 * found[0], rel=0.05)
+    assert gust_density(replace(MODEL, span_m=None))[0] < 0.3
+
+
+def test_the_models_error_is_that_of_an_angle() -> None:
+    slopes = np.array(MODEL.derivatives)
+    assert model_error_std(MODEL)[1] == pytest.approx(0.005 * math.hypot(*slopes[1, :2]))
+    assert model_error_std(MODEL)[3] == 0.1
