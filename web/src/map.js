@@ -158,8 +158,8 @@ export function map(root, sweep, chosen) {
     const missed = flight.missed == null ? "" : `${sweep.requirements[flight.missed]}${flight.margin == null ? "" : `, by ${short(-flight.margin)}`}`;
     add("b", `Run ${flight.run}${sweep.variants[flight.variant] ? `, ${sweep.variants[flight.variant]}` : ""}: ${sweep.states[flight.state]}.`);
     add("span", [missed, ...[x, y].map((axis) => `${axis.path} ${axis.names ? axis.names[axis.values[i]] : short(axis.values[i])}`)].filter(Boolean).join("; "));
-    if (flight.page) Object.assign(add("a", "Open its report"), { href: flight.page });
-    else add("code", flight.again);
+    if (chosen.page(i)) Object.assign(add("a", "Open its report"), { href: chosen.page(i) });
+    else add("code", chosen.command(i));
   }
 
   function sum() {

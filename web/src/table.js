@@ -4,28 +4,27 @@ import { short } from "./plot.js";
 
 const ROWS = 15; // shown at first, and with each "more"
 
-function columns(sweep) {
+function columns(sweep, chosen) {
   const { flights } = sweep;
   const several = sweep.variants.length > 1;
   return [
-    { head: "run", number: true, value: (i) => flights[i].run, cell: (i, cell) => cell.append(numbered(flights[i])) },
+    { head: "run", number: true, value: (i) => flights[i].run, cell: (i, cell) => cell.append(link(flights[i].run, chosen.page(i))) },
     several && { head: "variant", value: (i) => sweep.variants[flights[i].variant] },
     { head: "ended", value: (i) => flights[i].state, html: (i) => `${inText(OF_STATES[flights[i].state], `s${flights[i].state}`)} ${sweep.states[flights[i].state]}` },
-    { head: "missed by most", value: (i) => sweep.requirements[flights[i].missed] ?? flights[i].reason, more: (i) => (flights[i].others ? ` and ${flights[i].others} more` : "") },
+    { head: "missed by most", value: (i) => sweep.requirements[flights[i].missed] ?? flights[i].reason ?? "", more: (i) => (flights[i].others ? ` and ${flights[i].others} more` : "") },
     { head: "margin", number: true, value: (i) => flights[i].margin, missing: Infinity },
     { head: "end [s]", number: true, value: (i) => flights[i].end_s },
     ...sweep.inputs.map(({ path, names, values }) => ({ head: path, number: !names, value: (i) => (names ? names[values[i]] : values[i]) })),
-    { head: "report, or the command that makes it", fixed: true, cell: (i, cell) => cell.append(link(flights[i])) },
+    { head: "report, or the command that makes it", fixed: true, cell: (i, cell) => cell.append(chosen.page(i) ? link("report", chosen.page(i)) : command(chosen.command(i))) },
   ].filter(Boolean);
 }
 
-function numbered({ run, page }) {
-  return page ? Object.assign(document.createElement("a"), { href: page, textContent: run }) : String(run);
+function link(text, page) {
+  return page ? Object.assign(document.createElement("a"), { href: page, textContent: text }) : String(text);
 }
 
-function link({ page, again }) {
-  if (page) return Object.assign(document.createElement("a"), { href: page, textContent: "report" });
-  return Object.assign(document.createElement("code"), { textContent: again });
+function command(text) {
+  return Object.assign(document.createElement("code"), { textContent: text });
 }
 
 // The worst first: without a result, then lost, the earliest first, then missed, by the number of requirements and the margin.
@@ -39,7 +38,7 @@ function worst(sweep) {
 }
 
 export function table(root, sweep, chosen) {
-  const shownColumns = columns(sweep);
+  const shownColumns = columns(sweep, chosen);
   let order = worst(sweep);
   let sorted = null; // {column, up}
   let most = ROWS;

@@ -9,9 +9,11 @@ from typing import Any
 
 from testbed.common.files import plain
 from testbed.reporting import html
+from testbed.reporting.kept_report import FOLDER
 from testbed.reporting.sweep_page import sections
-from testbed.reporting.sweep_page.flights import for_the_script, where
+from testbed.reporting.sweep_page.flights import PAGE, for_the_script, kept_of
 from testbed.sweeps.folder import reading
+from testbed.sweeps.folder.names import flight_label
 from testbed.sweeps.plan import Plan
 
 Summary = dict[str, Any]
@@ -70,7 +72,9 @@ def _add_pages(summary: Summary, plan: Plan, folder: Path) -> None:
     """Tell of each of the worst flights where its page is, if it has one."""
     for i, variant in enumerate(summary["variants"]):
         for flight in variant["worst"]:
-            flight["page"] = where(plan, folder, flight["run"], i)[0]
+            if kept_of(plan, folder, flight["run"], i) == PAGE:
+                label = flight_label(plan, flight["run"] * len(plan.variants) + i)
+                flight["page"] = f"{FOLDER}/{label}.html"
 
 
 def _script(data: dict[str, Any] | None) -> Iterator[str]:

@@ -44,7 +44,11 @@ def _parts(comparison: Comparison, name: str) -> Iterator[str]:
     yield _legend(comparison)
     for group in shown:
         inside = f'<div class="panels" id="panels-{group["name"]}"></div>'
-        yield html.folded(group["title"], inside) if group["folded"] else f"<h2>{escape(group['title'])}</h2>{inside}"
+        yield (
+            html.folded(group["title"], inside)
+            if group["folded"]
+            else f"<h2>{escape(group['title'])}</h2>{inside}"
+        )
     yield "</div>"
     yield f'<div class="still">{html.picture(png(comparison), "Errors and bank of the flights")}</div>'
     yield from _stories(comparison)

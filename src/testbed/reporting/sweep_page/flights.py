@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from testbed.reporting.kept_report import only, page_of
+from testbed.reporting.kept_report import page_of
 from testbed.reporting.sweep_page.curves import (
     Point,
     drawn_inputs,
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
 
 MOST_FLIGHTS = 6000
 """Flights that the page has, those of the first runs; its numbers and curves are of all flights."""
+NOTHING, LOG, PAGE = range(3)
+"""What there is of a flight beside its row in the table."""
 _RESULTS = ("altitude_error_max_m", "heading_error_max_deg", "airspeed_error_max_m_s", "detection_delay_s")
 """Metrics that the map can have on an axis."""
 LINEAR = {"altitude_error_m": 1.0, "heading_error_deg": 3.0, "airspeed_error_m_s": 1.0}
@@ -46,7 +48,9 @@ def for_the_script(plan: Plan, frame: pd.DataFrame, folder: Path) -> dict[str, A
     paths = drawn_inputs(frame, plan.paths)
     shown = _first_runs(frame, len(plan.variants))
     return {
+        "folder": folder.name,
         "variants": [label for label, _ in groups],
+        "in_file_names": [in_file_names(label) for label, _ in groups],
         "states": STATES,
         "requirements": [requirement.title for requirement in requirements_of(plan)],
         "inputs": [_axis(path, shown) for path in paths],
@@ -82,7 +86,7 @@ def _axis(name: str, frame: pd.DataFrame) -> dict[str, Any]:
 
 
 def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, Any]]:
-    """{run, variant, state, missed, value, margin, others, end_s, page, again} of each flight."""
+    """{run, variant, state, missed, value, margin, others, end_s, kept} of each flight, and the `reason` if it has no result."""
     requirements = requirements_of(plan)
     variant_of: dict[Any, int] = {}
     for i, (_, rows) in enumerate(groups_of(plan, frame)):
@@ -90,7 +94,6 @@ def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str
     for index, row in zip(frame.index, frame.to_dict("records"), strict=True):
         run, variant = int(row["run"]), variant_of[index]
         worst = missed(requirements, row)
-        page, again = where(plan, folder, run, variant)
         yield {
             "run": run,
             "variant": variant,
@@ -100,20 +103,15 @@ def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str
             "margin": None if worst is None else _rounded(worst.margin),
             "others": 0 if worst is None else worst.others,
             "end_s": _rounded(row["end_time_s"]),
-            "reason": row.get("reason") or "",
-            "page": page,
-            "again": again,
+            "kept": kept_of(plan, folder, run, variant),
+            **({"reason": row["reason"]} if row.get("reason") else {}),
         }
 
 
-def where(plan: Plan, folder: Path, run: int, variant: int) -> tuple[str, str]:
-    """(page of a flight relative to the sweep folder, or ""; the command that makes it, run in the parent folder)."""
+def kept_of(plan: Plan, folder: Path, run: int, variant: int) -> int:
+    """What there is of a flight beside its row: NOTHING, its LOG, or its PAGE."""
     log = folder / "logs" / f"{flight_label(plan, run * len(plan.variants) + variant)}.parquet"
-    if (page := page_of(log)).is_file():
-        return f"{page.parent.name}/{page.name}", ""
-    if log.is_file():
-        return "", f"python -m testbed report {folder.name}/{log.stem}"
-    return "", only(run, in_file_names(plan.variants[variant].label), f"{folder.name}/sweep.yaml")
+    return PAGE if page_of(log).is_file() else LOG if log.is_file() else NOTHING
 
 
 def _point(point: Point) -> list[Any]:
