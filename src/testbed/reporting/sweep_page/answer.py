@@ -49,6 +49,7 @@ def _against(summary: Mapping[str, Any], best: Mapping[str, Any], other: Mapping
     if pair["first"] != best["label"]:
         better, worse = worse, better
     share = _share(other["all_requirements"], summary["probabilistic"]).replace(" (", ", ").rstrip(")")
+    share += f", {_lost(other)} lost" if _lost(other) else ""
     runs = _count(better, "paired run") if better else "no paired run"
     text = f"Compared with {other['label']} ({share}): better in {runs}, worse in {worse or 'none'}"
     p = pair["p_value"]
@@ -62,10 +63,14 @@ def _misses(best: Mapping[str, Any]) -> Iterator[str]:
     who = best["label"] or "It"
     if worst is not None and worst["successes"] < worst["n"]:
         yield f"{who} missed most often: {worst['name']} (in {worst['n'] - worst['successes']} of {worst['n']})."
-    lost = sum(best["outcomes"].get(name, 0) for name in _LOST)
-    yield f"The aircraft was lost in {_count(lost, 'flight')}." if lost else "No aircraft was lost."
+    lost = _lost(best)
+    yield f"The aircraft was lost in {lost} of its flights." if lost else "No flight of it was lost."
     if absent := sum(best["outcomes"].get(name, 0) for name in _NOT_FLOWN):
         yield f"{_count(absent, 'flight')} gave no result."
+
+
+def _lost(variant: Mapping[str, Any]) -> int:
+    return sum(variant["outcomes"].get(name, 0) for name in _LOST)
 
 
 def _drivers(best: Mapping[str, Any]) -> Iterator[str]:
@@ -80,7 +85,7 @@ def _drivers(best: Mapping[str, Any]) -> Iterator[str]:
         rest = f", then on {names[1]}" if len(names) > 1 else ""
         yield f"Whether it passes depends most on {names[0]}{rest}.{sure}"
     else:
-        yield f"None of the varied values shows an effect on passing beyond chance.{sure}"
+        yield f"No varied value shows an effect on passing beyond chance.{sure}"
 
 
 def ranked(inputs: Mapping[str, Any]) -> Sequence[tuple[str, Any]]:
