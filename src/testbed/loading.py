@@ -17,13 +17,15 @@ if TYPE_CHECKING:
 def load(folder: str | Path) -> Flight | pd.DataFrame:
     """Read a run folder as a Flight, or a sweep folder as a DataFrame with a row for each flight.
 
-    The table's `attrs` hold `name`, `folder`, `summary` (a sentence) and `units` (of each column). Needs neither the
-    simulator nor, for a run folder, the aircraft. Raises BadInput when the folder is neither a run nor a sweep.
+    The table's `plot(figure)` draws the sweep's figures: `probabilities`, `survival`, ... Its `attrs` hold `name`, `folder`,
+    `summary` (a sentence) and `units` (of each column). Needs neither the simulator nor, for a run folder, the aircraft.
+    Raises BadInput when the folder is neither a run nor a sweep.
     """
     if is_sweep_folder(folder):
+        from testbed.reporting.sweep_table import table_of
         from testbed.sweeps.folder import reading
 
-        return reading.load(folder)
+        return table_of(reading.load(folder))
     from testbed.flight import folder as run_folder
 
     return run_folder.load(folder)

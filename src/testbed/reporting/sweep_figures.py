@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from testbed.reporting.figures.page import plain_text, save
+from testbed.reporting.figures.page import Drawing, plain_text, save
 from testbed.sweeps.folder import histories
 from testbed.sweeps.folder.reading import groups_of, unit
 from testbed.sweeps.plan import Plan
@@ -204,7 +204,7 @@ TABLE: dict[str, Draw] = {
 
 
 def _figure(width: float, height: float, rows: int = 1, columns: int = 1) -> tuple[Figure, Any]:
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = Drawing(figsize=(width, height), layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, sharex=rows * columns > 1, sharey="row")
     for each in axes.flat:
         each.grid(alpha=0.3)

@@ -5,6 +5,7 @@ It uses matplotlib's objects and not pyplot, so there is no global state, and no
 
 from __future__ import annotations
 
+import io
 import math
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
@@ -41,6 +42,15 @@ LIMIT: dict[str, Any] = {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth":
 """Stops and thresholds."""
 SHADE: dict[str, Any] = {"facecolor": "0.9", "edgecolor": "0.7", "hatch": "////", "linewidth": 0, "zorder": 0}
 """The times at which an axis is released or an actuator is flagged."""
+
+
+class Drawing(Figure):
+    """A figure that a notebook shows, also where pyplot has not been imported."""
+
+    def _repr_png_(self) -> bytes:
+        memory = io.BytesIO()
+        self.savefig(memory, format="png", dpi=DPI)
+        return memory.getvalue()
 
 
 @dataclass
@@ -98,7 +108,7 @@ def page(flight: Flight, what: str, heights: Sequence[float]) -> Page:
     lane = rows_of(shown, span, _WIDTH - _LEFT - _RIGHT)
     lane_height = _LANE_ROW * (max((row for _, row, _ in lane), default=-1) + 1) + 0.04
     height = _TOP + lane_height + sum(heights) + _GAP * (len(heights) - 1) + _BOTTOM
-    figure = Figure(figsize=(_WIDTH, height), dpi=DPI)
+    figure = Drawing(figsize=(_WIDTH, height), dpi=DPI)
     FigureCanvasAgg(figure)
     _title(figure, flight, what)
     top = height - _TOP - lane_height
