@@ -95,6 +95,8 @@ def parser() -> argparse.ArgumentParser:
         "folder", type=Path, help="run or sweep folder, or one run of a sweep whose log was kept: SWEEP/17"
     )
 
+    _add_compare(_command(commands, "compare", _compare, "flights side by side, in one page"))
+
     _add_export(_command(commands, "export", _export, "write a flight for another program"))
 
     command = _command(commands, "validate", _validate, "check scenarios and sweeps without flying")
@@ -219,6 +221,19 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
 
+def _add_compare(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "runs", type=Path, nargs="+", metavar="RUN", help="run folder, or a flight of a sweep: SWEEP/17"
+    )
+    command.add_argument(
+        "--out",
+        type=Path,
+        default=Path("runs/comparison.html"),
+        metavar="FILE",
+        help="page to write, or folder to write comparison.html into (default: %(default)s)",
+    )
+
+
 def _add_export(command: argparse.ArgumentParser) -> None:
     command.add_argument("run", type=Path, help="run folder")
     command.add_argument("--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap or mat")
@@ -261,6 +276,12 @@ def _report(options: argparse.Namespace) -> int:
     from testbed.cli import flight
 
     return flight.report(options.folder)
+
+
+def _compare(options: argparse.Namespace) -> int:
+    from testbed.cli import comparing
+
+    return comparing.compare(options.runs, options.out)
 
 
 def _export(options: argparse.Namespace) -> int:

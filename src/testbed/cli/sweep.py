@@ -18,6 +18,7 @@ from testbed.common.files import slug
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
+from testbed.reporting.sweep_page.answer import answer
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.run import Options, Stopped, fly_sweep
 
@@ -72,7 +73,9 @@ def report(folder: Path) -> int:
 
 
 def print_answer(summary: dict[str, Any]) -> None:
-    """Print P(all requirements met) and P(each met) for every variant, and the differences between variants."""
+    """Print the answer in sentences, P(all requirements met) and P(each met) for every variant, and the differences."""
+    for line in answer(summary):
+        print(line)
     for variant in summary["variants"]:
         total = variant["all_requirements"]
         if total["estimate"] is None:
