@@ -112,7 +112,7 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
     yield ""
     missing = [model for model in models() if model not in {each["model"] for each in outcomes}]
     if missing:
-        yield f"Not tried in this run: {', '.join(missing)}."
+        yield f"Without an outcome in this run: {', '.join(missing)}."
         yield ""
     yield f"Not fixed-wing aircraft: {', '.join(f'{name} ({what})' for name, what in OTHERS.items())}."
 

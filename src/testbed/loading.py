@@ -20,17 +20,19 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
     A flight of a sweep whose log was kept is read as a Flight, too: `SWEEP/logs/run-000017-pid.parquet`, or `SWEEP/17` for
     short where only one variant's log was kept.
 
-    The table's `attrs` hold `name`, `folder`, `summary` (a sentence) and `units` (of each column). Needs neither the
-    simulator nor, for a run folder, the aircraft. Raises BadInput when the folder is neither a run nor a sweep.
+    The table's `plot(figure)` draws the sweep's figures: `probabilities`, `survival`, ... Its `attrs` hold `name`, `folder`,
+    `summary` (a sentence) and `units` (of each column). Needs neither the simulator nor, for a run folder, the aircraft.
+    Raises BadInput when the folder is neither a run nor a sweep.
     """
     if names_kept_log(folder):
         from testbed.sweeps.folder import kept
 
         return kept.load(folder)
     if is_sweep_folder(folder):
+        from testbed.reporting.sweep_table import table_of
         from testbed.sweeps.folder import reading
 
-        return reading.load(folder)
+        return table_of(reading.load(folder))
     from testbed.flight import folder as run_folder
 
     return run_folder.load(folder)

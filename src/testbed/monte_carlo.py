@@ -71,7 +71,9 @@ def sweep(
     plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume, controllers=controllers)
     fly_sweep(plan, folder, how, resume=resume)
     finish(plan, folder, figures=figures)
-    return reading.load(folder)
+    from testbed.reporting.sweep_table import table_of
+
+    return table_of(reading.load(folder))
 
 
 def options(jobs: int | None, cluster: str | None, save_logs: str, fly: Fly | None = None) -> Options:

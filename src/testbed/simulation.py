@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -40,7 +40,7 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
 from testbed.scenario import conditions
 from testbed.scenario.checks import unknown_names
-from testbed.scenario.load import Scenario, load_scenario
+from testbed.scenario.load import Scenario, changed, load_scenario
 from testbed.scenario.references import references
 from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
 
@@ -72,18 +72,26 @@ class Assembly:
     flown_by: str = ""
 
 
-def fly(scenario: Scenario | str | Path, controller: Callable[[Setup], Any] | None = None) -> Flight:
+def fly(
+    scenario: Scenario | str | Path,
+    controller: Callable[[Setup], Any] | None = None,
+    *,
+    set: Mapping[str, Any] | None = None,
+) -> Flight:
     """Fly a scenario. The flight is a pure function of the scenario, the aircraft's files and the user's controller, if any.
 
     Args:
         scenario: a scenario, or the path of its file.
         controller: a class of the user's own that flies in place of the scenario's (see `controllers.user`).
+        set: settings to change, as `--set` does: {"sensors": "mems", "failures.0.value": 0.5}, by dotted paths.
 
     Raises:
         BadInput: the scenario, a name in it, its aircraft, or the user's controller cannot be used.
     """
     if not isinstance(scenario, Scenario):
-        scenario = load_scenario(scenario)
+        scenario = load_scenario(scenario, set or {})
+    elif set:
+        scenario = changed(scenario, set)
     parts = assemble(scenario, controller)
     outcome, recorded = lockstep(parts)
     return conclude(parts, outcome, recorded)

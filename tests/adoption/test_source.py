@@ -56,6 +56,8 @@ def test_what_is_no_model_is_refused(tmp_path):
 
 
 def test_a_value_that_is_no_number_is_0_as_for_jsbsim():
-    tree = read_whole(find_source("Short_S23", package_root()))  # its hydrodynamics leave three for the aircraft to set
+    tree = read_whole(
+        find_source("Short_S23", package_root())
+    )  # its hydrodynamics leave three for the aircraft to set
     for each in tree.iter("property"):
         float(each.get("value", "0"))

@@ -35,7 +35,7 @@ def test_events_are_marked_everywhere_and_labelled_once(name: str) -> None:
         upright = {line.get_xdata()[0] for line in axes.lines if len(set(line.get_xdata())) == 1}
         assert {3.0, 3.4, 6.0} <= upright
     words = [text.get_text() for axes in figure.axes for text in axes.texts]
-    for label in ("elevon: effectiveness 0.5", "elevon flagged", "p_dot released", "FALSE ALARM: fan"):
+    for label in ("elevon was lost completely", "elevon flagged", "p_dot released", "FALSE ALARM: fan"):
         assert sum(label in word for word in words) == 1
 
 

@@ -73,7 +73,7 @@ def test_says_everything(text: str) -> None:
     for name, metric in TABLE.items():
         assert name in text
         assert escape((metric.__doc__ or "").partition("\n")[0]) in text
-    assert "elevon: effectiveness 0.5" in text
+    assert "elevon was lost completely" in text
     assert "python -m testbed run scenario.yaml" in text
     assert "tail &amp; &lt;fan&gt;" in text and "<fan>" not in text
 

@@ -28,5 +28,10 @@ def broken(seconds: float = 10.0, outcome: Outcome = Outcome.completed) -> Fligh
 
 
 def panels(figure: Figure) -> list[Axes]:
-    """Axes of a figure but the one that events are named in."""
-    return [axes for axes in figure.axes if axes.get_label() != "events"]
+    """Axes of a figure but those that name events, or zoom."""
+    return [axes for axes in figure.axes if axes.get_label() not in ("events", "zoom")]
+
+
+def zooms(figure: Figure) -> list[Axes]:
+    """Axes that zoom into the time around the failure."""
+    return [axes for axes in figure.axes if axes.get_label() == "zoom"]

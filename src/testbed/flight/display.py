@@ -33,9 +33,10 @@ def line(flight: Flight) -> str:
     )
 
 
-def html(flight: Flight) -> str:
-    """HTML with the verdict, the requirements (those not met first), and KEY_NUMBERS."""
-    return "\n".join(["<div>", *_verdict(flight), *_requirements(flight), *_numbers(flight), "</div>"])
+def html(flight: Flight, story: Iterable[str] = ()) -> str:
+    """HTML with the verdict, the lines of the flight's story, the requirements (those not met first), and KEY_NUMBERS."""
+    told = (f"<p>{escape(line)}</p>" for line in story)
+    return "\n".join(["<div>", *_verdict(flight), *told, *_requirements(flight), *_numbers(flight), "</div>"])
 
 
 def _verdict(flight: Flight) -> Iterator[str]:

@@ -16,7 +16,10 @@ from testbed.flight import display
 from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     import pandas as pd
+    from matplotlib.figure import Figure
 
 
 class Outcome(StrEnum):
@@ -70,7 +73,44 @@ class Flight:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        return display.html(self)
+        from testbed.reporting import shown
+
+        return shown.html(self)
+
+    def plot(self, figure: str = "states") -> Figure:
+        """A figure of the flight: `states`, `actuators`, `effectiveness` or `rates`; raises BadInput for another name."""
+        from testbed.reporting import shown
+
+        return shown.plot(self, figure)
+
+    def report(self, file: str | Path) -> Path:
+        """Write the flight's page, one HTML file that needs no other, replacing the file; returns it. Raises OSError."""
+        from testbed.reporting import shown
+
+        return shown.report(self, file)
+
+    def save(self, folder: str | Path, *, figures: bool = True) -> Path:
+        """Write a run folder as `testbed run` does; returns it. `testbed.load` reads it.
+
+        Raises BadInput when the folder exists or cannot be made, OSError when the disk is full.
+        """
+        from testbed.reporting import shown
+
+        return shown.save(self, folder, figures)
+
+    def export(self, to: str, file: str | Path, *, origin: str | None = None) -> Path:
+        """Write the flight for another program; returns the file.
+
+        Args:
+            to: `acmi`, `kml`, `parquet`, `mcap` or `mat`.
+            file: the file to write; an existing one is never overwritten.
+            origin: where the flight starts, `LAT,LON` or `LAT,LON,ALT` in degrees and metres.
+
+        Raises BadInput when that cannot be done.
+        """
+        from testbed.reporting import shown
+
+        return shown.export(self, to, file, origin)
 
     @property
     def controller(self) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import copy
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem, TreePath
@@ -12,8 +13,12 @@ SHORT_FORMS: dict[TreePath, str] = {("aircraft",): "name"}
 """Where a text is short for a mapping, and the key of the mapping that has the text."""
 
 
-def apply(source: Source, overrides: Iterable[str]) -> None:
-    """Apply each KEY=VALUE to the tree in turn; problems are added to `source.problems`."""
+def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any]) -> None:
+    """Apply each KEY=VALUE, or each value by its KEY, to the tree in turn; problems are added to `source.problems`."""
+    if isinstance(overrides, Mapping):
+        for key, value in overrides.items():
+            set_value(source, str(key).split("."), copy.deepcopy(value), f"set {key}")
+        return
     for override in overrides:
         place = f"--set {override}"
         key, equals, text = override.partition("=")

@@ -98,7 +98,7 @@ def _for_the_script(
         "phases": phases(flight.events, flight.end_time_s, flight.scenario.duration_s),
         "failures_s": failure_times_s(flight.events),
         "events": [
-            {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event)}
+            {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
             for event in flight.events
         ],
         "actuators": flight.actuators,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
-from testbed.reporting.figures.page import plain_text, save
+from testbed.reporting.figures.page import Drawing, plain_text, save
 from testbed.reporting.sweep_page.curves import Band, Point, drawn_inputs, error_band, is_number, pass_shares
 from testbed.reporting.sweep_page.flights import LINEAR, limits
 from testbed.sweeps.folder import histories
@@ -256,7 +256,7 @@ TABLE: dict[str, Draw] = {
 def _figure(
     width: float, height: float, rows: int = 1, columns: int = 1, *, share_x: bool = True
 ) -> tuple[Figure, Any]:
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = Drawing(figsize=(width, height), layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, sharex=share_x and rows * columns > 1, sharey="row")
     for each in axes.flat:
         each.grid(alpha=0.3)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -24,15 +24,17 @@ from testbed.scenario.model import Command, CommandRates, Initial, Scenario
 
 __all__ = [
     "Atmosphere", "Command", "CommandRates", "Gust", "Initial", "Scenario",
-    "dump", "load_scenario", "scenario_from",
+    "changed", "dump", "load_scenario", "scenario_from",
 ]  # fmt: skip
 
 
-def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircraft: bool = True) -> Scenario:
+def load_scenario(
+    path: str | Path, settings: Iterable[str] | Mapping[str, Any] = (), *, with_aircraft: bool = True
+) -> Scenario:
     """Load, complete and check a scenario file.
 
     Args:
-        settings: changes as with `--set`, each KEY=VALUE.
+        settings: changes as with `--set`, each KEY=VALUE; or values by KEY.
         with_aircraft: whether to check the scenario against its aircraft. To read results, the aircraft is not needed.
 
     Raises:
@@ -41,6 +43,13 @@ def load_scenario(path: str | Path, settings: Iterable[str] = (), *, with_aircra
     source = yamlfile.read(find_scenario(path))
     overrides.apply(source, settings)
     return scenario_from(source, with_aircraft=with_aircraft)
+
+
+def changed(scenario: Scenario, settings: Mapping[str, Any]) -> Scenario:
+    """The scenario with other values at these dotted paths; raises BadInput with every problem found."""
+    source = yamlfile.parsed(dump(scenario), scenario.name)
+    overrides.apply(source, settings)
+    return scenario_from(source)
 
 
 def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:

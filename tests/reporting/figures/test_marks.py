@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from handmade import injection
 
-from testbed.reporting.figures.marks import marks, rows_of
+from testbed.reporting.figures.marks import MARKERS, STYLES, describe, marks, rows_of
 
 
 def test_labels_do_not_overlap() -> None:
@@ -18,3 +18,23 @@ def test_chatter_does_not_bury_the_figure() -> None:
     chatter = [{"time_s": 0.02 * k, "kind": "release", "axis": "p_dot"} for k in range(400)]
     labels = [mark.label for mark in marks(chatter) if mark.label]
     assert len(labels) < 15 and labels[-1] == "and 388 more events"
+
+
+def test_failures_are_told_in_words_with_their_values() -> None:
+    from handmade import flight_of, level_log
+
+    flight = flight_of(level_log())
+    assert describe(injection(2.0), flight) == "elevon was lost completely"
+    assert describe(injection(2.0, verified=False), flight) == "elevon was lost completely (HAD NO EFFECT)"
+    assert describe(injection(4.0, active=False), flight) == "elevon: effectiveness ends"
+
+
+def test_kinds_have_looks_of_their_own() -> None:
+    assert set(MARKERS) == set(STYLES) and len(set(MARKERS.values())) == len(MARKERS)
+
+
+def test_a_recovery_is_marked_unless_nothing_was_ever_left() -> None:
+    recovered = {"time_s": 5.0, "kind": "recovered", "after_s": 3.0}
+    assert [mark.label for mark in marks([recovered, {**recovered, "after_s": 0.0}])] == [
+        "recovered 3.0 s after the failure"
+    ]

@@ -9,7 +9,7 @@ from handmade import flight_of, level_log
 
 from testbed.flight.flight import Outcome
 from testbed.reporting.figures import TABLE as FIGURES
-from testbed.reporting.figures.page import thin
+from testbed.reporting.figures.signals import thin
 
 
 def test_title_says_how_it_ended() -> None:

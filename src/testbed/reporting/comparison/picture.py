@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.recovery import UNITS, failure_times_s, tracking_error
 from testbed.reporting.failure_words import predicate
-from testbed.reporting.figures.page import plain_text, thin
+from testbed.reporting.figures.page import plain_text
+from testbed.reporting.figures.signals import thin
 from testbed.reporting.story import title
 from testbed.reporting.sweep_page.curves import unwrapped
 

@@ -61,7 +61,7 @@ def _events(document: Xml.Element, flight: Flight, track: Poses) -> None:
     if not len(track.rows):
         return
     for event in flight.events:
-        place = _placemark(document, printable(describe(event)))
+        place = _placemark(document, printable(describe(event, flight)))
         _add(_add(place, "TimeStamp"), "when", _when(event["time_s"]))
         point = _add(place, "Point")
         _add(point, "altitudeMode", "absolute")

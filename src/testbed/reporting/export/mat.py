@@ -60,5 +60,5 @@ def _events(flight: Flight) -> np.ndarray:
     """[events, 1] structs of time [s], kind, and the event in words."""
     events = np.zeros((len(flight.events), 1), dtype=[("time_s", "O"), ("kind", "O"), ("words", "O")])
     for i, event in enumerate(flight.events):
-        events[i, 0] = (float(event["time_s"]), str(event["kind"]), describe(event))
+        events[i, 0] = (float(event["time_s"]), str(event["kind"]), describe(event, flight))
     return events

@@ -176,7 +176,7 @@ def _events(flight: Flight) -> Iterator[Message]:
     for event in flight.events:
         stamp, now = _stamp(float(event["time_s"]))
         level = _LEVELS.get(event["kind"], 2)
-        words = {"message": describe(event), "name": event["kind"], "file": "", "line": 0}
+        words = {"message": describe(event, flight), "name": event["kind"], "file": "", "line": 0}
         yield now, "/events", {"timestamp": stamp, "level": level, **words}
 
 

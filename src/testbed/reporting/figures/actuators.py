@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from testbed.flight.flight import Flight
-from testbed.reporting.figures.page import COMMAND, LIMIT, REFERENCE, WIDE, frame, page
+from testbed.reporting.figures.page import COMMAND, REFERENCE, WIDE, Page, page
 
 _NEAR = 0.15  # fraction of the travel: a stop is drawn if a signal comes this close to it
 
@@ -19,14 +19,14 @@ def actuators(flight: Flight) -> Figure:
     sheet = page(flight, "actuators", [1.7] * len(flight.actuators))
     for panel, (name, facts) in zip(sheet.panels, flight.actuators.items(), strict=True):
         signals = {of: sheet.column(f"{name}_{of}") for of in ("reference", "command", "position")}
-        sheet.line(panel, signals["position"], "position (as if fully effective)", WIDE)
+        sheet.line(panel, signals["position"], "position", WIDE)
         sheet.line(panel, signals["command"], "command u", COMMAND)
         sheet.line(panel, signals["reference"], "reference r", REFERENCE)
         sheet.shade(panel, sheet.column(f"{name}_failed"), "flagged failed")
-        frame(
+        sheet.frame(
             panel, 0.5 * float(facts.get("scale", 1.0)), *_near_travel(signals.values(), facts.get("limits"))
         )
-        _stops(panel, facts.get("limits"))
+        _stops(sheet, panel, facts.get("limits"))
         panel.set_ylabel(f"{name.replace('_', chr(10))}\n[{facts.get('unit', '-')}]", fontsize=9.5)
     return sheet.finish()
 
@@ -40,14 +40,21 @@ def _near_travel(signals: Iterable[np.ndarray], limits: tuple[float, float] | No
         yield values
 
 
-def _stops(panel: Axes, limits: tuple[float, float] | None) -> None:
+def _stops(sheet: Page, panel: Axes, limits: tuple[float, float] | None) -> None:
     """Draw a stop where the signals come near it."""
     if limits is None:
         return
-    bottom, top = panel.get_ylim()
+    views = sheet.views(panel)
+    heights = [view.get_ylim() for view in views]
     near = _NEAR * (limits[1] - limits[0])
     for stop in limits:
-        if bottom - near < stop < top + near:
-            panel.axhline(stop, label="stop", **LIMIT)
-            bottom, top = min(bottom, stop - 0.3 * near), max(top, stop + 0.3 * near)
-    panel.set_ylim(bottom, top)
+        if heights[0][0] - near < stop < heights[0][1] + near:
+            sheet.level(panel, stop, "stop")
+            heights = [
+                (min(bottom, stop - 0.3 * near), max(top, stop + 0.3 * near))
+                if bottom - near < stop < top + near
+                else (bottom, top)
+                for bottom, top in heights
+            ]
+    for view, height in zip(views, heights, strict=True):
+        view.set_ylim(*height)

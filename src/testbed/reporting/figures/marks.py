@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
+
+from testbed.flight.flight import Flight
+from testbed.reporting.failure_words import predicate
 
 _MOST_LABELS = 12
 _MOST_LINES = 60
@@ -15,7 +18,18 @@ STYLES: dict[str, dict[str, Any]] = {
     "detection": {"color": "#0072B2", "linestyle": (0, (6, 2)), "linewidth": 1.4},
     "false_alarm": {"color": "#B22222", "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6},
     "release": {"color": "0.35", "linestyle": (0, (1, 1.5)), "linewidth": 1.6},
+    "recovered": {"color": "#00614A", "linestyle": (0, (3, 1, 1, 1, 1, 1)), "linewidth": 1.4},
+    "lost": {"color": "#B22222", "linestyle": "-", "linewidth": 2.4},
 }
+MARKERS = {
+    "injection": "v",
+    "detection": "D",
+    "false_alarm": "X",
+    "release": "s",
+    "recovered": "o",
+    "lost": "P",
+}
+"""What stands at the top of each event's line, so that kinds are told apart without colour."""
 
 
 @dataclass(frozen=True)
@@ -25,26 +39,30 @@ class Mark:
     time_s: float
     label: str
     style: dict[str, Any]
+    marker: str
 
 
-def marks(events: Sequence[Mapping[str, Any]], actuators: Collection[str] = ()) -> list[Mark]:
+def marks(events: Sequence[Mapping[str, Any]], flight: Flight | None = None) -> list[Mark]:
     """A mark for each event, in order of time; events of one kind at the same time share a mark."""
     texts: dict[tuple[float, str], list[str]] = {}
     for event in events:
-        if event["kind"] in STYLES:
-            texts.setdefault((event["time_s"], event["kind"]), []).append(describe(event))
-    found = [Mark(time, ", ".join(labels), STYLES[kind]) for (time, kind), labels in sorted(texts.items())]
+        if event["kind"] in STYLES and event.get("after_s") != 0.0:  # it never left the limits of a recovery
+            texts.setdefault((event["time_s"], event["kind"]), []).append(describe(event, flight))
+    found = [
+        Mark(time, ", ".join(labels), STYLES[kind], MARKERS[kind])
+        for (time, kind), labels in sorted(texts.items())
+    ]
     shown = found[:_MOST_LINES]
     if len(found) > _MOST_LABELS:
         more = f"and {len(found) - _MOST_LABELS} more events"
         last = shown[_MOST_LABELS]
-        rest = [Mark(m.time_s, more if m is last else "", m.style) for m in shown[_MOST_LABELS:]]
+        rest = [Mark(m.time_s, more if m is last else "", m.style, m.marker) for m in shown[_MOST_LABELS:]]
         shown[_MOST_LABELS:] = rest
     return shown
 
 
-def describe(event: Mapping[str, Any]) -> str:
-    """An event in words: `left elevon: effectiveness 0.2`."""
+def describe(event: Mapping[str, Any], flight: Flight | None = None) -> str:
+    """An event in words: `left elevon kept 20 % of its effect`; without its flight, with the failure's type and number."""
     kind = event["kind"]
     if kind == "release":
         return f"{event['axis']} released"
@@ -61,7 +79,17 @@ def describe(event: Mapping[str, Any]) -> str:
         return f"FALSE ALARM: {what}"
     if kind != "injection":
         return f"{kind} {what}".strip()
+    if flight is not None and event.get("active", True) and "failure" in event:
+        failure = flight.scenario.failures[event["failure"]]
+        facts = flight.actuators.get(str(event["actuator"]), {})
+        who = what if event["type"] != "property" else ""
+        return f"{who} {predicate(failure, facts)}{_remark(event)}".strip()
     return f"{what}: {_broken(event)}" if what else _broken(event)
+
+
+def _remark(event: Mapping[str, Any]) -> str:
+    """Whether the failure did what it should, if not."""
+    return {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}[event.get("verified", True)]
 
 
 def _broken(event: Mapping[str, Any]) -> str:
@@ -73,8 +101,7 @@ def _broken(event: Mapping[str, Any]) -> str:
     else:
         number = f" {next(iter(values.values())):g}" if len(values) == 1 else ""
         text = f"{event['type'].replace('_', ' ')}{number}"
-    remarks = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
-    return text + remarks[event.get("verified", True)]
+    return text + _remark(event)
 
 
 def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:

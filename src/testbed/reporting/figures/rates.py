@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from testbed.flight.flight import Flight
-from testbed.reporting.figures.page import REFERENCE, TRUTH, frame, page
+from testbed.reporting.figures.page import REFERENCE, TRUTH, page
 
 _UNITS = (("_deg_s2", "deg/s²", 4.0), ("_m_s2", "m/s²", 0.4))
 
@@ -22,6 +22,6 @@ def rates(flight: Flight) -> Figure:
         sheet.line(panel, desired, "desired", REFERENCE)
         sheet.shade(panel, sheet.column(f"{axis}_released"), "axis released")
         # A few spikes of the desired rate may be cut off.
-        frame(panel, least, measured, np.nanpercentile(desired, [0.5, 99.5]))
+        sheet.frame(panel, least, measured, np.nanpercentile(desired, [0.5, 99.5]))
         panel.set_ylabel(f"{axis} [{unit}]", fontsize=9.5)
     return sheet.finish()

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
-from testbed.reporting.figures.page import REFERENCE, TRUTH, frame, page
+from testbed.reporting.figures.page import LIMIT, REFERENCE, TRUTH, Page, page
 
 _PANELS = (
     # label, column, reference, least height of the y axis
@@ -35,6 +39,33 @@ def states(flight: Flight) -> Figure:
             sheet.line(panel, wanted, "reference", REFERENCE)
             signals = [values, wanted]
         sheet.line(panel, values, "flown", TRUTH, wraps=name in ("roll_deg", "heading_deg"))
-        frame(panel, least, *signals)
+        sheet.frame(panel, least, *signals, *_limits(sheet, panel, name, reference))
         panel.set_ylabel(label, fontsize=9.5)
     return sheet.finish()
+
+
+def _limits(sheet: Page, panel: Axes, name: str, reference: str | None) -> Iterator[np.ndarray]:
+    """Draw what the requirements allow this signal, and give the values that the axis is to hold as well."""
+    for requirement in sheet.flight.scenario.requirements:
+        if requirement.signal != name:
+            continue
+        since, until = requirement.from_s or 0.0, requirement.until_s or math.inf
+        for limit in (requirement.at_most, requirement.at_least):
+            if limit is not None:
+                sheet.level(panel, limit, "requirement", since, until)
+                yield np.array([limit])
+        if requirement.within is not None and requirement.of == reference and reference is not None:
+            yield from _around(sheet, panel, reference, requirement.within, (since, until))
+
+
+def _around(
+    sheet: Page, panel: Axes, reference: str, within: float, window: tuple[float, float]
+) -> Iterator[np.ndarray]:
+    """Draw the band around a reference in a window of time [s]."""
+    wanted = sheet.column(reference)
+    wanted = np.unwrap(wanted, period=360.0) if reference.startswith("heading") else wanted
+    inside = (sheet.time_s >= window[0]) & (sheet.time_s <= window[1])
+    for sign in (-1.0, 1.0):
+        limit = np.where(inside, wanted + sign * within, math.nan)
+        sheet.line(panel, limit, "requirement", LIMIT)
+        yield limit

@@ -112,7 +112,7 @@ def events(flight: Flight) -> str:
     if not flight.events:
         return "<h2>Events</h2>\n<p>Nothing broke, and nothing was flagged.</p>"
     rows = (
-        html.row([f"{event['time_s']:.3f}", str(event["kind"]).replace("_", " "), describe(event)])
+        html.row([f"{event['time_s']:.3f}", str(event["kind"]).replace("_", " "), describe(event, flight)])
         for event in flight.events
     )
     return "<h2>Events</h2>\n" + html.table(("time [s]", "kind", "what"), rows)
