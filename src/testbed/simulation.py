@@ -52,6 +52,10 @@ _OUTCOMES = {
 }
 
 
+Watch = Callable[[float, np.ndarray], object]
+"""Looks at a flight while it is flown: called with time [s] and row of truth of each control step."""
+
+
 @dataclass
 class Assembly:
     """Everything that takes part in one flight; all of it is made for this flight.
@@ -77,6 +81,7 @@ def fly(
     controller: Callable[[Setup], Any] | None = None,
     *,
     set: Mapping[str, Any] | None = None,
+    watch: Watch | None = None,
 ) -> Flight:
     """Fly a scenario. The flight is a pure function of the scenario, the aircraft's files and the user's controller, if any.
 
@@ -84,6 +89,8 @@ def fly(
         scenario: a scenario, or the path of its file.
         controller: a class of the user's own that flies in place of the scenario's (see `controllers.user`).
         set: settings to change, as `--set` does: {"sensors": "mems", "failures.0.value": 0.5}, by dotted paths.
+        watch: called in each control step with its time [s] and its row of truth (see `flight.columns.Recorded`), which it must
+            not change; it may wait, so that the flight is shown in real time.
 
     Raises:
         BadInput: the scenario, a name in it, its aircraft, or the user's controller cannot be used.
@@ -93,7 +100,7 @@ def fly(
     elif set:
         scenario = changed(scenario, set)
     parts = assemble(scenario, controller)
-    outcome, recorded = lockstep(parts)
+    outcome, recorded = lockstep(parts, watch)
     return conclude(parts, outcome, recorded)
 
 
@@ -125,7 +132,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     )
 
 
-def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
+def lockstep(parts: Assembly, watch: Watch | None = None) -> tuple[Outcome, Recorded]:
     """The loop, until the last control step or until the flight ends early; returns how it ended, and what was recorded.
 
     In each control step k, at time k / rate: inject failures, set the wind, read and log the truth, measure, command, stop if
@@ -150,6 +157,8 @@ def lockstep(parts: Assembly) -> tuple[Outcome, Recorded]:
             weather.apply(k)
         plant.sample()
         ending = log_truth(k, channels)
+        if watch is not None:
+            watch(k / parts.scenario.rate_hz, truth[k])
         if sensors.real:
             sensors.measure(k)
         plant.command(controller.step(k))

@@ -182,6 +182,12 @@ def _add_run(command: argparse.ArgumentParser) -> None:
         metavar="FILE.py:CLASS",
         help="fly a controller class of your own in place of the scenario's",
     )
+    command.add_argument(
+        "--flightgear",
+        metavar="HOST:PORT",
+        help="show the flight in FlightGear while it is flown, in real time",
+    )
+    _add_origin(command, "with --flightgear")
 
 
 def _add_sweep(command: argparse.ArgumentParser) -> None:
@@ -243,10 +249,14 @@ def _add_export(command: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="file to make (default: the scenario's name, in the run folder)",
     )
+    _add_origin(command, "for formats that show a place")
+
+
+def _add_origin(command: argparse.ArgumentParser, when: str) -> None:
     command.add_argument(
         "--origin",
         metavar="LAT,LON[,ALT]",
-        help="where the flight starts, for formats that show a place (default: San Francisco airport)",
+        help=f"where the flight starts, {when} (default: San Francisco airport)",
     )
 
 

@@ -22,6 +22,7 @@ from testbed.reporting.present import present
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
     from testbed.flight.flight import Flight
+    from testbed.reporting.flightgear import Viewer
     from testbed.scenario.load import Scenario
 
 
@@ -32,6 +33,7 @@ def fly(options: argparse.Namespace) -> bool:
         collect(problems, lambda: refuse_existing(options.out))
     scenario = collect(problems, lambda: checked(options.scenario, options.set))
     controller = collect(problems, lambda: _own_controller(options.controller))
+    viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
         raise BadInput(problems)
     refuse_unwritable(options.out or _default_folder(scenario, 1))  # nor this after the flight
@@ -41,7 +43,7 @@ def fly(options: argparse.Namespace) -> bool:
 
     if not has_compiled():
         print("compiling the control law for the first flight: some seconds, once", file=sys.stderr)
-    flight = fly(scenario, controller)
+    flight = fly(scenario, controller, watch=viewer)
     with tidily():
         folder = write(flight, options.out, partial(present, flight, figures=not options.no_plots))
     print_verdict(flight, said=conditions.warnings(scenario))
@@ -65,6 +67,20 @@ def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
     from testbed.controllers.user.loader import load_controller
 
     return load_controller(reference)
+
+
+def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) -> Viewer | None:
+    """What shows the flight in FlightGear at `HOST:PORT`; None for None."""
+    if address is None or scenario is None:
+        return None
+    from testbed.aircraft.changes import chosen
+    from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
+    from testbed.reporting.flightgear import Viewer, address_of
+
+    place = DEFAULT_ORIGIN if origin is None else parse_origin(origin)
+    actuators = chosen(scenario.aircraft).actuators
+    facts = {name: actuator.model_dump(include={"kind", "limits"}) for name, actuator in actuators.items()}
+    return Viewer(address_of(address), facts, place)
 
 
 def write(flight: Flight, out: Path | None, add: Callable[[Path], object]) -> Path:
