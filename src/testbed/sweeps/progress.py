@@ -19,23 +19,32 @@ class Progress:
         self._done = done
         self._bar: Any = None
         self._task: Any = None
+        self._live: Any = None
+        self._shares: Any = None
 
     def __enter__(self) -> Progress:
         from rich.console import Console
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
         console = Console(file=sys.__stderr__)  # not sys.stderr: commands let no escape sequence pass there
         if console.is_terminal:
-            self._bar = Progress(
-                TextColumn("{task.description}", markup=False), BarColumn(), MofNCompleteColumn(),
-                TextColumn("{task.fields[rate]}"), TimeRemainingColumn(), TextColumn("{task.fields[passed]}", markup=False),
-                console=console, transient=True,
-            )  # fmt: skip
-            self._task = self._bar.add_task(
-                printable(self._plan.name), total=self._plan.size, completed=self._done, rate="", passed=""
-            )
-            self._bar.start()
+            self._start(console)
         return self
+
+    def _start(self, console: Any) -> None:
+        """Three lines, since they are too long for one of 80 columns: name, bar, and the shares that passed."""
+        from rich.console import Group
+        from rich.live import Live
+        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+        from rich.text import Text
+
+        self._bar = Progress(
+            BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn()
+        )
+        self._task = self._bar.add_task("", total=self._plan.size, completed=self._done, rate="")
+        self._shares = Text()
+        lines = Group(Text(printable(self._plan.name)), self._bar, self._shares)
+        self._live = Live(lines, console=console, transient=True)
+        self._live.start()
 
     def add(self, variant: int, passed: bool) -> None:
         """Count one more finished flight."""
@@ -45,7 +54,8 @@ class Progress:
         if self._bar is not None:
             task = self._bar.tasks[self._task]
             rate = f"{task.speed:.1f} flights/s" if task.speed else ""
-            self._bar.update(self._task, completed=self._done, rate=rate, passed=self.passed)
+            self._bar.update(self._task, completed=self._done, rate=rate)
+            self._shares.plain = f"passed: {self.passed}"
 
     @property
     def passed(self) -> str:
@@ -54,5 +64,5 @@ class Progress:
         return printable("  ".join(f"{v.label or 'passed'} {100 * p / n:.0f} %" for v, (p, n) in shares if n))
 
     def __exit__(self, *_: type[BaseException] | BaseException | TracebackType | None) -> None:
-        if self._bar is not None:
-            self._bar.stop()
+        if self._live is not None:
+            self._live.stop()
