@@ -35,6 +35,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = _parser().parse_args(arguments)
     options.folder.mkdir(parents=True, exist_ok=True)
     chosen = options.models.split(",") if options.models else models()
+    if options.finished:
+        chosen = [model for model in chosen if (options.folder / "outcomes" / f"{model}.json").is_file()]
     outcomes = [_outcome(model, options.folder) for model in chosen]
     adopted = [each for each in outcomes if not each["refusal"]]
     print(
@@ -83,7 +85,7 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
     yield "# Adopted aircraft"
     yield ""
     yield (
-        f"`testbed adopt` makes an aircraft of {len(adopted)} of the {len(outcomes)} fixed-wing models that come with JSBSim, "
+        f"`testbed adopt` makes an aircraft of {len(adopted)} of the {len(models())} fixed-wing models that come with JSBSim, "
         f"without an edit (the target is {TARGET}). This page is written by `python benchmarks/adopt_all.py FOLDER --document "
         f"docs/results/adoption.md`. Seconds are processor time on one core; "
         + (
@@ -108,6 +110,10 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
         if each["refusal"]:
             yield f"| {each['model']} | {each['refusal']} |"
     yield ""
+    missing = [model for model in models() if model not in {each["model"] for each in outcomes}]
+    if missing:
+        yield f"Without an outcome in this run: {', '.join(missing)}."
+        yield ""
     yield f"Not fixed-wing aircraft: {', '.join(f'{name} ({what})' for name, what in OTHERS.items())}."
 
 
@@ -125,6 +131,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("folder", type=Path)
     parser.add_argument("--models", help="some of them, separated by commas")
+    parser.add_argument("--finished", action="store_true", help="adopt no others than FOLDER has")
     parser.add_argument("--document", type=Path, help="page to write")
     return parser
 

@@ -46,7 +46,7 @@ SCENARIO = "scenarios/left_tail_fail.yaml"
 _clock = time.thread_time
 _STRETCH_S = 10.0  # of bare stepping from one trim: without control the aircraft is still in ordinary flight after this time
 _PARTS = (
-    (simulation, "load_aircraft"),
+    (simulation, "chosen"),
     (simulation, "Plant"),
     (simulation, "unknown_names"),
     (simulation, "make_sensors"),

@@ -1,6 +1,6 @@
 """Write the pages of the documentation that rest on missions, from a CSV of `missions.py --reporting`.
 
-    python benchmarks/mission_report.py runs/reporting.csv            # docs/results/missions.md, its figures
+    python benchmarks/mission_report.py runs/reporting.csv            # results/missions.md, explanation/when_adaptation_pays.md
     python benchmarks/mission_report.py runs/reporting.csv --trims    # and which missions can be flown at all: minutes
 
 Exits if a seed for tuning is among the flights.
@@ -13,7 +13,8 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from mission_figures import draw
+import mission_figures
+import mission_findings
 from mission_list import (
     ALTITUDE_M,
     DURATION_S,
@@ -25,7 +26,7 @@ from mission_list import (
     Condition,
     Mission,
 )
-from mission_results import FAMILIES, Row, Table, by_mission, family, held_more, loses, share, totals
+from mission_results import FAMILIES, Row, Table, by_mission, details, family, held_more, loses, share, totals
 from missions import ABLATED, KNOWN, REPORTING_START, TUNING_END
 from true_trims import table as trims_of
 from true_trims import words
@@ -44,12 +45,15 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = parser.parse_args(arguments)
     rows = reporting_rows(options.csv)
     trims = {m.name: words(found) for m, found in _trims()} if options.trims else {}
-    for folder in ("results", "figures"):
+    for folder in ("results", "explanation", "figures"):
         (options.docs / folder).mkdir(parents=True, exist_ok=True)
-    draw(rows, REFERENCE, options.docs / "figures")
-    page = options.docs / "results" / "missions.md"
-    page.write_text(document(rows, trims), encoding="utf-8")
-    print(f"wrote {page}")
+    mission_figures.draw(rows, REFERENCE, options.docs / "figures")
+    mission_findings.draw(rows, options.docs / "figures")
+    pages = {"results/missions.md": document(rows, trims)}
+    pages["explanation/when_adaptation_pays.md"] = mission_findings.page(rows, trims, BOUND)
+    for name, text in pages.items():
+        (options.docs / name).write_text(text, encoding="utf-8")
+        print(f"wrote {options.docs / name}")
 
 
 def reporting_rows(file: Path) -> list[Row]:
@@ -117,6 +121,8 @@ def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
         lines += ["", f"## Each mission: {condition.title}", ""]
         lines += ["held/survived/flights; where all survived, held/flights", ""]
         lines += by_mission([row for row in main_rows if row.condition == condition])
+        own = [row for row in main_rows if row.condition == condition and row.controller == REFERENCE]
+        lines += ["", f"`{REFERENCE}`, worst flight of each:", "", *details(own)]
     return "\n".join([*lines, "", *_missions()]) + "\n"
 
 

@@ -3,7 +3,14 @@
     python benchmarks/missions.py --list
     python benchmarks/missions.py --missions hard,slow --seeds 6 --controllers default,oracle --jobs 1
     python benchmarks/missions.py --missions tail_jam --controller 'new={type: adaptive_inversion, threshold: 0.1}'
+
+The flights of a report, in pieces; each may be stopped and run again:
+
     python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --controllers default,ablations
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --w20 0
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --model-error 0.2
+    python benchmarks/missions.py --reporting --resume --csv runs/reporting.csv --model-error 0 0.2 --aircraft vtail_aft
 
 A choice of missions is a word of their names, or several joined by `_`. Seeds for tuning are below 50000 and those for
 reporting are from 90001 on; the two are never mixed. `--against FILE` compares with the flights of an earlier CSV, such as
@@ -126,7 +133,8 @@ def _controllers(options: argparse.Namespace) -> dict[str, Mapping[str, Any]]:
         if not equals:
             raise SystemExit(f"--controller {text}: expected NAME={{type: ..., ...}}")
         own[name] = parse(settings, "--controller").tree
-    names = options.controllers.split(",") if options.controllers else list(CONTROLLERS)
+    asked = options.controllers.split(",") if options.controllers else list(CONTROLLERS)
+    names = [name for word in asked for name in (ABLATED if word == "ablations" else (word,))]
     unknown = [name for name in names if name not in KNOWN]
     if unknown:
         raise SystemExit(f"--controllers: {unknown[0]} is none of {', '.join(KNOWN)}")
@@ -151,7 +159,11 @@ def _parser() -> argparse.ArgumentParser:
     add = parser.add_argument
     add("--list", action="store_true", help="print the names of the missions")
     add("--missions", metavar="A,B", help="only missions with these words in their names")
-    add("--controllers", metavar="A,B", help=f"some of {', '.join(KNOWN)}; the first is the reference")
+    add(
+        "--controllers",
+        metavar="A,B",
+        help=f"some of {', '.join(KNOWN)}; the first is the reference; `ablations` is all without_...",
+    )
     add("--controller", action="append", default=[], metavar="NAME={...}", help="one more, by its settings")
     add("--seeds", type=int, help="flights a cell: 6, with --reporting 20")
     add("--first-seed", type=int)

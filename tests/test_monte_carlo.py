@@ -55,7 +55,10 @@ def test_all_wrong_options_are_said_together() -> None:
 def test_one_run_alone_is_that_row_of_the_table(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
     whole = fly_here(plan, tmp_path / "whole")
-    passed = monte_carlo.fly_run(plan, 7, tmp_path / "one", Options(jobs=2, fly=quick))
+    passed, flights = monte_carlo.fly_run(
+        plan, 7, tmp_path / "one", Options(jobs=2, fly=quick), figures=False
+    )
+    assert len(flights) == 2
     lines = (tmp_path / "one/results.csv").read_text().splitlines()
     assert set(lines) <= set((whole / "results.csv").read_text().splitlines()) and len(lines) == 3
     assert passed == all(",completed,True," in line for line in lines[1:])

@@ -143,7 +143,7 @@ def tail_loading(g, m, c, reference):
     arm = 2 * (t["quarter_chord_x_m"] - m["cg_m"][0]) / chord
     text = ""
     for side, sign in SIDES:
-        n, w = f"fcs/{side}-ruddervator", f"<property>fcs/{side}-propeller/slipstream</property>"
+        n, w = f"fcs/{side}-ruddervator", f"<property>fcs/{side}-slipstream/excess</property>"
         along_alpha, along_beta = across(c["downwash"], dihedral, sign)
         text += f"""    <function name="aero/{side}-tail/loading-rad">
       <description>ruddervator's deflection, and the change of its panel's load by the slipstream as more deflection</description>
@@ -268,13 +268,13 @@ def slipstream_channel(c, index, side):
 
     (1 + w)^2 - 1 = T / (qbar A). A broken propeller's stream is that of what is left of its thrust.
     """
-    n, s = f"fcs/{side}-propeller", c["slipstream"]
-    return f"""      <fcs_function name="{n}/slipstream-at-disc"><function><product><property>fcs/slipstream-active</property>
+    n, s = f"fcs/{side}-slipstream", c["slipstream"]
+    return f"""      <fcs_function name="{n}/at-disc"><function><product><property>fcs/slipstream-active</property>
         <difference><sqrt><max><value>0</value><sum><value>1</value><quotient>
-          <product><property>{n}/effectiveness</property><property>propulsion/engine[{index}]/thrust-lbs</property></product>
+          <product><property>fcs/{side}-propeller/effectiveness</property><property>propulsion/engine[{index}]/thrust-lbs</property></product>
           <product>{value(s["disc_m2"] / SQUARE_FEET)}<max>{value(NO_PRESSURE_PSF)}<property>{Q}</property></max></product></quotient></sum></max></sqrt><value>1</value></difference></product></function></fcs_function>
-      <fcs_function name="{n}/slipstream-lag-rad_sec"><function><product><property>velocities/vt-fps</property>{value(FEET / s["distance_m"])}</product></function></fcs_function>
-      <lag_filter name="{n}/slipstream"><input>{n}/slipstream-at-disc</input><c1>{n}/slipstream-lag-rad_sec</c1></lag_filter>
+      <fcs_function name="{n}/lag-rad_sec"><function><product><property>velocities/vt-fps</property>{value(FEET / s["distance_m"])}</product></function></fcs_function>
+      <lag_filter name="{n}/excess"><input>{n}/at-disc</input><c1>{n}/lag-rad_sec</c1></lag_filter>
 """
 
 

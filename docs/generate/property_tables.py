@@ -54,11 +54,6 @@ _MOTOR = {
         "External force along body x: (`effectiveness` - 1) times the engine's thrust, which cancels the lost part of the "
         "thrust. An external moment does the same for the torque.",
     ),
-    "slipstream-at-disc": (
-        "1",
-        "Function: what the propeller adds to the speed of the air at its disc, as a part of airspeed (v-tail).",
-    ),
-    "slipstream-lag-rad_sec": ("rad/s", "Function: airspeed over the distance from the disc to the tail (v-tail)."),
 }  # fmt: skip
 
 

@@ -23,7 +23,7 @@ import model_tables  # noqa: E402
 import reference_tables  # noqa: E402
 
 _TABLE = re.compile(r"^<!-- (table|keys): (\S+)(?: without ([\w ]+))? -->$", flags=re.MULTILINE)
-_FILE = re.compile(r"^<!-- file: (\S+\.py) -->$", flags=re.MULTILINE)
+_FILE = re.compile(r"^<!-- file: (\S+\.(?:py|xml|yaml)) -->$", flags=re.MULTILINE)
 _INLINE = re.compile(r'<span class="arithmatex">\\\((.*?)\\\)</span>', flags=re.DOTALL)
 _BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=re.DOTALL)
 
@@ -35,7 +35,8 @@ def on_page_markdown(markdown: str, **_: Any) -> str:
 
 def _file(asked: re.Match[str]) -> str:
     path = Path(asked.group(1))
-    return f"```python\n{(_ROOT / path).read_text(encoding='utf-8').rstrip()}\n```"
+    language = {".py": "python"}.get(path.suffix, path.suffix[1:])
+    return f"```{language}\n{(_ROOT / path).read_text(encoding='utf-8').rstrip()}\n```"
 
 
 def _table(asked: re.Match[str]) -> str:

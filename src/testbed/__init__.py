@@ -8,13 +8,19 @@ if TYPE_CHECKING:
 
     from testbed.loading import load as load
     from testbed.monte_carlo import sweep as sweep
+    from testbed.reporting.comparison import compare as compare
     from testbed.simulation import fly as fly
 
     __version__: str
 
-_MODULES = {"fly": "testbed.simulation", "load": "testbed.loading", "sweep": "testbed.monte_carlo"}
+_MODULES = {
+    "compare": "testbed.reporting.comparison",
+    "fly": "testbed.simulation",
+    "load": "testbed.loading",
+    "sweep": "testbed.monte_carlo",
+}
 
-__all__ = ["__version__", "fly", "load", "sweep"]
+__all__ = ["__version__", "compare", "fly", "load", "sweep"]
 
 
 def __getattr__(name: str) -> Any:

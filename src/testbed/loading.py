@@ -17,10 +17,17 @@ if TYPE_CHECKING:
 def load(folder: str | Path) -> Flight | pd.DataFrame:
     """Read a run folder as a Flight, or a sweep folder as a DataFrame with a row for each flight.
 
-    The table's `plot(figure)` draws the sweep's figures: `probabilities`, `survival`, ... Its `attrs` hold `name`, `folder`,
+    A flight of a sweep whose log was kept is read as a Flight, too: `SWEEP/logs/run-000017-pid.parquet`, or `SWEEP/17` for
+    short where only one variant's log was kept.
+
+    The table's `plot(figure)` draws the sweep's figures: `probabilities`, `map`, ... Its `attrs` hold `name`, `folder`,
     `summary` (a sentence) and `units` (of each column). Needs neither the simulator nor, for a run folder, the aircraft.
     Raises BadInput when the folder is neither a run nor a sweep.
     """
+    if names_kept_log(folder):
+        from testbed.sweeps.folder import kept
+
+        return kept.load(folder)
     if is_sweep_folder(folder):
         from testbed.reporting.sweep_table import table_of
         from testbed.sweeps.folder import reading
@@ -45,3 +52,23 @@ def is_sweep_folder(folder: str | Path) -> bool:
             [Problem("is neither a run folder nor a sweep folder", str(folder), expected=expected)]
         )
     return False
+
+
+def names_kept_log(path: str | Path) -> bool:
+    """Whether a path is a log that a sweep kept, or names a run of a sweep, as `SWEEP/17`."""
+    path = Path(path)
+    if not (path.suffix == ".parquet" or os.path.isfile(path.parent / "sweep.yaml")):
+        return False  # quickly, as most paths are folders of runs
+    from testbed.sweeps.folder import kept
+
+    return kept.is_kept(path)
+
+
+def load_flight(path: str | Path) -> Flight:
+    """Read a run folder or a kept log of a sweep; raises BadInput when it is a sweep, or neither."""
+    if not names_kept_log(path) and is_sweep_folder(path):
+        expected = "a run folder, or a flight of the sweep such as SWEEP/17"
+        raise BadInput([Problem("is a sweep folder", str(path), expected=expected)])
+    flight = load(path)
+    assert not hasattr(flight, "groupby")  # a sweep was refused above
+    return flight  # type: ignore[return-value]

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.common.files import slug
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.attempt import attempt
+from testbed.reporting.kept_report import write_kept_page
+from testbed.reporting.present import present
+from testbed.reporting.sweep_report import write_sweep_report
 from testbed.sweeps import summary
 from testbed.sweeps.checks import check
-from testbed.sweeps.folder import reading, results
-from testbed.sweeps.folder.store import flight_label, runs_of
+from testbed.sweeps.folder import kept, reading, results
+from testbed.sweeps.folder.names import flight_label, in_file_names
+from testbed.sweeps.folder.store import runs_of
 from testbed.sweeps.load import load_sweep
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.run import Options, fly_only, fly_sweep
@@ -24,6 +29,9 @@ if TYPE_CHECKING:
     import pandas as pd
 
     from testbed.flight.flight import Flight
+
+WORST_PAGES = 3
+"""Flights of each variant whose pages are written with the sweep's report, the worst ones."""
 
 
 def sweep(
@@ -117,11 +125,23 @@ def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
     summary.write(found, folder)
     if figures and len(frame):
         from testbed.reporting.sweep_figures import draw_sweep
-        from testbed.reporting.sweep_report import write_sweep_report
 
         attempt("the figures", lambda: draw_sweep(plan, frame, folder))
+        attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
         attempt("the report", lambda: write_sweep_report(folder))
     return found
+
+
+def _write_worst_pages(plan: Plan, found: dict[str, Any], folder: Path) -> None:
+    """Write the pages of the worst flights of each variant, those whose logs were kept."""
+    for i, variant in enumerate(found["variants"]):
+        for worst in variant["worst"][:WORST_PAGES]:
+            log = folder / "logs" / f"{flight_label(plan, worst['run'] * len(plan.variants) + i)}.parquet"
+            flight = kept.read(log) if log.is_file() else None
+            if (
+                flight is not None and flight.actuators
+            ):  # made up by a function of the user's, it may have none
+                write_kept_page(flight, log)
 
 
 def rebuild(folder: Path) -> dict[str, Any]:
@@ -140,21 +160,62 @@ def rebuild(folder: Path) -> dict[str, Any]:
     return finish(plan, folder)
 
 
-def fly_run(plan: Plan, run: int, folder: Path, how: Options) -> bool:
+def fly_run(
+    plan: Plan, run: int, folder: Path, how: Options, *, variant: str | None = None, figures: bool = True
+) -> tuple[bool, list[Flight]]:
     """Fly one run alone into a new folder: its rows in results.csv, and a run folder for each variant's flight.
 
-    Returns whether every variant passed. Raises BadInput when there is no such run.
+    With `variant`, the label of one of those compared, only that is flown, and the new folder itself is its run folder.
+    Returns whether every flight passed, and those flights that have a result. Raises BadInput when there is no such run.
     """
-    done = fly_only(plan, run, how)
+    done = fly_only(plan, run, how, None if variant is None else _numbered(plan, variant))
     records = [flown.record for _, flown in done]
-    folder.mkdir(parents=True)
-    results.write(plan, lambda: iter(records), folder)
+    flights: dict[int, Flight] = {}
     for task, flown in done:
-        if flown.record["outcome"] in ("timeout", "crashed"):
-            continue  # flown again in this process, it could hang or end it too
-        flights: list[Flight] = []
-        # Fly again, because the worker has sent a record and not the whole log.
-        fly_task(how.job(plan), task, keep=flights.append)
-        for flight in flights:
-            write_run_folder(flight, folder / flight_label(plan, run * len(plan.variants) + task.variant))
-    return all(record["passed"] for record in records)
+        if flown.record["outcome"] not in (
+            "timeout",
+            "crashed",
+        ):  # in this process, it could hang or end it too
+            # Fly again, because the worker has sent a record and not the whole log.
+            fly_task(how.job(plan), task, keep=partial(flights.__setitem__, task.variant))
+    if variant is None:
+        folder.mkdir(parents=True)
+        results.write(plan, lambda: iter(records), folder)
+    elif not flights:
+        raise BadInput([Problem(f"run {run} has no result: {records[0]['reason']}", "--only")])
+    for number, flight in flights.items():
+        name = flight_label(plan, run * len(plan.variants) + number)
+        add = partial(present, flight, figures=figures)
+        write_run_folder(flight, folder if variant is not None else folder / name, add)
+    return all(record["passed"] for record in records), list(flights.values())
+
+
+def _numbered(plan: Plan, label: str) -> int:
+    """The number of a variant, by its label or by what file names have of it; raises BadInput when there is none."""
+    labels = [variant.label for variant in plan.variants]
+    in_files = [in_file_names(known) for known in labels]
+    if label in in_files:
+        return in_files.index(label)
+    if label not in labels:
+        expected, suggestion = guess(label, labels)
+        problem = Problem(
+            f"there is no variant {label!r}", "--variant", expected=expected, suggestion=suggestion
+        )
+        raise BadInput([problem])
+    return labels.index(label)
+
+
+def report_run(path: Path) -> list[tuple[Flight, Path]]:
+    """Write the pages of a run in a sweep, `SWEEP/17`, from its kept logs; returns each flight with its page.
+
+    The pages are SWEEP/flights/<name of the log>.html. The sweep's report is written again, if there is one, with links to
+    them. Raises BadInput when no log was kept.
+    """
+    made = []
+    for log in kept.logs_of(path):
+        flight = kept.read(log)
+        made.append((flight, write_kept_page(flight, log)))
+    sweep = made[0][1].parent.parent
+    if (sweep / "report.html").is_file() and (sweep / "summary.json").is_file():
+        write_sweep_report(sweep)
+    return made

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 
 from testbed.air.wind import Weather
-from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.changes import chosen
+from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shape import load_shape
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
@@ -105,7 +106,7 @@ def fly(
 
 def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
     """Make plant, weather, controller, failures and sensors, and put the aircraft into trimmed flight; raises BadInput."""
-    aircraft = load_aircraft(scenario.aircraft)
+    aircraft = chosen(scenario.aircraft)
     plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
     _check_names(scenario, aircraft, plant)
     start = _start(scenario, aircraft)
@@ -238,7 +239,10 @@ def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
 
 
 def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
-    """What the controller is told before the flight."""
+    """What the controller is told before the flight: of the aircraft as its files are, also where the truth is changed."""
+    if aircraft.changes is not None:
+        aircraft = aircraft.nominal
+        start = _start(scenario, aircraft)
     return setup_for(
         aircraft,
         stored(aircraft),

@@ -53,3 +53,11 @@ def test_what_is_no_model_is_refused(tmp_path):
     (folder / "mine.xml").write_text("<fdm_config>")
     with pytest.raises(BadInput, match="is not XML"):
         read_whole(find_source(str(folder), package_root()))
+
+
+def test_a_value_that_is_no_number_is_0_as_for_jsbsim():
+    tree = read_whole(
+        find_source("Short_S23", package_root())
+    )  # its hydrodynamics leave three for the aircraft to set
+    for each in tree.iter("property"):
+        float(each.get("value", "0"))

@@ -378,7 +378,7 @@ def test_a_slipstream_is_that_of_momentum_theory(vtail: Aircraft, body: Body) ->
     """(1 + w)^2 = 1 + T / (qbar A) of what is left of each propeller's thrust, at the tail one lag later."""
     plant = Plant(vtail, HZ)
     accelerations(plant, body.trim.state, body.trim.commands)
-    steady = plant["fcs/left-propeller/slipstream"]
+    steady = plant["fcs/left-slipstream/excess"]
     disc_m2, qbar_pa = (
         0.25 * math.pi * 0.4826**2,
         plant["aero/qbar-psf"] * NEWTONS_PER_POUND / METRES_PER_FOOT**2,
@@ -389,10 +389,10 @@ def test_a_slipstream_is_that_of_momentum_theory(vtail: Aircraft, body: Body) ->
     plant["fcs/left-propeller/effectiveness"] = 0.0
     lag_s = 1.045 / 18.0
     plant.settle(round(lag_s * HZ))
-    assert plant["fcs/left-propeller/slipstream"] == pytest.approx(steady * math.exp(-1.0), rel=0.1)
+    assert plant["fcs/left-slipstream/excess"] == pytest.approx(steady * math.exp(-1.0), rel=0.1)
     plant.settle(HZ)
-    assert abs(plant["fcs/left-propeller/slipstream"]) < 1e-6
-    assert plant["fcs/right-propeller/slipstream"] == pytest.approx(steady, rel=1e-3)
+    assert abs(plant["fcs/left-slipstream/excess"]) < 1e-6
+    assert plant["fcs/right-slipstream/excess"] == pytest.approx(steady, rel=1e-3)
 
 
 def test_a_tail_feels_its_own_propeller_alone(vtail: Aircraft, body: Body) -> None:
@@ -406,7 +406,7 @@ def test_a_tail_feels_its_own_propeller_alone(vtail: Aircraft, body: Body) -> No
                 commands[tail] = command
                 accelerations(plant, body.trim.state, commands)
                 lift[throttle, command, tail] = -plant["forces/fbz-aero-lbs"]
-        w = plant["fcs/left-propeller/slipstream"]
+        w = plant["fcs/left-slipstream/excess"]
         lift[throttle] = (1 + w) ** 2 - 1
     trimmed = body.trim.commands[LEFT_PROPELLER]
     power = {

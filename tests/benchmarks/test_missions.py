@@ -10,7 +10,7 @@ import mission_report
 import missions
 import pytest
 from mission_list import BASE, MISSIONS, PROPELLERS, ROUTES, TAILS, Condition, Mission, chosen
-from mission_results import FAMILIES, Row, Table, by_mission, family, held_more, loses, totals
+from mission_results import FAMILIES, Row, Table, by_mission, details, family, held_more, loses, totals
 from true_trims import failures_of, steady_flights
 
 from testbed.inputs.yaml_source import parse
@@ -60,6 +60,8 @@ def test_tables_compare_flights_of_the_same_seed() -> None:
     assert "+0.500" in totals(rows, "a")[-1]
     assert loses(rows, "b", by=1) == ["- hard_healthy (vtail, W20 = 25 ft/s): a holds 1, b 0"]
     assert not loses(rows, "b")
+    assert details(rows[:2])[-1] == "| hard_healthy | 1/2 | 6.0 m, 15 deg | 0.50, 0.50 | 0 | 0 | 2 |"
+    assert "| diverged |" in details(rows[2:])[-1]
 
 
 def test_a_table_survives_a_cut_line(tmp_path: Path) -> None:
@@ -86,8 +88,11 @@ def test_a_report_is_of_reporting_seeds_only(tmp_path: Path) -> None:
     text = (tmp_path / "results" / "missions.md").read_text()
     assert "| default | 1.000 | 1.000 |" in text
     assert "| estimate | 0.500 | +0.500 (" in text
-    for name in ("families", "ablation"):
-        assert (tmp_path / "figures" / f"missions_{name}.png").stat().st_size > 5000
+    pays = (tmp_path / "explanation" / "when_adaptation_pays.md").read_text()
+    assert "`default` holds 100.0 % and `without_estimate` 50.0 % of 2 flights: +50.0 (" in pays
+    assert "## What the test for jams brings" not in pays  # not flown, so nothing is said of it
+    for name in ("missions_families", "missions_ablation", "finding_compensation", "finding_bound"):
+        assert (tmp_path / "figures" / f"{name}.png").stat().st_size > 5000
     list(table.write([replace(HELD, seed=49999)]))
     with pytest.raises(SystemExit, match="seed 49999 is for tuning"):
         mission_report.reporting_rows(table.file)

@@ -59,7 +59,8 @@ def test_a_sweep_folder_is_reported_without_flying(here: Path, called: Called) -
     fly_here(load_sweep(written(here)), here / "out")
     status, out, err = called("report", "out")
     assert (status, err) == (1, "")  # not every flight has passed
-    assert out.startswith("adaptive_inversion: 12 runs\n  ") and "minus fixed_inversion: +0.000 (" in out
+    assert out.startswith("adaptive_inversion meets all requirements in ")
+    assert "\nadaptive_inversion: 12 runs\n  " in out and "minus fixed_inversion: +0.000 (" in out
     assert {"summary.json", "report.html", "figures"} <= {path.name for path in (here / "out").iterdir()}
 
 
@@ -79,12 +80,33 @@ def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
     lines = (reference / "results.csv").read_text().splitlines()
     rows = [line for line in lines if line.startswith("5,")]
     assert (tmp_path / "one/results.csv").read_text().splitlines()[1:] == rows
-    assert result.stdout.splitlines()[1:3] == rows
+    assert result.stdout.count("Worst: ") == 2  # the story of each variant's flight
+    assert (tmp_path / "one/run-000005-fixed_inversion/report.html").is_file()
     row = dict(zip(lines[0].split(","), rows[1].split(","), strict=True))
     flight = load_flight(tmp_path / "one/run-000005-fixed_inversion")
     assert flight.metrics["altitude_error_max_m"] == float(row["altitude_error_max_m"])
     again = testbed.fly(tmp_path / "one/run-000005-fixed_inversion/scenario.yaml")  # alone, without any sweep
     assert again.summary == flight.summary
+
+
+@pytest.mark.slow
+def test_one_variant_alone_is_a_normal_run_folder(here: Path, called: Called) -> None:
+    sweep = written(here)
+    status, out, err = called("sweep", sweep.name, "--only", "5", "--variant", "pid")
+    assert (status, out) == (2, "")
+    assert (
+        err == "--variant: there is no variant 'pid', expected one of adaptive_inversion, fixed_inversion\n"
+    )
+    status, out, _ = called("sweep", sweep.name, "--only", "5", "--variant", "fixed_inversion", "--no-plots")
+    assert status in (0, 1) and out.endswith("wrote runs/small-run-5-fixed-inversion\n")
+    folder = here / "runs/small-run-5-fixed-inversion"
+    assert {p.name for p in folder.iterdir()} == {"scenario.yaml", "summary.json", "log.csv", "report.html"}
+    assert load_flight(folder).controller == "fixed_inversion"
+
+
+def test_a_variant_is_of_one_run(here: Path, called: Called) -> None:
+    expected = (2, "", "--variant: is for one run, expected --only I beside it\n")
+    assert called("sweep", written(here).name, "--variant", "fixed_inversion") == expected
 
 
 @pytest.mark.slow

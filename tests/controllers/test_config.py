@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from pydantic import ValidationError
 from short_flights import scenario
+from vtail_setup import records_of, vtail_setup
 
 from testbed.aircraft.control_design import ControlDesign
 from testbed.controllers.config import TABLE, AdaptiveInversionSettings, PerKind
@@ -55,6 +56,15 @@ def test_the_type_alone_is_the_law_for_weather() -> None:
     assert (default.threshold, default.recovery, default.lambda_min) == (0.06, 0.8, -1.2)
     assert inversion(estimation="weighted", released="auto") == default
     assert inversion(recovery=0.9).recovery == 0.9
+
+
+def test_a_threshold_that_is_given_is_for_propellers_too() -> None:
+    assert inversion().propeller_threshold == 0.12
+    assert inversion(threshold=0.2).propeller_threshold is None
+    assert inversion(preset="paper").propeller_threshold is None
+    assert inversion(threshold=0.05, propeller_threshold=0.1).propeller_threshold == 0.1
+    kinds = records_of(vtail_setup(inversion())).c
+    assert (kinds.threshold + kinds.threshold_rise).tolist() == pytest.approx([0.06, 0.06, 0.12, 0.12])
 
 
 def test_the_papers_law_has_defaults_of_its_own_that_can_be_overridden() -> None:

@@ -146,6 +146,27 @@ def test_an_aircraft_that_is_too_fast_for_a_jam_climbs_and_does_not_descend() ->
         assert w.nu[0] == pytest.approx(altitude_error)
 
 
+def test_too_much_airspeed_does_not_wind_up_before_a_slow_trim() -> None:
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    for fast_climb, before, grows in ((0.5, 0.0, False), (0.5, -1.0, True), (0.0, 0.0, True)):
+        k.fast_climb, s.integral[0] = fast_climb, before
+        regulate(
+            trim_state(MODEL, airspeed=MODEL.airspeed_m_s + 1.0), setpoint(**LEVEL), m, c, k, s, w.f, w.nu
+        )
+        assert (s.integral[0] > before) == grows
+
+
+def test_beyond_the_stall_the_nose_goes_down() -> None:
+    """By hand: 0.01 rad beyond the stall asks for 4 pitch_kp q_kp 0.01 rad/s2 more, nose down, and nothing else."""
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
+    for beyond in (-0.01, 0.01):
+        y = trim_state(MODEL, alpha=MODEL.stall_alpha_rad + beyond)
+        regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+        wanted = -0.04 * c.pitch_kp * c.q_kp if beyond > 0.0 else 0.0
+        assert w.nu == pytest.approx([0.0, wanted, 0.0, 0.0])
+
+
 def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:
     m, c, k, s, w = records_of(vtail_setup(WEATHER))
     k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0

@@ -16,6 +16,7 @@ from testbed.controllers.config import PidSettings
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.pid import GAINS, gains_record, lateral, longitudinal, mode_record
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, U_DOT
+from testbed.metrics import readings
 from testbed.simulation import fly
 
 SETUP = vtail_setup(PidSettings())
@@ -78,6 +79,16 @@ def test_the_allocation_gives_what_is_asked_about_the_trim(pressure_ratio: float
     given = m.B @ (s.u * np.where(m.servo == 1, pressure_ratio, 1.0) - m.trim_position)
     assert K.released.tolist() == [1, 0, 0, 0]
     assert given[1:] == pytest.approx(asked[1:])
+
+
+def test_an_aircraft_with_ailerons_is_rolled_by_them(tmp_path: Path) -> None:
+    """Nothing is released on the aerosonde: a turn of 30 deg and a climb of 5 m are flown with ailerons."""
+    flight = fly(scenario(tmp_path, "pid", 25, "aircraft=aerosonde", "initial.airspeed_m_s=25"))
+    altitude, heading, _ = worst_errors(flight)
+    log = readings(flight).log
+    assert (altitude < 1.0, heading < 6.0) == (True, True), (altitude, heading)
+    assert np.ptp(log["aileron_position"]) > 1.0
+    assert not log["p_dot_released"].any()
 
 
 @pytest.mark.slow

@@ -10,11 +10,11 @@ from figure_flights import broken
 from full_disk import largest_file
 from handmade import make_flight
 
-from testbed.cli.flight import _present
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.reporting.attempt import NotShown
+from testbed.reporting.present import present
 
 STRIDE = 211
 """Every byte would take a minute; this stride is a prime, so that it meets the middle of lines."""
@@ -43,7 +43,9 @@ def test_a_full_disk_never_costs_a_flight_for_its_figures_or_report(tmp_path: Pa
     without = largest(write_run_folder(flight, tmp_path / "without"))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        write_run_folder(flight, tmp_path / "run", lambda folder: present(flight, folder, without, what))
+        write_run_folder(
+            flight, tmp_path / "run", lambda folder: present_within(flight, folder, without, what)
+        )
     assert [str(w.message) for w in caught if w.category is NotShown] == [
         f"{what} could not be made: File too large"
     ]
@@ -53,15 +55,15 @@ def test_a_full_disk_never_costs_a_flight_for_its_figures_or_report(tmp_path: Pa
     assert ("report.html" in there, "states.png" in there) == (what != "the report", what != "the figures")
 
 
-def present(flight: Flight, folder: Path, limit: int, what: str) -> None:
+def present_within(flight: Flight, folder: Path, limit: int, what: str) -> None:
     if what == "the figures":
         with largest_file(limit):
-            _present(flight, folder)  # the report without figures is smaller than the log
+            present(flight, folder)  # the report without figures is smaller than the log
     else:
-        _present(flight, folder)
+        present(flight, folder)
         (folder / "report.html").unlink()
         with largest_file(limit):
-            assert not _present(flight, folder, figures=False)
+            assert not present(flight, folder, figures=False)
 
 
 def test_a_folder_that_cannot_be_made_is_refused_before_the_flight(tmp_path: Path) -> None:

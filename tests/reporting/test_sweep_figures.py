@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from sweep_files import SWEEP, fly_here, table, written
+from sweep_files import fly_here, table, written
 
-from testbed.reporting.sweep_figures import TABLE, draw_sweep, remaining_effectiveness
+from testbed.reporting.sweep_figures import TABLE, draw_sweep
 from testbed.sweeps.load import load_sweep
 from testbed.sweeps.plan import Plan
 
@@ -43,7 +43,9 @@ def test_each_figure_says_what_it_shows(flown: Flown) -> None:
         words = [axes.get_xlabel() for axes in figure.axes]
         assert any(words), name
         labels = [text for axes in figure.axes for text in axes.get_legend_handles_labels()[1]]
-        assert len(set(labels)) >= 2, name  # the variants, or what the lines of a variant are
+        assert len(set(labels)) >= 2 or name == "map", (
+            name
+        )  # the variants, or what the lines of a variant are
 
 
 def test_probabilities_are_those_of_the_table(flown: Flown) -> None:
@@ -55,26 +57,34 @@ def test_probabilities_are_those_of_the_table(flown: Flown) -> None:
     assert set(np.round(expected, 9)) <= set(np.round(drawn, 9))
 
 
-def test_survival_is_over_the_effectiveness_that_is_left(flown: Flown) -> None:
-    plan, frame, _ = flown
-    assert remaining_effectiveness(plan, frame) == "failures.0.value"
-    figure = TABLE["survival"](*flown)
+def test_the_share_that_passes_is_along_each_varied_value(flown: Flown) -> None:
+    plan, _, _ = flown
+    figure = TABLE["pass_share"](*flown)
     assert figure is not None
-    x, share = (np.asarray(values, dtype=float) for values in figure.axes[0].lines[0].get_data())
+    panels = {axes.get_xlabel(): axes for axes in figure.axes if axes.get_visible()}
+    assert len(panels) == len(plan.paths)
+    x, share = (np.asarray(v, dtype=float) for v in panels["failures.0.value"].lines[0].get_data())
     assert (share[x < 0.4] == 0).all() and (share[x > 0.6] == 1).all()  # what a made-up flight does
 
 
-def test_without_an_effectiveness_the_first_varied_number_is_taken(tmp_path: Path) -> None:
-    text = SWEEP.replace("failures.0.value: {uniform: [0, 1]}", "failures.0.value: {choice: [0.2]}")
-    plan = load_sweep(written(tmp_path, text))
-    frame = table(fly_here(plan, tmp_path / "out"))
-    assert remaining_effectiveness(plan, frame) == "failures.0.at_s"
+def test_endings_and_variants_are_told_apart_by_more_than_colour(flown: Flown) -> None:
+    for name in ("probabilities", "pass_share"):
+        figure = TABLE[name](*flown)
+        assert figure is not None
+        lines = [
+            line for line in figure.axes[0].lines if line.get_marker() not in ("", "None", "|", "_", None)
+        ]
+        assert {line.get_marker() for line in lines} >= {"o", "s"}, name
+    figure = TABLE["map"](*flown)
+    assert figure is not None
+    counts = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert [words.split()[0] for words in counts] == ["passed", "missed"]
 
 
 def test_a_figure_with_nothing_to_show_is_left_out(flown: Flown, tmp_path: Path) -> None:
     plan, frame, _ = flown
-    few = frame[frame["run"] < 20].drop(columns="detection_delay_s")
+    few = frame[frame["run"] < 19].drop(columns="detection_delay_s")
     drawn = {
         file.stem for file in draw_sweep(plan, few, tmp_path)
     }  # without histories, too few for sensitivity
-    assert drawn == {"probabilities", "survival"}
+    assert drawn == {"probabilities", "map", "pass_share"}

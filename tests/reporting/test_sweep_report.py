@@ -16,6 +16,7 @@ from sweep_files import fly_here, run, written
 from testbed import monte_carlo
 from testbed.cli.commands import main
 from testbed.cli.sweep import print_answer
+from testbed.reporting.sweep_page.answer import answer
 from testbed.reporting.sweep_report import parts, write_sweep_report
 from testbed.sweeps.load import load_sweep
 
@@ -35,14 +36,24 @@ def summary(folder: Path) -> dict[str, Any]:
     return found
 
 
-def test_it_is_one_file_that_fetches_and_runs_nothing(folder: Path) -> None:
+def test_it_is_one_file_that_fetches_nothing(folder: Path) -> None:
     page = Page((folder / "report.html").read_text(encoding="utf-8"))
-    assert page.fetches_and_runs_nothing() and page.tags.count("img") >= 4
+    assert page.tags.count("img") >= 5 and not {"link", "iframe", "object"} & set(page.tags)
+    assert all(reference.startswith("data:image/png;base64,") for reference in page.references)
     for words in (
         "all requirements", "exact McNemar", "99 % stay within", "PAWN", "How many runs a claim needs",
-        "share of variance",
+        "share of variance", "Every flight",
     ):  # fmt: skip
         assert words in page.text
+
+
+def test_the_answer_comes_first(summary: dict[str, Any], tmp_path: Path) -> None:
+    text = Page("".join(parts(summary, tmp_path))).text
+    share = summary["variants"][0]["all_requirements"]
+    first = f"adaptive_inversion meets all requirements in {share['successes']} of {share['n']} flights ("
+    assert text.index(first) < text.index("How often the requirements are met")
+    assert "better in no paired run, worse in none" in text  # the made-up flights do not know of controllers
+    assert "depends most on failures.0.value" in text
 
 
 Place = tuple[str | int, ...]
@@ -79,6 +90,7 @@ def test_any_one_value_may_be_absent(
         changed = without(summary, place)
         page = Page("".join(parts(changed, tmp_path)))
         assert not re.search(r"\b(None|nan)\b", page.text), place
+        assert answer(changed)
         print_answer(changed)
         assert "None" not in capsys.readouterr().out, place
 

@@ -6,6 +6,7 @@ import re
 import shutil
 from collections.abc import Mapping
 from pathlib import Path
+from xml.etree import ElementTree
 
 import jsbsim
 import yaml
@@ -110,7 +111,9 @@ def make(model: str, surfaces: Mapping[str, str], description: dict, folder: Pat
     for file in re.findall(r'system file="([^"]+)"', text):
         (folder / "Systems").mkdir(exist_ok=True)
         if not (folder / "Systems" / f"{file.removesuffix('.xml')}.xml").is_file():
-            shutil.copy(ROOT / "systems" / f"{file.removesuffix('.xml')}.xml", folder / "Systems")
+            name = f"{file.removesuffix('.xml')}.xml"
+            plain = ElementTree.parse(ROOT / "systems" / name)  # its own entities written out
+            plain.write(folder / "Systems" / name)
     head, mark, aerodynamics = text.partition("<aerodynamics")
     values, channels, reactions = "", "", ""
     places = re.findall(r"<thruster.*?(<location.*?</location>)", text, flags=re.S)

@@ -27,5 +27,18 @@ def test_the_inputs_that_matter_are_found() -> None:
 def test_sensitivity_of_too_little_is_refused() -> None:
     frame = pd.DataFrame({"a": np.linspace(0, 1, 300), "passed": [True] * 295 + [False] * 5})
     assert "fewer than 10 flights differ" in sensitivity(frame, ["a"], ["passed"])["passed"]["reason"]
-    assert "at least 100" in sensitivity(frame[:60], ["a"], ["passed"])["passed"]["reason"]
+    assert "at least 20" in sensitivity(frame[:19], ["a"], ["passed"])["passed"]["reason"]
+    assert "fewer than 5 flights differ" in sensitivity(frame[:59], ["a"], ["passed"])["passed"]["reason"]
     assert sensitivity(frame.assign(a=1.0), ["a"], ["passed"])["passed"]["reason"] == "nothing varies"
+
+
+@pytest.mark.parametrize("runs", [20, 45, 60, 75, 99])
+def test_few_runs_give_an_indicative_answer(runs: int) -> None:
+    """The input that decides is found, without an index that needs more runs."""
+    rng = np.random.default_rng(runs)
+    frame = pd.DataFrame({"a": rng.random(runs), "b": rng.random(runs)})
+    frame["passed"] = frame["a"] > 0.5
+    found = sensitivity(frame, ["a", "b"], ["passed"])["passed"]
+    assert found["indicative"] and found["inputs"]["a"]["matters"]
+    assert found["inputs"]["a"]["pawn"] > 2.0 * found["inputs"]["b"]["pawn"]
+    assert np.isnan(found["inputs"]["a"]["s1"])

@@ -3,7 +3,7 @@ import uPlot from "uplot";
 import { colour } from "./colours.js";
 
 const HEIGHT = 150;
-const STROKES = { truth: [], belief: [7, 4], command: [2, 3], second: [10, 3, 2, 3], third: [4, 2] };
+const STROKES = { truth: [], belief: [7, 4], command: [2, 3], second: [10, 3, 2, 3], third: [4, 2], v0: [], v1: [7, 4], v2: [2, 3], v3: [10, 3, 2, 3], v4: [12, 3], v5: [4, 2] };
 
 function number(value) {
   if (value == null || Number.isNaN(value)) return "-";
@@ -134,7 +134,7 @@ export class Panels {
   add(root, panel) {
     const box = document.createElement("figure");
     box.className = "panel";
-    box.innerHTML = `<figcaption>${panel.title}</figcaption>`;
+    box.append(Object.assign(document.createElement("figcaption"), { textContent: panel.title }));
     root.append(box);
     const entry = { box, panel, plot: null };
     this.made.push(entry);

@@ -16,6 +16,9 @@ from testbed.adoption.losses import Kept, losses
 from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel
+from testbed.aircraft.model_files.check import model_problems
+from testbed.inputs.problems import BadInput
+from testbed.plant.first_load import trust
 from testbed.plant.identification import identify
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import settle_at
@@ -66,20 +69,29 @@ def _condition(draft: Draft, folder: Path, version: str) -> tuple[Aircraft, Trim
     why = ""
     for condition in _conditions(draft):
         write_yaml(draft, folder, folder.name, condition, version)
-        aircraft = load_aircraft(str(folder))
-        plant = Plant(aircraft, _HZ)
+        plant = Plant(_loaded(folder), _HZ)
         try:
             found = trim(plant, condition.airspeed_m_s, condition.altitude_m)
         except NoTrim:
             why = why or "no steady flight was found at any airspeed from 1.25 to 3.4 times its stall's"
             continue
-        used = _use(aircraft, found)
+        used = _use(plant.aircraft, found)
         if used is None:
             measured = Condition(condition.airspeed_m_s, condition.altitude_m, _thrusts(plant, found))
             write_yaml(draft, folder, folder.name, measured, version)
-            return load_aircraft(str(folder)), found
+            return _loaded(folder), found
         why = used
     raise refused(draft.source, why)
+
+
+def _loaded(folder: Path) -> Aircraft:
+    """The aircraft in a folder; this process may load its model, because it is one that may end."""
+    aircraft = load_aircraft(str(folder))
+    problems = model_problems(aircraft)
+    if problems:
+        raise BadInput(problems)
+    trust(aircraft)
+    return aircraft
 
 
 def _conditions(draft: Draft) -> Iterator[Condition]:

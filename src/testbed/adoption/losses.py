@@ -14,6 +14,9 @@ _HZ = 120.0
 _LEVEL = (("alpha", "beta", "roll"), ("alpha", "beta", "roll", "airspeed"))
 _ANY_PATH = (("alpha", "beta", "roll", "airspeed", "path_angle"),)
 
+_MOST_DEG = {"roll": 30.0, "beta": 15.0, "path_angle": 30.0}
+"""A steady flight with more than one of these is none that a pilot or controller could use."""
+
 
 @dataclass(frozen=True)
 class Kept:
@@ -44,10 +47,12 @@ def _without(aircraft: Aircraft, i: int, reference: Trim) -> Trim | None:
     plant[f"{list(aircraft.actuators.values())[i].prefix}/effectiveness"] = 0.0
     for angles in (_LEVEL if _has_propulsion_without(aircraft, i) else ()) + _ANY_PATH:
         with suppress(NoTrim):
-            return trim(
+            found = trim(
                 plant, aircraft.reference.airspeed_m_s, aircraft.reference.altitude_m,
                 held={i: reference.commands[i]}, free=angles,
             )  # fmt: skip
+            if all(abs(found.state[name]) < math.radians(most) for name, most in _MOST_DEG.items()):
+                return found
     return None
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -79,8 +80,18 @@ def read_whole(source: Source) -> ET.Element:
         for name in _DROPPED:
             for dropped in [each for each in element.findall(name) if _is_channel_of_data(each, element)]:
                 element.remove(dropped)
+    for element in tree.iter("property"):
+        if not _is_number(element.get("value", "0")):
+            element.set("value", "0")  # as JSBSim reads it
     declare(tree, dict.fromkeys(sorted(set(_made_local(tree))), 0.0))
     return tree
+
+
+def _is_number(text: str) -> bool:
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def _is_channel_of_data(element: ET.Element, parent: ET.Element) -> bool:

@@ -66,7 +66,7 @@ class Actuator(Settings):
     kind: str
     """What kind of actuator it is."""
     prefix: Text
-    """Beginning of the names of its properties in the JSBSim model, such as `fcs/left-ruddervator`."""
+    """Beginning of the names of its properties in the JSBSim model, such as `fcs/elevator`."""
     unit: Text
     """Unit of `limits`, `rate_limit`, `scale` and the log's columns: `deg` for a servo, `N` for a motor."""
     limits: tuple[Number, Number]
@@ -181,6 +181,7 @@ class Aircraft(Settings):
     envelope: Envelope = Envelope()
     control: ControlDesign = ControlDesign()
     _folder: Path = PrivateAttr(default=Path("."))
+    _changes: Settings | None = PrivateAttr(default=None)
 
     @field_validator("actuators")
     @classmethod
@@ -205,6 +206,22 @@ class Aircraft(Settings):
         return self._folder
 
     @property
+    def changes(self) -> Settings | None:
+        """What differs from the aircraft's files (`aircraft.changes`); None if nothing does."""
+        return self._changes
+
+    @property
+    def nominal(self) -> Aircraft:
+        """The aircraft as its files are."""
+        return self if self._changes is None else self.changed_by(None)
+
+    def changed_by(self, changes: Settings | None) -> Aircraft:
+        """The same aircraft with these changes to its truth, checked already."""
+        other = self.model_copy()
+        other._changes = changes
+        return other
+
+    @property
     def has_engines(self) -> bool:
         """Whether it has engines, which take their own time to become steady."""
         return any(isinstance(a, Engine) for a in self.actuators.values())
@@ -219,6 +236,8 @@ class Aircraft(Settings):
         text = hashlib.sha256(seen.encode())
         for file in sorted(self.folder.rglob("*.xml")):
             text.update(file.relative_to(self.folder).as_posix().encode() + read_bytes(file))
+        if self._changes is not None:
+            text.update(self._changes.model_dump_json(exclude={"name"}).encode())
         return text.hexdigest()
 
 

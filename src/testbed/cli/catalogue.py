@@ -63,6 +63,8 @@ def _files(files: Iterable[Path]) -> Entries:
 
 def _about(file: Path) -> str:
     lines = file.read_text(encoding="utf-8").splitlines()
+    if lines and lines[0].startswith("# yaml-language-server:"):  # for editors
+        del lines[0]
     comment = takewhile(lambda line: line.startswith("#"), lines)
     return " ".join(line.lstrip("# ") for line in comment) or file.stem.replace("_", " ")
 

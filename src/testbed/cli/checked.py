@@ -40,7 +40,7 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
 
     Conditions that its controller is not made for are printed on stderr.
     """
-    from testbed.aircraft.description import load_aircraft
+    from testbed.aircraft.changes import chosen
     from testbed.flight.columns import all_columns
     from testbed.metrics import TABLE as METRICS
     from testbed.plant.rehearsal import rehearse
@@ -49,7 +49,7 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     from testbed.scenario.load import load_scenario
 
     scenario = load_scenario(file, settings)
-    aircraft = load_aircraft(scenario.aircraft)
+    aircraft = chosen(scenario.aircraft)
     found: list[Problem] = []
     at, initial = scenario.initial, ("initial",)
     properties = collect(

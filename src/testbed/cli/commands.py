@@ -23,6 +23,8 @@ from testbed.inputs.problems import BadInput
 
 _TRACEBACK = "TESTBED_TRACEBACK"
 """Environment variable with which a defect of the program shows its traceback."""
+SCHEMAS = ("aircraft", "scenario", "sweep")
+"""The kinds of file of which `cli.schema` has a schema."""
 _SCENARIO = "YAML file; a shipped one is found from any folder"
 
 
@@ -90,7 +92,11 @@ def parser() -> argparse.ArgumentParser:
     _add_set(command)
 
     command = _command(commands, "report", _report, "rebuild figures and report of a run or sweep folder")
-    command.add_argument("folder", type=Path, help="run or sweep folder")
+    command.add_argument(
+        "folder", type=Path, help="run or sweep folder, or one run of a sweep whose log was kept: SWEEP/17"
+    )
+
+    _add_compare(_command(commands, "compare", _compare, "flights side by side, in one page"))
 
     _add_export(_command(commands, "export", _export, "write a flight for another program"))
 
@@ -125,6 +131,20 @@ def parser() -> argparse.ArgumentParser:
         commands, "list", _list, "list the names that scenarios and commands can use, with their meanings"
     )
     command.add_argument("what", nargs="?", choices=CATALOGUE, help="default: everything")
+
+    command = _command(
+        commands, "schema", _schema, "print the JSON schema of a kind of file, for editors that check YAML"
+    )
+    command.add_argument("kind", choices=SCHEMAS)
+    command.add_argument("--out", type=Path, metavar="FILE", help="write it into this file")
+
+    command = _command(
+        commands,
+        "init",
+        _init,
+        "make a small project: a scenario, a sweep, a controller, and schemas for editors",
+    )
+    command.add_argument("folder", type=Path, help="new or empty folder")
 
     command = _command(commands, "completion", _completion, "print the completion script of a shell")
     command.add_argument("shell", choices=completion.SHELLS)
@@ -198,9 +218,27 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument("--only", type=int, metavar="I", help="fly run I alone and keep its whole log")
     command.add_argument(
+        "--variant",
+        metavar="LABEL",
+        help="with --only: fly only this one of the compared variants, into a run folder",
+    )
+    command.add_argument(
         "--save-logs", default="failed", metavar="WHICH", help="logs to keep: none, failed (default) or all"
     )
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
+
+
+def _add_compare(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "runs", type=Path, nargs="+", metavar="RUN", help="run folder, or a flight of a sweep: SWEEP/17"
+    )
+    command.add_argument(
+        "--out",
+        type=Path,
+        default=Path("runs/comparison.html"),
+        metavar="FILE",
+        help="page to write, or folder to write comparison.html into (default: %(default)s)",
+    )
 
 
 def _add_export(command: argparse.ArgumentParser) -> None:
@@ -236,8 +274,12 @@ def _sweep(options: argparse.Namespace) -> int:
 
 
 def _report(options: argparse.Namespace) -> int:
-    from testbed.loading import is_sweep_folder
+    from testbed.loading import is_sweep_folder, names_kept_log
 
+    if names_kept_log(options.folder):
+        from testbed.cli import sweep
+
+        return sweep.report_run(options.folder)
     if is_sweep_folder(options.folder):
         from testbed.cli import sweep
 
@@ -245,6 +287,12 @@ def _report(options: argparse.Namespace) -> int:
     from testbed.cli import flight
 
     return flight.report(options.folder)
+
+
+def _compare(options: argparse.Namespace) -> int:
+    from testbed.cli import comparing
+
+    return comparing.compare(options.runs, options.out)
 
 
 def _export(options: argparse.Namespace) -> int:
@@ -275,6 +323,20 @@ def _adopt(options: argparse.Namespace) -> int:
 
     with working("adopting"):
         adopt.adopt(options.model, options.out)
+    return MET
+
+
+def _schema(options: argparse.Namespace) -> int:
+    from testbed.cli import schema
+
+    schema.write(options.kind, options.out)
+    return MET
+
+
+def _init(options: argparse.Namespace) -> int:
+    from testbed.cli import project
+
+    project.make(options.folder)
     return MET
 
 

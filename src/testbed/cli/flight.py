@@ -17,8 +17,8 @@ from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.working import working
 from testbed.flight.folder import FolderExists, load, refuse_existing, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput, Problem
-from testbed.reporting.attempt import attempt
 from testbed.reporting.numbers import number
+from testbed.reporting.present import present
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -48,8 +48,8 @@ def fly(options: argparse.Namespace) -> bool:
     with working("flying"):
         flight = fly(scenario, controller, watch=viewer)
     with working("drawing and writing"), tidily():
-        folder = write(flight, options.out, partial(_present, flight, figures=not options.no_plots))
-    _print_verdict(flight, said=conditions.warnings(scenario))
+        folder = write(flight, options.out, partial(present, flight, figures=not options.no_plots))
+    print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
     return flight.passed
 
@@ -58,8 +58,8 @@ def report(folder: Path) -> int:
     """Draw the figures and write the report of a run folder again; returns the exit status."""
     flight = load(folder)
     with working("drawing and writing"), tidily():
-        shown = _present(flight, folder)
-    _print_verdict(flight)
+        shown = present(flight, folder)
+    print_verdict(flight)
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 
 
@@ -86,23 +86,6 @@ def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) 
     return Viewer(address_of(address), facts, place)
 
 
-def _present(flight: Flight, folder: Path, figures: bool = True) -> bool:
-    """Add the report, and the figures if wanted, to a folder with log and summary; returns whether all could be made."""
-
-    def draw() -> None:
-        from testbed.reporting.figures import draw
-
-        draw(flight, folder)
-
-    def write() -> None:
-        from testbed.reporting.run_report import write_report
-
-        write_report(folder)
-
-    drawn = not figures or attempt("the figures", draw)
-    return attempt("the report", write) and drawn
-
-
 def write(flight: Flight, out: Path | None, add: Callable[[Path], object]) -> Path:
     """Write the run folder: `out`, or else the first of runs/<name>, runs/<name>-2, ... that does not exist; returns it."""
     if out is not None:
@@ -117,7 +100,7 @@ def _default_folder(scenario: Scenario, i: int) -> Path:
     return Path("runs") / (scenario.slug if i == 1 else f"{scenario.slug}-{i}")
 
 
-def _print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
+def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
     from testbed.reporting.story import story
 

@@ -11,11 +11,15 @@ from pathlib import Path
 from typing import Any
 
 from testbed import monte_carlo
+from testbed.cli.flight import print_verdict
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET
 from testbed.cli.working import working
+from testbed.common.files import slug
 from testbed.flight.folder import refuse_existing, refuse_unwritable
+from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
+from testbed.reporting.sweep_page.answer import answer
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.run import Options, Stopped, fly_sweep
 
@@ -23,6 +27,8 @@ from testbed.sweeps.run import Options, Stopped, fly_sweep
 def fly(options: argparse.Namespace) -> int:
     """Fly a sweep, or one run of it, and return the exit status; raises BadInput when nothing can be flown."""
     how = monte_carlo.options(options.jobs, options.cluster, options.save_logs)
+    if options.only is None and options.variant is not None:
+        raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
     if options.only is not None:
         return _fly_only(options, how)
     plan, folder = monte_carlo.prepare(
@@ -69,7 +75,9 @@ def report(folder: Path) -> int:
 
 
 def print_answer(summary: dict[str, Any]) -> None:
-    """Print P(all requirements met) and P(each met) for every variant, and the differences between variants."""
+    """Print the answer in sentences, P(all requirements met) and P(each met) for every variant, and the differences."""
+    for line in answer(summary):
+        print(line)
     for variant in summary["variants"]:
         total = variant["all_requirements"]
         if total["estimate"] is None:
@@ -92,15 +100,33 @@ def _status(summary: dict[str, Any]) -> int:
 
 
 def _fly_only(options: argparse.Namespace, how: Options) -> int:
-    """Fly one run alone, print its rows as results.csv has them, and return the exit status."""
+    """Fly one run alone, tell each of its flights, and return the exit status."""
     plan, usual = monte_carlo.prepare(
         options.sweep, None, options.set, runs=options.runs, seed=options.seed, controllers=options.controller
     )
-    folder = options.out or usual.with_name(f"{usual.name}-run-{options.only}")
+    folder = options.out or usual.with_name(_name(usual.name, options.only, options.variant))
     refuse_existing(folder)
     refuse_unwritable(folder)
     with tidily():
-        passed = monte_carlo.fly_run(plan, options.only, folder, how)
-    print((folder / "results.csv").read_text(encoding="utf-8"), end="")
+        passed, flights = monte_carlo.fly_run(
+            plan, options.only, folder, how, variant=options.variant, figures=not options.no_plots
+        )
+    for flight in flights:
+        print_verdict(flight)
     print(f"wrote {folder}")
     return MET if passed else NOT_MET
+
+
+def _name(sweep: str, run: int, variant: str | None) -> str:
+    """The folder's name: `left-tail-monte-carlo-run-17-pid`."""
+    return f"{sweep}-run-{run}" + (f"-{slug(variant, otherwise='variant')}" if variant else "")
+
+
+def report_run(path: Path) -> int:
+    """Write the page of each kept log of a run in a sweep; returns the exit status."""
+    with tidily():
+        made = monte_carlo.report_run(path)
+    for flight, file in made:
+        print_verdict(flight)
+        print(f"wrote {file}")
+    return MET if all(flight.passed for flight, _ in made) else NOT_MET

@@ -2,7 +2,7 @@
 
 Frames: body axes, x forward, y right, z down, origin at the centre of gravity; north-east-down for navigation.
 Angles are in radians and right-handed: roll right, nose up and nose right are positive; heading is 0 to 2 pi from
-north; sideslip beta is positive with the wind from the right; a ruddervator is positive trailing edge down.
+north; sideslip beta is positive with the wind from the right; a control surface is positive trailing edge down.
 Airspeed, alpha and beta are relative to the air (gusts included); p, q, r, attitude and `u_dot`, the rate of change of
 the body-x velocity, are relative to the ground.
 

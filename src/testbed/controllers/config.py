@@ -85,6 +85,9 @@ class AdaptiveInversionSettings(ControllerSettings):
     """Half-width of g in (14), in units of the actuator's `scale`, for `newton`."""
     threshold: Fraction = 0.06
     """An actuator whose estimate stays below this is flagged as failed."""
+    propeller_threshold: Fraction | None = None
+    """In place of `threshold` for a propeller, whose estimate is more certain than a surface's. With neither given it is 0.12 for
+    `weighted`; else it is `threshold`."""
     recovery: Fraction = Field(default=0.8, validate_default=True)
     """A flagged actuator whose estimate stays above this is no longer flagged."""
     persistence_s: NonNegative = 0.1
@@ -123,6 +126,8 @@ class AdaptiveInversionSettings(ControllerSettings):
             value = {**_DEFAULTS_OF_PAPER, **value}
         if value.get("estimation") == "newton":
             value = {**_DEFAULTS_OF_NEWTON, **value}
+        elif "threshold" not in value:
+            value = {"propeller_threshold": 0.12, **value}
         return value
 
     @field_validator("recovery")

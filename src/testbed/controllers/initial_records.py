@@ -35,6 +35,7 @@ def model_record(setup: Setup) -> np.ndarray:
     record = np.zeros(1, model_dtype(len(scale)))
     m = record[0]
     m.airspeed, m.alpha, m.density = model.airspeed_m_s, model.alpha_rad, model.density_kg_m3
+    m.stall_alpha = model.stall_alpha_rad
     m.servo[:] = [kind == "servo" for kind in model.kinds]
     m.scale[:], m.low[:], m.high[:] = scale, limits[:, 0], limits[:, 1]
     m.lag[:] = setup.lags
@@ -115,6 +116,10 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
         c.model_error_std[:], c.coefficient_error = 0.0, 0.0
     c.gamma[:] = [chosen.gamma.of(kind) for kind in kinds]
     c.epsilon[:] = [chosen.epsilon.of(kind) for kind in kinds]
+    if chosen.propeller_threshold is not None:
+        c.threshold_rise[:] = [
+            chosen.propeller_threshold - chosen.threshold if k != "servo" else 0.0 for k in kinds
+        ]
     c.threshold, c.persistence = chosen.threshold, chosen.persistence_s
     c.recovery, c.recovery_time = chosen.recovery, chosen.recovery_s
     c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max

@@ -35,6 +35,9 @@ from testbed.controllers.records import (
     R,
 )
 
+STALL_GAIN = 4.0
+"""Nose-down acceleration of `regulate` for each radian beyond the stall, in units of the pitch loop's stiffness pitch_kp q_kp."""
+
 wrap = compiled(angles.wrap)
 
 
@@ -120,9 +123,11 @@ def regulate(y, ref, m, c, k, s, f, nu):
             + k.fast_climb * slow
         )
     integral = s.integral
-    integral[AIRSPEED_INTEGRAL] = accumulate(
-        integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
-    )
+    # Nor can it slow down by winding up the integral, with which it would be slow to open the throttle in sinking air.
+    if k.fast_climb == 0.0 or e_speed < 0.0 or integral[AIRSPEED_INTEGRAL] < 0.0:
+        integral[AIRSPEED_INTEGRAL] = accumulate(
+            integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
+        )
     integral[ALTITUDE_INTEGRAL] = accumulate(
         integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt
     )
@@ -141,6 +146,8 @@ def regulate(y, ref, m, c, k, s, f, nu):
             v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
         for j in range(len(integral)):
             v -= k.K_integral[i, j] * integral[j]
+        if i == Q_DOT:
+            v -= STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
         nu[i] = v
         s.x_dc_dot[i] = f[i] + v
         for j in range(len(s.position)):

@@ -58,6 +58,7 @@ _N, _X = "n", len(REGULATOR_STATE)
 MODEL = (
     Field("airspeed", (), "m/s", "V_0 of the reference condition"),
     Field("alpha", (), "rad", "alpha_0 of the reference condition"),
+    Field("stall_alpha", (), "rad", "angle of attack beyond which lift grows at less than half its slope"),
     Field("density", (), "kg/m3", "of the air at the reference condition"),
     Field("bias", (4,), "x_c", "f_m at the reference condition, gravity apart; it includes `offset`", "(2)"),
     Field("offset", (4,), "x_c", "effect of the part of propeller torque that does not vary with thrust"),
@@ -121,6 +122,9 @@ SETTINGS = (
     Field("divisor_min", (), "1", "least lambda_hat by which r is divided", "section 2.2.1"),
     Field("filter_rate", (), "rad/s", "corner of the two lags on both sides of the regression; 0 for none"),
     Field("threshold", (), "1", "an actuator is flagged if its estimate stays below this", "section 2.3"),
+    Field(
+        "threshold_rise", (_N,), "1", "added to `threshold` for a propeller, whose estimate is more certain"
+    ),
     Field("persistence", (), "s", "how long the estimate must stay below `threshold`", "section 2.3"),
     Field("recovery", (), "1", "a flag is removed when the estimate stays above this"),
     Field("recovery_time", (), "s", "how long the estimate must stay above `recovery`"),

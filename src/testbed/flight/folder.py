@@ -7,7 +7,7 @@ import math
 import os
 import shutil
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +17,7 @@ from testbed.aircraft.shape import Shape
 from testbed.common.text import cell, text_of
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.problems import BadInput, Problem
-from testbed.scenario.load import dump, load_scenario
+from testbed.scenario.load import Scenario, dump, load_scenario
 
 _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
 
@@ -91,26 +91,39 @@ def load(folder: str | Path) -> Flight:
     try:
         summary = json.loads(summary_file.read_text(encoding="utf-8"))
         columns, data = _read_log(log_file)
-        return Flight(
-            scenario=load_scenario(scenario_file, with_aircraft=False),
-            outcome=Outcome(summary["outcome"]),
-            end_time_s=summary["end_time_s"],
-            columns=columns,
-            data=data,
-            events=summary["events"],
-            metrics={
-                name: math.nan if value is None else value for name, value in summary["metrics"].items()
-            },
-            requirements=summary["requirements"],
-            actuators={facts.pop("name"): facts for facts in summary["actuators"]},
-            warnings=summary.get("warnings", ()),
-            shape=Shape.model_validate(summary["shape"]) if "shape" in summary else None,
-            flown_by=summary.get("flown_by", ""),
-        )
+        scenario = load_scenario(scenario_file, with_aircraft=False)
+        return flight_from(scenario, summary, columns, data)
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(
             [Problem(f"cannot be read: {error!r}", str(folder), expected="a run folder")]
         ) from None
+
+
+def flight_from(
+    scenario: Scenario, summary: Mapping[str, Any], columns: tuple[str, ...], data: np.ndarray
+) -> Flight:
+    """The flight of a scenario, the contents of its summary.json, and its log [rows, columns].
+
+    Raises ValueError, KeyError or TypeError when the summary is not one.
+    """
+    actuators = {
+        facts["name"]: {k: v for k, v in facts.items() if k != "name"} for facts in summary["actuators"]
+    }
+    metrics = {name: math.nan if value is None else value for name, value in summary["metrics"].items()}
+    return Flight(
+        scenario=scenario,
+        outcome=Outcome(summary["outcome"]),
+        end_time_s=summary["end_time_s"],
+        columns=columns,
+        data=data,
+        events=summary["events"],
+        metrics=metrics,
+        requirements=summary["requirements"],
+        actuators=actuators,
+        warnings=summary.get("warnings", ()),
+        shape=Shape.model_validate(summary["shape"]) if "shape" in summary else None,
+        flown_by=summary.get("flown_by", ""),
+    )
 
 
 def _write_files(flight: Flight, folder: Path) -> None:

@@ -9,6 +9,9 @@ from typing import Any
 from testbed.inputs.problems import BadInput, Problem, TreePath
 from testbed.inputs.yaml_source import Source, describe, dotted, parse
 
+SHORT_FORMS: dict[TreePath, str] = {("aircraft",): "name"}
+"""Where a text is short for a mapping, and the key of the mapping that has the text."""
+
 
 def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any]) -> None:
     """Apply each KEY=VALUE, or each value by its KEY, to the tree in turn; problems are added to `source.problems`."""
@@ -56,6 +59,8 @@ def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
             key: str | int = index
         elif isinstance(node, dict):
             key = part
+            if not last and isinstance(node.get(part), str) and (*path, part) in SHORT_FORMS:
+                node[part] = {SHORT_FORMS[(*path, part)]: node[part]}
             if not last and node.get(part) is None:
                 node[part] = {}
                 _forget(source, (*path, part), place)

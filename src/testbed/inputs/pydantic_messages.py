@@ -6,7 +6,7 @@ import re
 import types
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
-from pydantic import BaseModel
+from pydantic import BaseModel, Tag
 from pydantic_core import ErrorDetails
 
 from testbed.inputs.problems import Issue, TreePath, unknown
@@ -84,9 +84,15 @@ def _unwrap(annotation: Any) -> Any:
 
 
 def _branch(annotation: Any, part: str | int) -> Any:
-    """The member of a union of models whose tag this part of a location is; None if it is no tag."""
+    """The member of a union whose tag this part of a location is; None if it is no tag.
+
+    Models are told by a value of their own, or, with other types, by a tag of pydantic's.
+    """
     if get_origin(annotation) not in (Union, types.UnionType):
         return None
+    for member in get_args(annotation):
+        if Tag(str(part)) in getattr(member, "__metadata__", ()):
+            return _unwrap(member)
     for member in map(_unwrap, get_args(annotation)):
         if isinstance(member, type) and issubclass(member, BaseModel):
             tags = [get_args(field.annotation) for field in member.model_fields.values()]

@@ -19,6 +19,7 @@ from typing import Any
 import jsbsim
 import numpy as np
 
+from testbed.aircraft.changes import model_folder
 from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
@@ -101,7 +102,8 @@ def loaded(aircraft: Aircraft, physics_hz: float) -> tuple[Any, tuple[str, ...]]
     It must be known that the model does not end the process: see `first_load.assure`.
     """
     try:
-        fdm, warnings = opened(Path(aircraft.folder).resolve(), aircraft.model, physics_hz)
+        with model_folder(aircraft) as folder:
+            fdm, warnings = opened(folder, aircraft.model, physics_hz)
     except EngineError as error:
         raise _broken_model(aircraft, str(error)) from None
     return fdm, tuple(warnings)

@@ -32,7 +32,8 @@ def rehearse(
         from testbed.plant.trim import trimmed_start
 
         trimmed_start(aircraft, *start)
-        stored(aircraft)
+        trimmed_start(aircraft.nominal, *start)
+        stored(aircraft.nominal)
         known.keep(key, {})
     return catalog
 

@@ -76,16 +76,19 @@ def figures(folder: Path, captions: Mapping[str, str], width: int = 1100) -> lis
     return [_figure(file, caption, width) for file, caption in found if file.is_file()]
 
 
-def _figure(file: Path, caption: str, width: int) -> Html:
+def picture(data: bytes, caption: str) -> Html:
+    """A figure whose picture is the contents of a PNG file."""
+    return _figure(io.BytesIO(data), caption, 1100)
+
+
+def _figure(file: Path | io.BytesIO, caption: str, width: int) -> Html:
     from PIL import Image  # slow to import, and needed only here
 
     with Image.open(file) as opened:
-        picture = opened.convert("RGB")
-    if picture.width > width:
-        picture = picture.resize(
-            (width, round(picture.height * width / picture.width)), Image.Resampling.LANCZOS
-        )
-    few = picture.quantize(128, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+        shown = opened.convert("RGB")
+    if shown.width > width:
+        shown = shown.resize((width, round(shown.height * width / shown.width)), Image.Resampling.LANCZOS)
+    few = shown.quantize(128, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
     stream = io.BytesIO()
     few.save(stream, "png", optimize=True)
     data = base64.b64encode(stream.getvalue()).decode("ascii")

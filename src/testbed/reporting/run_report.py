@@ -34,26 +34,39 @@ def write_report(folder: str | Path) -> Path:
     Raises BadInput when it is not a run folder.
     """
     folder = Path(folder)
-    flight = load(folder)
-    return html.write_page(
-        folder / "report.html", flight.scenario.name, _parts(flight, folder), ["uplot.css"]
-    )
+    return write_page(load(folder), folder / "report.html", folder / "figures")
 
 
-def _parts(flight: Flight, folder: Path) -> Iterator[str]:
+def write_page(
+    flight: Flight, file: Path, figures: Path | None = None, again: str = sections.AGAIN, back: str = ""
+) -> Path:
+    """Write the page of a flight; returns its file. Raises OSError when it cannot be written.
+
+    Args:
+        figures: folder of the static figures, if there are any.
+        again: HTML that says how to fly it again.
+        back: HTML above the title, such as a link to where the flight comes from.
+    """
+    parts = _parts(flight, figures, again, back)
+    return html.write_page(file, flight.scenario.name, parts, ["uplot.css"])
+
+
+def _parts(flight: Flight, figures: Path | None, again: str, back: str) -> Iterator[str]:
     log = dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True))
     moving = len(flight.data) > 1 and all(name in log for name in _REPLAYED)
+    yield back
     yield sections.head(flight)
     if moving:
         log |= error_columns(log)
         told, columns = packed(log)
         shown = groups(flight, log, has_estimates(log, flight.actuators))
         yield _moving(shown, list(log))
-    yield _figures(folder / "figures")
+    if figures is not None:
+        yield _figures(figures)
     yield sections.requirements(flight)
     yield sections.events(flight)
     yield sections.metrics(flight)
-    yield sections.again(flight)
+    yield sections.again(flight, again)
     if moving:
         yield html.script(_json(_for_the_script(flight, told, shown, log)), "application/json", "flight")
         yield html.script(columns, "text/plain", "columns")

@@ -10,22 +10,30 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from testbed.reporting.figures.page import Drawing, plain_text, save
+from testbed.reporting.sweep_page.curves import Band, Point, drawn_inputs, error_band, is_number, pass_shares
+from testbed.reporting.sweep_page.flights import LINEAR, limits
 from testbed.sweeps.folder import histories
 from testbed.sweeps.folder.reading import groups_of, unit
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.statistics import proportion
 from testbed.sweeps.summary import requirement_titles
+from testbed.sweeps.verdicts import requirements_of, state
 
 if TYPE_CHECKING:
     import pandas as pd
 
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 """Colours by Okabe and Ito, which colour-blind readers can tell apart."""
-_BINS = 10
-_CHUNK = 2000
-"""Error histories that are read at a time."""
-_MOST = 20_000
-"""Largest number of error histories from which quantiles are computed."""
+_MARKERS, _LINES = "os^Dvp", ("-", "--", ":", "-.")
+_LIMIT = "#b3261e"
+_ENDINGS: dict[str, dict[str, Any]] = {
+    "passed": {"marker": "o", "facecolors": "none", "edgecolors": "#23753a", "s": 22},
+    "missed": {"marker": "^", "color": "#b3261e", "s": 24},
+    "lost": {"marker": "x", "color": "black", "s": 30, "linewidths": 2},
+    "no result": {"marker": "s", "facecolors": "none", "edgecolors": "0.5", "s": 22},
+}
+_HATCHES = ("", "//", "..", "xx")
+_MOST_PANELS, _MOST_POINTS = 9, 3000
 
 
 def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
@@ -52,7 +60,7 @@ def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | Non
         for j, column in enumerate(columns):
             known = proportion(int((rows[column] == True).sum()) if column in rows else 0, len(rows))  # noqa: E712
             error = [[max(0.0, known.estimate - known.low)], [max(0.0, known.high - known.estimate)]]
-            axes.errorbar(known.estimate, j + offset, xerr=error, fmt="o", ms=4, capsize=2, color=_colour(i),
+            axes.errorbar(known.estimate, j + offset, xerr=error, fmt=_marker(i), ms=4, capsize=2, color=_colour(i),
                           label=(label or None) if j == 0 else None)  # fmt: skip
     axes.set(yticks=range(len(names)), yticklabels=[_short(n) for n in names], xlim=(-0.02, 1.02))
     axes.invert_yaxis()
@@ -61,89 +69,123 @@ def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | Non
     return figure
 
 
-def survival(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """Share of flights that pass, against the effectiveness that the failure leaves, with its 95 % band."""
-    path = remaining_effectiveness(plan, frame)
-    if path is None:
+def pass_share(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
+    """Share of flights that pass along each varied value, with its 95 % interval."""
+    paths = drawn_inputs(frame, plan.paths)[:_MOST_PANELS]
+    if not paths:
         return None
-    figure, axes = _figure(7.0, 4.2)
-    for i, (label, rows) in enumerate(groups_of(plan, frame)):
-        x, passed = rows[path].to_numpy(dtype=float), rows["passed"].to_numpy(dtype=bool)
-        edges = np.unique(np.quantile(x, np.linspace(0, 1, min(_BINS, max(2, len(x) // 10)) + 1)))
-        which = np.clip(np.searchsorted(edges, x, side="right") - 1, 0, max(len(edges) - 2, 0))
-        found = [(x[which == b].mean(), proportion(int(passed[which == b].sum()), int((which == b).sum())))
-                 for b in np.unique(which)]  # fmt: skip
-        centres = [centre for centre, _ in found]
-        axes.plot(centres, [p.estimate for _, p in found], "o-", color=_colour(i), label=label or None)
-        axes.fill_between(
-            centres, [p.low for _, p in found], [p.high for _, p in found], color=_colour(i), alpha=0.2
-        )
-    words = "remaining effectiveness, " if path.endswith(".value") else ""
-    axes.set(xlabel=words + _axis(path), ylabel="P(all requirements met)", ylim=(-0.02, 1.02))
-    _legend(axes)
+    columns = min(len(paths), 3)
+    rows = -(-len(paths) // columns)
+    figure, grid = _figure(1.0 + 3.6 * columns, 0.6 + 2.7 * rows, rows, columns, share_x=False)
+    for k, axes in enumerate(np.ravel(grid)):
+        if k >= len(paths):
+            axes.set_visible(False)
+            continue
+        for i, (label, flights) in enumerate(groups_of(plan, frame)):
+            _share(axes, pass_shares(flights, paths[k]), i, label, len(plan.variants))
+        axes.set(xlabel=_axis(paths[k]), ylim=(-0.02, 1.02))
+        if k % columns == 0:
+            axes.set_ylabel("share that passes")
+    _legend(np.ravel(grid)[0])
     return figure
 
 
-def remaining_effectiveness(plan: Plan, frame: pd.DataFrame) -> str | None:
-    """Path of the varied `value` of an effectiveness failure; without one, the first varied number; None without either."""
-    tree = plan.builder.base.tree
-    numbers = [p for p in plan.paths if frame[p].dtype.kind in "fi" and frame[p].nunique() > 1]
-    for path in numbers:
-        first, *rest = path.split(".")
-        if first == "failures" and rest[1:] == ["value"]:
-            failure = tree["failures"][int(rest[0])]
-            if isinstance(failure, dict) and failure.get("type") == "effectiveness":
-                return path
-    return numbers[0] if numbers else None
+def _share(axes: Any, points: list[Point], i: int, label: str, variants: int) -> None:
+    style = {"color": _colour(i), "marker": _marker(i), "ms": 4}
+    shares = [point.share for point in points]
+    if isinstance(points[0].at, str):
+        where = np.arange(len(points)) + 0.12 * (i - (variants - 1) / 2)
+        errors = [[p.estimate - p.low for p in shares], [p.high - p.estimate for p in shares]]
+        axes.errorbar(
+            where,
+            [p.estimate for p in shares],
+            yerr=np.maximum(errors, 0.0),
+            ls="",
+            capsize=2,
+            label=label or None,
+            **style,
+        )
+        axes.set_xticks(range(len(points)), [_short(str(point.at)) for point in points])
+        axes.set_xlim(-0.5, len(points) - 0.5)
+        return
+    x = [point.at for point in points]
+    axes.plot(x, [p.estimate for p in shares], ls=_LINES[i % len(_LINES)], label=label or None, **style)
+    axes.fill_between(x, [p.low for p in shares], [p.high for p in shares], color=_colour(i), alpha=0.2)
+
+
+def flight_map(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
+    """Every flight by the first two varied numbers: passed, missed and lost, each with a marker of its own."""
+    numbers = [path for path in plan.paths if is_number(frame[path])][:2]
+    if len(numbers) < 2:
+        return None
+    count = len(plan.variants)
+    figure, grid = _figure(1.0 + 3.4 * count, 3.6, 1, count)
+    for axes, (label, rows) in zip(np.ravel(grid), groups_of(plan, frame), strict=True):
+        ended = np.array(
+            [state(str(o), bool(p)) for o, p in zip(rows["outcome"], rows["passed"], strict=True)]
+        )
+        for name, style in _ENDINGS.items():
+            those = rows[ended == name]
+            if len(those):
+                first = those.head(_MOST_POINTS)
+                axes.scatter(first[numbers[0]], first[numbers[1]], label=f"{name} ({len(those)})", **style)
+        axes.set(xlabel=_axis(numbers[0]), title=label)
+        axes.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
+    np.ravel(grid)[0].set_ylabel(_axis(numbers[1]))
+    return figure
 
 
 def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
-    """Altitude and heading error against time, for each variant: median, 5 to 95 %, and the flight with the largest error."""
-    count, channels = len(plan.variants), list(histories.CHANNELS)[:2]
-    figure, grid = _figure(1.0 + 4.2 * count, 5.6, rows=len(channels), columns=count)
-    times = histories.times_s(float(plan.builder.scenario(plan.task(0)).duration_s))
-    drawn = False
+    """Errors in time, for each variant: median, 5 to 95 %, and the flight with the largest; headings without jumps."""
+    count = len(plan.variants)
+    figure, grid = _figure(1.2 + 3.8 * count, 8.0, len(histories.CHANNELS), count)
+    duration_s = float(plan.builder.scenario(plan.task(0)).duration_s)
+    times, drawn = histories.times_s(duration_s), False
+    cells = np.reshape(grid, (len(histories.CHANNELS), count))
     for i, (label, rows) in enumerate(groups_of(plan, frame)):
         flights = rows["run"].to_numpy() * count + i
-        for j, channel in enumerate(channels):
-            axes, band = grid[j][i], _band(folder, flights, list(histories.CHANNELS).index(channel))
+        for j, channel in enumerate(histories.CHANNELS):
+            axes, band = cells[j][i], error_band(folder, flights, channel)
             if band is None:
                 continue
             drawn = True
-            low, median, high, worst, run = band
-            axes.fill_between(times, low, high, color=_colour(i), alpha=0.25, label="5 to 95 %")
-            axes.plot(times, median, color=_colour(i), label="median")
-            axes.plot(times, worst, color="0.25", lw=0.9, ls="--", label=f"largest, run {run // count}")
-            axes.legend(fontsize=7, loc="best")
-            axes.set_ylabel(_axis(channel))
-        grid[0][i].set_title(label, fontsize=10)
-        grid[-1][i].set_xlabel("time [s]")
+            _band(axes, times, band, i, count)
+            for limit in limits(requirements_of(plan), channel, duration_s):
+                for sign in (-1, 1):
+                    axes.plot(
+                        [limit["from_s"], limit["until_s"]],
+                        [sign * limit["size"]] * 2,
+                        color=_LIMIT,
+                        ls=":",
+                        lw=1.2,
+                    )
+            if i == 0:
+                axes.set_ylabel(_axis(channel))
+        cells[0][i].set_title(label, fontsize=10)
+        cells[-1][i].set_xlabel("time [s]")
+    for j, channel in enumerate(histories.CHANNELS):  # now that all of a row is drawn, which shares its axis
+        _linear_then_logarithmic(cells[j][0], LINEAR[channel])
     return figure if drawn else None
 
 
-def _band(folder: Path, flights: np.ndarray, channel: int) -> tuple[Any, ...] | None:
-    """(5 % quantile, median, 95 % quantile, worst flight's error, worst flight's number); None without histories.
+def _linear_then_logarithmic(axes: Any, linear: float) -> None:
+    """A y axis that is linear up to a size, and logarithmic beyond: a loss and a good flight are seen in one picture."""
+    most = 1.3 * max(map(abs, axes.get_ylim()))
+    axes.set_yscale("asinh", linear_width=linear)
+    sizes = [linear * 10.0**k for k in range(8) if linear * 10.0**k <= most]
+    axes.set_yticks([*(-size for size in sizes), 0.0, *sizes], minor=False)
+    axes.set_yticks([], minor=True)
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    axes.set_ylim(-most, most)
 
-    Quantiles at each time are over the flights that are still flying. If there are more than _MOST flights, an evenly
-    spaced part of them is used. The worst flight is that with the largest error of all flights.
-    """
-    file, every = folder / "histories.f32", -(-len(flights) // _MOST)
-    sampled, largest, worst, number = [], -1.0, None, -1
-    for first in range(0, len(flights), _CHUNK):
-        chunk = flights[first : first + _CHUNK]
-        data = histories.read(file, chunk)[:, channel]
-        sampled.append(data[-first % every :: every])
-        size = np.nan_to_num(np.abs(data), nan=-1.0).max(axis=1)
-        if size.max() > largest:
-            k = int(np.argmax(size))
-            largest, worst, number = float(size[k]), data[k], int(chunk[k])
-    if worst is None:
-        return None
-    data = np.concatenate(sampled)
-    bands = np.full((3, data.shape[1]), np.nan)
-    flying = np.isfinite(data).any(axis=0)
-    bands[:, flying] = np.nanquantile(data[:, flying], [0.05, 0.5, 0.95], axis=0)
-    return (*bands, worst, number)
+
+def _band(axes: Any, times: np.ndarray, band: Band, i: int, count: int) -> None:
+    axes.fill_between(times, band.low, band.high, color=_colour(i), alpha=0.25, label="5 to 95 %")
+    axes.plot(times, band.median, color=_colour(i), lw=1.8, label="median")
+    axes.plot(
+        times, band.largest, color="0.25", lw=0.9, ls="--", label=f"largest, run {band.flight // count}"
+    )
+    axes.legend(fontsize=7, loc="upper left")
 
 
 def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
@@ -160,6 +202,7 @@ def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | N
                 np.arange(1, len(delays) + 1) / len(delays),
                 where="post",
                 color=_colour(i),
+                ls=_LINES[i % len(_LINES)],
                 label=words,
             )
     axes.set(xlabel="detection delay [s]", ylabel="share of detections", ylim=(0, 1.02))
@@ -183,13 +226,15 @@ def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
         i = labels.index(label)
         where = [plan.paths.index(name) + 0.25 * (i - (len(labels) - 1) / 2) for name in inputs]
         axes.barh(
-            where, [r["pawn"] for r in inputs.values()], height=0.22, color=_colour(i), label=label or None
-        )
+            where, [r["pawn"] for r in inputs.values()], height=0.22, color=_colour(i), hatch=_HATCHES[i % 4],
+            edgecolor="white", label=label or None,
+        )  # fmt: skip
         axes.axvline(next(iter(inputs.values()))["pawn_by_chance"], color=_colour(i), ls=":", lw=1)
+    indicative = ", indicative" if any(result.get("indicative") for result in found.values()) else ""
     axes.set(
         yticks=range(len(plan.paths)),
         yticklabels=plan.paths,
-        xlabel="PAWN index on passing; dotted: by chance",
+        xlabel=f"PAWN index on passing{indicative}; dotted: by chance",
     )
     axes.invert_yaxis()
     _legend(axes)
@@ -199,13 +244,20 @@ def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
 Draw = Callable[[Plan, "pd.DataFrame", Path], Figure | None]
 
 TABLE: dict[str, Draw] = {
-    function.__name__: function for function in (probabilities, survival, envelope, detection_delay, drivers)
+    "probabilities": probabilities,
+    "map": flight_map,
+    "pass_share": pass_share,
+    "envelope": envelope,
+    "detection_delay": detection_delay,
+    "drivers": drivers,
 }
 
 
-def _figure(width: float, height: float, rows: int = 1, columns: int = 1) -> tuple[Figure, Any]:
+def _figure(
+    width: float, height: float, rows: int = 1, columns: int = 1, *, share_x: bool = True
+) -> tuple[Figure, Any]:
     figure = Drawing(figsize=(width, height), layout="constrained")
-    axes = figure.subplots(rows, columns, squeeze=False, sharex=rows * columns > 1, sharey="row")
+    axes = figure.subplots(rows, columns, squeeze=False, sharex=share_x and rows * columns > 1, sharey="row")
     for each in axes.flat:
         each.grid(alpha=0.3)
     return figure, axes if rows * columns > 1 else axes[0, 0]
@@ -218,6 +270,10 @@ def _legend(axes: Any) -> None:
 
 def _colour(i: int) -> str:
     return _COLOURS[i % len(_COLOURS)]
+
+
+def _marker(i: int) -> str:
+    return _MARKERS[i % len(_MARKERS)]
 
 
 def _axis(name: str) -> str:

@@ -7,8 +7,11 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from pydantic import ValidationError
+
 from testbed.air.config import Atmosphere, Gust
-from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.changes import ChangedAircraft, chosen, name_in
+from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shipped import find_scenario, is_folder_name
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.inputs import overrides
@@ -76,20 +79,35 @@ def dump(scenario: Scenario) -> str:
 
 def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
     """The aircraft that a tree names, or the problems with it. The path of an aircraft folder is made absolute in the tree."""
-    name = source.tree.get("aircraft")
+    said = source.tree.get("aircraft")
+    holder: dict[str, Any] = said if isinstance(said, dict) else source.tree
+    key = "name" if isinstance(said, dict) else "aircraft"
+    name = holder.get(key)
     if not isinstance(name, str) or not name:
         return None, []
     if is_folder_name(name):
         beside = Path(source.file).parent / name
-        name = os.path.realpath(beside if os.path.isdir(beside) else name)
-        source.tree["aircraft"] = name
+        holder[key] = os.path.realpath(beside if os.path.isdir(beside) else name)
     try:
-        return load_aircraft(name), []
+        return chosen(_choice(source.tree["aircraft"])), []
     except BadInput as error:
-        here = ("aircraft",)
-        return None, [
-            p if p.file else source.problem(here, p.what, p.expected, p.suggestion) for p in error.problems
-        ]
+        return None, [_placed(source, problem) for problem in error.problems]
+
+
+def _choice(said: str | dict[str, Any]) -> str | ChangedAircraft:
+    """What the tree says of the aircraft; with changes that are not valid, which are found elsewhere, its name."""
+    try:
+        return said if isinstance(said, str) else ChangedAircraft.model_validate(said)
+    except ValidationError:
+        return name_in(said)
+
+
+def _placed(source: Source, problem: Problem) -> Problem:
+    """A problem with the aircraft, with its place in the scenario if it is not in a file of the aircraft."""
+    if problem.file:
+        return problem
+    path = ("aircraft", *filter(None, problem.path.split(".")))
+    return source.problem(path, problem.what, problem.expected, problem.suggestion)
 
 
 def _somewhere(aircraft: Aircraft | None) -> dict[str, float]:

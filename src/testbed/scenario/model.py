@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
+from typing import Annotated, Any
 
-from pydantic import Field, PrivateAttr, ValidationInfo, field_validator
+from pydantic import Discriminator, Field, PrivateAttr, Tag, ValidationInfo, field_validator
 
 from testbed.air.config import Atmosphere
+from testbed.aircraft.changes import ChangedAircraft
 from testbed.common.files import slug
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import AdaptiveInversionSettings, AnyController
@@ -50,13 +52,24 @@ class CommandRates(Settings):
     airspeed_m_s2: Positive = 0.5
 
 
+def _shape(value: Any) -> str:
+    return "mapping" if isinstance(value, dict | ChangedAircraft) else "text"
+
+
+AnyAircraft = Annotated[
+    Annotated[Text, Tag("text")] | Annotated[ChangedAircraft, Tag("mapping")], Discriminator(_shape)
+]
+"""An aircraft's name or folder, or a mapping with changes to it."""
+
+
 class Scenario(Settings):
     """Everything that determines a flight, except the files of its aircraft."""
 
     name: Text = Field(max_length=MAX_NAME)
     """Title of the flight; the run folder is named after it."""
-    aircraft: Text
-    """Name of a shipped aircraft, or path of an aircraft folder with a slash, such as `./mine`."""
+    aircraft: AnyAircraft
+    """Name of a shipped aircraft, or path of an aircraft folder with a slash, such as `./mine`; or a mapping with this as `name`,
+    and changes to the truth that the controller does not know."""
     duration_s: Positive
     """Duration of the flight, if nothing ends it earlier [s]; a whole number of control steps."""
     rate_hz: Whole = Field(default=200, gt=0, le=MAX_RATE_HZ)

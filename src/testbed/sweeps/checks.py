@@ -6,7 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.changes import chosen
+from testbed.aircraft.description import Aircraft
 from testbed.controllers.user.adapter import undeclared
 from testbed.controllers.user.own import not_given, unused_parameters
 from testbed.flight.columns import all_columns
@@ -81,7 +82,7 @@ class _Checker:
         """Everything wrong with one flight's scenario."""
         try:
             scenario = self._plan.builder.scenario(task)
-            aircraft = load_aircraft(scenario.aircraft)
+            aircraft = chosen(scenario.aircraft)
         except BadInput as error:
             return list(error.problems)
         signals = all_columns(aircraft, scenario)

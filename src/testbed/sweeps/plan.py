@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from testbed.aircraft.changes import name_in
 from testbed.sweeps.drawing import sampling
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
 from testbed.sweeps.model import Sweep
@@ -39,6 +40,16 @@ class Plan:
         if self.cases is not None:
             return list(dict.fromkeys(path for case in self.cases for path in case if path != "seed"))
         return list(self.sweep.vary)
+
+    @property
+    def aircraft_names(self) -> list[str]:
+        """Name or folder of every aircraft that may be flown, the base scenario's first."""
+        found = [self.builder.base.tree["aircraft"]]
+        for path in ("aircraft", "aircraft.name"):
+            found += self.sweep.compare.get(path, [])
+            found += self.sweep.vary[path].bounds if path in self.sweep.vary else []
+            found += [case[path] for case in self.cases or () if path in case]
+        return list(dict.fromkeys(map(name_in, found)))
 
     @property
     def extendable(self) -> bool:

@@ -1,8 +1,12 @@
-"""Progress of a sweep: a bar on stderr if stderr is a terminal, else nothing."""
+"""Progress of a sweep: a bar on stderr if stderr is a terminal, else nothing.
+
+Below the bar there is a line with the share of each variant that passed, which may run over several lines: nothing is cut.
+"""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable, Iterator
 from types import TracebackType
 from typing import Any
 
@@ -19,32 +23,17 @@ class Progress:
         self._done = done
         self._bar: Any = None
         self._task: Any = None
-        self._live: Any = None
-        self._shares: Any = None
 
     def __enter__(self) -> Progress:
         from rich.console import Console
 
         console = Console(file=sys.__stderr__)  # not sys.stderr: commands let no escape sequence pass there
         if console.is_terminal:
-            self._start(console)
+            self._bar = _bar(console, lambda: self.passed)
+            name = printable(self._plan.name)
+            self._task = self._bar.add_task(name, total=self._plan.size, completed=self._done, rate="")
+            self._bar.start()
         return self
-
-    def _start(self, console: Any) -> None:
-        """Three lines, since they are too long for one of 80 columns: name, bar, and the shares that passed."""
-        from rich.console import Group
-        from rich.live import Live
-        from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
-        from rich.text import Text
-
-        self._bar = Progress(
-            BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[rate]}"), TimeRemainingColumn()
-        )
-        self._task = self._bar.add_task("", total=self._plan.size, completed=self._done, rate="")
-        self._shares = Text()
-        lines = Group(Text(printable(self._plan.name)), self._bar, self._shares)
-        self._live = Live(lines, console=console, transient=True)
-        self._live.start()
 
     def add(self, variant: int, passed: bool) -> None:
         """Count one more finished flight."""
@@ -55,7 +44,6 @@ class Progress:
             task = self._bar.tasks[self._task]
             rate = f"{task.speed:.1f} flights/s" if task.speed else ""
             self._bar.update(self._task, completed=self._done, rate=rate)
-            self._shares.plain = f"passed: {self.passed}"
 
     @property
     def passed(self) -> str:
@@ -64,5 +52,28 @@ class Progress:
         return printable("  ".join(f"{v.label or 'passed'} {100 * p / n:.0f} %" for v, (p, n) in shares if n))
 
     def __exit__(self, *_: type[BaseException] | BaseException | TracebackType | None) -> None:
-        if self._live is not None:
-            self._live.stop()
+        if self._bar is not None:
+            self._bar.stop()
+
+
+def _bar(console: Any, below: Callable[[], str]) -> Any:
+    """A bar of rich with a text below it. The sweep's name and the bar itself give way where the terminal is narrow."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+    from rich.table import Column
+    from rich.text import Text
+
+    class Bar(Progress):
+        def get_renderables(self) -> Iterator[Any]:
+            yield from super().get_renderables()
+            yield Text(below(), overflow="fold")
+
+    def fixed() -> Column:
+        return Column(no_wrap=True)
+
+    name = Column(no_wrap=True, overflow="ellipsis", max_width=max(console.width - 52, 8))
+    return Bar(
+        TextColumn("{task.description}", markup=False, table_column=name),
+        BarColumn(bar_width=None if console.width < 100 else 40, table_column=Column(min_width=4)),
+        MofNCompleteColumn(table_column=fixed()), TextColumn("{task.fields[rate]}", table_column=fixed()),
+        TimeRemainingColumn(table_column=fixed()), console=console, transient=True,
+    )  # fmt: skip

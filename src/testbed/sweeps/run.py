@@ -158,12 +158,13 @@ class _CompleteRuns:
                 yield store.plan.task(k)
 
 
-def fly_only(plan: Plan, run: int, options: Options) -> list[pool.Done]:
-    """Fly all variants of one run; returns them in order. Raises BadInput when there is no such run."""
+def fly_only(plan: Plan, run: int, options: Options, variant: int | None = None) -> list[pool.Done]:
+    """Fly all variants of one run, or one of them; returns them in order. Raises BadInput when there is no such run."""
     if not 0 <= run < plan.runs:
         raise BadInput([Problem(f"there is no run {run}", "--only", expected=f"0 to {plan.runs - 1}")])
     n = len(plan.variants)
-    tasks = [plan.task(k) for k in range(run * n, (run + 1) * n)]
-    flying = pool.fly_locally(options.job(plan), tasks, min(n, options.jobs or pool.default_jobs()))
+    chosen = range(n) if variant is None else [variant]
+    tasks = [plan.task(run * n + number) for number in chosen]
+    flying = pool.fly_locally(options.job(plan), tasks, min(len(tasks), options.jobs or pool.default_jobs()))
     with closing(flying):
         return sorted(flying, key=lambda done: done[0].variant)

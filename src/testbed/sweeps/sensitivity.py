@@ -1,9 +1,9 @@
 """Which varied values affect the result most: sensitivity indices from the flights of the sweep, by SALib.
 
 PAWN (Pianosi and Wagener 2018): how far the distribution of the result moves (Kolmogorov-Smirnov distance) when one input
-is restricted to a tenth of its values; the index is the median over the tenths. Random dummy inputs, on which no flight
-depends, show how large the index becomes by chance. RBD-FAST (Tarantola, Gatelli and Mara 2006; Plischke 2010): the share
-of the variance of the result that one input explains by itself.
+is restricted to a part of its values, a tenth where there are runs enough; the index is the median over the parts. Random
+dummy inputs, on which no flight depends, show how large the index becomes by chance. RBD-FAST (Tarantola, Gatelli and Mara
+2006; Plischke 2010): the share of the variance of the result that one input explains by itself.
 """
 
 from __future__ import annotations
@@ -17,18 +17,22 @@ import numpy as np
 if TYPE_CHECKING:
     import pandas as pd
 
-LEAST_RUNS = 100
-"""With fewer runs, a tenth of the values has too few flights."""
-_LEAST_OF_EACH = 10
-_TENTHS = 10
+LEAST_RUNS = 20
+"""With fewer runs there is no answer."""
+ENOUGH_RUNS = 100
+"""With fewer runs the answer is indicative: inputs are restricted to larger parts of their values, and there is no `s1`."""
+_FLIGHTS_OF_A_PART = 10
+"""Flights in each part of an input's values, at least, unless that makes less than three parts."""
+_PARTS = (10, 8, 7, 5, 4, 3)  # with 6 and 9, rounding takes SALib's last quantile beyond 1
 _DUMMIES = 20
 
 
 def sensitivity(frame: pd.DataFrame, inputs: Sequence[str], outputs: Sequence[str]) -> dict[str, Any]:
-    """{output: {"inputs": {input: indices}}} for one variant's rows; {output: {"reason": why}} where there can be no indices.
+    """{output: {"inputs": {input: indices}, "indicative": bool}} for one variant's rows; else {output: {"reason": why}}.
 
     Indices: `pawn`; `pawn_by_chance`, the 95 % quantile of the dummies' PAWN; `matters`, whether `pawn` is above that; `s1`,
     the share of variance; `s1_half_width` of its 95 % interval. These may be NaN, which becomes None in summary.json.
+    `indicative` is True beside the inputs where there are fewer than ENOUGH_RUNS runs.
     """
     return {output: _of_output(frame, inputs, output) for output in outputs}
 
@@ -45,14 +49,19 @@ def _of_output(frame: pd.DataFrame, inputs: Sequence[str], output: str) -> dict[
         from SALib.analyze import pawn, rbd_fast
     except ImportError:
         return {"reason": "SALib is not installed"}
-    rng = np.random.default_rng(20)
-    x = np.column_stack([*(_ranks(chosen[name], rng) for name in varied), rng.random((len(y), _DUMMIES))])
+    rng, n = np.random.default_rng(20), len(y)
+    x = np.column_stack([*(_ranks(chosen[name], rng) for name in varied), rng.random((n, _DUMMIES))])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # about empty slices, which PAWN skips
-        moved = pawn.analyze(_problem(x.shape[1]), x, y, S=_TENTHS)["median"]
-        alone = rbd_fast.analyze(_problem(len(varied)), x[:, : len(varied)], y, num_resamples=50, seed=rng)
+        moved = pawn.analyze(_problem(x.shape[1]), x, y, S=_parts(n))["median"]
+        alone = {"S1": [np.nan] * len(varied), "S1_conf": [np.nan] * len(varied)}
+        if n >= ENOUGH_RUNS:
+            alone = rbd_fast.analyze(
+                _problem(len(varied)), x[:, : len(varied)], y, num_resamples=50, seed=rng
+            )
     chance = float(np.quantile(moved[len(varied) :], 0.95))
     return {
+        "indicative": n < ENOUGH_RUNS,
         "inputs": {
             name: {
                 "pawn": float(moved[j]),
@@ -62,8 +71,13 @@ def _of_output(frame: pd.DataFrame, inputs: Sequence[str], output: str) -> dict[
                 "s1_half_width": float(alone["S1_conf"][j]),
             }
             for j, name in enumerate(varied)
-        }
+        },
     }
+
+
+def _parts(n: int) -> int:
+    """Number of parts into which the values of an input are divided: ten, or fewer with few flights."""
+    return next((parts for parts in _PARTS if parts <= n // _FLIGHTS_OF_A_PART), _PARTS[-1])
 
 
 def _too_few(y: np.ndarray, output: str, varied: Sequence[str]) -> str:
@@ -71,8 +85,9 @@ def _too_few(y: np.ndarray, output: str, varied: Sequence[str]) -> str:
         return "nothing varies"
     if len(y) < LEAST_RUNS:
         return f"{len(y)} runs, at least {LEAST_RUNS} are needed"
-    if len(np.unique(y)) <= 2 and min(np.sum(y == y.min()), np.sum(y != y.min())) < _LEAST_OF_EACH:
-        return f"{output} is nearly always the same: fewer than {_LEAST_OF_EACH} flights differ"
+    least = _parts(len(y))
+    if len(np.unique(y)) <= 2 and min(np.sum(y == y.min()), np.sum(y != y.min())) < least:
+        return f"{output} is nearly always the same: fewer than {least} flights differ"
     return ""
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +16,7 @@ from testbed.sweeps import statistics
 from testbed.sweeps.folder.reading import groups_of
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.sensitivity import sensitivity
+from testbed.sweeps.verdicts import missed, requirements_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -63,7 +64,7 @@ def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
 
 def requirement_titles(plan: Plan) -> list[str]:
     """The title of each requirement, in order."""
-    return [requirement.title for requirement in plan.builder.scenario(plan.task(0)).requirements]
+    return [requirement.title for requirement in requirements_of(plan)]
 
 
 def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
@@ -101,10 +102,19 @@ def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
         "metrics": {name: _metric(rows, name) for name in metrics},
         "runs_needed": _runs_needed(passed, n),
         "sensitivity": sensitivity(rows, plan.paths, drivers),
-        "worst": [
-            {"run": int(r["run"]), "outcome": str(r["outcome"])} for _, r in worst(plan, rows).iterrows()
-        ],
+        "worst": [_told(plan, row) for row in worst(plan, rows).to_dict("records")],
     }
+
+
+def _told(plan: Plan, row: Mapping[Any, Any]) -> dict[str, Any]:
+    """A failed flight: its run, how it ended, and the requirement that it missed by most, with the worst value and the margin."""
+    requirements = requirements_of(plan)
+    by_most = missed(requirements, row)
+    told = {"run": int(row["run"]), "outcome": str(row["outcome"]), "reason": row.get("reason") or ""}
+    if by_most is None:
+        return told | {"missed": None, "value": None, "margin": None}
+    title = requirements[by_most.number].title
+    return told | {"missed": title, "value": by_most.value, "margin": by_most.margin}
 
 
 def _both_intervals(passed: int, n: int) -> dict[str, Any]:

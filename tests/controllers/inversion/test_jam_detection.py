@@ -79,7 +79,8 @@ def test_a_negative_estimate_that_is_certain_is_a_reversal() -> None:
     s.lambda_hat[1], s.position[1] = -0.9, 0.5
     steps = round(c.persistence / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps))
-    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 0 and s.jammed[1] == 1
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1, "the design is of the next step's position"
     assert s.jammed[1] == 1 and s.failed[1] == 1
     assert s.lambda_hat[1] == pytest.approx(-0.45), "from now on its position"
 
@@ -119,3 +120,13 @@ def test_a_jammed_position_is_within_the_stops() -> None:
     m, _, _, s, _ = records()
     take_for_jammed(0, 99.0, 1.0, m, s)
     assert s.lambda_hat[0] == m.high[0]
+
+
+def test_a_lost_actuator_with_more_force_than_effectiveness_explains_is_jammed() -> None:
+    """It stands still at its trim position. At a limit of its estimate its force is that of another position."""
+    for estimate, failed, jams in ((-1.2, 1, True), (1.2, 1, True), (0.0, 1, False), (1.2, 0, False)):
+        m, c, _, s, _ = records()
+        s.failed[0], s.lambda_hat[0], s.P[0, 0] = failed, estimate, 1.0
+        for _ in range(round(c.persistence / c.dt) + 1):
+            detect_jam(np.zeros(4), 1.0, m, c, s)
+        assert bool(s.jammed[0]) == jams

@@ -35,11 +35,48 @@ def test_modes_are_made_when_they_are_asked_for() -> None:
     """Twelve actuators have 4095 combinations; a flight needs a few."""
     names = tuple(f"flap_{i}" for i in range(12))
     inputs = tuple(tuple(row) for row in np.random.default_rng(1).normal(size=(6, 12)))
-    wide = replace(SETUP.model, actuators=names, input_matrix=inputs)
+    wide = replace(SETUP.model, actuators=names, kinds=("servo",) * 12, input_matrix=inputs)
     found = enumerate_modes(wide, np.ones(12), ControlDesign(condition_max=1e9), ())
     assert len(found) == 4095
     assert found[(0, 11)].failed == ("flap_0", "flap_11")
     assert len(found._made) == 1
+
+
+def jet(condition_max: float = 50.0, axes=("q_dot", "u_dot", "r_dot", "p_dot")):
+    """Modes of aileron, elevator, rudder and two engines on the wings; nothing is listed in `release`."""
+    inputs = np.zeros((6, 5))
+    inputs[:4] = [
+        [4.3, 0.0, 0.42, -1e-5, 1e-5],
+        [0.0, -49.6, 0.0, 0.0, 0.0],
+        [-0.36, 0.0, -2.5, 1e-4, -1e-4],
+        [0.0, -2.0, 0.0, 5e-4, 5e-4],
+    ]
+    model = replace(
+        SETUP.model,
+        actuators=("aileron", "elevator", "rudder", "left", "right"),
+        kinds=("servo", "servo", "servo", "engine", "engine"),
+        input_matrix=tuple(map(tuple, inputs)),
+    )
+    control = ControlDesign(condition_max=condition_max, priorities=axes)
+    return enumerate_modes(model, np.array([0.1, 0.1, 0.2, 1000.0, 1000.0]), control, ())
+
+
+def test_what_the_rest_cannot_control_well_is_given_up() -> None:
+    """Roll without the aileron, yaw without the rudder though the engines turn the aircraft slowly; nothing without an engine."""
+    assert [jet()[(i,)].released for i in range(5)] == [
+        ("p_dot",),
+        ("q_dot",),
+        ("r_dot",),
+        (),
+        (),
+    ]
+    assert not any(jet()[(i,)].refused for i in range(5))
+
+
+def test_axes_that_the_aircraft_does_not_have_stay_given_up() -> None:
+    found = jet(axes=("q_dot", "r_dot", "p_dot"))
+    assert found[(0,)].released == ("p_dot", "u_dot")
+    assert found[(3,)].released == ("u_dot",)
 
 
 def test_released_axes_have_no_weight_in_the_allocation() -> None:

@@ -17,7 +17,10 @@ REVERSED_BELOW = -0.5
 """An estimate below this with a small standard deviation means that the actuator is reversed, not that it lost effectiveness."""
 RECENT_FLAG_S = 2.0
 """Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
-REDESIGN_AFTER = 0.5
+NEVER = 1e9
+"""`designed_position` of a jam for which nothing has been designed yet. That is done a step later: the first position is a rough
+one, and the filter's next step corrects most of it."""
+REDESIGN_AFTER = 0.3
 """Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again."""
 
 
@@ -26,8 +29,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
     """Look for jammed actuators in the error e [4]; returns 1 when the mode's regulator must be designed, or designed again.
 
     An actuator is taken for jammed when it has been the `likeliest_jam` for `jam_time`. The timer runs down while it is not.
-    It is also taken for jammed when its estimate has been below `REVERSED_BELOW` for `persistence` with a standard deviation of
-    at most `flag_std_max`.
+    It is also taken for jammed when, for `persistence`, its estimate has been below `REVERSED_BELOW` with a standard deviation of
+    at most `flag_std_max`, or it `has_force_of_its_own`.
     """
     for row in range(4):
         s.residual[row] += c.dt / c.residual_time * (e[row] - s.residual[row])
@@ -36,15 +39,23 @@ def detect_jam(e, pressure_ratio, m, c, s):
     for i in range(len(s.lambda_hat)):
         certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
         acts_reversed = s.lambda_hat[i] < REVERSED_BELOW and certain and not s.jammed[i]
-        s.reversal_timer[i] = s.reversal_timer[i] + c.dt if acts_reversed else 0.0
+        no_loss = acts_reversed or has_force_of_its_own(i, c, s)
+        s.reversal_timer[i] = s.reversal_timer[i] + c.dt if no_loss else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         if s.jam_timer[i] > c.jam_time or s.reversal_timer[i] > c.persistence + 1e-9:
             position = s.lambda_hat[i] * s.position[i] + (offset if i == likeliest else 0.0)
             take_for_jammed(i, position, pressure_ratio, m, s)
-            changed = 1
-        if s.jammed[i] and abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
+        elif s.jammed[i] and abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
             changed = 1
     return changed
+
+
+@compiled
+def has_force_of_its_own(i, c, s):
+    """Whether a flagged actuator's estimate is at its limits: it stands still at its trim position, and a force that effectiveness
+    there cannot explain is that of another position."""
+    at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
+    return c.weighted and s.failed[i] and not s.jammed[i] and at_limit
 
 
 @compiled
@@ -89,6 +100,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
             s.lambda_hat[j] = 1.0
             reset_covariance(j, HEALTHY_VARIANCE, s)
     s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
+    s.designed_position[i] = NEVER
     reset_covariance(i, JAM_VARIANCE, s)
     for row in range(4):
         # Its column of Phi is now the effect of one unit, and has been so all along: the filters' states are those of a constant.

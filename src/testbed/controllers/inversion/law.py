@@ -136,7 +136,8 @@ def monitor(c, s):
             beyond, time = s.lambda_hat[i] > c.recovery, c.recovery_time
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
-            beyond, time = s.lambda_hat[i] < c.threshold and certain, c.persistence
+            low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]
+            beyond, time = low and certain, c.persistence
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + 1e-9:

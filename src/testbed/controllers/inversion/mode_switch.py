@@ -101,7 +101,6 @@ class ModeSwitch:
         k.available[:] = [i not in failed for i in range(len(setup.actuators))]
         k.slow_descent = loops.slow_descent_s
         k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s
-        k.fast_climb = loops.fast_climb_s if s.jammed.any() else 0.0
         s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
         s.pitch_integral = setup.trim_pitch
         s.integral[:] = self._carried_over(mode, regulator)
@@ -111,6 +110,7 @@ class ModeSwitch:
             k.trim_effect[:] = regulator.trim_effect
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
             k.airspeed_offset = regulator.x_trim[AIRSPEED] - setup.model.airspeed_m_s
+        k.fast_climb = loops.fast_climb_s if s.jammed.any() and k.airspeed_offset < 0.0 else 0.0
         self.mode = mode
 
     def _carried_over(self, mode: Mode, regulator: Regulator | None) -> np.ndarray:

@@ -100,8 +100,11 @@ def _mode(
 ) -> Mode:
     names = tuple(model.actuators[i] for i in failed)
     axes = _released_axes(names, b.shape[1], control, released)
-    kept = [i for i, axis in enumerate(RATES) if axis not in axes]
     available = [i for i in range(b.shape[1]) if i not in failed]
+    if failed and not any(name in part.split("+") for part in control.release for name in names):
+        rotating = np.where([[axis != "u_dot"] for axis in RATES], _fast(model), 1.0)
+        axes = _controllable((b * rotating)[:, available], axes, control)
+    kept = [i for i, axis in enumerate(RATES) if axis not in axes]
     remaining = b[np.ix_(kept, available)]
     condition = float(np.linalg.cond(remaining)) if kept else math.inf
     refused = _refusal(len(kept), len(available), condition, control.condition_max)
@@ -111,6 +114,28 @@ def _mode(
         return replace(mode, refused=f"{mode.title}: {refused}")
     inverse[np.ix_(available, kept)] = np.linalg.pinv(remaining)
     return mode
+
+
+def _fast(model: DesignModel) -> np.ndarray:
+    """[n] 1 for actuators that are fast enough to control rates of rotation; 0 for engines, whose thrust takes seconds."""
+    return np.array([float(kind != "engine") for kind in model.kinds])
+
+
+def _controllable(b: np.ndarray, first: tuple[str, ...], control: ControlDesign) -> tuple[str, ...]:
+    """Axes to give up so that the input matrix of the others is well enough conditioned: `first` if it is, else the fewest, and of
+    those the least important; `first` where none suffice.
+
+    Args:
+        b: [4, available] scaled input matrix, of those effects that are fast enough.
+    """
+    least, absent = list(reversed(control.priorities)), tuple(set(RATES) - set(control.priorities))
+    counts = range(len(first) - len(absent), len(least))
+    larger = ((*absent, *more) for count in counts for more in combinations(least, count))
+    for axes in chain([first], larger):
+        kept = [i for i, axis in enumerate(RATES) if axis not in axes]
+        if len(kept) <= b.shape[1] and float(np.linalg.cond(b[kept])) <= control.condition_max:
+            return tuple(axis for axis in RATES if axis in axes)
+    return first
 
 
 def _refusal(axes: int, actuators: int, condition: float, condition_max: float) -> str:
@@ -142,14 +167,15 @@ def _released_axes(
 
     While nothing has failed, these are `always`. After a failure, they are those that the aircraft's `release` lists for this
     combination. If it does not list the combination, they are those that it lists for each failed actuator. In both cases more
-    axes are given up, lowest priority first, until no more axes are kept than actuators are left.
+    axes are given up, lowest priority first, until no more axes are kept than actuators are left. For actuators that it does not
+    name see `_controllable`.
     """
     if not failed:
         return tuple(axis for axis in RATES if axis in always)
     listed = control.release.get("+".join(failed))
     if listed is None:
         listed = tuple(axis for name in failed for axis in control.release.get(name, ()))
-    axes = set(listed)
+    axes = set(listed) | (set(RATES) - set(control.priorities))  # those that the aircraft does not have
     for axis in reversed(control.priorities):
         if len(RATES) - len(axes) <= n - len(failed):
             break

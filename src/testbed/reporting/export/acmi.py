@@ -32,7 +32,7 @@ def _lines(flight: Flight, track: Poses) -> Iterator[str]:
     yield f"0,Category=Flight test,Comments={_escaped(' '.join(story(flight)))}"
     columns = _columns(flight)
     bookmarks = [(float(event["time_s"]), describe(event, flight)) for event in flight.events]
-    yield f"{_AIRCRAFT},Type=Air+FixedWing,Name={_escaped(Path(flight.scenario.aircraft).name)},Color=Blue"
+    yield f"{_AIRCRAFT},Type=Air+FixedWing,Name={_escaped(Path(str(flight.scenario.aircraft)).name)},Color=Blue"
     for k, row in enumerate(track.rows):
         while bookmarks and bookmarks[0][0] <= track.time_s[k]:
             yield from _bookmark(*bookmarks.pop(0))

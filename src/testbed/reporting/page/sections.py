@@ -23,7 +23,7 @@ _THEMES = {
     "effort": "Effort of the actuators",
 }
 """Titles of the metrics' modules."""
-_AGAIN = """<p>Run this in the folder of this report.
+AGAIN = """<p>Run this in the folder of this report.
 With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
 <pre>python -m testbed run scenario.yaml --out again</pre>"""
 
@@ -137,11 +137,11 @@ def definition(metric: str) -> str:
     return first_line(function) if function else ""
 
 
-def again(flight: Flight) -> str:
-    """The resolved scenario, the versions, and the command that flies it again."""
+def again(flight: Flight, how: str = AGAIN) -> str:
+    """The resolved scenario, the versions, and the HTML `how` with the command that flies it again."""
     versions = ", ".join(f"{name} {_version(name)}" for name in ("testbed", "jsbsim", "numpy"))
     scenario = html.folded("The scenario with all its values", f"<pre>{escape(dump(flight.scenario))}</pre>")
-    return f"<h2>Fly it again</h2>\n{_AGAIN}\n{scenario}\n{html.note(f'Report made with {versions}.')}"
+    return f"<h2>Fly it again</h2>\n{how}\n{scenario}\n{html.note(f'Report made with {versions}.')}"
 
 
 def _version(name: str) -> str:

@@ -68,7 +68,9 @@ class Builder:
 
     def with_aircraft(self, folder: str) -> Builder:
         """The same builder with the aircraft of this folder, into which a worker has unpacked it."""
-        return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": folder}))
+        said = self.base.tree.get("aircraft")
+        there = {**said, "name": folder} if isinstance(said, dict) else folder
+        return replace(self, base=replace(self.base, tree={**self.base.tree, "aircraft": there}))
 
     def with_own(self, own: Mapping[str, OwnController]) -> Builder:
         """The same builder with these controllers of the user's."""

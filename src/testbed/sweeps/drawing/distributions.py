@@ -52,6 +52,20 @@ class Distribution(Settings):
             raise refuse("has weights", "weights only with choice")
         return {"name": str(name), "parameters": parameters, "weights": weights}
 
+    @classmethod
+    def __get_pydantic_json_schema__(cls, _: Any, handler: Any) -> dict[str, Any]:
+        """As it is written: one name with its parameters."""
+        parameters = {"type": ["array", "object"]}
+        own = {name: {**parameters, "description": meaning} for name, (meaning, _) in _OWN.items()}
+        choice = {
+            "choice": {"type": "array", "minItems": 1},
+            "weights": {"type": "array", "items": {"type": "number"}},
+        }
+        return {
+            "type": "object", "title": cls.__name__, "description": cls.__doc__, "minProperties": 1, "maxProperties": 2,
+            "properties": {**own, **choice}, "additionalProperties": parameters,
+        }  # fmt: skip
+
     @model_validator(mode="after")
     def _check(self) -> Distribution:
         if self.name == "choice":

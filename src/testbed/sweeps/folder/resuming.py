@@ -136,9 +136,10 @@ def _versions() -> dict[str, str]:
 
 
 def _aircraft_digest(plan: Plan) -> str:
-    """SHA-256 of the aircraft's files: XML, YAML and design model."""
-    folder = load_aircraft(str(plan.builder.base.tree["aircraft"])).folder
+    """SHA-256 of the files of every aircraft that is flown: XML, YAML and design model."""
     digest = hashlib.sha256()
-    for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
-        digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
+    for name in plan.aircraft_names:
+        folder = load_aircraft(name).folder
+        for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
+            digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
     return digest.hexdigest()

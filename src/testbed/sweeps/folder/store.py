@@ -20,6 +20,7 @@ from testbed.common.files import replacing
 from testbed.inputs import yaml_source as yamlfile
 from testbed.sweeps.folder.histories import Histories
 from testbed.sweeps.folder.journal import Journal, records
+from testbed.sweeps.folder.names import flight_label
 from testbed.sweeps.folder.resuming import flown_with, refuse_changed, refuse_other, runs_in
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.workers.flying import Flown
@@ -100,13 +101,6 @@ class Store:
         if self.plan.cases_text is not None:
             _write_whole(self.folder / "cases.csv", self.plan.cases_text.encode())
         _write_whole(self.folder / "sweep.yaml", yamlfile.dump(self.plan.tree).encode())
-
-
-def flight_label(plan: Plan, k: int) -> str:
-    """Flight k in file names: `run-000012-adaptive_inversion`."""
-    run, variant = divmod(k, len(plan.variants))
-    label = "".join(c if c.isalnum() or c in "_-." else "-" for c in plan.variants[variant].label)
-    return f"run-{run:06d}" + (f"-{label}" if label else "")
 
 
 def runs_of(folder: Path) -> int | None:

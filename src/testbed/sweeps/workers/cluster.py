@@ -23,6 +23,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from testbed.aircraft.changes import name_in
 from testbed.aircraft.description import load_aircraft
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.drawing.builder import Task
@@ -65,7 +66,7 @@ class PackedJob:
 
 def pack(job: Job) -> PackedJob:
     """Pack a job with every file of its aircraft's folder, and the code of the user's controllers."""
-    folder = load_aircraft(str(job.builder.base.tree["aircraft"])).folder
+    folder = load_aircraft(name_in(job.builder.base.tree["aircraft"])).folder
     files = sorted(f for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
     contents = {
         str(Path(_OWN, name, file)): code for name, own in job.builder.own.items() for file, code in own.code

@@ -8,20 +8,18 @@ drawn), `outcome`, `passed`, `reason` (why there is no result), `end_time_s`, `m
 from __future__ import annotations
 
 import importlib
-import io
 import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from testbed.controllers.user.own import OwnController
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario
 from testbed.sweeps.drawing.builder import Builder, Task
+from testbed.sweeps.folder import kept
 from testbed.sweeps.folder.histories import history
 
 Fly = Callable[[Scenario], Flight]
@@ -109,27 +107,7 @@ def _flown(job: Job, task: Task, flight: Flight) -> Flown:
         "requirements": [[bool(r["passed"]), _number(r["value"])] for r in flight.requirements],
     }
     wanted = job.save_logs == "all" or (job.save_logs == "failed" and not flight.passed)
-    return Flown(record, history(flight), _parquet(flight) if wanted else b"")
-
-
-def _parquet(flight: Flight) -> bytes:
-    """The log in single precision, to save space; for full precision `--only` flies the flight again, bit for bit."""
-    import pyarrow as pa
-    import pyarrow.parquet as pq
-
-    # Not by pa.array, which would import pandas; that takes 60 MB in every worker.
-    columns = [
-        _column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))
-    ]
-    columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time stays in double precision
-    stream = io.BytesIO()
-    table = pa.Table.from_arrays(columns, names=list(flight.columns))
-    pq.write_table(table, stream, compression="zstd", use_byte_stream_split=True, use_dictionary=False)
-    return stream.getvalue()
-
-
-def _column(pa: Any, kind: Any, values: np.ndarray) -> Any:
-    return pa.Array.from_buffers(kind, len(values), [None, pa.py_buffer(values)])
+    return Flown(record, history(flight), kept.encode(flight) if wanted else b"")
 
 
 def _number(value: Any) -> float:

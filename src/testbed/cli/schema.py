@@ -1,0 +1,106 @@
+"""`testbed schema`: what a file may say, as a JSON schema, with which editors complete and check YAML while it is typed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, get_args
+
+from pydantic import BaseModel
+
+from testbed.common.docstrings import field_docstrings
+from testbed.common.files import replacing
+from testbed.inputs.problems import BadInput, Problem
+
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+
+
+def _aircraft() -> type[BaseModel]:
+    from testbed.aircraft.description import Aircraft
+
+    return Aircraft
+
+
+def _scenario() -> type[BaseModel]:
+    from testbed.scenario.model import Scenario
+
+    return Scenario
+
+
+def _sweep() -> type[BaseModel]:
+    from testbed.sweeps.model import Sweep
+
+    return Sweep
+
+
+TABLE: dict[str, Callable[[], type[BaseModel]]] = {
+    "aircraft": _aircraft,
+    "scenario": _scenario,
+    "sweep": _sweep,
+}
+"""The kinds of file that have a schema."""
+
+SHORT_FORMS: dict[str, dict[str, Any]] = {
+    "PerKind": {"type": "number"},
+    "Sensors": {"enum": ["ideal", "mems"]},
+}
+"""What a model also takes in place of a mapping, and turns into one before pydantic sees it."""
+
+
+def text_of(kind: str) -> str:
+    """The schema of one kind of file."""
+    return json.dumps(schema_of(TABLE[kind]()), indent=1, ensure_ascii=False) + "\n"
+
+
+def write(kind: str, out: Path | None) -> None:
+    """Print a schema, or write it into a file; raises BadInput if that cannot be written."""
+    if out is None:
+        print(text_of(kind), end="")
+        return
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        with replacing(out) as partial:
+            partial.write_text(text_of(kind), encoding="utf-8")
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(out))]) from None
+    print(f"wrote {out}")
+
+
+def schema_of(model: type[BaseModel]) -> dict[str, Any]:
+    """The JSON schema of a model, with the meanings that the docstrings of its fields give."""
+    schema = {"$schema": DRAFT, **model.model_json_schema(by_alias=True)}
+    named = {each.__name__: each for each in _models(model)}
+    for name, part in [(model.__name__, schema), *schema.get("$defs", {}).items()]:
+        if name in named:
+            _explain(part, named[name])
+    if model.__name__ == "Scenario":  # by default the aircraft's reference
+        schema["required"] = [key for key in schema["required"] if key != "initial"]
+        schema["$defs"]["Initial"].pop("required")
+    for name in SHORT_FORMS.keys() & schema.get("$defs", {}).keys():
+        schema["$defs"][name] = {"anyOf": [SHORT_FORMS[name], schema["$defs"][name]]}
+    return schema
+
+
+def _explain(part: dict[str, Any], model: type[BaseModel]) -> None:
+    meanings = field_docstrings(model)
+    for name, entry in part.get("properties", {}).items():
+        if name in meanings:
+            entry["description"] = meanings[name]
+        if name == "released" and "anyOf" in entry:
+            entry["anyOf"].append({"const": "auto"})
+
+
+def _models(kind: Any, seen: set[type] | None = None) -> Iterator[type[BaseModel]]:
+    """A model, and every model in the types of its fields."""
+    seen = set() if seen is None else seen
+    if isinstance(kind, type) and issubclass(kind, BaseModel):
+        if kind in seen:
+            return
+        seen.add(kind)
+        yield kind
+        for field in kind.model_fields.values():
+            yield from _models(field.annotation, seen)
+        return
+    for part in get_args(kind):
+        yield from _models(part, seen)

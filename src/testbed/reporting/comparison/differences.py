@@ -1,0 +1,122 @@
+"""What differs between flights: their scenarios, and their logs step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from testbed.common.angles import wrap_deg
+from testbed.flight.flight import Flight
+
+FLOWN = (
+    "north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg", "alpha_deg", "beta_deg",
+    "p_deg_s", "q_deg_s", "r_deg_s",
+)  # fmt: skip
+"""Columns of how the aircraft truly moves."""
+_SAME_TIME = 1e-6  # rows of two logs belong together if their times differ by no more [s]
+
+
+class Setting(NamedTuple):
+    """A setting by its dotted path, with its value in each flight; None where a flight does not have it."""
+
+    path: str
+    values: tuple[Any, ...]
+
+
+class FirstDifference(NamedTuple):
+    """Where two logs first differ: in any column, and in the motion. Times are None where they do not.
+
+    `columns` are those that differ first, in the log's order.
+    """
+
+    time_s: float | None
+    columns: tuple[str, ...]
+    moved_s: float | None
+    moved: tuple[str, ...]
+
+
+def names_of(flights: Sequence[Flight]) -> list[str]:
+    """A name for each flight that no other has: its controller, its scenario, what is set otherwise, or a number."""
+    for named in (
+        [flight.controller for flight in flights],
+        [flight.scenario.name for flight in flights],
+        _by_settings(flights),
+    ):
+        if len(set(named)) == len(flights):
+            return named
+    return [f"flight {i + 1}" for i in range(len(flights))]
+
+
+def _by_settings(flights: Sequence[Flight]) -> list[str]:
+    differing = [s for s in settings(flights) if s.path != "name"]
+    if not 1 <= len(differing) <= 2:
+        return [""] * len(flights)
+    return [", ".join(f"{s.path} {s.values[i]}" for s in differing) for i in range(len(flights))]
+
+
+def settings(flights: Sequence[Flight]) -> list[Setting]:
+    """The settings that are not the same in all scenarios, in their order."""
+    flat = [dict(_flat(flight.scenario.model_dump(mode="json", exclude_none=True))) for flight in flights]
+    paths = dict.fromkeys(path for one in flat for path in one)
+    found = (Setting(path, tuple(one.get(path) for one in flat)) for path in paths)
+    return [setting for setting in found if any(value != setting.values[0] for value in setting.values)]
+
+
+def _flat(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    if isinstance(tree, Mapping) and tree:
+        for key, value in tree.items():
+            yield from _flat(value, f"{path}.{key}" if path else str(key))
+    elif isinstance(tree, list) and tree:
+        for i, value in enumerate(tree):
+            yield from _flat(value, f"{path}.{i}")
+    else:
+        yield path, tree
+
+
+def common_rows(one: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rows of two logs at the same times, from the times [rows] of each [s]."""
+    near = np.clip(np.searchsorted(other, one - _SAME_TIME), 0, max(len(other) - 1, 0))
+    same = np.abs(other[near] - one) <= _SAME_TIME if len(other) else np.zeros(len(one), dtype=bool)
+    return np.flatnonzero(same), near[same]
+
+
+def first_difference(one: Flight, other: Flight) -> FirstDifference:
+    """The first step in which two logs differ, by so little as a bit, in columns that both have."""
+    shared = [name for name in one.columns if name in other.columns and name != "time_s"]
+    a, b = _column(one, "time_s"), _column(other, "time_s")
+    rows, others = common_rows(a, b)
+    differs = {name: _unequal(_column(one, name)[rows], _column(other, name)[others]) for name in shared}
+    time_s, columns = _first(a[rows], differs)
+    moved_s, moved = _first(a[rows], {name: differs[name] for name in shared if name in FLOWN})
+    return FirstDifference(time_s, columns, moved_s, moved)
+
+
+def _unequal(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return (a != b) & ~(np.isnan(a) & np.isnan(b))
+
+
+def _first(time: np.ndarray, differs: Mapping[str, np.ndarray]) -> tuple[float | None, tuple[str, ...]]:
+    starts = {name: int(flag.argmax()) for name, flag in differs.items() if flag.any()}
+    if not starts:
+        return None, ()
+    row = min(starts.values())
+    return float(time[row]), tuple(name for name, start in starts.items() if start == row)
+
+
+def _column(flight: Flight, name: str) -> np.ndarray:
+    return flight.data[:, flight.columns.index(name)]
+
+
+def on_grid(time: np.ndarray, flight: Flight, name: str) -> np.ndarray:
+    """A column of a flight at the times of a grid [rows]: its latest row, and NaN after its end."""
+    own = _column(flight, "time_s")
+    rows = np.searchsorted(own, time + _SAME_TIME, side="right") - 1
+    values = _column(flight, name)[np.clip(rows, 0, len(own) - 1)]
+    return np.where((rows >= 0) & (time <= own[-1] + _SAME_TIME), values, np.nan)
+
+
+def minus(one: np.ndarray, other: np.ndarray, name: str) -> np.ndarray:
+    """The difference of two columns; of headings, the short way round."""
+    return wrap_deg(one - other) if name.startswith("heading") else one - other

@@ -1,0 +1,194 @@
+"""The page of a comparison: what differs in sentences, panels with all flights, differences, metrics side by side."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from testbed.common.files import plain
+from testbed.flight.recovery import failure_times_s
+from testbed.reporting import html
+from testbed.reporting.comparison.panels import columns_of, panels
+from testbed.reporting.comparison.picture import png
+from testbed.reporting.page.columns import packed
+from testbed.reporting.page.phases import phases
+from testbed.reporting.page.sections import definition
+from testbed.reporting.story import story
+from testbed.reporting.sweep_page.sections import mark
+
+if TYPE_CHECKING:
+    from testbed.reporting.comparison import Comparison
+
+_MOST_COLUMNS = 4  # named where logs differ first
+
+
+def write(comparison: Comparison, file: Path) -> Path:
+    """Write the page; returns its file. Raises OSError when it cannot be written."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    name = " and ".join((", ".join(comparison.names[:-1]), comparison.names[-1]))
+    return html.write_page(file, name, _parts(comparison, name), ["uplot.css", "sweep.css"])
+
+
+def _parts(comparison: Comparison, name: str) -> Iterator[str]:
+    yield f"<h1>{escape(name)}</h1>"
+    yield _list(sentences(comparison))
+    log = columns_of(comparison.flights)
+    shown = panels(comparison.flights, comparison.names, log)
+    yield '<div class="moving"><h2>The flights</h2><div id="timelines"></div>'
+    yield _legend(comparison)
+    for group in shown:
+        inside = f'<div class="panels" id="panels-{group["name"]}"></div>'
+        yield (
+            html.folded(group["title"], inside)
+            if group["folded"]
+            else f"<h2>{escape(group['title'])}</h2>{inside}"
+        )
+    yield "</div>"
+    yield f'<div class="still">{html.picture(png(comparison), "Errors and bank of the flights")}</div>'
+    yield from _stories(comparison)
+    yield _requirements(comparison)
+    yield _metrics(comparison)
+    yield _settings(comparison)
+    told, columns = packed(log)
+    data = {"data": told, "panels": shown, "flights": list(_flights(comparison))}
+    yield html.script(
+        json.dumps(plain(data), separators=(",", ":"), ensure_ascii=False), "application/json", "comparison"
+    )
+    yield html.script(columns, "text/plain", "columns")
+    yield html.script(html.asset("compare.js"))
+
+
+def _flights(comparison: Comparison) -> Iterator[dict[str, Any]]:
+    for name, flight in zip(comparison.names, comparison.flights, strict=True):
+        yield {
+            "name": name,
+            "phases": phases(flight.events, flight.end_time_s, flight.scenario.duration_s),
+            "failures_s": failure_times_s(flight.events),
+        }
+
+
+def sentences(comparison: Comparison) -> list[str]:
+    """How each flight ended, what is set otherwise, and from when on they differ."""
+    lines = [_ended(i, comparison) for i in range(len(comparison.flights))]
+    differing = _paths(comparison)
+    few = ", ".join(differing[:6]) + (f" and {len(differing) - 6} more" if len(differing) > 6 else "")
+    lines.append(f"Set differently: {few}." if differing else "The scenarios are the same.")
+    first = comparison.names[0]
+    for name, found in zip(comparison.names[1:], comparison.first_differences, strict=True):
+        if found.time_s is None:
+            lines.append(f"The logs of {first} and {name} are the same in every step and column.")
+            continue
+        shown = ", ".join(found.columns[:_MOST_COLUMNS])
+        more = f" and {len(found.columns) - _MOST_COLUMNS} more" if len(found.columns) > _MOST_COLUMNS else ""
+        moved = (
+            "they never move differently"
+            if found.moved_s is None
+            else f"they move differently from {found.moved_s:.3f} s on"
+        )
+        lines.append(f"{first} and {name} first differ at {found.time_s:.3f} s ({shown}{more}); {moved}.")
+    return lines
+
+
+def _paths(comparison: Comparison) -> list[str]:
+    """The settings that differ; those of controllers of another type are not named one by one."""
+    paths = [setting.path for setting in comparison.settings]
+    if "controller.type" not in paths:
+        return paths
+    others = [path for path in paths if not path.startswith("controller.")]
+    return ["controller.type and what belongs to it", *others]
+
+
+def _ended(i: int, comparison: Comparison) -> str:
+    flight = comparison.flights[i]
+    met = sum(bool(r["passed"]) for r in flight.requirements)
+    worst = ", ".join(
+        f"{flight.metrics[name]:.3g} {unit}"
+        for name, unit in (
+            ("altitude_error_max_m", "m of altitude"),
+            ("heading_error_max_deg", "deg of heading"),
+        )
+        if name in flight.metrics and math.isfinite(flight.metrics[name])
+    )
+    errors = f"; at worst {worst}" if worst else ""
+    verdict = "passed" if flight.passed else "not passed"
+    requirements = f"; {met} of {len(flight.requirements)} requirements met" if flight.requirements else ""
+    return f"{comparison.names[i]}: {verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
+
+
+def summary(comparison: Comparison) -> str:
+    """The sentences and the metrics, for a notebook."""
+    return _list(sentences(comparison)) + _metrics(comparison)
+
+
+def _list(lines: list[str]) -> str:
+    return '<ul class="story">' + "".join(f"<li>{escape(line)}</li>" for line in lines) + "</ul>"
+
+
+def _legend(comparison: Comparison) -> str:
+    named = (f"<span>{mark(i)} {escape(name)}</span>" for i, name in enumerate(comparison.names))
+    return f'<p class="legend">{"".join(named)}</p>'
+
+
+def _stories(comparison: Comparison) -> Iterator[str]:
+    yield "<h2>Each flight told</h2>"
+    for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
+        lines = "".join(f"<li>{escape(line)}</li>" for line in story(flight))
+        yield f"<h3>{mark(i)} {escape(name)}</h3><ul>{lines}</ul>"
+
+
+def _requirements(comparison: Comparison) -> str:
+    flights = comparison.flights
+    names = dict.fromkeys(r["name"] for flight in flights for r in flight.requirements)
+    if not names:
+        return ""
+    verdicts = [{r["name"]: r for r in flight.requirements} for flight in flights]
+    rows = []
+    for name in names:
+        found = [one.get(name) for one in verdicts]
+        cells = [
+            "" if r is None else f"{'met' if r['passed'] else 'NOT MET'} ({_rounded(r['value'])})"
+            for r in found
+        ]
+        missed = any(r is not None and not r["passed"] for r in found)
+        rows.append((not missed, html.row([name, *cells], "missed" if missed else "")))
+    ordered = [row for _, row in sorted(rows, key=lambda row: row[0])]
+    caption = "Verdict and worst value; those that any flight missed come first."
+    return "<h2>Requirements</h2>" + html.table(["requirement", *comparison.names], ordered, caption)
+
+
+def _metrics(comparison: Comparison) -> str:
+    """The metrics that differ, and the others folded away."""
+    differ: list[html.Html] = []
+    same: list[html.Html] = []
+    for name, values in comparison.metrics.iterrows():
+        numbers = [_rounded(value) for value in values]
+        row = html.row([str(name), definition(str(name)), *(html.Html(f"<span>{n}</span>") for n in numbers)])
+        (differ if len(set(numbers)) > 1 else same).append(row)
+    heads = ["metric", "definition and [unit]", *comparison.names]
+    parts = [
+        "<h2>Metrics side by side</h2>",
+        html.table(heads, differ) if differ else "<p>All are the same.</p>",
+    ]
+    return "\n".join(
+        [*parts, html.folded("Metrics that are the same", html.table(heads, same)) if same else ""]
+    )
+
+
+def _settings(comparison: Comparison) -> str:
+    if not comparison.settings:
+        return ""
+    rows = [
+        html.row([setting.path, *("-" if value is None else str(value) for value in setting.values)])
+        for setting in comparison.settings
+    ]
+    return html.folded("Settings that differ", html.table(["setting", *comparison.names], rows))
+
+
+def _rounded(value: float | None) -> str:
+    return "-" if value is None or not np.isfinite(value) else f"{value:.3g}"

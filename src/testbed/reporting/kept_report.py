@@ -1,0 +1,40 @@
+"""The page of one flight of a sweep, made from the log that the sweep kept."""
+
+from __future__ import annotations
+
+from html import escape
+from pathlib import Path
+
+from testbed.flight.flight import Flight
+from testbed.reporting import html, run_report
+from testbed.sweeps.folder import kept
+
+FOLDER = "flights"
+"""Folder of these pages in a sweep folder."""
+
+
+def page_of(log: Path) -> Path:
+    """The page of a kept log: SWEEP/logs/run-000017-pid.parquet has SWEEP/flights/run-000017-pid.html."""
+    return log.parent.parent / FOLDER / f"{log.stem}.html"
+
+
+def write_kept_page(flight: Flight, log: Path) -> Path:
+    """Write the page of the flight of a kept log; returns its file. Raises OSError when it cannot be written."""
+    file = page_of(log)
+    file.parent.mkdir(exist_ok=True)
+    back = html.Html(f'<p class="note">Run {kept.run_of(log)} of <a href="../report.html">a sweep</a>.</p>')
+    return run_report.write_page(flight, file, again=_again(log), back=back)
+
+
+def _again(log: Path) -> str:
+    command = only(kept.run_of(log), kept.label_of(log))
+    return (
+        "<p>Run this in the folder of the sweep. It flies the same flight, and keeps its log in full precision; "
+        f"here it has single precision.</p>\n<pre>{escape(command)}</pre>"
+    )
+
+
+def only(run: int, variant: str, sweep: str = "sweep.yaml") -> str:
+    """The command that flies one flight of a sweep again, alone."""
+    chosen = f" --variant {variant}" if variant else ""
+    return f"python -m testbed sweep {sweep} --only {run}{chosen}"

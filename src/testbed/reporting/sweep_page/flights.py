@@ -1,0 +1,170 @@
+"""What the page's script is given: the flights with their verdicts, and the curves. `web/src/sweep.js` reads it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from testbed.reporting.kept_report import page_of
+from testbed.reporting.sweep_page.curves import (
+    Point,
+    drawn_inputs,
+    error_band,
+    is_number,
+    pass_shares,
+)
+from testbed.scenario.requirement import Requirement
+from testbed.sweeps.folder import histories
+from testbed.sweeps.folder.names import flight_label, in_file_names
+from testbed.sweeps.folder.reading import groups_of, unit
+from testbed.sweeps.plan import Plan
+from testbed.sweeps.verdicts import STATES, missed, requirements_of, state
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+MOST_FLIGHTS = 6000
+"""Flights that the page has, those of the first runs; its numbers and curves are of all flights."""
+NOTHING, LOG, PAGE = range(3)
+"""What there is of a flight beside its row in the table."""
+_RESULTS = ("altitude_error_max_m", "heading_error_max_deg", "airspeed_error_max_m_s", "detection_delay_s")
+"""Metrics that the map can have on an axis."""
+LINEAR = {"altitude_error_m": 1.0, "heading_error_deg": 3.0, "airspeed_error_m_s": 1.0}
+"""Up to this size an error's axis is linear, and logarithmic beyond."""
+_TITLES = {
+    "altitude_error_m": "altitude minus reference [m]",
+    "heading_error_deg": "heading minus reference [deg]",
+    "airspeed_error_m_s": "airspeed minus reference [m/s]",
+}
+
+
+def for_the_script(plan: Plan, frame: pd.DataFrame, folder: Path) -> dict[str, Any]:
+    """Everything that the script draws and lists, as JSON's types (NaN becomes None)."""
+    groups = list(groups_of(plan, frame))
+    paths = drawn_inputs(frame, plan.paths)
+    shown = _first_runs(frame, len(plan.variants))
+    return {
+        "folder": folder.name,
+        "variants": [label for label, _ in groups],
+        "in_file_names": [in_file_names(label) for label, _ in groups],
+        "states": STATES,
+        "requirements": [requirement.title for requirement in requirements_of(plan)],
+        "inputs": [_axis(path, shown) for path in paths],
+        "results": [
+            _axis(name, shown)
+            for name in _RESULTS
+            if name in shown and shown[name].notna().any() and is_number(shown[name])
+        ],
+        "flights": list(_flights(plan, shown, folder)),
+        "all": len(frame),
+        "shares": [
+            {"path": path, "variants": [[_point(p) for p in pass_shares(rows, path)] for _, rows in groups]}
+            for path in paths
+        ],
+        "errors": list(_errors(plan, groups, folder)),
+    }
+
+
+def _first_runs(frame: pd.DataFrame, variants: int) -> pd.DataFrame:
+    """The flights of the first runs, so many that the page stays small."""
+    most = frame["run"].drop_duplicates().sort_values().head(max(MOST_FLIGHTS // variants, 1))
+    return frame[frame["run"].isin(most)]
+
+
+def _axis(name: str, frame: pd.DataFrame) -> dict[str, Any]:
+    """{path, unit, names, values}: values by flight, numbers, or indices of `names`."""
+    column = frame[name]
+    if column.dtype.kind in "fiu":
+        values = [_rounded(value) for value in column.to_numpy(dtype=float)]
+        return {"path": name, "unit": unit(name), "names": None, "values": values}
+    names, codes = np.unique(column.astype(str).to_numpy(), return_inverse=True)
+    return {"path": name, "unit": "", "names": names.tolist(), "values": codes.tolist()}
+
+
+def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, Any]]:
+    """{run, variant, state, missed, value, margin, others, end_s, kept} of each flight, and the `reason` if it has no result."""
+    requirements = requirements_of(plan)
+    variant_of: dict[Any, int] = {}
+    for i, (_, rows) in enumerate(groups_of(plan, frame)):
+        variant_of |= dict.fromkeys(rows.index, i)
+    for index, row in zip(frame.index, frame.to_dict("records"), strict=True):
+        run, variant = int(row["run"]), variant_of[index]
+        worst = missed(requirements, row)
+        yield {
+            "run": run,
+            "variant": variant,
+            "state": STATES.index(state(str(row["outcome"]), bool(row["passed"]))),
+            "missed": None if worst is None else worst.number,
+            "value": None if worst is None else _rounded(worst.value),
+            "margin": None if worst is None else _rounded(worst.margin),
+            "others": 0 if worst is None else worst.others,
+            "end_s": _rounded(row["end_time_s"]),
+            "kept": kept_of(plan, folder, run, variant),
+            **({"reason": row["reason"]} if row.get("reason") else {}),
+        }
+
+
+def kept_of(plan: Plan, folder: Path, run: int, variant: int) -> int:
+    """What there is of a flight beside its row: NOTHING, its LOG, or its PAGE."""
+    log = folder / "logs" / f"{flight_label(plan, run * len(plan.variants) + variant)}.parquet"
+    return PAGE if page_of(log).is_file() else LOG if log.is_file() else NOTHING
+
+
+def _point(point: Point) -> list[Any]:
+    at = point.at if isinstance(point.at, str) else _rounded(point.at)
+    share = point.share
+    return [at, _rounded(share.estimate), _rounded(share.low), _rounded(share.high), share.n]
+
+
+def _errors(plan: Plan, groups: list[tuple[str, pd.DataFrame]], folder: Path) -> Iterator[dict[str, Any]]:
+    duration_s = float(plan.builder.scenario(plan.task(0)).duration_s)
+    times, count = histories.times_s(duration_s), len(plan.variants)
+    for channel in histories.CHANNELS:
+        bands = [
+            error_band(folder, rows["run"].to_numpy() * count + i, channel)
+            for i, (_, rows) in enumerate(groups)
+        ]
+        if all(band is None or not np.isfinite(band.median).any() for band in bands):
+            continue
+        yield {
+            "title": _TITLES[channel],
+            "linear": LINEAR[channel],
+            "limits": list(limits(requirements_of(plan), channel, duration_s)),
+            "times": [_rounded(t) for t in times],
+            "variants": [
+                None
+                if band is None
+                else {
+                    **{k: _all_rounded(getattr(band, k)) for k in ("low", "median", "high", "largest")},
+                    "run": band.flight // count,
+                }
+                for band in bands
+            ],
+        }
+
+
+def limits(
+    requirements: Sequence[Requirement], channel: str, duration_s: float
+) -> Iterator[dict[str, float]]:
+    """{from_s, until_s, size} of the requirements on an error: on its largest value, or on its signal in a window."""
+    signal, reference = histories.CHANNELS[channel]
+    metric = channel.replace("_error_", "_error_max_")
+    for requirement in requirements:
+        if requirement.metric == metric and requirement.at_most is not None:
+            yield {"from_s": 0.0, "until_s": duration_s, "size": requirement.at_most}
+        if requirement.signal == signal and requirement.of == reference and requirement.within is not None:
+            end = duration_s if requirement.until_s is None else requirement.until_s
+            yield {"from_s": requirement.from_s or 0.0, "until_s": end, "size": requirement.within}
+
+
+def _all_rounded(values: np.ndarray) -> list[float | None]:
+    return [_rounded(value) for value in values]
+
+
+def _rounded(value: float | None) -> float | None:
+    """A number with four digits, which is more than a picture shows; None for one that is not finite."""
+    return None if value is None or not math.isfinite(value) else float(f"{value:.4g}")

@@ -1,0 +1,128 @@
+"""A flight's whole log in a sweep folder: one Parquet file that can be read back as the flight, without the simulator.
+
+Its columns are those of log.csv, in single precision to save space. Its metadata has the flight's scenario (YAML) and summary
+(JSON). For full precision `sweep --only` flies the flight again, bit for bit.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from testbed.flight.flight import Flight
+from testbed.flight.folder import flight_from
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput, Problem
+from testbed.scenario.load import dump, scenario_from
+
+_SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
+_LABEL = re.compile(r"run-(\d{6,})(?:-(.+))?")
+"""The name of a kept log: its run, and the label of its variant where variants are compared."""
+
+
+def encode(flight: Flight) -> bytes:
+    """The contents of the file that keeps a flight."""
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    # Not by pa.array, which would import pandas; that takes 60 MB in every worker.
+    columns = [
+        _column(pa, pa.float32(), flight.data[:, j].astype(np.float32)) for j in range(len(flight.columns))
+    ]
+    columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time stays in double precision
+    summary = json.dumps(flight.summary, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    about = {_SCENARIO: dump(flight.scenario).encode(), _SUMMARY: summary.encode()}
+    stream = io.BytesIO()
+    table = pa.Table.from_arrays(columns, names=list(flight.columns)).replace_schema_metadata(about)
+    pq.write_table(table, stream, compression="zstd", use_byte_stream_split=True, use_dictionary=False)
+    return stream.getvalue()
+
+
+def _column(pa: Any, kind: Any, values: np.ndarray) -> Any:
+    return pa.Array.from_buffers(kind, len(values), [None, pa.py_buffer(values)])
+
+
+def is_kept(path: str | Path) -> bool:
+    """Whether a path is a log that a sweep kept, or names a run of a sweep: `SWEEP/17`, `SWEEP/run-000017-pid`."""
+    path = Path(path)
+    return (path.suffix == ".parquet" and path.is_file()) or _names_a_run(path)
+
+
+def logs_of(path: str | Path) -> list[Path]:
+    """The kept logs that a path names, which are several for a run of several variants.
+
+    Raises BadInput, with the command that flies it, when no log was kept.
+    """
+    path = Path(path)
+    if path.suffix == ".parquet" and path.is_file():
+        return [path]
+    run, label = _run_and_label(path.name)
+    pattern = f"run-{run:06d}-{label}.parquet" if label else f"run-{run:06d}*.parquet"
+    found = sorted(
+        f for f in (path.parent / "logs").glob(pattern) if _LABEL.fullmatch(f.stem) and run_of(f) == run
+    )
+    if not found:
+        command = f"testbed sweep {path.parent / 'sweep.yaml'} --only {run}"
+        expected = f"one of a flight whose log was kept; `{command}` flies it again"
+        raise BadInput([Problem("no log of this run was kept", str(path), expected=expected)])
+    return found
+
+
+def load(path: str | Path) -> Flight:
+    """The flight of a kept log; raises BadInput when it cannot be read, or when a path names several."""
+    found = logs_of(path)
+    if len(found) > 1:
+        names = ", ".join(file.stem for file in found)
+        raise BadInput([Problem("names several flights", str(path), expected=f"one of {names}")])
+    return read(found[0])
+
+
+def read(file: Path) -> Flight:
+    """The flight of one file; raises BadInput when it cannot be read."""
+    import pyarrow.parquet as pq
+
+    try:
+        table = pq.read_table(file)
+        about = table.schema.metadata or {}
+        if _SUMMARY not in about:
+            expected = "a log kept by a sweep of this version; `sweep --only` flies the run again"
+            raise BadInput([Problem("does not say of which flight it is", str(file), expected=expected)])
+        source = yamlfile.parsed(about[_SCENARIO].decode(), str(file))
+        scenario = scenario_from(source, with_aircraft=False)
+        data = np.column_stack([np.asarray(column, dtype=float) for column in table.columns])
+        return flight_from(scenario, json.loads(about[_SUMMARY]), tuple(table.column_names), data)
+    except (
+        OSError,
+        ValueError,
+        KeyError,
+        TypeError,
+    ) as error:  # pyarrow's errors are ValueErrors and OSErrors
+        problem = Problem(f"cannot be read: {error}", str(file), expected="a log that a sweep kept")
+        raise BadInput([problem]) from None
+
+
+def run_of(file: Path) -> int:
+    """The number of the run of a kept log, from its name."""
+    return _run_and_label(file.stem)[0]
+
+
+def label_of(file: Path) -> str:
+    """The label of the variant of a kept log, as in its name; "" where nothing is compared."""
+    return _run_and_label(file.stem)[1]
+
+
+def _names_a_run(path: Path) -> bool:
+    known = path.name.isdecimal() or _LABEL.fullmatch(path.name)
+    return bool(known) and not path.exists() and (path.parent / "sweep.yaml").is_file()
+
+
+def _run_and_label(name: str) -> tuple[int, str]:
+    if name.isdecimal():
+        return int(name), ""
+    found = _LABEL.fullmatch(name)
+    return (int(found[1]), found[2] or "") if found else (0, "")

@@ -1,0 +1,17 @@
+"""How file names tell the flights of a sweep apart."""
+
+from __future__ import annotations
+
+from testbed.sweeps.plan import Plan
+
+
+def flight_label(plan: Plan, k: int) -> str:
+    """Flight k in file names: `run-000012-adaptive_inversion`."""
+    run, variant = divmod(k, len(plan.variants))
+    label = in_file_names(plan.variants[variant].label)
+    return f"run-{run:06d}" + (f"-{label}" if label else "")
+
+
+def in_file_names(label: str) -> str:
+    """The label of a variant as file names have it."""
+    return "".join(c if c.isalnum() or c in "_-." else "-" for c in label)
