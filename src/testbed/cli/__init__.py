@@ -2,5 +2,5 @@
 
 `flight` flies one scenario and reports a run folder; `sweep` does the same for a sweep; `checked` reads and checks input;
 `export` writes a flight for other programs; `aircraft` identifies design models; `catalogue` lists what is available;
-`completion` completes commands in a shell.
+`completion` completes commands in a shell; `working` says on a terminal what takes long.
 """

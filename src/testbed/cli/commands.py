@@ -18,6 +18,7 @@ from testbed.cli import completion, interrupts
 from testbed.cli.catalogue import TABLE as CATALOGUE
 from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, MET, NOT_MET
 from testbed.cli.terminal import give_up_stdout, plain_output
+from testbed.cli.working import working
 from testbed.inputs.problems import BadInput
 
 _TRACEBACK = "TESTBED_TRACEBACK"
@@ -304,20 +305,24 @@ def _export(options: argparse.Namespace) -> int:
 def _validate(options: argparse.Namespace) -> int:
     from testbed.cli import checked
 
-    checked.validate(options.files)
+    with working("checking"):
+        checked.validate(options.files)
     return MET
 
 
 def _identify(options: argparse.Namespace) -> int:
     from testbed.cli import aircraft
 
-    return MET if aircraft.identify(options.aircraft, check=options.check) else NOT_MET
+    with working("identifying"):
+        same = aircraft.identify(options.aircraft, check=options.check)
+    return MET if same else NOT_MET
 
 
 def _adopt(options: argparse.Namespace) -> int:
     from testbed.cli import adopt
 
-    adopt.adopt(options.model, options.out)
+    with working("adopting"):
+        adopt.adopt(options.model, options.out)
     return MET
 
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from testbed.cli.checked import checked, collect
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
+from testbed.cli.working import working
 from testbed.flight.folder import FolderExists, load, refuse_existing, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import number
@@ -31,7 +32,8 @@ def fly(options: argparse.Namespace) -> bool:
     problems: list[Problem] = []
     if options.out is not None:  # before the flight, not after it
         collect(problems, lambda: refuse_existing(options.out))
-    scenario = collect(problems, lambda: checked(options.scenario, options.set))
+    with working("checking"):
+        scenario = collect(problems, lambda: checked(options.scenario, options.set))
     controller = collect(problems, lambda: _own_controller(options.controller))
     viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
@@ -43,8 +45,9 @@ def fly(options: argparse.Namespace) -> bool:
 
     if not has_compiled():
         print("compiling the control law for the first flight: some seconds, once", file=sys.stderr)
-    flight = fly(scenario, controller, watch=viewer)
-    with tidily():
+    with working("flying"):
+        flight = fly(scenario, controller, watch=viewer)
+    with working("drawing and writing"), tidily():
         folder = write(flight, options.out, partial(present, flight, figures=not options.no_plots))
     print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
@@ -54,7 +57,7 @@ def fly(options: argparse.Namespace) -> bool:
 def report(folder: Path) -> int:
     """Draw the figures and write the report of a run folder again; returns the exit status."""
     flight = load(folder)
-    with tidily():
+    with working("drawing and writing"), tidily():
         shown = present(flight, folder)
     print_verdict(flight)
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY

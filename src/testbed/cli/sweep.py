@@ -14,6 +14,7 @@ from testbed import monte_carlo
 from testbed.cli.flight import print_verdict
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET
+from testbed.cli.working import working
 from testbed.common.files import slug
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
@@ -51,7 +52,8 @@ def _flown(plan: Plan, folder: Path, how: Options, options: argparse.Namespace) 
         return INTERRUPTED if isinstance(stopped.__context__, KeyboardInterrupt) else ENDED_EARLY
     rest = f"every flight is kept; `testbed report {folder}` writes the rest"
     try:
-        summary = monte_carlo.finish(plan, folder, figures=not options.no_plots)
+        with working("drawing and writing"):
+            summary = monte_carlo.finish(plan, folder, figures=not options.no_plots)
     except KeyboardInterrupt:
         print(f"{folder}: interrupted; {rest}", file=sys.stderr)
         return INTERRUPTED
@@ -66,7 +68,7 @@ def _flown(plan: Plan, folder: Path, how: Options, options: argparse.Namespace) 
 
 def report(folder: Path) -> int:
     """Write table, summary, figures and report of a sweep folder again; returns the exit status."""
-    with tidily():
+    with working("drawing and writing"), tidily():
         summary = monte_carlo.rebuild(folder)
     print_answer(summary)
     return _status(summary)

@@ -10,6 +10,7 @@ import warnings
 from collections.abc import Iterator
 from typing import Any, TextIO, cast
 
+from testbed.cli.working import erase
 from testbed.common.text import printable
 
 
@@ -20,6 +21,7 @@ class _Printable:
         self._stream = stream or open(os.devnull, "w")  # noqa: SIM115  (None if the shell has closed it, as by `>&-`)
 
     def write(self, text: str) -> int:
+        erase()
         self._stream.write(printable(text))
         return len(text)
 

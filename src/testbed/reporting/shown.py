@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,12 +10,15 @@ from testbed.flight import display
 from testbed.flight.flight import Flight
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.reporting.attempt import attempt
+from testbed.reporting.present import present
 from testbed.reporting.story import story
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+_AGAIN = """<p>Save the scenario below as scenario.yaml, and run this beside it.</p>
+<pre>python -m testbed run scenario.yaml</pre>"""
+"""How to fly a flight again whose page stands alone."""
 _TOLD = ("altitude_m", "heading_deg", "airspeed_m_s", "beta_deg")
 """Columns without which there is no story."""
 
@@ -41,26 +43,17 @@ def plot(flight: Flight, name: str) -> Figure:
 
 def save(flight: Flight, folder: str | Path, figures: bool = True) -> Path:
     """Write a run folder with the report, and the figures if wanted; returns it."""
-
-    def add(partial: Path) -> None:
-        if figures:
-            from testbed.reporting.figures import draw
-
-            attempt("the figures", lambda: draw(flight, partial))
-        attempt("the report", lambda: _write_report(partial))
-
-    return write_run_folder(flight, folder, add)
+    return write_run_folder(flight, folder, lambda partial: present(flight, partial, figures))
 
 
 def report(flight: Flight, file: str | Path) -> Path:
     """Write the flight's page with its figures in it, replacing the file; returns it."""
-    from testbed.common.files import replacing
+    from testbed.reporting.figures import draw
+    from testbed.reporting.run_report import write_page
 
-    file = Path(file)
-    with tempfile.TemporaryDirectory() as scratch, replacing(file) as partial:
-        folder = save(flight, Path(scratch) / "run")
-        shutil.copyfile(folder / "report.html", partial)
-    return file
+    with tempfile.TemporaryDirectory() as scratch:
+        draw(flight, scratch)
+        return write_page(flight, Path(file), Path(scratch) / "figures", _AGAIN)
 
 
 def export(flight: Flight, to: str, file: str | Path, origin: str | None) -> Path:
@@ -69,9 +62,3 @@ def export(flight: Flight, to: str, file: str | Path, origin: str | None) -> Pat
     from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
 
     return write(flight, to, file, DEFAULT_ORIGIN if origin is None else parse_origin(origin))
-
-
-def _write_report(folder: Path) -> None:
-    from testbed.reporting.run_report import write_report
-
-    write_report(folder)
