@@ -149,7 +149,10 @@ def page(rows: Sequence[Row]) -> Iterator[str]:
     """The page, in lines: one row for each aircraft, condition and controller."""
     yield "# Gallery"
     yield ""
-    yield "Written by `python benchmarks/gallery.py`. " + " ".join((__doc__ or "").split("\n\n")[-1].split())
+    yield (
+        "This page flies each aircraft of the gallery whole and broken. It is written by `python benchmarks/gallery.py`. "
+        + " ".join((__doc__ or "").split("\n\n")[-1].split())
+    )
     yield "Cells are `held / survived / flown`, then the largest errors of those that survived."
     yield "The default controller is not tuned for any of them. An empty cell was not flown."
     yield ""
