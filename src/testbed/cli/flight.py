@@ -76,12 +76,12 @@ def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) 
     """What shows the flight in FlightGear at `HOST:PORT`; None for None."""
     if address is None or scenario is None:
         return None
-    from testbed.aircraft.description import load_aircraft
+    from testbed.aircraft.changes import chosen
     from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
     from testbed.reporting.flightgear import Viewer, address_of
 
     place = DEFAULT_ORIGIN if origin is None else parse_origin(origin)
-    actuators = load_aircraft(scenario.aircraft).actuators
+    actuators = chosen(scenario.aircraft).actuators
     facts = {name: actuator.model_dump(include={"kind", "limits"}) for name, actuator in actuators.items()}
     return Viewer(address_of(address), facts, place)
 
