@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from pyacmi import Acmi
 
+from testbed.aircraft.changes import ChangedAircraft
 from testbed.flight.flight import Flight
 from testbed.reporting.export import export
 from testbed.reporting.export.acmi import RATE_HZ
@@ -61,3 +63,10 @@ def test_events_are_bookmarks_at_their_times(flown: Flight, file: Path) -> None:
 def test_its_rate_is_what_a_viewer_needs(flown: Flight, file: Path) -> None:
     times = [line for line in file.read_text().splitlines() if line.startswith("#")]
     assert len(times) <= 3.0 * RATE_HZ + 1 + len(flown.events)
+
+
+def test_a_changed_aircraft_has_its_changes_in_its_name(flown: Flight, tmp_path: Path) -> None:
+    heavy = ChangedAircraft(name="vtail", mass_kg=6.0)
+    changed = replace(flown, scenario=flown.scenario.model_copy(update={"aircraft": heavy}))
+    text = export(changed, "acmi", tmp_path / "heavy.acmi").read_text(encoding="utf-8-sig")
+    assert "Name=vtail with mass_kg 6.0," in text
