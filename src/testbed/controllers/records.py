@@ -216,7 +216,12 @@ MEMORY = (
     Field("torque", (_N,), "N m", "modelled motor torque"),
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),
-    Field("since_flag", (_N,), "s", "time since the flag was set or taken back"),
+    Field(
+        "since_flag",
+        (_N,),
+        "s",
+        "time since the flag was set or taken back, or the actuator taken for jammed",
+    ),
     Field(
         "jammed",
         (_N,),
@@ -234,6 +239,8 @@ MEMORY = (
     Field(
         "designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"
     ),
+    Field("jammed_at", (_N,), "scaled", "position at which the actuator was taken for jammed"),
+    Field("reversed", (_N,), "flag", "the force of the actuator follows minus its command"),
     Field(
         "at_stop",
         (_N,),

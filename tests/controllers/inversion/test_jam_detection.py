@@ -12,6 +12,7 @@ from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIAN
 from testbed.controllers.inversion.jam_detection import (
     RECENT_FLAG_S,
     REDESIGN_AFTER,
+    REVERSAL_S,
     detect_jam,
     likeliest_jam,
     take_for_jammed,
@@ -114,6 +115,47 @@ def test_a_jam_takes_back_recent_flags_and_starts_the_estimates_again() -> None:
     assert not s.b.any() and not s.residual.any()
     assert np.allclose(np.diag(s.P)[N:], s.model_error_variance)
     assert np.diag(s.P)[[0, 1, 3]].tolist() == [HEALTHY_VARIANCE, HEALTHY_VARIANCE, JAM_VARIANCE]
+
+
+def taken_at(position: float) -> Records:
+    """The right ruddervator has been taken for jammed at this scaled position."""
+    made = records()
+    made.s.position[:] = made.m.trim_position
+    take_for_jammed(1, position, 1.0, made.m, made.s)
+    made.s.designed_position[1] = position
+    return made
+
+
+def test_an_actuator_whose_force_goes_to_minus_its_trim_position_is_reversed() -> None:
+    """It is lost from then on, not jammed: its command is at the trim position, and its estimate says so."""
+    m, c, _, s, _ = taken_at(-2.0)
+    s.lambda_hat[1] = -1.0
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1
+    assert (s.jammed[1], s.failed[1], s.reversed[1], s.lambda_hat[1]) == (0, 1, 1, -1.0)
+    assert s.P[1, 1] == HEALTHY_VARIANCE
+    s.P[1, 1] = 1.0
+    s.lambda_hat[1] = c.lambda_min
+    for _ in range(2 * round(c.persistence / c.dt)):
+        assert detect_jam(np.zeros(4), 1.0, m, c, s) == 0
+    assert not s.jammed[1], "gusts drive the estimate of a surface at its trim position to its limits"
+
+
+@pytest.mark.parametrize(("position", "estimate"), [(-2.0, -1.5), (-2.0, -2.2), (-0.9, -0.5), (2.0, 1.3)])
+def test_an_actuator_whose_force_stays_is_jammed(position: float, estimate: float) -> None:
+    """Or comes from so near that gusts may have moved the estimate."""
+    m, c, _, s, _ = taken_at(position)
+    s.lambda_hat[1] = estimate
+    detect_jam(np.zeros(4), 1.0, m, c, s)
+    assert s.jammed[1] and not s.reversed[1]
+
+
+def test_an_estimate_that_moves_later_is_no_reversal() -> None:
+    m, c, _, s, _ = taken_at(-2.0)
+    for _ in range(round(REVERSAL_S / c.dt)):
+        detect_jam(np.zeros(4), 1.0, m, c, s)
+    s.lambda_hat[1] = -0.5
+    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1, "but the mode is designed again"
+    assert s.jammed[1] and not s.reversed[1]
 
 
 def test_a_jammed_position_is_within_the_stops() -> None:

@@ -20,6 +20,13 @@ RECENT_FLAG_S = 2.0
 NEVER = 1e9
 """`designed_position` of a jam for which nothing has been designed yet. That is done a step later: the first position is a rough
 one, and the filter's next step corrects most of it."""
+REVERSAL_S = 0.6
+"""How long after an actuator was taken for jammed it may turn out to be reversed. Its command goes to the trim position at once, so
+the estimate shows where its force goes within this time."""
+RETURNED = 0.5
+"""Share of the way to minus its trim position after which an actuator is reversed: a jammed one would have stayed."""
+REVERSED_FROM = 1.0
+"""Scaled units that the way must have, or gusts decide."""
 REDESIGN_AFTER = 0.3
 """Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again."""
 
@@ -38,16 +45,42 @@ def detect_jam(e, pressure_ratio, m, c, s):
     changed = 0
     for i in range(len(s.lambda_hat)):
         certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
-        acts_reversed = s.lambda_hat[i] < REVERSED_BELOW and certain and not s.jammed[i]
+        acts_reversed = s.lambda_hat[i] < REVERSED_BELOW and certain and not (s.jammed[i] or s.reversed[i])
         no_loss = acts_reversed or has_force_of_its_own(i, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if no_loss else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         if s.jam_timer[i] > c.jam_time or s.reversal_timer[i] > c.persistence + 1e-9:
             position = s.lambda_hat[i] * s.position[i] + (offset if i == likeliest else 0.0)
             take_for_jammed(i, position, pressure_ratio, m, s)
+        elif s.jammed[i] and turns_out_reversed(i, m, c, s):
+            take_for_reversed(i, pressure_ratio, m, s)
+            changed = 1
         elif s.jammed[i] and abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
             changed = 1
     return changed
+
+
+@compiled
+def turns_out_reversed(i, m, c, s):
+    """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes: to minus its trim position.
+
+    At the moment of detection the two cannot be told apart. The command has run away from the aircraft's motion, and is often at a
+    stop, so a reversed actuator stands as still as a jammed one."""
+    s.since_flag[i] += c.dt
+    way = -m.trim_position[i] - s.jammed_at[i]
+    gone = s.lambda_hat[i] - s.jammed_at[i]
+    return c.weighted and s.since_flag[i] < REVERSAL_S and abs(way) > REVERSED_FROM and gone / way > RETURNED
+
+
+@compiled
+def take_for_reversed(i, pressure_ratio, m, s):
+    """Treat a jammed actuator as reversed: it is left at its trim position, where it is as good as lost."""
+    s.jammed[i], s.reversed[i] = 0, 1
+    s.lambda_hat[i] = -1.0
+    reset_covariance(i, HEALTHY_VARIANCE, s)
+    for row in range(4):
+        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0) * m.trim_position[i]
+        s.filtered_phi[0, row, i], s.filtered_phi[1, row, i] = column, column
 
 
 @compiled
@@ -55,7 +88,7 @@ def has_force_of_its_own(i, c, s):
     """Whether a flagged actuator's estimate is at its limits: it stands still at its trim position, and a force that effectiveness
     there cannot explain is that of another position."""
     at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
-    return c.weighted and s.failed[i] and not s.jammed[i] and at_limit
+    return c.weighted and s.failed[i] and not s.jammed[i] and not s.reversed[i] and at_limit
 
 
 @compiled
@@ -100,6 +133,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
             s.lambda_hat[j] = 1.0
             reset_covariance(j, HEALTHY_VARIANCE, s)
     s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
+    s.jammed_at[i], s.since_flag[i], s.reversed[i] = s.lambda_hat[i], 0.0, 0
     s.designed_position[i] = NEVER
     reset_covariance(i, JAM_VARIANCE, s)
     for row in range(4):

@@ -33,6 +33,8 @@ _PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if leve
 _MARGIN_OF_LEVEL_FLIGHT = 0.15
 """Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one."""
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
+_MARGIN_ENOUGH_FOR_LEVEL = 0.6
+"""The same for a level flight. On the way to another airspeed altitude is lost or gained, and near the present one it is held."""
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
 """Scaled margin that is given up in order not to change airspeed by its own amount, or the path angle by 1 rad."""
 
@@ -111,7 +113,7 @@ def _after_a_jam(left: Remaining, loops: Loops) -> Iterator[Attempt]:
         return
     flights = _level_anywhere(left)
     roomy = flights.only(margins(left, flights) > _MARGIN_OF_LEVEL_FLIGHT)
-    yield roomy, _EVERYTHING, preference, 1.0
+    yield roomy, _EVERYTHING, _roomiest(left, _MARGIN_ENOUGH_FOR_LEVEL), 1.0
     yield _anywhere(left), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
 
@@ -130,13 +132,13 @@ def _nearest(airspeed: float) -> Preference:
     return lambda flights: -np.abs(flights.state[:, AIRSPEED] - airspeed)
 
 
-def _roomiest(left: Remaining) -> Preference:
-    """Most margin, but not for a large change of airspeed or a steep path."""
+def _roomiest(left: Remaining, enough: float = _MARGIN_ENOUGH) -> Preference:
+    """Most margin up to `enough`, but not for a large change of airspeed or a steep path."""
 
     def preference(flights: SteadyFlight) -> np.ndarray:
         change = np.abs(flights.state[:, AIRSPEED] / left.model.airspeed_m_s - 1.0)
         cost = _MARGIN_FOR_AIRSPEED * change + _MARGIN_FOR_SLOPE * np.abs(path_angles(flights))
-        preferred: np.ndarray = np.minimum(margins(left, flights), _MARGIN_ENOUGH) - cost
+        preferred: np.ndarray = np.minimum(margins(left, flights), enough) - cost
         return preferred
 
     return preference
