@@ -23,6 +23,7 @@ from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.folder import write_run_folder
 from testbed.plant.jsbsim import Plant
+from testbed.reporting.story import story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import assemble, fly, lockstep
 
@@ -209,14 +210,14 @@ def test_the_failures_happened(tail: Run) -> None:
 
 @pytest.mark.parametrize("fixture", ["tail", "propeller"])
 def test_run_says_what_it_found(fixture: str, request: pytest.FixtureRequest) -> None:
-    """Exit status 0, no word from JSBSim, and the verdict of the scenario's own requirements is this file's."""
+    """Exit status 0, no word from JSBSim, the story of the flight, and the verdict of the scenario's own requirements."""
     done: Run = request.getfixturevalue(fixture)
     assert (done.process.returncode, done.process.stderr) == (0, "")
-    first, *verdicts, passed, wrote = done.process.stdout.splitlines()
+    first, *told, passed, wrote = done.process.stdout.splitlines()
     assert first.endswith("flew to the end, 60 s")
-    assert len(verdicts) == len(done.flight.requirements) > 5
-    assert all(line.startswith("  met ") for line in verdicts)
-    assert (passed, wrote) == ("passed", "wrote out")
+    assert [line.strip() for line in told] == story(done.flight)
+    count = len(done.flight.requirements)
+    assert count > 5 and (passed, wrote) == (f"passed: {count} of {count} requirements met", "wrote out")
     assert done.flight.passed
 
 
@@ -397,7 +398,7 @@ def test_no_steady_flight_to_begin_from_is_bad_input(tmp_path: Path) -> None:
     """Within the envelope, but faster than full throttle flies level."""
     result = run(tmp_path, TAIL, "initial.airspeed_m_s=39", "requirements=[]")
     assert result.process.returncode == 2
-    assert result.process.stderr.startswith("no steady flight of vtail was found at 39 m/s, 300 m")
+    assert "initial: no steady flight of vtail was found at 39 m/s, 300 m" in result.process.stderr
     assert len(result.process.stderr.splitlines()) == 1
     assert not list(tmp_path.iterdir())
 

@@ -105,8 +105,13 @@ def other_design(folder: Path) -> None:
 
 
 def other_servo(folder: Path) -> None:
-    """What the controller is told of the servos."""
+    """The lag of a servo, in the model and in what the controller is told; they have to agree."""
     edited(folder / "vtail.yaml", r"lag_rad_s: [0-9.]+", "lag_rad_s: 10")
+    edited(
+        folder / "vtail.xml",
+        r'value="30">fcs/left-ruddervator/servo-lag',
+        'value="10">fcs/left-ruddervator/servo-lag',
+    )
 
 
 @pytest.mark.slow

@@ -75,7 +75,7 @@ class Examiner:
         process.stdin.flush()
         stage, begun, used = "starting", time.monotonic(), _cpu_s(process.pid)
         while True:
-            if not select.select([process.stdout], [], [], 1.0)[0]:
+            if not select.select([process.stdout], [], [], _LOOK_S)[0]:
                 used_s, waited_s = _cpu_s(process.pid) - used, time.monotonic() - begun
                 if used_s < limit and waited_s < _BUSY * limit:
                     continue
@@ -111,6 +111,9 @@ class Examiner:
                 env=self._environment, bufsize=0,
             )  # fmt: skip
         return self._process
+
+
+_LOOK_S = 0.05  # how often an answer is looked for
 
 
 def _cpu_s(pid: int) -> float:

@@ -18,7 +18,7 @@ from testbed.flight.flight import Flight
 from testbed.flight.folder import flight_from
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
-from testbed.scenario.load import dump, scenario_from
+from testbed.scenario.load import Scenario, dump, scenario_from
 
 _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
 _LABEL = re.compile(r"run-(\d{6,})(?:-(.+))?")
@@ -36,7 +36,7 @@ def encode(flight: Flight) -> bytes:
     ]
     columns[0] = _column(pa, pa.float64(), flight.data[:, 0].copy())  # time stays in double precision
     summary = json.dumps(flight.summary, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    about = {_SCENARIO: dump(flight.scenario).encode(), _SUMMARY: summary.encode()}
+    about = {_SCENARIO: dump(_placeless(flight.scenario)).encode(), _SUMMARY: summary.encode()}
     stream = io.BytesIO()
     table = pa.Table.from_arrays(columns, names=list(flight.columns)).replace_schema_metadata(about)
     pq.write_table(table, stream, compression="zstd", use_byte_stream_split=True, use_dictionary=False)
@@ -126,3 +126,13 @@ def _run_and_label(name: str) -> tuple[int, str]:
         return int(name), ""
     found = _LABEL.fullmatch(name)
     return (int(found[1]), found[2] or "") if found else (0, "")
+
+
+def _placeless(scenario: Scenario) -> Scenario:
+    """The scenario with its aircraft's name in place of its folder, which is another one on each machine of a cluster."""
+    aircraft = scenario.aircraft
+    if isinstance(aircraft, str):
+        return scenario.model_copy(update={"aircraft": Path(aircraft).name})
+    return scenario.model_copy(
+        update={"aircraft": aircraft.model_copy(update={"name": Path(aircraft.name).name})}
+    )
