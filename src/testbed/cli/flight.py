@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.checked import checked, collect
-from testbed.cli.interrupts import tidily
+from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.working import working
 from testbed.flight.folder import FolderExists, load, refuse_existing, refuse_unwritable, write_run_folder
@@ -38,7 +38,8 @@ def fly(options: argparse.Namespace) -> bool:
     viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
         raise BadInput(problems)
-    refuse_unwritable(options.out or _default_folder(scenario, 1))  # nor this after the flight
+    with later():
+        refuse_unwritable(options.out or _default_folder(scenario, 1))  # nor this after the flight
     from testbed.common.jit import has_compiled
     from testbed.scenario import conditions
     from testbed.simulation import fly

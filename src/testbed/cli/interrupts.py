@@ -36,6 +36,16 @@ def tidily() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
 
 
+@contextlib.contextmanager
+def later() -> Iterator[None]:
+    """While in the block, Ctrl-C waits: for a moment in which something is made and removed again."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def _end(*_: object) -> None:
     with contextlib.suppress(OSError):
         os.write(2, f"{WORDS}\n".encode())

@@ -12,7 +12,7 @@ from typing import Any
 
 from testbed import monte_carlo
 from testbed.cli.flight import print_verdict
-from testbed.cli.interrupts import tidily
+from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET
 from testbed.cli.working import working
 from testbed.common.files import slug
@@ -106,7 +106,8 @@ def _fly_only(options: argparse.Namespace, how: Options) -> int:
     )
     folder = options.out or usual.with_name(_name(usual.name, options.only, options.variant))
     refuse_existing(folder)
-    refuse_unwritable(folder)
+    with later():
+        refuse_unwritable(folder)
     with tidily():
         passed, flights = monte_carlo.fly_run(
             plan, options.only, folder, how, variant=options.variant, figures=not options.no_plots
