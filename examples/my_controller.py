@@ -1,4 +1,4 @@
-"""A controller of one's own: testbed run SCENARIO --controller examples/my_controller.py:MyController"""
+"""A controller of one's own: testbed run SCENARIO --controller my_controller.py:MyController"""
 
 import math
 

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
+from chromium import chromium
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 
@@ -19,3 +22,10 @@ def vtail() -> Aircraft:
 def vtail_copy(vtail: Aircraft, tmp_path: Path) -> Path:
     """The v-tail in a folder of the test's own."""
     return Path(shutil.copytree(vtail.folder, tmp_path / "aircraft" / "vtail"))
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    """Debian's chromium."""
+    with chromium() as running:
+        yield running

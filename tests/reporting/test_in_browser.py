@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from chromium import Window, chromium
+from chromium import Window, drawn
 
 from testbed.flight.folder import write_run_folder
 from testbed.reporting.run_report import write_report
@@ -29,20 +29,10 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return write_report(folder)
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with chromium() as running:
-        yield running
-
-
 @pytest.fixture
 def window(browser: Any, report: Path) -> Iterator[Window]:
-    made = Window(browser, 1400, "light")
-    made.open(report)
-    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
-    yield made
-    made.context.close()
-    assert not made.wrong
+    with drawn(browser, report) as made:
+        yield made
 
 
 def value(window: Window, expression: str) -> Any:
@@ -54,18 +44,14 @@ def value(window: Window, expression: str) -> Any:
 def test_quiet_and_no_wider_than_the_window(
     browser: Any, report: Path, tmp_path: Path, width: int, scheme: str
 ) -> None:
-    made = Window(browser, width, scheme)
-    made.open(report)
-    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
-    pictures = Path(os.environ.get("SITE_PICTURES", tmp_path))
-    made.page.screenshot(path=pictures / f"report-{width}-{scheme}.png", full_page=True)
-    assert made.page.locator("#replay canvas").count() == 1
-    made.page.locator("#panels-actuators").scroll_into_view_if_needed()
-    made.page.locator(
-        "#panels-actuators canvas"
-    ).first.wait_for()  # panels are drawn when they are first seen
-    made.context.close()
-    assert not made.wrong
+    with drawn(browser, report, width, scheme) as made:
+        pictures = Path(os.environ.get("SITE_PICTURES", tmp_path))
+        made.page.screenshot(path=pictures / f"report-{width}-{scheme}.png", full_page=True)
+        assert made.page.locator("#replay canvas").count() == 1
+        made.page.locator("#panels-actuators").scroll_into_view_if_needed()
+        made.page.locator(
+            "#panels-actuators canvas"
+        ).first.wait_for()  # panels are shown when they are first seen
 
 
 def test_small_enough_for_a_mail(report: Path) -> None:
@@ -117,13 +103,9 @@ def test_any_column_can_be_drawn(window: Window) -> None:
 
 
 def test_without_webgl_the_track_is_drawn_flat(browser: Any, report: Path) -> None:
-    made = Window(browser, 1400, "light")
-    made.page.goto(report.as_uri() + "?webgl=0")
-    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
-    drawn = "document.querySelector('#replay canvas').getContext('2d') !== null"
-    assert made.page.evaluate(drawn)
-    made.context.close()
-    assert not made.wrong
+    with drawn(browser, report, query="?webgl=0") as made:
+        shown = "document.querySelector('#replay canvas').getContext('2d') !== null"
+        assert made.page.evaluate(shown)
 
 
 def rotated(window: Window, roll: float, pitch: float, heading: float, body: list[float]) -> list[float]:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Window, chromium
+from chromium import Window, drawn
 from figure_flights import broken
 from sweep_files import fly_here, written
 
@@ -44,20 +44,10 @@ def comparison(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return file
 
 
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Any]:
-    with chromium() as running:
-        yield running
-
-
 @pytest.fixture
 def window(browser: Any, sweep: Path) -> Iterator[Window]:
-    made = Window(browser, 1400, "light")
-    made.open(sweep)
-    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
-    yield made
-    made.context.close()
-    assert not made.wrong
+    with drawn(browser, sweep) as made:
+        yield made
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -66,15 +56,11 @@ def window(browser: Any, sweep: Path) -> Iterator[Window]:
 def test_quiet_and_no_wider_than_the_window(
     browser: Any, sweep: Path, comparison: Path, tmp_path: Path, what: str, width: int, scheme: str
 ) -> None:
-    made = Window(browser, width, scheme)
-    made.open({"sweep": sweep, "comparison": comparison}[what])
-    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
-    pictures = Path(os.environ.get("SITE_PICTURES", tmp_path))
-    made.page.screenshot(path=pictures / f"{what}-{width}-{scheme}.png", full_page=True)
-    drawn = {"sweep": "#map svg .flight", "comparison": "#panels-errors canvas"}[what]
-    assert made.page.locator(drawn).count() > 0
-    made.context.close()
-    assert not made.wrong
+    with drawn(browser, {"sweep": sweep, "comparison": comparison}[what], width, scheme) as made:
+        pictures = Path(os.environ.get("SITE_PICTURES", tmp_path))
+        made.page.screenshot(path=pictures / f"{what}-{width}-{scheme}.png", full_page=True)
+        shown = {"sweep": "#map svg .flight", "comparison": "#panels-errors canvas"}[what]
+        assert made.page.locator(shown).count() > 0
 
 
 def rows(window: Window) -> list[list[str]]:
@@ -166,15 +152,11 @@ def test_axes_of_the_map_are_chosen(window: Window) -> None:
 
 
 def test_panels_of_a_comparison_share_cursor_and_range(browser: Any, comparison: Path) -> None:
-    made = Window(browser, 1400, "light")
-    made.open(comparison)
-    made.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
-    assert made.page.locator("#timelines .bar").count() == 2
-    made.page.locator("#timelines .phase").nth(1).click(position={"x": 2, "y": 5})
-    low, high = made.page.evaluate("comparison.clock.range")
-    shown = made.page.evaluate(
-        "comparison.panels.made.filter(m => m.plot).map(m => [m.plot.scales.x.min, m.plot.scales.x.max])"
-    )
-    assert shown and all(pair == pytest.approx([low, high]) for pair in shown)
-    made.context.close()
-    assert not made.wrong
+    with drawn(browser, comparison) as made:
+        assert made.page.locator("#timelines .bar").count() == 2
+        made.page.locator("#timelines .phase").nth(1).click(position={"x": 2, "y": 5})
+        low, high = made.page.evaluate("comparison.clock.range")
+        shown = made.page.evaluate(
+            "comparison.panels.made.filter(m => m.plot).map(m => [m.plot.scales.x.min, m.plot.scales.x.max])"
+        )
+        assert shown and all(pair == pytest.approx([low, high]) for pair in shown)

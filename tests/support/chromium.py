@@ -36,6 +36,19 @@ def without(what: str) -> None:
 
 
 @contextmanager
+def drawn(
+    browser: Any, report: Path, width: int = 1400, scheme: str = "light", query: str = ""
+) -> Iterator[Window]:
+    """A report once its script has drawn it; nothing may have gone wrong by the end."""
+    window = Window(browser, width, scheme)
+    window.open(report, query)
+    window.page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
+    yield window
+    window.context.close()
+    assert not window.wrong
+
+
+@contextmanager
 def chromium() -> Iterator[Any]:
     """A running browser."""
     if CHROMIUM is None:
@@ -71,8 +84,8 @@ class Window:
         if not request.url.startswith(("file:", "data:", "blob:", "about:")):
             self.wrong.append(f"asked for {request.url}")
 
-    def open(self, file: Path) -> None:
-        self.page.goto(file.as_uri())
+    def open(self, file: Path, query: str = "") -> None:
+        self.page.goto(file.as_uri() + query)
         self.page.wait_for_load_state("networkidle")
         wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
         if self.page.evaluate(wide) > 0:

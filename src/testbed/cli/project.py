@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from testbed.aircraft.shipped import data_root
 from testbed.cli.schema import TABLE, text_of
 from testbed.inputs.problems import BadInput, Problem
 
 TEMPLATES = Path(__file__).parent / "template"
-"""The files that a new project begins with."""
+"""The files that a new project begins with, beside the example of a controller."""
 
 
 def make(folder: Path) -> None:
@@ -17,7 +18,7 @@ def make(folder: Path) -> None:
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
             raise BadInput([Problem("is not empty", str(folder), expected="a new or empty folder")])
-        for file in sorted(TEMPLATES.iterdir()):
+        for file in [*sorted(TEMPLATES.iterdir()), data_root() / "examples" / "my_controller.py"]:
             if file.is_file():
                 (folder / file.name).write_bytes(file.read_bytes())
         (folder / "schemas").mkdir()
