@@ -20,7 +20,7 @@ def test_a_sweep_leaves_a_whole_folder_and_returns_its_table(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    frame = testbed.sweep(written(tmp_path), runs=3, jobs=1, fly=quick)
+    frame = testbed.sweep(written(tmp_path), set={"runs": 3}, jobs=1, fly=quick)
     assert len(frame) == 6 and frame.attrs["summary"].startswith("small: 3 of 3 runs flown; passed: ")
     names = {path.name for path in (tmp_path / "runs/small").iterdir()}
     assert names >= {"sweep.yaml", "results.csv", "results.parquet", "summary.json", "figures", "report.html"}

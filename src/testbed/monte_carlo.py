@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import json
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -41,6 +42,7 @@ def sweep(
     runs: int | None = None,
     seed: int | None = None,
     settings: Sequence[str] = (),
+    set: Mapping[str, Any] | None = None,
     jobs: int | None = None,
     cluster: str | None = None,
     resume: bool = False,
@@ -57,6 +59,7 @@ def sweep(
         runs: number of runs, in place of the file's.
         seed: seed of everything random, in place of the file's.
         settings: changes as with `--set`, each KEY=VALUE.
+        set: the same as a mapping from dotted paths, as `fly` takes it: {"set.sensors": "mems", "runs": 50}.
         jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, and fly only the missing flights.
@@ -68,6 +71,7 @@ def sweep(
     Raises BadInput when nothing can be flown, Stopped when the sweep ended early; the finished flights are then kept.
     """
     how = options(jobs, cluster, save_logs, fly)
+    settings = [*settings, *(f"{path}={json.dumps(value)}" for path, value in (set or {}).items())]
     plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume, controllers=controllers)
     fly_sweep(plan, folder, how, resume=resume)
     finish(plan, folder, figures=figures)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pty
 import subprocess
 import sys
 from pathlib import Path
@@ -44,3 +45,30 @@ def test_a_full_disk_behind_stdout_is_said(tmp_path: Path) -> None:
     with open("/dev/full", "w") as full:
         done = process(tmp_path, "list", stdout=full)
     assert (done.returncode, done.stderr) == (3, b"cannot be read or written: No space left on device\n")
+
+
+VERDICT = """
+from testbed.cli.terminal import plain_output, print_verdict_word
+with plain_output():
+    print_verdict_word("passed", good=True)
+    print(": all", flush=True)
+"""
+
+
+@pytest.mark.parametrize(
+    ("more", "shown"),
+    [({"TERM": "xterm"}, b"\x1b[32mpassed\x1b[0m: all"), ({"NO_COLOR": "1"}, b"passed: all"), ({"TERM": "dumb"}, b"passed: all")],
+)  # fmt: skip
+def test_the_verdict_has_a_colour_on_a_terminal_that_wants_it(more: dict[str, str], shown: bytes) -> None:
+    environment = {**{name: value for name, value in os.environ.items() if name != "NO_COLOR"}, **more}
+    outside, inside = pty.openpty()
+    subprocess.run([sys.executable, "-c", VERDICT], stdout=inside, env=environment, check=True)
+    os.close(inside)
+    text = os.read(outside, 1000)
+    os.close(outside)
+    assert text.strip() == shown
+
+
+def test_the_verdict_has_no_colour_in_a_file() -> None:
+    done = subprocess.run([sys.executable, "-c", VERDICT], capture_output=True, check=True)
+    assert done.stdout == b"passed: all\n"

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from testbed.cli.checked import checked, collect
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
+from testbed.cli.terminal import print_verdict_word
 from testbed.cli.working import working
 from testbed.flight.folder import FolderExists, load, refuse_existing, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput, Problem
@@ -115,9 +116,12 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     missed = [requirement for requirement in flight.requirements if not requirement["passed"]]
     for requirement in missed:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
-        print(f"  NOT MET  {requirement['name']}: {number(requirement['value'])}{reason}")
+        print("  ", end="")
+        print_verdict_word("NOT MET", good=False)
+        print(f"  {requirement['name']}: {number(requirement['value'])}{reason}")
     total = len(flight.requirements)
     met = f": {total - len(missed)} of {total} requirements met" if total else ""
-    print(f"{'passed' if flight.passed else 'not passed'}{met}")
+    print_verdict_word("passed" if flight.passed else "not passed", flight.passed)
+    print(met)
     for warning in [text for text in flight.warnings if text not in said]:
         print(f"WARNING: {warning}", file=sys.stderr)

@@ -1,4 +1,7 @@
-"""What the commands print: text that a terminal shows and does not obey, in any encoding; warnings as one line each."""
+"""What the commands print: text that a terminal shows and does not obey, in any encoding; warnings as one line each.
+
+Only the verdict has a colour, and only on a terminal, unless NO_COLOR is set (no-color.org) or TERM is dumb.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,8 @@ from typing import Any, TextIO, cast
 from testbed.cli.working import erase
 from testbed.common.text import printable
 
+_GREEN, _RED = "32", "31"
+
 
 class _Printable:
     """A text stream that writes what `printable` makes of a text; all else is the stream's own."""
@@ -24,6 +29,14 @@ class _Printable:
         erase()
         self._stream.write(printable(text))
         return len(text)
+
+    def write_in_colour(self, text: str, code: str) -> None:
+        """Write `text` in the colour of an ANSI code, if the stream is a terminal that may have colours."""
+        plain = (
+            not self._stream.isatty() or bool(os.environ.get("NO_COLOR")) or os.environ.get("TERM") == "dumb"
+        )
+        erase()
+        self._stream.write(printable(text) if plain else f"\x1b[{code}m{printable(text)}\x1b[0m")
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._stream, name)
@@ -39,6 +52,14 @@ def plain_output() -> Iterator[None]:
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), warnings.catch_warnings():
         warnings.showwarning = _show
         yield
+
+
+def print_verdict_word(word: str, good: bool) -> None:
+    """Print a word without a new line, green if it is good news, red if not."""
+    if isinstance(sys.stdout, _Printable):
+        sys.stdout.write_in_colour(word, _GREEN if good else _RED)
+    else:  # called from Python, outside a command
+        print(word, end="")
 
 
 def _show(message: Warning | str, *_: object, **__: object) -> None:
