@@ -83,3 +83,9 @@ def test_a_model_of_jsbsim_is_not_shipped_but_can_be_adopted() -> None:
         BadInput, match=r"no aircraft 'c172p', .* expected \./c172p, after `testbed adopt c172p`"
     ):
         find_aircraft("c172p")
+
+
+@pytest.mark.parametrize("name", ["x" * 300, "./" + "x" * 300, "x/" * 3000])
+def test_a_name_longer_than_any_file_can_have(name: str) -> None:
+    with pytest.raises(BadInput, match=r"no aircraft|there is no folder"):
+        find_aircraft(name)

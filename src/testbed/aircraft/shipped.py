@@ -50,9 +50,9 @@ def find_aircraft(name: str) -> Path:
 def _is_jsbsim_model(name: str) -> bool:
     """Whether the jsbsim package has a model of this name, which can be adopted."""
     found = importlib.util.find_spec("jsbsim")
-    return (
-        found is not None and (Path(str(found.origin)).parent / "aircraft" / name / f"{name}.xml").is_file()
-    )
+    if found is None:
+        return False
+    return os.path.isfile(Path(str(found.origin)).parent / "aircraft" / name / f"{name}.xml")
 
 
 def _is_aircraft(folder: Path) -> bool:
