@@ -8,6 +8,7 @@ if TYPE_CHECKING:
 
     from testbed.loading import load as load
     from testbed.monte_carlo import sweep as sweep
+    from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison import compare as compare
     from testbed.simulation import fly as fly
 
@@ -15,12 +16,13 @@ if TYPE_CHECKING:
 
 _MODULES = {
     "compare": "testbed.reporting.comparison",
+    "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
     "load": "testbed.loading",
     "sweep": "testbed.monte_carlo",
 }
 
-__all__ = ["__version__", "compare", "fly", "load", "sweep"]
+__all__ = ["__version__", "compare", "failure_probability", "fly", "load", "sweep"]
 
 
 def __getattr__(name: str) -> Any:

@@ -1,0 +1,57 @@
+"""Plain Monte Carlo: independent standard normal draws, with the exact interval. The check of the other methods."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from testbed.reliability.limit_state import Asked
+from testbed.reliability.results import FailureProbability, Level
+from testbed.sweeps.statistics import proportion
+
+BATCH = 1000
+
+
+def plain(asked: Asked, random: np.random.Generator, cov: float) -> FailureProbability:
+    """Draw batches until the coefficient of variation, sqrt((1 - p) / (p n)), is at most `cov`, or the budget is spent.
+
+    The interval is that of Clopper and Pearson (1934). Points without a number widen it: its upper end counts them as
+    failures.
+    """
+    failures = n = 0
+    while asked.left > 0 and _cov(failures, n) > cov:
+        values = asked(random.standard_normal((min(BATCH, asked.left), asked.dimensions)))
+        failures += int((values <= 0).sum())
+        n += len(values)
+    return _result(asked, failures, n, cov)
+
+
+def _cov(failures: int, n: int) -> float:
+    return math.sqrt((n - failures) / (failures * n)) if failures else math.inf
+
+
+def _result(asked: Asked, failures: int, n: int, cov: float) -> FailureProbability:
+    known = proportion(failures, n, method="exact")
+    high = proportion(failures + asked.unknown, n, method="exact").high
+    converged = _cov(failures, n) <= cov and not asked.unknown
+    level = Level(0.0, known.estimate, _cov(failures, n), n)
+    return FailureProbability(
+        probability=known.estimate,
+        cov=_cov(failures, n),
+        interval=(known.low, high),
+        evaluations=asked.evaluations,
+        method="plain",
+        levels=(level,),
+        design_point=asked.nearest,
+        converged=converged,
+        reason=_reason(asked, failures, n, converged),
+    )
+
+
+def _reason(asked: Asked, failures: int, n: int, converged: bool) -> str:
+    if asked.unknown:
+        return f"{asked.unknown} of {n} values were not a number; the interval's upper end counts them as failures."
+    if converged:
+        return f"{failures} failures in {n} independent draws."
+    return f"{failures} failures in {n} independent draws; the budget was spent before the asked precision was reached."

@@ -1,0 +1,45 @@
+"""`failure_probability`: how likely a limit state is at or below 0."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from testbed.common.random_streams import generator
+from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.reliability import arguments
+from testbed.reliability.limit_state import Asked, LimitState
+from testbed.reliability.plain import plain
+from testbed.reliability.results import FailureProbability
+
+Method = Callable[[Asked, np.random.Generator, float], FailureProbability]
+
+TABLE: dict[str, Method] = {"plain": plain}
+
+
+def failure_probability(
+    limit_state: LimitState,
+    dimensions: int,
+    *,
+    seed: int = 0,
+    cov: float = 0.3,
+    budget: int = 10_000,
+    method: str = "plain",
+) -> FailureProbability:
+    """Probability that `limit_state` is at or below 0 when its inputs are independent standard normals.
+
+    `limit_state` takes an array [n, dimensions] and returns [n] values. It is called until the coefficient of variation of
+    the estimate is at most `cov`, or `budget` evaluations are spent. The result says which, and has a 95 % interval. The
+    same seed and the same values of the limit state give the same batches and the same result.
+
+    Raises BadInput for arguments that cannot be used, and for a limit state that returns anything but [n] numbers.
+    """
+    arguments.check(limit_state, dimensions=dimensions, seed=seed, cov=cov, budget=budget)
+    if method not in TABLE:
+        expected, suggestion = guess(method, TABLE)
+        raise BadInput(
+            [Problem(f"is no method: {method}", "method", expected=expected, suggestion=suggestion)]
+        )
+    asked = Asked(limit_state, int(dimensions), int(budget))
+    return TABLE[method](asked, generator(int(seed), f"reliability {method}"), cov)

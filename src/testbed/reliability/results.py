@@ -1,0 +1,78 @@
+"""What the methods return: a probability with what is known of it, and the smallest failure with the way to it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Level:
+    """One level of subset simulation: the points whose limit state is at or below `threshold`.
+
+    `probability` is that of this level given the level before, `cov` its coefficient of variation, and `evaluations` how
+    many points were evaluated for it.
+    """
+
+    threshold: float
+    probability: float
+    cov: float
+    evaluations: int
+
+
+@dataclass(frozen=True, eq=False)
+class FailureProbability:
+    """The probability that a limit state is at or below 0, and how well it is known.
+
+    `cov` is the coefficient of variation of the estimate (infinite if it is not known), `interval` has 95 % confidence.
+    `design_point` [d] is the failure nearest to the origin among the evaluated points, None without a failure.
+    `converged` says whether the asked coefficient of variation was reached and nothing speaks against the estimate;
+    `reason` says it in a sentence.
+    """
+
+    probability: float
+    cov: float
+    interval: tuple[float, float]
+    evaluations: int
+    method: str
+    levels: tuple[Level, ...]
+    design_point: np.ndarray | None
+    converged: bool
+    reason: str
+
+    @property
+    def distance(self) -> float:
+        """Distance of the design point from the origin; infinite without a failure."""
+        return math.inf if self.design_point is None else float(np.linalg.norm(self.design_point))
+
+
+@dataclass(frozen=True)
+class Step:
+    """An improvement of a search: the failure `point` [d] at this `distance`, after so many evaluations."""
+
+    evaluations: int
+    distance: float
+    point: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class SmallestFailure:
+    """The failure nearest to the origin that was found, or that none was.
+
+    `design_point` [d] and `limit_state`, its value there, are None and NaN if nothing was found; `distance` is then
+    infinite. `path` has every improvement, the last being the design point. `independent` of the evaluations were
+    independent standard normal draws. `upper_bound` is what these allow the failure probability to be, with 95 %
+    confidence.
+    """
+
+    found: bool
+    design_point: np.ndarray | None
+    distance: float
+    limit_state: float
+    evaluations: int
+    path: tuple[Step, ...]
+    independent: int
+    upper_bound: float
+    reason: str
