@@ -197,7 +197,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         data=np.ascontiguousarray(data[:, ::every]).T,
         events=events,
         metrics=metrics,
-        requirements=judge(scenario.requirements, log, metrics),
+        requirements=judge(scenario.requirements, log, metrics, scenario.duration_s),
         actuators=actuators,
         warnings=warnings,
         shape=load_shape(aircraft.folder),

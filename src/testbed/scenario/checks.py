@@ -93,6 +93,8 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
         starts.append((("atmosphere", "gusts", i, "at_s"), gust.at_s))
     for i, requirement in enumerate(scenario.requirements):
         starts.append((("requirements", i, "from_s"), requirement.from_s))
+        starts.append((("requirements", i, "settles_by_s"), requirement.settles_by_s))
+        starts.append((("requirements", i, "never_for_longer_than_s"), requirement.never_for_longer_than_s))
         ends.append((("requirements", i, "until_s"), requirement.until_s))
     last = len(scenario.commands) - 1
     if scenario.commands and scenario.commands[-1].at_s >= end:
