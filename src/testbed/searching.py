@@ -107,7 +107,9 @@ def search(
     Raises BadInput when nothing can be searched, Stopped when the search ended early; the finished flights are then kept.
     """
     how = options(jobs, cluster, "none", fly)
-    plan, folder = prepare(search, out, settings, goal=goal, budget=budget, seed=seed, controllers=controllers)
+    plan, folder = prepare(
+        search, out, settings, goal=goal, budget=budget, seed=seed, controllers=controllers
+    )
     found = run_search(plan, folder, how, resume=resume)
     return SearchResult(folder, finish(plan, folder, found, how.job(plan.plan), figures=figures))
 

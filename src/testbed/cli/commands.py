@@ -101,7 +101,9 @@ def parser() -> argparse.ArgumentParser:
         commands, "report", _report, "rebuild figures and report of a run, sweep or search folder"
     )
     command.add_argument(
-        "folder", type=Path, help="run, sweep or search folder, or one run of a sweep whose log was kept: SWEEP/17"
+        "folder",
+        type=Path,
+        help="run, sweep or search folder, or one run of a sweep whose log was kept: SWEEP/17",
     )
 
     _add_compare(_command(commands, "compare", _compare, "flights side by side, in one page"))

@@ -108,7 +108,9 @@ def _refuse_other(folder: Path, plan: SearchPlan, resume: bool) -> None:
         raise BadInput(problems)
 
 
-def write_table(plan: SearchPlan, store: Store, asked: Iterable[tuple[Part, list[tuple[float, ...]]]]) -> None:
+def write_table(
+    plan: SearchPlan, store: Store, asked: Iterable[tuple[Part, list[tuple[float, ...]]]]
+) -> None:
     """Write results.csv and results.parquet: the flights of each part, by the points in the order in which they were asked for."""
     order = [key_of(part, point) for part, points in asked for point in points]
     numbers = [k for _, points in asked for k in range(len(points))]

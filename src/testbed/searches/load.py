@@ -96,7 +96,9 @@ def _parts(search: Search, source: Source, plan: Plan) -> Iterator[Part]:
     choices = {path: d for path, d in search.vary.items() if d.name == "choice"}
     rest = {path: d for path, d in search.vary.items() if d.name != "choice"}
     if not rest:
-        raise BadInput([source.problem(("vary",), "has choices only", "a value with a distribution to search in")])
+        raise BadInput(
+            [source.problem(("vary",), "has choices only", "a value with a distribution to search in")]
+        )
     combinations = list(itertools.product(*(_options(d) for d in choices.values())))
     number = len(combinations) * len(plan.variants)
     if number > MOST_PARTS:
@@ -139,9 +141,7 @@ def _neutral(search: Search, builder: Builder, variant: int, options: Mapping[st
     keys = [(int(parts[1]), parts[2]) for parts in varied if len(parts) == 3 and parts[1].isdigit()]
     if not keys:
         return {}
-    middle = {
-        path: d.at_normal(np.zeros(1))[0] for path, d in search.vary.items() if path not in options
-    }
+    middle = {path: d.at_normal(np.zeros(1))[0] for path, d in search.vary.items() if path not in options}
     try:
         scenario = builder.scenario(Task(0, variant, 2, {**options, **middle}))
         actuators = chosen(scenario.aircraft).actuators

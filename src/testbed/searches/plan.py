@@ -50,7 +50,9 @@ class SearchPlan:
 
     def label(self, part: Part) -> str:
         """The variant and the options of a part in words; empty if there is only one part."""
-        options = [value if isinstance(value, str) else f"{path} {value}" for path, value in part.options.items()]
+        options = [
+            value if isinstance(value, str) else f"{path} {value}" for path, value in part.options.items()
+        ]
         return ", ".join(filter(None, [self.plan.variants[part.variant].label, *options]))
 
     def seed(self, part: Part) -> int:

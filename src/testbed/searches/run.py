@@ -11,7 +11,13 @@ from typing import Any
 import numpy as np
 
 from testbed.inputs.problems import BadInput, Problem
-from testbed.reliability import FailureProbability, SmallestFailure, Step, failure_probability, smallest_failure
+from testbed.reliability import (
+    FailureProbability,
+    SmallestFailure,
+    Step,
+    failure_probability,
+    smallest_failure,
+)
 from testbed.searches.flying import workers
 from testbed.searches.folder import Store, write_table
 from testbed.searches.limit_state import LimitState, failed, robustness

@@ -84,7 +84,10 @@ def _part(plan: SearchPlan, found: Found) -> Summary:
             "upper_bound": answer.upper_bound,
         }
     else:
-        said |= {"probability": _probability([(answer, 1.0)]), "levels": [vars(level) for level in answer.levels]}
+        said |= {
+            "probability": _probability([(answer, 1.0)]),
+            "levels": [vars(level) for level in answer.levels],
+        }
     return said
 
 
@@ -134,7 +137,9 @@ def _probability(answers: Sequence[tuple[FailureProbability, float]]) -> Summary
     `plain_flights` are those that plain sampling needs for the same coefficient of variation, (1 - P) / (P cov^2).
     """
     estimate = sum(weight * answer.probability for answer, weight in answers)
-    variance = sum((weight * answer.probability * answer.cov) ** 2 for answer, weight in answers if answer.probability)
+    variance = sum(
+        (weight * answer.probability * answer.cov) ** 2 for answer, weight in answers if answer.probability
+    )
     cov = math.sqrt(variance) / estimate if estimate else math.inf
     return {
         "estimate": estimate,
@@ -143,6 +148,7 @@ def _probability(answers: Sequence[tuple[FailureProbability, float]]) -> Summary
         "coefficient_of_variation": cov,
         "converged": all(answer.converged for answer, _ in answers),
         "flights": sum(answer.evaluations for answer, _ in answers),
-        "plain_flights": (1.0 - estimate) / (estimate * cov**2) if estimate and 0.0 < cov < math.inf else math.inf,
+        "plain_flights": (1.0 - estimate) / (estimate * cov**2)
+        if estimate and 0.0 < cov < math.inf
+        else math.inf,
     }
-

@@ -121,9 +121,7 @@ def _base(study: Study, source: Source) -> Source:
                                        missing[0].suggestion)]) from None  # fmt: skip
 
 
-def _comparing(
-    own: Mapping[str, OwnController], study: AnyStudy, source: Source, base: Source
-) -> AnyStudy:
+def _comparing(own: Mapping[str, OwnController], study: AnyStudy, source: Source, base: Source) -> AnyStudy:
     """The study with these controllers among those compared; raises BadInput where they cannot be."""
     if "controller" in study.compare:
         what = "compares whole controllers, beside which --controller has no place"

@@ -40,7 +40,7 @@ class Study(Settings):
     vary: dict[str, Distribution] = {}  # noqa: RUF012
     """Values that vary: a distribution for each dotted path."""
     compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
-    """Variants with which the same variations are flown: a list of values for each dotted path; with several paths, all combinations."""
+    """Variants that are flown with the same variations: a list of values for each dotted path; of several, all combinations."""
     controllers: dict[str, Text] = {}  # noqa: RUF012
     """Controllers of one's own among those compared, each FILE.py:CLASS. `--controller` fills it in; a file runs no code."""
     time_limit_s: Positive = 300.0

@@ -57,5 +57,7 @@ def _flight(part: Summary, folder: Path) -> Iterator[str]:
     label = f" ({part['label']})" if part["label"] else ""
     yield html.picture(png(comparison), f"The flight found, and the one at the origin of the search{label}")
     yield html.note(
-        html.Html(f'<a href="{page.name}">Both flights side by side</a>, <a href="{found.name}/report.html">the flight found</a>.')
+        html.Html(
+            f'<a href="{page.name}">Both flights side by side</a>, <a href="{found.name}/report.html">the flight found</a>.'
+        )
     )

@@ -15,7 +15,7 @@ Summary = Mapping[str, Any]
 CAPTIONS = {
     "convergence": "Distance of the nearest failure found, by the number of flights made.",
     "path": "The way to the answer: the coordinates of each nearer failure that was found, the last on the right.",
-    "levels": "Probability that the robustness is at most a value, by the levels of subset simulation, with 95 % intervals; at 0, the answer.",
+    "levels": "Probability that the robustness is at most a value, by level, with 95 % intervals; at 0, the answer.",
 }
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
 _MARKERS = "os^Dvp"
@@ -64,7 +64,14 @@ def path(summary: Summary) -> Figure | None:
         names = sorted(part["point"], key=lambda name: -part["point"][name]["share"])[:_MOST_INPUTS]
         for j, name in enumerate(names):
             values = [step["coordinates"][name] for step in part["path"]]
-            axes.plot(range(1, len(values) + 1), values, label=name, marker=_MARKERS[j % 6], ms=4, color=_COLOURS[j % 6])
+            axes.plot(
+                range(1, len(values) + 1),
+                values,
+                label=name,
+                marker=_MARKERS[j % 6],
+                ms=4,
+                color=_COLOURS[j % 6],
+            )
         axes.set(ylabel="standard deviations", title=part["label"])
         axes.grid(alpha=0.3)
         axes.legend(fontsize=7)
@@ -85,7 +92,14 @@ def levels(summary: Summary) -> Figure | None:
         products = np.cumprod([level["probability"] for level in part["levels"]])
         spread = np.sqrt(np.cumsum([(level["cov"] or 0.0) ** 2 for level in part["levels"]]))
         ends = products * np.exp(np.outer([-1.96, 1.96], np.sqrt(np.log1p(spread**2))))
-        axes.errorbar(at, products, yerr=[products - ends[0], ends[1] - products], capsize=3, label=part["label"] or None, **_style(i))
+        axes.errorbar(
+            at,
+            products,
+            yerr=[products - ends[0], ends[1] - products],
+            capsize=3,
+            label=part["label"] or None,
+            **_style(i),
+        )
     axes.set_yscale("log")
     axes.set(xlabel="robustness", ylabel="probability of at most this")
     axes.axvline(0.0, color="0.35", ls=":")

@@ -29,13 +29,24 @@ def probabilities(summary: Summary) -> Iterator[str]:
     if summary["goal"] != "probability":
         return
     yield "<h2>How likely a requirement is broken</h2>"
-    rows = [_probability(variant["label"] or "all", "", variant["probability"]) for variant in summary["variants"]]
+    rows = [
+        _probability(variant["label"] or "all", "", variant["probability"]) for variant in summary["variants"]
+    ]
     if len(summary["parts"]) > len(summary["variants"]):
         rows += [
             _probability(part["label"], number(part["weight"], ".3g"), part["probability"], part["reason"])
             for part in summary["parts"]
         ]
-    heads = ["", "weight", "probability", "95 % interval", "coefficient of variation", "flights", "plain sampling needs", ""]
+    heads = [
+        "",
+        "weight",
+        "probability",
+        "95 % interval",
+        "coefficient of variation",
+        "flights",
+        "plain sampling needs",
+        "",
+    ]
     yield html.table(heads, rows)
     yield html.note(
         f"By {summary['method']} sampling, with the same random numbers for all variants. Plain sampling needs "
@@ -45,7 +56,13 @@ def probabilities(summary: Summary) -> Iterator[str]:
 
 def _probability(label: str, weight: str, known: Summary, reason: str = "") -> html.Html:
     span = f"{number(known['low'], '.2g')} to {number(known['high'], '.2g')}"
-    cells = [label, weight, number(known["estimate"], ".2g"), span, number(known["coefficient_of_variation"], ".2f")]
+    cells = [
+        label,
+        weight,
+        number(known["estimate"], ".2g"),
+        span,
+        number(known["coefficient_of_variation"], ".2f"),
+    ]
     return html.row([*cells, known["flights"], number(known["plain_flights"], ".2g"), reason])
 
 
@@ -57,10 +74,21 @@ def design_points(summary: Summary) -> Iterator[str]:
     yield "<h2>What it takes</h2>"
     for part in found:
         yield f"<h3>{escape(part['label'])}</h3>" if part["label"] else ""
-        rows = [_input(name, each) for name, each in sorted(part["point"].items(), key=lambda item: -item[1]["share"])]
+        rows = [
+            _input(name, each)
+            for name, each in sorted(part["point"].items(), key=lambda item: -item[1]["share"])
+        ]
         yield f'<div class="drivers">{"".join(rows)}</div>'
-        heads = ["input", "value found", "value at the origin", "standard deviations", "values at least as far"]
-        yield html.folded("As numbers", html.table(heads, [_numbers(*item) for item in part["point"].items()]))
+        heads = [
+            "input",
+            "value found",
+            "value at the origin",
+            "standard deviations",
+            "values at least as far",
+        ]
+        yield html.folded(
+            "As numbers", html.table(heads, [_numbers(*item) for item in part["point"].items()])
+        )
     yield html.note(
         "Bars: the share of each input in the squared distance of the failure found from the origin; in the number, its value. "
         "The origin is the median of an input or, for the severity of a failure, the value without effect."
@@ -76,7 +104,15 @@ def _input(name: str, each: Summary) -> str:
 
 
 def _numbers(name: str, each: Summary) -> html.Html:
-    return html.row([name, each["value"], each["nominal"], number(each["coordinate"], "+.2f"), number(each["beyond"], ".2g")])
+    return html.row(
+        [
+            name,
+            each["value"],
+            each["nominal"],
+            number(each["coordinate"], "+.2f"),
+            number(each["beyond"], ".2g"),
+        ]
+    )
 
 
 def levels(summary: Summary) -> Iterator[str]:
@@ -89,7 +125,13 @@ def levels(summary: Summary) -> Iterator[str]:
             product *= level["probability"] or 0.0
             rows.append(html.row([level["threshold"], number(level["probability"], ".3g"), number(product, ".2g"),
                                   number(level["cov"], ".2f"), level["evaluations"]]))  # fmt: skip
-        heads = ["robustness at most", "given the level above", "probability", "coefficient of variation", "flights"]
+        heads = [
+            "robustness at most",
+            "given the level above",
+            "probability",
+            "coefficient of variation",
+            "flights",
+        ]
         yield html.folded(f"Levels {part['label']}".strip(), html.table(heads, rows))
 
 
@@ -102,4 +144,6 @@ def searches(summary: Summary) -> Iterator[str]:
     ]  # fmt: skip
     heads = ["search", "flights", "without a result", "distance", "breaks", "how it ended"]
     yield html.folded("The searches", html.table(heads, rows))
-    yield html.note("results.csv has every flight; found.yaml is the scenario found, and flies again as it is.")
+    yield html.note(
+        "results.csv has every flight; found.yaml is the scenario found, and flies again as it is."
+    )

@@ -32,7 +32,8 @@ def _probability(variant: Summary) -> str:
     known = variant["probability"]
     who = f"{variant['label']}: a" if variant["label"] else "A"
     if not known["estimate"]:
-        return f"{who} requirement was broken in none of {known['flights']} flights: its probability is at most {number(known['high'], '.2g')} (95 %)."
+        most = number(known["high"], ".2g")
+        return f"{who} requirement was broken in none of {known['flights']} flights: its probability is at most {most} (95 %)."
     span = f"{number(known['low'], '.2g')} to {number(known['high'], '.2g')}"
     cov = f"coefficient of variation {number(known['coefficient_of_variation'], '.2f')}"
     unsure = "" if known["converged"] else " This is not as precise as was asked for."
@@ -49,26 +50,27 @@ def _share(part: Summary) -> str:
 
 
 def _smallest(summary: Summary, part: Summary) -> str:
-    who = f"{part['label']}: " if part["label"] else ""
     if not part["found"]:
-        return _capital(f"{who}not found in {part['flights']} flights.{_bound(part)}")
+        return _said(part["label"], f"not found in {part['flights']} flights.{_bound(part)}")
     if part["distance"] == 0.0:
-        return _capital(f"{who}the flight at the origin breaks {_and(part['broken'])} already.")
+        return _said(part["label"], f"the flight at the origin breaks {_and(part['broken'])} already.")
     what = "the smallest failure found" if summary["goal"] == "smallest" else "the most likely failure seen"
-    return _capital(
-        f"{who}{what}: {'; '.join(part.get('words', ()))}. It breaks {_and(part['broken'])}. {_distance(part)}"
-    )
+    words = "; ".join(part.get("words", ()))
+    return _said(part["label"], f"{what}: {words}. It breaks {_and(part['broken'])}. {_distance(part)}")
 
 
 def _bound(part: Summary) -> str:
     if not part.get("independent"):
         return ""
-    return f" {part['independent']} of them were independent draws, which allow a probability of at most {number(part['upper_bound'], '.2g')} (95 %)."
+    most = number(part["upper_bound"], ".2g")
+    return f" {part['independent']} of them were independent draws, which allow a probability of at most {most} (95 %)."
 
 
 def _distance(part: Summary) -> str:
     beyond = part["beyond"]
-    rare = f"about 1 flight in {_round(1.0 / beyond)} is worse" if beyond else "worse ones are beyond counting"
+    rare = (
+        f"about 1 flight in {_round(1.0 / beyond)} is worse" if beyond else "worse ones are beyond counting"
+    )
     return f"Distance {part['distance']:.2f} standard deviations; if the limit is flat there, {rare}."
 
 
@@ -83,9 +85,12 @@ def _more_than_one(summary: Summary) -> Iterator[str]:
     variants = [v for v in summary["variants"] if v["label"]]
     if summary["goal"] != "smallest" or len(variants) < 2:
         return
-    ranked = sorted(variants, key=lambda v: math.inf if v["distance"] is None else v["distance"], reverse=True)
+    ranked = sorted(
+        variants, key=lambda v: math.inf if v["distance"] is None else v["distance"], reverse=True
+    )
     said = [
-        f"{v['label']} ({'none found' if v['distance'] is None else format(v['distance'], '.2f')})" for v in ranked
+        f"{v['label']} ({'none found' if v['distance'] is None else format(v['distance'], '.2f')})"
+        for v in ranked
     ]
     yield f"From the bigger failure needed to the smaller: {', '.join(said)}."
 
@@ -129,7 +134,13 @@ def _value(flight: Flight, parts: list[str]) -> str:
     """`controller.model_error.Cm_alpha = 1.21`."""
     node: Any = flight.scenario.model_dump(mode="json")
     for part in parts:
-        node = node[int(part)] if isinstance(node, list) else (node or {}).get(part) if isinstance(node, dict) else None
+        node = (
+            node[int(part)]
+            if isinstance(node, list)
+            else (node or {}).get(part)
+            if isinstance(node, dict)
+            else None
+        )
     path = ".".join(parts)
     shown = number(node, ".3g") if isinstance(node, int | float) else str(node)
     return f"{path} = {shown} {unit(path)}".rstrip()
@@ -139,6 +150,6 @@ def _and(names: Iterable[str]) -> str:
     return " and ".join(names)
 
 
-def _capital(text: str) -> str:
-    first = text.partition(" ")[0]
-    return text if first.endswith(":") else text[:1].upper() + text[1:]
+def _said(label: str, sentence: str) -> str:
+    """A sentence about a part: after its label, or with a capital letter."""
+    return f"{label}: {sentence}" if label else sentence[:1].upper() + sentence[1:]

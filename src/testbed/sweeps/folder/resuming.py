@@ -91,7 +91,9 @@ def _cases(folder: Path) -> str | None:
     return read_text(file, LARGEST_TABLE, "a CSV table") if os.path.isfile(file) else None
 
 
-def differences(before: Any, now: Any, free: Collection[str] = (), path: str = "") -> Iterator[tuple[str, str]]:
+def differences(
+    before: Any, now: Any, free: Collection[str] = (), path: str = ""
+) -> Iterator[tuple[str, str]]:
     """(dotted path, what) of every difference between two trees; `free` are keys at their top that may differ."""
     if isinstance(before, dict) and isinstance(now, dict):
         for key in [*before, *(key for key in now if key not in before)]:
