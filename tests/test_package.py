@@ -1,4 +1,4 @@
-"""The package as it is imported: six names, quickly, each from its own module when it is first used."""
+"""The package as it is imported: seven names, quickly, each from its own module when it is first used."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ def run(program: str) -> str:
 
 
 def test_its_names_are_shown_and_there() -> None:
-    assert dir(testbed) == ["__version__", "compare", "failure_probability", "fly", "load", "sweep"]
-    assert all(callable(getattr(testbed, name)) for name in ("compare", "failure_probability", "fly", "load", "sweep"))
+    assert dir(testbed) == ["__version__", "compare", "failure_probability", "fly", "load", "search", "sweep"]
+    assert all(
+        callable(getattr(testbed, name))
+        for name in ("compare", "failure_probability", "fly", "load", "search", "sweep")
+    )
     assert testbed.__version__ and testbed.__version__[0].isdigit()
     with pytest.raises(AttributeError, match="has no attribute 'land'"):
         testbed.land  # noqa: B018

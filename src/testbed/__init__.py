@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from testbed.monte_carlo import sweep as sweep
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison import compare as compare
+    from testbed.searching import search as search
     from testbed.simulation import fly as fly
 
     __version__: str
@@ -19,10 +20,11 @@ _MODULES = {
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
     "load": "testbed.loading",
+    "search": "testbed.searching",
     "sweep": "testbed.monte_carlo",
 }
 
-__all__ = ["__version__", "compare", "failure_probability", "fly", "load", "sweep"]
+__all__ = ["__version__", "compare", "failure_probability", "fly", "load", "search", "sweep"]
 
 
 def __getattr__(name: str) -> Any:

@@ -1,4 +1,4 @@
-"""Read any folder that the testbed wrote: one flight or a sweep."""
+"""Read any folder that the testbed wrote: one flight, a sweep or a search."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def load(folder: str | Path) -> Flight | pd.DataFrame:
-    """Read a run folder as a Flight, or a sweep folder as a DataFrame with a row for each flight.
+    """Read a run folder as a Flight, or a sweep or search folder as a DataFrame with a row for each flight.
 
     A flight of a sweep whose log was kept is read as a Flight, too: `SWEEP/logs/run-000017-pid.parquet`, or `SWEEP/17` for
     short where only one variant's log was kept.
@@ -28,6 +28,10 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
         from testbed.sweeps.folder import kept
 
         return kept.load(folder)
+    if is_search_folder(folder):
+        import pandas as pd
+
+        return pd.read_parquet(Path(folder) / "results.parquet")
     if is_sweep_folder(folder):
         from testbed.reporting.sweep_table import table_of
         from testbed.sweeps.folder import reading
@@ -36,6 +40,16 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
     from testbed.flight import folder as run_folder
 
     return run_folder.load(folder)
+
+
+def is_search_folder(folder: str | Path) -> bool:
+    """Whether it is the folder of a search; raises BadInput when it is, but the search has not finished."""
+    if not os.path.isfile(Path(folder) / "search.yaml"):
+        return False
+    if not os.path.isfile(Path(folder) / "results.parquet"):
+        expected = "`testbed search --resume` first"
+        raise BadInput([Problem("the search has not finished", str(folder), expected=expected)])
+    return True
 
 
 def is_sweep_folder(folder: str | Path) -> bool:

@@ -13,7 +13,7 @@ import pytest
 from sweep_files import SWEEP, flown, script, written
 
 from testbed.sweeps.load import load_sweep
-from testbed.sweeps.progress import Progress, _bar
+from testbed.sweeps.progress import Progress, bar
 
 
 @pytest.mark.slow
@@ -48,9 +48,9 @@ def test_nothing_is_cut_at_80_columns(tmp_path: Path) -> None:
     for variant in range(5):
         progress.add(variant, variant % 2 == 0)
     console = Console(width=80, force_terminal=True, record=True, file=io.StringIO())
-    bar = _bar(console, lambda: progress.passed)
-    bar.add_task(plan.name, total=12345, completed=1234, rate="10.1 flights/s")
-    for drawn in bar.get_renderables():
+    shown_bar = bar(console, lambda: progress.passed)
+    shown_bar.add_task(plan.name, total=12345, completed=1234, rate="10.1 flights/s")
+    for drawn in shown_bar.get_renderables():
         console.print(drawn)
     shown = console.export_text()
     assert all(len(line) <= 80 for line in shown.splitlines())

@@ -17,7 +17,7 @@ Result = TypeVar("Result")
 
 
 def validate(files: Iterable[str]) -> None:
-    """Check scenario and sweep files, and print the valid ones; raises BadInput with all problems of the others."""
+    """Check scenario, sweep and search files, and print the valid ones; raises BadInput with all problems of the others."""
     problems: list[Problem] = []
     for file in files:
         if collect(problems, partial(_valid, file)) is not None:
@@ -70,12 +70,18 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
 
 
 def _valid(file: str) -> object:
-    """The scenario or the sweep in a file, checked."""
+    """The scenario, the sweep or the search in a file, checked."""
     from testbed.aircraft.shipped import find_scenario
     from testbed.inputs import yaml_source
+    from testbed.searches import is_search
     from testbed.sweeps import is_sweep
 
-    if not is_sweep(yaml_source.read(find_scenario(file)).tree):
+    tree = yaml_source.read(find_scenario(file)).tree
+    if is_search(tree):
+        from testbed import searching
+
+        return searching.prepare(file)
+    if not is_sweep(tree):
         return checked(file)
     from testbed import monte_carlo
 

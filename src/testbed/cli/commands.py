@@ -23,7 +23,7 @@ from testbed.inputs.problems import BadInput
 
 _TRACEBACK = "TESTBED_TRACEBACK"
 """Environment variable with which a defect of the program shows its traceback."""
-SCHEMAS = ("aircraft", "scenario", "sweep")
+SCHEMAS = ("aircraft", "scenario", "search", "sweep")
 """The kinds of file of which `cli.schema` has a schema."""
 _SCENARIO = "YAML file; a shipped one is found from any folder"
 
@@ -91,16 +91,26 @@ def parser() -> argparse.ArgumentParser:
     _add_sweep(command)
     _add_set(command)
 
-    command = _command(commands, "report", _report, "rebuild figures and report of a run or sweep folder")
+    command = _command(
+        commands, "search", _search, "the smallest failure that breaks a requirement, or how likely one is"
+    )
+    _add_search(command)
+    _add_set(command)
+
+    command = _command(
+        commands, "report", _report, "rebuild figures and report of a run, sweep or search folder"
+    )
     command.add_argument(
-        "folder", type=Path, help="run or sweep folder, or one run of a sweep whose log was kept: SWEEP/17"
+        "folder",
+        type=Path,
+        help="run, sweep or search folder, or one run of a sweep whose log was kept: SWEEP/17",
     )
 
     _add_compare(_command(commands, "compare", _compare, "flights side by side, in one page"))
 
     _add_export(_command(commands, "export", _export, "write a flight for another program"))
 
-    command = _command(commands, "validate", _validate, "check scenarios and sweeps without flying")
+    command = _command(commands, "validate", _validate, "check scenarios, sweeps and searches without flying")
     _file(command, "files", _SCENARIO, nargs="+", metavar="FILE")
 
     command = _command(
@@ -199,6 +209,36 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--runs", type=int, metavar="N", help="number of runs; with --resume, a larger number adds runs"
     )
+    _add_flying(command)
+    command.add_argument("--only", type=int, metavar="I", help="fly run I alone and keep its whole log")
+    command.add_argument(
+        "--variant",
+        metavar="LABEL",
+        help="with --only: fly only this one of the compared variants, into a run folder",
+    )
+    command.add_argument(
+        "--save-logs", default="failed", metavar="WHICH", help="logs to keep: none, failed (default) or all"
+    )
+    command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
+
+
+def _add_search(command: argparse.ArgumentParser) -> None:
+    _file(command, "search", _SCENARIO)
+    command.add_argument(
+        "--out", type=Path, metavar="DIR", help="search folder to make (default: runs/<name>)"
+    )
+    command.add_argument(
+        "--goal", metavar="GOAL", help="smallest or probability; with it the file may be a sweep's"
+    )
+    command.add_argument(
+        "--budget", type=int, metavar="N", help="most flights for each variant and option of a choice"
+    )
+    _add_flying(command)
+    command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
+
+
+def _add_flying(command: argparse.ArgumentParser) -> None:
+    """What a sweep and a search share: seed, controllers, and where and how the flights are flown."""
     command.add_argument("--seed", type=int, metavar="S", help="seed of everything random")
     command.add_argument(
         "--controller",
@@ -216,16 +256,6 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--resume", action="store_true", help="go on with an existing folder: fly only the missing flights"
     )
-    command.add_argument("--only", type=int, metavar="I", help="fly run I alone and keep its whole log")
-    command.add_argument(
-        "--variant",
-        metavar="LABEL",
-        help="with --only: fly only this one of the compared variants, into a run folder",
-    )
-    command.add_argument(
-        "--save-logs", default="failed", metavar="WHICH", help="logs to keep: none, failed (default) or all"
-    )
-    command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
 
 def _add_compare(command: argparse.ArgumentParser) -> None:
@@ -273,13 +303,23 @@ def _sweep(options: argparse.Namespace) -> int:
     return sweep.fly(options)
 
 
+def _search(options: argparse.Namespace) -> int:
+    from testbed.cli import search
+
+    return search.search(options)
+
+
 def _report(options: argparse.Namespace) -> int:
-    from testbed.loading import is_sweep_folder, names_kept_log
+    from testbed.loading import is_search_folder, is_sweep_folder, names_kept_log
 
     if names_kept_log(options.folder):
         from testbed.cli import sweep
 
         return sweep.report_run(options.folder)
+    if is_search_folder(options.folder):
+        from testbed.cli import search
+
+        return search.report(options.folder)
     if is_sweep_folder(options.folder):
         from testbed.cli import sweep
 

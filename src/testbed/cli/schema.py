@@ -28,6 +28,12 @@ def _scenario() -> type[BaseModel]:
     return Scenario
 
 
+def _search() -> type[BaseModel]:
+    from testbed.searches.model import Search
+
+    return Search
+
+
 def _sweep() -> type[BaseModel]:
     from testbed.sweeps.model import Sweep
 
@@ -37,6 +43,7 @@ def _sweep() -> type[BaseModel]:
 TABLE: dict[str, Callable[[], type[BaseModel]]] = {
     "aircraft": _aircraft,
     "scenario": _scenario,
+    "search": _search,
     "sweep": _sweep,
 }
 """The kinds of file that have a schema."""

@@ -1,4 +1,4 @@
-"""Load a sweep file: read its YAML, apply `--set`, validate its keys, and resolve it into a plan."""
+"""Load a sweep file: read its YAML, apply `--set`, validate its keys, and resolve it into a plan. A search loads its study too."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ import json
 import math
 import os
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from testbed.aircraft.shipped import find_scenario
 from testbed.controllers.user.own import OwnController
@@ -20,12 +21,13 @@ from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
 from testbed.sweeps.drawing.builder import TYPE, Builder, Variant
 from testbed.sweeps.drawing.cases import read_cases
-from testbed.sweeps.model import MOST_FLIGHTS, MOST_LEVELS, Sweep
+from testbed.sweeps.model import MOST_FLIGHTS, MOST_LEVELS, Study, Sweep
 from testbed.sweeps.plan import Plan
 
 DEFAULT_RUNS = 1000
 _MAPPINGS = ("set", "vary", "compare")
-"""Keys of a sweep that hold a mapping from dotted paths of the scenario."""
+"""Keys of a study that hold a mapping from dotted paths of the scenario."""
+AnyStudy = TypeVar("AnyStudy", bound=Study)
 
 
 def load_sweep(
@@ -38,34 +40,47 @@ def load_sweep(
     the sweep. `checks.check` checks the scenarios that the plan draws.
     """
     source = yamlfile.read(find_scenario(path))
-    _apply(source, settings)
-    sweep = validated(Sweep, source, stand_ins={"scenario": "?"})
-    _refuse_overwritten(sweep, source)
-    base = _base(sweep, source)
-    for key, value in sweep.set.items():
-        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
-    if own:
-        sweep = _comparing(own, sweep, source, base)
-    unknown = {name: OwnController(name, *_split(text)) for name, text in sweep.controllers.items()}
-    paths = [("vary", path) for path in sweep.vary] + [("compare", path) for path in sweep.compare]
-    places = {path: _place(source, (kind, path)) for kind, path in paths}
+    sweep, builder = study_of(Sweep, source, settings, own)
     cases, text = None, None
     if sweep.cases is not None:
         file = Path(source.file).parent / sweep.cases
-        cases, text, case_places = read_cases(file, source.problem(("cases",), "there is no such file"))
-        places |= case_places
-    variants = tuple(_variants(sweep))
-    name = sweep.name or Path(path).stem.replace("_", " ")
-    runs = _runs(sweep, source, cases)
-    return Plan(sweep, name, Builder(base, variants, places, {**unknown, **(own or {})}), runs, cases, text)
+        cases, text, places = read_cases(file, source.problem(("cases",), "there is no such file"))
+        builder = replace(builder, places={**builder.places, **places})
+    return Plan(sweep, name_of(sweep, path), builder, _runs(sweep, source, cases), cases, text)
 
 
-def _apply(source: Source, settings: Iterable[str]) -> None:
-    """Set keys of the sweep (`runs`, or `vary.` and a dotted path of the scenario); any other path goes into `set`."""
+def name_of(study: Study, path: str | Path) -> str:
+    """The title of a study: its name, else that of its file."""
+    return study.name or Path(path).stem.replace("_", " ")
+
+
+def study_of(
+    model: type[AnyStudy],
+    source: Source,
+    settings: Iterable[str] = (),
+    own: Mapping[str, OwnController] | None = None,
+) -> tuple[AnyStudy, Builder]:
+    """The study of this model in a file that was read, and the builder of its scenarios; as `load_sweep`."""
+    _apply(model, source, settings)
+    study = validated(model, source, stand_ins={"scenario": "?"})
+    _refuse_overwritten(study, source)
+    base = _base(study, source)
+    for key, value in study.set.items():
+        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
+    if own:
+        study = _comparing(own, study, source, base)
+    unknown = {name: OwnController(name, *_split(text)) for name, text in study.controllers.items()}
+    paths = [("vary", path) for path in study.vary] + [("compare", path) for path in study.compare]
+    places = {path: _place(source, (kind, path)) for kind, path in paths}
+    return study, Builder(base, tuple(_variants(study)), places, {**unknown, **(own or {})})
+
+
+def _apply(model: type[Study], source: Source, settings: Iterable[str]) -> None:
+    """Set keys of the study (`runs`, or `vary.` and a dotted path of the scenario); any other path goes into `set`."""
     for setting in settings:
         key, equals, text = setting.partition("=")
         first, _, rest = key.strip().partition(".")
-        if equals and first not in Sweep.model_fields:
+        if equals and first not in model.model_fields:
             first, rest = "set", key.strip()
         if not equals or first not in _MAPPINGS or not rest:
             overrides.apply(source, [setting])
@@ -77,12 +92,12 @@ def _apply(source: Source, settings: Iterable[str]) -> None:
         overrides.set_value(source, [first, rest], value.tree, place)
 
 
-def _refuse_overwritten(sweep: Sweep, source: Source) -> None:
+def _refuse_overwritten(study: Study, source: Source) -> None:
     """Raise BadInput for keys of `set` without effect, because `vary` or `compare` replaces their value in every flight."""
-    later = {path: kind for kind in ("vary", "compare") for path in getattr(sweep, kind)}
+    later = {path: kind for kind in ("vary", "compare") for path in getattr(study, kind)}
     problems = [
         source.problem(("set", key), f"has no effect: {kind} sets {path} in every flight", f"no {key} in set")
-        for key in sweep.set
+        for key in study.set
         for path, kind in later.items()
         if f"{key}.".startswith(f"{path}.")
     ]
@@ -90,35 +105,35 @@ def _refuse_overwritten(sweep: Sweep, source: Source) -> None:
         raise BadInput(problems)
 
 
-def _base(sweep: Sweep, source: Source) -> Source:
-    """The base scenario, from its own file or from inside the sweep file; places are those where it is written."""
-    if isinstance(sweep.scenario, dict):
+def _base(study: Study, source: Source) -> Source:
+    """The base scenario, from its own file or from inside the study's file; places are those where it is written."""
+    if isinstance(study.scenario, dict):
         places = {path[1:]: place for path, place in source.places.items() if path[:1] == ("scenario",)}
-        return Source(source.file, copy.deepcopy(sweep.scenario), places)
-    beside = Path(source.file).parent / sweep.scenario
+        return Source(source.file, copy.deepcopy(study.scenario), places)
+    beside = Path(source.file).parent / study.scenario
     try:
-        return yamlfile.read(beside if os.path.exists(beside) else find_scenario(sweep.scenario))
+        return yamlfile.read(beside if os.path.exists(beside) else find_scenario(study.scenario))
     except BadInput as error:
         missing = [p for p in error.problems if p.line is None and p.what == "there is no such file"]
         if not missing:
             raise
-        raise BadInput([source.problem(("scenario",), f"there is no file {sweep.scenario!r}", "",
+        raise BadInput([source.problem(("scenario",), f"there is no file {study.scenario!r}", "",
                                        missing[0].suggestion)]) from None  # fmt: skip
 
 
-def _comparing(own: Mapping[str, OwnController], sweep: Sweep, source: Source, base: Source) -> Sweep:
-    """The sweep with these controllers among those compared; raises BadInput where they cannot be."""
-    if "controller" in sweep.compare:
+def _comparing(own: Mapping[str, OwnController], study: AnyStudy, source: Source, base: Source) -> AnyStudy:
+    """The study with these controllers among those compared; raises BadInput where they cannot be."""
+    if "controller" in study.compare:
         what = "compares whole controllers, beside which --controller has no place"
         raise BadInput(
             [source.problem(("compare", "controller"), what, f"{TYPE} in compare, or a list of types")]
         )
     chosen = base.tree.get("controller")
     flown = [chosen["type"]] if isinstance(chosen, dict) and "type" in chosen else []
-    types = [*sweep.compare.get(TYPE, flown), *own]
-    source.tree["compare"] = {**sweep.compare, TYPE: list(dict.fromkeys(types))}
-    source.tree["controllers"] = {**sweep.controllers, **{name: o.reference for name, o in own.items()}}
-    return validated(Sweep, source, stand_ins={"scenario": "?"})
+    types = [*study.compare.get(TYPE, flown), *own]
+    source.tree["compare"] = {**study.compare, TYPE: list(dict.fromkeys(types))}
+    source.tree["controllers"] = {**study.controllers, **{name: o.reference for name, o in own.items()}}
+    return validated(type(study), source, stand_ins={"scenario": "?"})
 
 
 def _split(reference: str) -> tuple[str, str]:
@@ -131,13 +146,13 @@ def _place(source: Source, path: TreePath) -> str:
     return file if line is None else f"{file}:{line}"
 
 
-def _variants(sweep: Sweep) -> Iterator[Variant]:
-    for values in itertools.product(*sweep.compare.values()):
+def _variants(study: Study) -> Iterator[Variant]:
+    for values in itertools.product(*study.compare.values()):
         label = ", ".join(
             v if isinstance(v, str) else f"{path} {_shown(v)}"
-            for path, v in zip(sweep.compare, values, strict=True)
+            for path, v in zip(study.compare, values, strict=True)
         )
-        yield Variant(label, dict(zip(sweep.compare, values, strict=True)))
+        yield Variant(label, dict(zip(study.compare, values, strict=True)))
 
 
 def _shown(value: Any) -> str:

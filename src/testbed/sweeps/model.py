@@ -1,4 +1,4 @@
-"""The model of a sweep file: every key with default, range and meaning."""
+"""The model of a sweep file, and what it shares with a search: every key with default, range and meaning."""
 
 from __future__ import annotations
 
@@ -26,32 +26,23 @@ class StopWhen(Settings):
     """Confidence of the interval."""
 
 
-class Sweep(Settings):
-    """One study: a scenario, what varies, and what is compared under the same variations."""
+class Study(Settings):
+    """What a sweep and a search share: a scenario, what varies, and what is compared under the same variations."""
 
     name: Text | None = Field(default=None, max_length=MAX_NAME)
     """Title of the study; default: the file's name."""
     scenario: Text | dict[str, Any]
-    """Path of a scenario file, relative to the sweep's file; or the scenario itself."""
-    runs: Annotated[int, Field(strict=True, gt=0, le=MOST_FLIGHTS)] | None = None
-    """Number of runs. Default: 1000; with `cases` or a grid, all of their points."""
+    """Path of a scenario file, relative to the study's file; or the scenario itself."""
     seed: Whole = 1
-    """Seed from which the varied values and the seed of each flight are drawn."""
-    sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
-    """Sampling method: how the runs cover the ranges of the varied values."""
-    levels: Annotated[int, Field(strict=True, gt=1, le=MOST_LEVELS)] = 5
-    """Number of levels of each continuous value in a grid."""
+    """Seed from which everything random is drawn."""
     set: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it)
-    """Changes to the scenario for all runs, by dotted paths."""
+    """Changes to the scenario for all flights, by dotted paths."""
     vary: dict[str, Distribution] = {}  # noqa: RUF012
-    """Values drawn for each run: a distribution for each dotted path."""
-    cases: Text | None = None
-    """CSV table used instead of `vary`: a row for each run, a column for each dotted path; relative to the sweep's file."""
+    """Values that vary: a distribution for each dotted path."""
     compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
-    """Variants with which each run is flown: a list of values for each dotted path; with several paths, all combinations."""
+    """Variants that are flown with the same variations: a list of values for each dotted path; of several, all combinations."""
     controllers: dict[str, Text] = {}  # noqa: RUF012
-    """Controllers of one's own among those compared, each FILE.py:CLASS. `--controller` fills it in; a sweep file runs no code."""
-    stop_when: StopWhen | None = None
+    """Controllers of one's own among those compared, each FILE.py:CLASS. `--controller` fills it in; a file runs no code."""
     time_limit_s: Positive = 300.0
     """Wall time [s] after which a flight counts as hung."""
 
@@ -63,11 +54,7 @@ class Sweep(Settings):
         return paths
 
     @model_validator(mode="after")
-    def _consistent(self) -> Sweep:
-        if self.cases is not None and self.vary:
-            raise refuse("has both vary and cases", "one of them")
-        if self.cases is None and not self.vary:
-            raise refuse("varies nothing", "vary, or cases: table.csv")
+    def _unambiguous(self) -> Study:
         if (variants := math.prod(map(len, self.compare.values()))) > MOST_FLIGHTS:
             raise refuse(f"compares {variants} variants", f"at most {MOST_FLIGHTS}")
         for name, reference in self.controllers.items():
@@ -77,4 +64,26 @@ class Sweep(Settings):
             for other in [*self.compare, *self.vary]:
                 if f"{one}.".startswith(f"{other}.") and (one != other or other in self.compare):
                     raise refuse(f"gives {one} two meanings", f"not also {other}")
+        return self
+
+
+class Sweep(Study):
+    """One study by sampling: a scenario, what varies, and what is compared under the same variations."""
+
+    runs: Annotated[int, Field(strict=True, gt=0, le=MOST_FLIGHTS)] | None = None
+    """Number of runs. Default: 1000; with `cases` or a grid, all of their points."""
+    sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
+    """Sampling method: how the runs cover the ranges of the varied values."""
+    levels: Annotated[int, Field(strict=True, gt=1, le=MOST_LEVELS)] = 5
+    """Number of levels of each continuous value in a grid."""
+    cases: Text | None = None
+    """CSV table used instead of `vary`: a row for each run, a column for each dotted path; relative to the sweep's file."""
+    stop_when: StopWhen | None = None
+
+    @model_validator(mode="after")
+    def _varies(self) -> Sweep:
+        if self.cases is not None and self.vary:
+            raise refuse("has both vary and cases", "one of them")
+        if self.cases is None and not self.vary:
+            raise refuse("varies nothing", "vary, or cases: table.csv")
         return self

@@ -29,7 +29,7 @@ class Progress:
 
         console = Console(file=sys.__stderr__)  # not sys.stderr: commands let no escape sequence pass there
         if console.is_terminal:
-            self._bar = _bar(console, lambda: self.passed)
+            self._bar = bar(console, lambda: self.passed)
             name = printable(self._plan.name)
             self._task = self._bar.add_task(name, total=self._plan.size, completed=self._done, rate="")
             self._bar.start()
@@ -56,7 +56,7 @@ class Progress:
             self._bar.stop()
 
 
-def _bar(console: Any, below: Callable[[], str]) -> Any:
+def bar(console: Any, below: Callable[[], str]) -> Any:
     """A bar of rich with a text below it. The sweep's name and the bar itself give way where the terminal is narrow."""
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
     from rich.table import Column

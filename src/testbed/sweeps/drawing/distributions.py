@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 from pydantic import Field, model_validator
-from scipy import stats
+from scipy import special, stats
 
 from testbed.inputs.base import Settings, refuse
 from testbed.inputs.problems import did_you_mean
@@ -100,6 +100,27 @@ class Distribution(Settings):
             return [low + p * (high - low) for p in u.tolist()]
         values = self._frozen.ppf(np.clip(u, _OPEN, 1.0 - _OPEN))
         return [int(v) for v in values] if self._discrete else [float(v) for v in values]
+
+    def at_normal(self, z: np.ndarray) -> list[Any]:
+        """The n values that are as likely to be exceeded as the standard normals `z` [n], which may be infinite at a finite end.
+
+        The same as `quantiles` of their probabilities, but exact in the upper tail too, where those round to 1.
+        """
+        if self.name == "normal":
+            mean, deviation = map(float, self.parameters)
+            return [mean + deviation * each for each in z.tolist()]
+        if self.name in ("choice", "integers", "uniform") or self._discrete:
+            return self.quantiles(special.ndtr(z))
+        found = np.where(z < 0, self._frozen.ppf(special.ndtr(z)), self._frozen.isf(special.ndtr(-z)))
+        return np.clip(found, *self.ends).tolist()
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Lowest and highest value, infinite where there is none, of a distribution of numbers."""
+        if self.name in ("uniform", "integers", "log_uniform"):
+            return float(self.parameters[0]), float(self.parameters[1])
+        low, high = self._frozen.support()
+        return float(low), float(high)
 
     @property
     def bounds(self) -> list[Any]:

@@ -10,7 +10,7 @@ import hashlib
 import importlib.metadata
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -63,7 +63,8 @@ def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
     before, runs = source.tree, runs_in(source)
     now = yamlfile.parse(yamlfile.dump(plan.tree)).tree
     problems = [
-        Problem(what, str(file), None, path, "an unchanged sweep") for path, what in _differences(before, now)
+        Problem(what, str(file), None, path, "an unchanged sweep")
+        for path, what in differences(before, now, _FREE)
     ]
     if plan.runs < runs:
         problems.append(Problem(f"has {runs} already", str(file), None, "runs", "at least as many"))
@@ -90,12 +91,14 @@ def _cases(folder: Path) -> str | None:
     return read_text(file, LARGEST_TABLE, "a CSV table") if os.path.isfile(file) else None
 
 
-def _differences(before: Any, now: Any, path: str = "") -> Iterator[tuple[str, str]]:
-    """(dotted path, what) of every difference that could change a row."""
+def differences(
+    before: Any, now: Any, free: Collection[str] = (), path: str = ""
+) -> Iterator[tuple[str, str]]:
+    """(dotted path, what) of every difference between two trees; `free` are keys at their top that may differ."""
     if isinstance(before, dict) and isinstance(now, dict):
         for key in [*before, *(key for key in now if key not in before)]:
-            if path or key not in _FREE:
-                yield from _differences(before.get(key), now.get(key), f"{path}.{key}".lstrip("."))
+            if path or key not in free:
+                yield from differences(before.get(key), now.get(key), free, f"{path}.{key}".lstrip("."))
     elif before != now:
         yield path, f"was {_shown(before)}, is now {_shown(now)}"
 

@@ -62,7 +62,7 @@ class Store:
         if k in self:
             return
         if flown.log:
-            _write_whole(self.folder / "logs" / f"{flight_label(self.plan, k)}.parquet", flown.log)
+            write_whole(self.folder / "logs" / f"{flight_label(self.plan, k)}.parquet", flown.log)
         if flown.history:
             self._histories.put(k, flown.history)
         self._offsets[k] = self.journal.append(flown.record)
@@ -99,8 +99,8 @@ class Store:
             refuse_changed(first, now, self.folder)
         # Only now, when the folder is known to be of this sweep. sweep.yaml is written again, as `runs` may have grown.
         if self.plan.cases_text is not None:
-            _write_whole(self.folder / "cases.csv", self.plan.cases_text.encode())
-        _write_whole(self.folder / "sweep.yaml", yamlfile.dump(self.plan.tree).encode())
+            write_whole(self.folder / "cases.csv", self.plan.cases_text.encode())
+        write_whole(self.folder / "sweep.yaml", yamlfile.dump(self.plan.tree).encode())
 
 
 def runs_of(folder: Path) -> int | None:
@@ -109,7 +109,7 @@ def runs_of(folder: Path) -> int | None:
     return runs_in(yamlfile.read(file)) if os.path.isfile(file) else None
 
 
-def _write_whole(file: Path, content: bytes) -> None:
+def write_whole(file: Path, content: bytes) -> None:
     """Write a file completely or not at all, and flush it to disk."""
     file.parent.mkdir(parents=True, exist_ok=True)
     with replacing(file) as partial, partial.open("wb") as stream:

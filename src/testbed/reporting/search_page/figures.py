@@ -1,0 +1,117 @@
+"""Figures of a search: convergence, the path to the answer, and probability by level. To add one, name it in TABLE."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from testbed.reporting.figures.page import Drawing, plain_text, save
+
+Summary = Mapping[str, Any]
+CAPTIONS = {
+    "convergence": "Distance of the nearest failure found, by the number of flights made.",
+    "path": "The way to the answer: the coordinates of each nearer failure that was found, the last on the right.",
+    "levels": "Probability that the robustness is at most a value, by level, with 95 % intervals; at 0, the answer.",
+}
+_COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
+_MARKERS = "os^Dvp"
+_MOST_INPUTS, _MOST_PANELS = 12, 6
+
+
+def draw_search(summary: Summary, folder: Path) -> list[Path]:
+    """Draw every figure for which the summary has data into folder/figures; returns the files."""
+    target = folder / "figures"
+    target.mkdir(exist_ok=True)
+    files = []
+    for name, draw in TABLE.items():
+        with plain_text():
+            figure = draw(summary)
+            if figure is not None:
+                files.append(save(figure, target / f"{name}.png"))
+    return files
+
+
+def convergence(summary: Summary) -> Figure | None:
+    """Distance of the nearest failure against flights made, a line for each part."""
+    shown = [part for part in summary["parts"] if part.get("path")]
+    if not shown:
+        return None
+    figure = Drawing(figsize=(8.0, 4.0), layout="constrained")
+    axes = figure.subplots()
+    for i, part in enumerate(shown):
+        flights = [step["flights"] for step in part["path"]] + [part["flights"]]
+        distance = [step["distance"] for step in part["path"]]
+        axes.step(flights, [*distance, distance[-1]], where="post", label=part["label"] or None, **_style(i))
+    axes.set(xlabel="flights", ylabel="distance of the nearest failure")
+    axes.grid(alpha=0.3)
+    axes.set_ylim(bottom=0.0)
+    if any(part["label"] for part in shown):
+        axes.legend(fontsize=8)
+    return figure
+
+
+def path(summary: Summary) -> Figure | None:
+    """The values of each nearer failure, a panel for each part and a line for each input."""
+    shown = [part for part in summary["parts"] if len(part.get("path", ())) > 1][:_MOST_PANELS]
+    if not shown:
+        return None
+    figure = Drawing(figsize=(8.0, 2.6 * len(shown)), layout="constrained")
+    for i, (axes, part) in enumerate(zip(np.ravel(figure.subplots(len(shown), 1)), shown, strict=True)):
+        names = sorted(part["point"], key=lambda name: -part["point"][name]["share"])[:_MOST_INPUTS]
+        for j, name in enumerate(names):
+            values = [step["coordinates"][name] for step in part["path"]]
+            axes.plot(
+                range(1, len(values) + 1),
+                values,
+                label=name,
+                marker=_MARKERS[j % 6],
+                ms=4,
+                color=_COLOURS[j % 6],
+            )
+        axes.set(ylabel="standard deviations", title=part["label"])
+        axes.grid(alpha=0.3)
+        axes.legend(fontsize=7)
+        if i == len(shown) - 1:
+            axes.set_xlabel("nearer failures, in the order in which they were found")
+    return figure
+
+
+def levels(summary: Summary) -> Figure | None:
+    """P(robustness at most g) against g, in logarithms."""
+    shown = [part for part in summary["parts"] if len(part.get("levels", ())) > 1]
+    if not shown:
+        return None
+    figure = Drawing(figsize=(8.0, 4.0), layout="constrained")
+    axes = figure.subplots()
+    for i, part in enumerate(shown):
+        at = [level["threshold"] for level in part["levels"]]
+        products = np.cumprod([level["probability"] for level in part["levels"]])
+        spread = np.sqrt(np.cumsum([(level["cov"] or 0.0) ** 2 for level in part["levels"]]))
+        ends = products * np.exp(np.outer([-1.96, 1.96], np.sqrt(np.log1p(spread**2))))
+        axes.errorbar(
+            at,
+            products,
+            yerr=[products - ends[0], ends[1] - products],
+            capsize=3,
+            label=part["label"] or None,
+            **_style(i),
+        )
+    axes.set_yscale("log")
+    axes.set(xlabel="robustness", ylabel="probability of at most this")
+    axes.axvline(0.0, color="0.35", ls=":")
+    axes.grid(alpha=0.3)
+    if any(part["label"] for part in shown):
+        axes.legend(fontsize=8)
+    return figure
+
+
+def _style(i: int) -> dict[str, Any]:
+    return {"color": _COLOURS[i % 6], "marker": _MARKERS[i % 6], "ms": 4}
+
+
+Draw = Callable[[Summary], Figure | None]
+TABLE: dict[str, Draw] = {"convergence": convergence, "path": path, "levels": levels}

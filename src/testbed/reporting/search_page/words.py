@@ -1,0 +1,155 @@
+"""What a search found, in sentences. Any number of a summary may be None."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from testbed.common.units import unit
+from testbed.flight.flight import Flight
+from testbed.reporting.failure_words import predicate
+from testbed.reporting.numbers import number
+from testbed.reporting.story import title
+
+Summary = Mapping[str, Any]
+
+
+def answer(summary: Summary) -> list[str]:
+    """A sentence or two for each part of a search; for a probability, first one for each variant."""
+    lines = []
+    if summary["goal"] == "probability":
+        lines += [_probability(variant) for variant in summary["variants"]]
+        if len(summary["parts"]) > len(summary["variants"]):
+            lines += [_share(part) for part in summary["parts"]]
+    lines += [_smallest(summary, part) for part in summary["parts"]]
+    return lines + list(_more_than_one(summary))
+
+
+def _probability(variant: Summary) -> str:
+    known = variant["probability"]
+    who = f"{variant['label']}: a" if variant["label"] else "A"
+    if not known["estimate"]:
+        most = number(known["high"], ".2g")
+        return f"{who} requirement was broken in none of {known['flights']} flights: its probability is at most {most} (95 %)."
+    span = f"{number(known['low'], '.2g')} to {number(known['high'], '.2g')}"
+    cov = f"coefficient of variation {number(known['coefficient_of_variation'], '.2f')}"
+    unsure = "" if known["converged"] else " This is not as precise as was asked for."
+    return (
+        f"{who} requirement is broken with probability {number(known['estimate'], '.2g')} ({span}, 95 %; {cov}), from "
+        f"{known['flights']} flights; plain sampling would need {number(known['plain_flights'], '.2g')}.{unsure}"
+    )
+
+
+def _share(part: Summary) -> str:
+    known = part["probability"]
+    span = f"{number(known['low'], '.2g')} to {number(known['high'], '.2g')}"
+    return f"{part['label']}: {number(known['estimate'], '.2g')} ({span}), in {100 * part['weight']:.0f} % of flights."
+
+
+def _smallest(summary: Summary, part: Summary) -> str:
+    if not part["found"]:
+        return _said(part["label"], f"not found in {part['flights']} flights.{_bound(part)}")
+    if part["distance"] == 0.0:
+        return _said(part["label"], f"the flight at the origin breaks {_and(part['broken'])} already.")
+    what = "the smallest failure found" if summary["goal"] == "smallest" else "the most likely failure seen"
+    words = "; ".join(part.get("words", ()))
+    return _said(part["label"], f"{what}: {words}. It breaks {_and(part['broken'])}. {_distance(part)}")
+
+
+def _bound(part: Summary) -> str:
+    if not part.get("independent"):
+        return ""
+    most = number(part["upper_bound"], ".2g")
+    return f" {part['independent']} of them were independent draws, which allow a probability of at most {most} (95 %)."
+
+
+def _distance(part: Summary) -> str:
+    beyond = part["beyond"]
+    rare = (
+        f"about 1 flight in {_round(1.0 / beyond)} is worse" if beyond else "worse ones are beyond counting"
+    )
+    return f"Distance {part['distance']:.2f} standard deviations; if the limit is flat there, {rare}."
+
+
+def _round(count: float) -> str:
+    """Two digits: 1400, 2.6e+06."""
+    digits = 1 - math.floor(math.log10(count))
+    return f"{round(count, digits):.0f}" if count < 1e6 else f"{count:.1e}"
+
+
+def _more_than_one(summary: Summary) -> Iterator[str]:
+    """Which of the compared variants needs the bigger failure."""
+    variants = [v for v in summary["variants"] if v["label"]]
+    if summary["goal"] != "smallest" or len(variants) < 2:
+        return
+    ranked = sorted(
+        variants, key=lambda v: math.inf if v["distance"] is None else v["distance"], reverse=True
+    )
+    said = [
+        f"{v['label']} ({'none found' if v['distance'] is None else format(v['distance'], '.2f')})"
+        for v in ranked
+    ]
+    yield f"From the bigger failure needed to the smaller: {', '.join(said)}."
+
+
+def settings_of(flight: Flight, paths: Iterable[str]) -> list[str]:
+    """What these varied values make of a flight, in words: `at 41.0 s the right propeller kept 38 % of its effect`."""
+    said: dict[str, None] = {}
+    for path in paths:
+        parts = path.split(".")
+        said.setdefault(_failure(flight, parts) or _weather(flight, parts) or _value(flight, parts))
+    return list(said)
+
+
+def _failure(flight: Flight, parts: list[str]) -> str:
+    if parts[0] != "failures" or len(parts) < 2:
+        return ""
+    failure = flight.scenario.failures[int(parts[1])]
+    name = str(getattr(failure, "actuator", ""))
+    when = "" if failure.at_s is None else f"at {failure.at_s:.1f} s "
+    who = f"the {title(name)} " if name and failure.type != "property" else ""
+    return f"{when}{who}{predicate(failure, flight.actuators.get(name, {}))}"
+
+
+def _weather(flight: Flight, parts: list[str]) -> str:
+    air = flight.scenario.atmosphere
+    if parts[:2] == ["atmosphere", "wind_m_s"]:
+        north, east, down = air.wind_m_s
+        up = f", {abs(down):.1f} m/s {'down' if down > 0 else 'up'}" if abs(down) >= 0.05 else ""
+        return f"a steady wind of {math.hypot(north, east):.1f} m/s from {_from(north, east)} deg{up}"
+    if parts[:2] == ["atmosphere", "gusts"] and len(parts) > 2:
+        gust = air.gusts[int(parts[2])]
+        return f"a gust of {np.linalg.norm(gust.magnitude_m_s):.1f} m/s at {gust.at_s:.1f} s"
+    return ""
+
+
+def _from(north: float, east: float) -> str:
+    return f"{math.degrees(math.atan2(-east, -north)) % 360.0:.0f}"
+
+
+def _value(flight: Flight, parts: list[str]) -> str:
+    """`controller.model_error.Cm_alpha = 1.21`."""
+    node: Any = flight.scenario.model_dump(mode="json")
+    for part in parts:
+        node = (
+            node[int(part)]
+            if isinstance(node, list)
+            else (node or {}).get(part)
+            if isinstance(node, dict)
+            else None
+        )
+    path = ".".join(parts)
+    shown = number(node, ".3g") if isinstance(node, int | float) else str(node)
+    return f"{path} = {shown} {unit(path)}".rstrip()
+
+
+def _and(names: Iterable[str]) -> str:
+    return " and ".join(names)
+
+
+def _said(label: str, sentence: str) -> str:
+    """A sentence about a part: after its label, or with a capital letter."""
+    return f"{label}: {sentence}" if label else sentence[:1].upper() + sentence[1:]

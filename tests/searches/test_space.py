@@ -1,0 +1,75 @@
+"""Coordinates keep the distribution of a value, and put the origin where distance is measured from."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from testbed.searches.space import Coordinate, Origin, Space, likelihoods, origin_at
+from testbed.sweeps.drawing.distributions import Distribution
+
+DRAWS = np.random.default_rng(7).standard_normal(4000)
+CASES: list[tuple[dict[str, Any], Any]] = [
+    ({"uniform": [2, 5]}, stats.uniform(2, 3)),
+    ({"normal": [1, 0.1]}, stats.norm(1, 0.1)),
+    ({"log_uniform": [1, 10]}, stats.loguniform(1, 10)),
+    ({"truncnorm": [0, 5, 0, 2]}, stats.truncnorm(0, 5, 0, 2)),
+    ({"weibull_min": {"c": 1.5, "scale": 2}}, stats.weibull_min(1.5, scale=2)),
+]
+
+
+def coordinate(spec: dict[str, Any], origin: Origin = "median") -> Coordinate:
+    return Coordinate("a", Distribution.model_validate(spec), origin)
+
+
+@pytest.mark.parametrize(("spec", "law"), CASES)
+@pytest.mark.parametrize("origin", ["median", "low", "high"])
+def test_normal_coordinates_give_the_distribution(spec: dict[str, Any], law: Any, origin: Origin) -> None:
+    if spec.keys() == {"normal"} and origin != "median":
+        pytest.skip("a normal distribution has no end")
+    if spec.keys() == {"weibull_min"} and origin == "high":
+        pytest.skip("it has no upper end")
+    assert stats.kstest(coordinate(spec, origin).values(DRAWS), law.cdf).pvalue > 0.001
+
+
+def test_the_origin_is_the_median_or_the_end() -> None:
+    spec = {"uniform": [0, 1]}
+    assert [coordinate(spec, origin).nominal for origin in ("median", "low", "high")] == [0.5, 0.0, 1.0]
+
+
+def test_farther_from_the_end_is_rarer() -> None:
+    at = coordinate({"uniform": [0, 1]}, "high")
+    for u in (0.5, -1.0, 2.0, -4.0, 8.0):
+        (value,) = at.values(np.array([u]))  # P(at most this) = P(|normal| at least |u|)
+        assert value == pytest.approx(2.0 * stats.norm.sf(abs(u)), rel=1e-12)
+
+
+def test_the_upper_tail_is_exact_too() -> None:
+    spec = {"weibull_min": {"c": 1.0, "scale": 1}}
+    (value,) = coordinate(spec).values(np.array([12.0]))
+    assert value == pytest.approx(-stats.norm.logsf(12.0), rel=1e-9)
+
+
+def test_values_stay_within_their_ends() -> None:
+    for spec in ({"uniform": [2, 5]}, {"log_uniform": [1, 10]}, {"integers": [0, 5]}):
+        at = coordinate(spec)
+        low, high = at.distribution.ends
+        assert all(low <= value <= high for value in at.values(np.array([-40.0, -9.0, 0.0, 9.0, 40.0])))
+
+
+def test_ends_of_a_range() -> None:
+    uniform = Distribution.model_validate({"uniform": [0, 1]})
+    assert [origin_at(uniform, value) for value in (0.0, 1.0, 0.5)] == ["low", "high", None]
+    assert origin_at(Distribution.model_validate({"choice": [0, 1]}), 0.0) is None
+
+
+def test_points_become_values_by_path() -> None:
+    space = Space(
+        (coordinate({"uniform": [0, 1]}), Coordinate("b", Distribution.model_validate({"integers": [0, 9]})))
+    )
+    assert len(space) == 2
+    assert space.values(np.zeros((2, 2))) == [{"a": 0.5, "b": 5}] * 2
+    assert likelihoods({"a": -1.0}) == {"a": pytest.approx(stats.norm.sf(1.0))}

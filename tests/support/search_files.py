@@ -1,0 +1,77 @@
+"""A small search, and made-up flights whose failures are known."""
+
+from __future__ import annotations
+
+import math
+import time
+from pathlib import Path
+
+import numpy as np
+from sweep_flights import COLUMNS
+
+from testbed.flight.flight import Flight, Outcome
+from testbed.scenario.load import Scenario
+
+SEARCH = """\
+name: gusty
+scenario: scenarios/left_tail_fail.yaml
+goal: smallest
+budget: 300
+seed: 3
+set:
+  duration_s: 1
+  failures: [{type: effectiveness, actuator: left_ruddervator, at_s: 0.3, value: 0.2}]
+  atmosphere: {wind_m_s: [0, 0, 0]}
+  requirements: [{name: held, metric: altitude_error_max_m, at_most: 1}]
+vary:
+  atmosphere.wind_m_s.0: {normal: [0, 2]}
+  atmosphere.wind_m_s.1: {normal: [0, 2]}
+"""
+BETA = 2.5
+"""Distance of the failures of `gusty`, in standard deviations of the wind: a wind along (3, 4) that is too strong."""
+DESIGN = (0.6 * BETA, 0.8 * BETA)
+
+
+def written(folder: Path, text: str = SEARCH, name: str = "gusty.yaml") -> Path:
+    file = folder / name
+    file.write_text(text)
+    return file
+
+
+def gusty(scenario: Scenario) -> Flight:
+    """A flight made up from its wind, which is in standard deviations of 2 m/s."""
+    north, east, _ = scenario.atmosphere.wind_m_s
+    left = BETA - (0.6 * north + 0.8 * east) / 2.0
+    rows = 20
+    time_s = np.arange(rows) * (scenario.duration_s / rows)
+    data = np.column_stack([time_s, *[np.full(rows, 300.0)] * 6])
+    verdict = {
+        "name": "held",
+        "passed": left >= 0,
+        "value": 1 - left,
+        "limit": "at most 1",
+        "margin": left,
+        "robustness": left,
+    }
+    metrics = {"altitude_error_max_m": 1.0 - left, "detection_delay_s": math.nan}
+    return Flight(scenario, Outcome.completed, scenario.duration_s, COLUMNS, data, (), metrics, (verdict,))
+
+
+def slow(scenario: Scenario) -> Flight:
+    """The same, taking its time."""
+    time.sleep(0.01)
+    return gusty(scenario)
+
+
+def unbreakable(scenario: Scenario) -> Flight:
+    """A flight whose requirement is met in any wind."""
+    flight = gusty(scenario)
+    verdict = {**flight.requirements[0], "passed": True, "margin": 9.0, "robustness": 9.0}
+    return Flight(
+        scenario, flight.outcome, flight.end_time_s, COLUMNS, flight.data, (), flight.metrics, (verdict,)
+    )
+
+
+def lost(scenario: Scenario) -> Flight:
+    """No flight at all."""
+    raise ValueError("it went wrong")
