@@ -82,6 +82,13 @@ def test_eq_13_of_a_moving_command_with_an_offset_reads_above_one(w_tau: float) 
     check_reading(reading, r=1.0 + 0.8 * SINE, epsilon=1e-9, lag=warped(w_tau))
 
 
+@pytest.mark.parametrize("share", [0.5, 3.0])
+def test_eq_13_of_a_moving_command_with_an_offset_reads_below_one_within_epsilon(share: float) -> None:
+    reading = bandwidth.offset_reading_within(bandwidth.lag(1.0, 1.0), share)
+    assert 0.5 < reading < 1.0
+    check_reading(reading, r=0.3 * (1.0 + share * SINE), epsilon=5.0, lag=warped(1.0))
+
+
 def test_any_waveform_reads_the_mean_of_g_a_over_the_mean_of_kappa() -> None:
     """Of a command with three harmonics and an offset, half of it within epsilon; the lag by scipy, not by the law's servo."""
     r = 0.1 + 0.5 * SINE + 0.3 * np.sin(3 * PHASE + 1.0) - 0.2 * np.cos(5 * PHASE)
@@ -184,12 +191,18 @@ def test_the_lag_alone_never_destabilises() -> None:
 # --- limits of stability: just inside a small error decays, just outside it grows ------------------------------------------------
 
 
-def driven(gamma_dt: float, position: Callable[[float], float], steps: int) -> np.ndarray:
+def driven(
+    gamma_dt: float,
+    position: Callable[[float], float],
+    steps: int,
+    start: float = 0.5 * (1.0 + 1e-6),
+    truth: float = 0.5,
+) -> np.ndarray:
     """Deviations of log lambda_hat from the truth with the real position computed here: what it differs from the command is a
     disturbance of the rates, so any actuator can stand behind the flying law."""
-    dt, truth = 0.01, 0.5
-    loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(gamma_dt / dt, 1e-9, dt), truth * (1.0 + 1e-6))
-    estimate, found = truth * (1.0 + 1e-6), []
+    dt = 0.01
+    loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(gamma_dt / dt, 1e-9, dt), start)
+    estimate, found = start, []
     for _ in range(steps):
         u = 1.0 / estimate
         lost = truth * (position(u) - u)
@@ -223,6 +236,23 @@ def test_eq_21_with_a_late_error_is_stable_up_to_the_delay_limit(steps: int) -> 
     # Without overshoot a positive deviation stays positive.
     assert driven(0.99 * quiet, delayed(steps), 200).min() > -1e-13
     assert driven(1.25 * quiet, delayed(steps), 200).min() < -1e-12
+
+
+@pytest.mark.parametrize(("start", "truth"), [(1.0, 0.2), (0.2, 1.0)])
+@pytest.mark.parametrize("gamma_delay", [0.2, 0.5, 1.0])
+def test_eq_21_with_a_late_error_overshoots(start: float, truth: float, gamma_delay: float) -> None:
+    """The flying law with its error late by 20 steps: late_extreme with as many. A step of effectiveness is seen as late."""
+    steps = 20
+    line = [1.0 / start] * steps
+
+    def position(u: float) -> float:
+        line.append(u)
+        return line.pop(0)
+
+    estimate = truth * np.exp(driven(gamma_delay / steps, position, 2500, start, truth))
+    found = estimate.min() if truth < start else estimate.max()
+    predicted = bandwidth.late_extreme(start, truth, gamma_delay, steps)
+    assert found == pytest.approx(predicted, rel=1e-9)
 
 
 def test_many_steps_of_delay_are_a_dead_time() -> None:

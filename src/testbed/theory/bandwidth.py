@@ -51,6 +51,11 @@ def offset_reading(actual: complex, share: float) -> float:
     return actual.real + (1.0 - actual.real) / math.sqrt(1.0 - share**2)
 
 
+def offset_reading_within(actual: complex, share: float) -> float:
+    """The same wholly within epsilon, for any share: (1 + Re F share^2 / 2) / (1 + share^2 / 2), below 1."""
+    return (1.0 + actual.real * share**2 / 2.0) / (1.0 + share**2 / 2.0)
+
+
 def waveform_reading(u: np.ndarray, a: np.ndarray, epsilon: float) -> float:
     """Reading of any regressor u [steps] beside the positions a [steps]: E[g(u) a] / E[kappa(u)] of (14) and (17)."""
     within = np.abs(u) <= epsilon
@@ -116,6 +121,23 @@ def extreme(start: float, truth: float, gamma_tau: float) -> float:
     found = solve_ivp(slope, (0.0, end), begin, events=turns, rtol=1e-9, atol=1e-12)
     turned = found.y_events[0] if found.y_events else []
     return math.exp(turned[0][0]) if len(turned) else truth
+
+
+def late_extreme(start: float, truth: float, gamma_delay: float, steps: int = 400) -> float:
+    """First extreme of the estimate after a step of effectiveness at constant r, with the error late by a dead time.
+
+    log lambda_hat' = gamma (lambda / lambda_hat(t - T) - 1) in explicit steps of T / `steps`; the truth if it does not overshoot.
+
+    Args:
+        gamma_delay: gamma kappa T.
+    """
+    xi = [math.log(start)] * (steps + 1)
+    for _ in range(20 * steps + round(20 * steps / gamma_delay)):
+        change = gamma_delay / steps * (truth * math.exp(-xi[-1 - steps]) - 1.0)
+        if change * (truth - start) < 0.0:
+            return math.exp(xi[-1])
+        xi.append(xi[-1] + change)
+    return truth
 
 
 def dead_time_limits(gamma: float) -> tuple[float, float]:
