@@ -50,7 +50,8 @@ ABLATED: dict[str, Mapping[str, Any]] = {
     f"without_{part}": {"type": "adaptive_inversion", "ablate": [part]} for part in get_args(Part)
 }
 OTHERS: dict[str, Mapping[str, Any]] = {
-    "paper": {"type": "adaptive_inversion", "preset": "paper", "filter_rad_s": 20.0}
+    "paper": {"type": "adaptive_inversion", "preset": "paper", "filter_rad_s": 20.0},
+    "l1_inversion": {"type": "l1_inversion"},
 }
 KNOWN = {**CONTROLLERS, **ABLATED, **OTHERS}
 

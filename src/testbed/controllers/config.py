@@ -64,7 +64,7 @@ _DEFAULTS_OF_NEWTON = {
 _DEFAULTS_OF_PAPER = {"preset": "paper", "estimation": "newton", "released": ()}
 _OF_NEWTON_ALONE = {"gamma", "epsilon"}
 
-Part = Literal["estimate", "monitor", "model_error", "speed_rule", "jam_test"]
+Part = Literal["estimate", "monitor", "model_error", "speed_rule", "jam_test", "actuator_model"]
 """A part of the default law that can be switched off by `ablate`."""
 
 
@@ -107,7 +107,8 @@ class AdaptiveInversionSettings(ControllerSettings):
     ablate: tuple[Part, ...] = ()
     """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
     `monitor` (nothing is flagged for a low estimate), `model_error` (the model's own error is not estimated), `speed_rule`
-    (no other airspeed after a failure, no altitude given up for airspeed), `jam_test` (no jam or reversal is looked for)."""
+    (no other airspeed after a failure, no altitude given up for airspeed), `jam_test` (no jam or reversal is looked for),
+    `actuator_model` (actuators are taken to be where they are commanded, at once and without stops: the paper's (10))."""
 
     def applied_to(self, control: ControlDesign) -> ControlDesign:
         """See `ControllerSettings.applied_to`."""
@@ -210,6 +211,25 @@ class IndiSettings(ControllerSettings):
     """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
 
 
+class L1InversionSettings(ControllerSettings):
+    """Inversion with a fast estimator, a low-pass filter in the control channel, and a separate, slow monitor."""
+
+    type: Literal["l1_inversion"] = "l1_inversion"
+    fast_gamma: Positive = 20.0
+    """Rate of the fast estimator [1/s]."""
+    control_rad_s: Positive = 10.0
+    """Corner of the low-pass filter in the control channel [rad/s]: how fast commands follow the fast estimates."""
+    epsilon: Positive = 0.05
+    """Half-width of g in (14), in units of the actuator's `scale`."""
+    lambda_min: Positive = 0.05
+    lambda_max: Positive = 2.0
+    """The fast estimates are kept between `lambda_min` and `lambda_max`."""
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+    monitor: StrictBool = True
+    """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
+
+
 class RlsInversionSettings(ControllerSettings):
     """Inversion (6) with effectiveness by recursive least squares with forgetting: it adapts, and diagnoses nothing."""
 
@@ -250,6 +270,7 @@ TABLE: dict[str, type[ControllerSettings]] = {
     "fixed_inversion": FixedInversionSettings,
     "pid": PidSettings,
     "indi": IndiSettings,
+    "l1_inversion": L1InversionSettings,
     "rls_inversion": RlsInversionSettings,
     "imm_inversion": ImmInversionSettings,
     "oracle": OracleSettings,

@@ -11,9 +11,8 @@ outer loops. With an axis released, the outer loop is the adaptive law's regulat
 stability, so f_m is subtracted from the measured rates too, before the filter.
 
 By itself it neither estimates nor monitors: the next increment corrects for a lost actuator as for any other error. With
-`monitor` it has the diagnosis of the adaptive law: estimation, monitor and jam test run on a memory of their own, and what
-they flag puts the mode for that failure in force. No command is divided by an estimate. So this separates what diagnosis
-brings from what compensation brings.
+`monitor` it has the diagnosis of the adaptive law (`controllers.diagnosis`). No command is divided by an estimate. So this
+separates what diagnosis brings from what compensation brings.
 
 Letters: y state, ref references, m design model, c settings, k control mode, s memory, w working memory; their fields,
 shapes and units are in `records`.
@@ -28,12 +27,12 @@ import numpy as np
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_telemetry
-from testbed.controllers.config import AdaptiveInversionSettings, IndiSettings
+from testbed.controllers.config import IndiSettings
+from testbed.controllers.diagnosis import Diagnosis
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import low_pass, pressure_ratio_of, regressor, state_function
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.step import estimate
 from testbed.controllers.outer_loops import pid_loops, regulate
 from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
@@ -79,23 +78,6 @@ def indi_step(step, parts):
     write_telemetry(telemetry[step], k.released, s)
 
 
-@compiled
-def diagnose(step, parts):
-    """One step of the adaptive law's diagnosis beside the control; returns 1 when a flag changed or a jam moved.
-
-    Args:
-        step: row of the channels.
-        parts: states, then model, settings of the diagnosis, memory of the control, memory of the diagnosis, and working memory.
-    """
-    states, models, settings, memories, diagnoses, works = parts
-    y, m, c, s, d, w = states[step], models[0], settings[0], memories[0], diagnoses[0], works[0]
-    for i in range(len(d.command)):
-        d.command[i] = s.command[i]
-    advance_actuators(c.dt, axial_speed(y), m, d)
-    state_function(y, m, w.f)
-    return estimate(y, m, c, d, w)
-
-
 class IndiController:
     """Incremental inversion with the records, modes and outer loops of the inversion controller.
 
@@ -112,9 +94,7 @@ class IndiController:
         settings[0].filter_rate = chosen.filter_rad_s
         model, work = model_record(setup), np.zeros(1, work_dtype(len(setup.actuators)))
         self._own = (model, settings, self._modes.record, memory, work)
-        self._memory, self._diagnosis, self._monitors = memory, trimmed_memory(setup), chosen.monitor
-        of_diagnosis = settings_record(setup, AdaptiveInversionSettings())
-        self._of_diagnosis = (model, of_diagnosis, memory, self._diagnosis, work)
+        self._diagnosis = Diagnosis(setup, model, memory, work, self._modes) if chosen.monitor else None
         self._commands = memoryview(memory[0].command)  # quicker to go through than the array
 
     @property
@@ -126,20 +106,12 @@ class IndiController:
         """Take the channels of a flight (see `controllers.Controller`)."""
         self._parts = (states, setpoints, telemetry, *self._own)
         self._step = bound(indi_step, 0, self._parts)
-        self._watched = (states, *self._of_diagnosis)
-        self._diagnose = bound(diagnose, 0, self._watched) if self._monitors else None
+        if self._diagnosis is not None:
+            self._diagnosis.bind(states)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
-        if self._diagnose is not None and self._diagnose(step, self._watched):
-            self._take_over(step)
+        if self._diagnosis is not None:
+            self._diagnosis.step(step)
         self._step(step, self._parts)
         return self._commands
-
-    def _take_over(self, step: int) -> None:
-        """Put the mode in force for what the diagnosis has flagged."""
-        s, d = self._memory[0], self._diagnosis[0]
-        s.failed[:], s.jammed[:] = d.failed, d.jammed
-        s.lambda_hat[:] = np.where(d.jammed, d.lambda_hat, 1.0)
-        self._modes.switch(step)
-        d.designed_position[:] = s.designed_position

@@ -11,6 +11,7 @@ from testbed.controllers.config import (
     FixedInversionSettings,
     ImmInversionSettings,
     IndiSettings,
+    L1InversionSettings,
     OracleSettings,
     PidSettings,
     RlsInversionSettings,
@@ -18,6 +19,7 @@ from testbed.controllers.config import (
 from testbed.controllers.imm import imm_inversion
 from testbed.controllers.indi import IndiController
 from testbed.controllers.inversion.controller import InversionController, fixed_inversion
+from testbed.controllers.l1 import L1Controller
 from testbed.controllers.oracle import OracleController
 from testbed.controllers.pid import PidController
 from testbed.controllers.rls import rls_inversion
@@ -28,6 +30,7 @@ CONSTRUCTORS: dict[type[ControllerSettings], Callable[[Setup], Controller]] = {
     FixedInversionSettings: fixed_inversion,
     PidSettings: PidController,
     IndiSettings: IndiController,
+    L1InversionSettings: L1Controller,
     OracleSettings: OracleController,
     RlsInversionSettings: rls_inversion,
     ImmInversionSettings: imm_inversion,

@@ -112,6 +112,7 @@ SETTINGS = (
     Field("dt", (), "s", "control step"),
     Field("adapts", (), "flag", "estimate effectiveness and monitor it"),
     Field("uncompensated", (), "flag", "references are not divided by the estimates"),
+    Field("ideal_actuators", (), "flag", "positions are taken for the commands r / lambda_hat", "(10)"),
     Field("monitors", (), "flag", "flag actuators whose estimate is low", "section 2.3"),
     Field("tests_jams", (), "flag", "look for jammed, offset and reversed actuators"),
     Field("weighted", (), "flag", "estimate with a Kalman gain in place of (13)"),
@@ -121,6 +122,7 @@ SETTINGS = (
     Field("lambda_max", (), "1", "upper bound of the estimates"),
     Field("divisor_min", (), "1", "least lambda_hat by which r is divided", "section 2.2.1"),
     Field("filter_rate", (), "rad/s", "corner of the two lags on both sides of the regression; 0 for none"),
+    Field("channel_rate", (), "rad/s", "k, corner of the low-pass in the control channel of `l1`"),
     Field("threshold", (), "1", "an actuator is flagged if its estimate stays below this", "section 2.3"),
     Field(
         "threshold_rise", (_N,), "1", "added to `threshold` for a propeller, whose estimate is more certain"
@@ -206,6 +208,7 @@ MEMORY = (
     ),
     Field("r", (_N,), "scaled", "reference actuator position", "(6), (29)"),
     Field("u", (_N,), "scaled", "commanded position, r / lambda_hat within the stops", "section 2.2.1"),
+    Field("correction", (_N,), "scaled", "v, what the control channel of `l1` adds to r"),
     Field("x_dc_dot", (4,), "x_c", "desired rates", "(6)"),
     Field("command", (_N,), "rad or throttle", "last command"),
     Field("position", (_N,), "scaled", "a, modelled position: servo deflection or thrust if fully effective"),

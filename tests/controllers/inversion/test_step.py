@@ -76,6 +76,18 @@ def test_a_step_that_flags_has_not_commanded_yet() -> None:
     assert telemetry[0, 12:16].tolist() == [1.0, 0.0, 0.0, 0.0] and telemetry[0, :8].any()
 
 
+def test_eq_10_without_an_actuator_model_the_error_is_of_the_rates_that_were_asked_for() -> None:
+    """The paper's (10): x_c_dot - f_m - B r, though the modelled positions are elsewhere; thrust has the torque of its rotor."""
+    parts = parts_of(vtail_setup(AdaptiveInversionSettings(preset="paper", ablate=("actuator_model",))))
+    y, m, s, w = parts[0][0], parts[3][0], parts[6][0], parts[7][0]
+    s.r[:], s.lambda_hat[:] = [0.3, -0.2, 1.0, 1.5], [0.5, 1.0, 0.8, 1.0]
+    commanded, r = s.r / s.lambda_hat, s.r.copy()
+    adaptive_step(0, parts)
+    assert s.position == pytest.approx(commanded, rel=1e-12)
+    rates = np.array([y.p_dot, y.q_dot, y.r_dot, y.u_dot]) + m.offset
+    assert w.e == pytest.approx(rates - w.f - m.B @ r, abs=1e-9)
+
+
 def test_without_adaptation_nothing_is_estimated() -> None:
     parts = parts_of(NEWTON, effectiveness=0.0)
     parts[4][0].adapts = 0

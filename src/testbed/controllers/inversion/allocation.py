@@ -25,12 +25,18 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
         nu: [4] virtual control [rad/s2, m/s2].
         axial: airspeed along the propellers' axis [m/s].
     """
+    allocate(nu, pressure_ratio, m, c, k, s, w)
+    compensate(m, c, k, s)
+    command_actuators(axial, m, s)
+
+
+@compiled
+def allocate(nu, pressure_ratio, m, c, k, s, w):
+    """Fill `s` with references r for a virtual control nu [4]: (29), or where an actuator would pass a stop, the nearest within."""
     invert(nu, pressure_ratio, m, k, s)
     s.saturated = passes_a_stop(m, c, k, s)
     if s.saturated:
         allocate_within_stops(nu, pressure_ratio, m, c, k, s, w)
-    compensate(m, c, k, s)
-    command_actuators(axial, m, s)
 
 
 @compiled

@@ -173,3 +173,13 @@ def compensate(m, c, k, s):
     for i in range(len(s.u)):
         u = s.r[i] / divisor(i, c, s) if k.available[i] else m.trim_position[i]
         s.u[i] = min(max(u, m.low[i]), m.high[i])
+
+
+@compiled
+def take_for_ideal(m, c, k, s):
+    """The paper's regressor, as if nothing lagged or stopped: a = u = r / lambda_hat of the last step. (10) is x_c_dot - f_m - B r
+    then, and x_c_dot - x_dc_dot in the paper's words."""
+    for i in range(len(s.position)):
+        if k.available[i]:
+            s.position[i] = s.r[i] / divisor(i, c, s)
+        s.torque[i] = m.torque_slope[i] * s.position[i]

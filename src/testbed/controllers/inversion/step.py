@@ -21,6 +21,7 @@ from testbed.controllers.inversion.law import (
     pressure_ratio_of,
     regressor,
     state_function,
+    take_for_ideal,
 )
 from testbed.controllers.outer_loops import pid_loops, regulate
 
@@ -37,9 +38,11 @@ def adaptive_step(step, parts):
         parts: states, setpoints and telemetry (see `Controller.bind`), then model, settings, mode, memory and working
             memory, each an array of one record. They are one tuple because a call with it takes a third of the time.
     """
-    states, _, _, models, settings, _, memories, works = parts
-    y, m, c, s, w = states[step], models[0], settings[0], memories[0], works[0]
+    states, _, _, models, settings, modes, memories, works = parts
+    y, m, c, k, s, w = states[step], models[0], settings[0], modes[0], memories[0], works[0]
     advance_actuators(c.dt, axial_speed(y), m, s)
+    if c.ideal_actuators:
+        take_for_ideal(m, c, k, s)
     state_function(y, m, w.f)
     if c.adapts and estimate(y, m, c, s, w):
         return 1

@@ -1,0 +1,62 @@
+"""The estimate of one actuator by (13), for a reference that has been flown: what is due to servo and sensor, and what to flight."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from testbed.controllers.inversion.law import modified_inverse
+
+
+@dataclass(frozen=True)
+class Behind:
+    """What is between one actuator's command and the error that the law sees.
+
+    Attributes:
+        lag: of the real servo [rad/s], 0 for none.
+        modelled: lag of the model's servo [rad/s], 0 for the plain law.
+        age: of the measured rates [s], unknown to the law.
+    """
+
+    lag: float = 0.0
+    modelled: float = 0.0
+    age: float = 0.0
+
+
+def replay(
+    r: np.ndarray,
+    truth: np.ndarray,
+    behind: Behind,
+    gamma: float,
+    epsilon: float,
+    dt: float,
+    start: float = 1.0,
+) -> np.ndarray:
+    """The estimate of one actuator by (13), step by step, for a reference that has been flown.
+
+    It tells what of a flight's estimate is due to `behind`, and what to a reference that reacts to the error.
+
+    Args:
+        r, truth: [steps] reference and true effectiveness; before them both are as in the first step, and all is at rest.
+        start: the estimate before the first step.
+
+    Returns:
+        [steps] estimates after each step.
+    """
+    a, a_m, u_before, estimate = (r[0] / start,) * 3 + (start,)
+    late, estimates = [truth[0] * a] * round(behind.age / dt), np.empty(len(r))
+    for step in range(len(r)):
+        u = r[step] / estimate
+        a, a_m = (_servo(rate * dt, u, u_before, x) for rate, x in ((behind.lag, a), (behind.modelled, a_m)))
+        late.append(truth[step] * a)
+        error = late.pop(0) - estimate * a_m
+        estimate *= math.exp(dt * gamma * modified_inverse(a_m, epsilon) * error / estimate)
+        u_before, estimates[step] = u, estimate
+    return estimates
+
+
+def _servo(w_dt: float, u: float, u_before: float, a: float) -> float:
+    """Position after one step of the bilinear lag of `actuator_model.advance_servo`; with w dt = 0 the command itself."""
+    return (w_dt * (u + u_before) + (2.0 - w_dt) * a) / (2.0 + w_dt) if w_dt > 0.0 else u
