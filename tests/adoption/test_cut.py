@@ -5,10 +5,11 @@ import pytest
 
 from testbed.adoption.bench import Bench, write
 from testbed.adoption.blocks import prefix_of
-from testbed.adoption.controls import STICKS, find_surfaces
+from testbed.adoption.controls import find_surfaces
 from testbed.adoption.cut import cut
 from testbed.adoption.propulsors import engine_files, find_propulsors
 from testbed.adoption.source import find_source, package_root, read_whole
+from testbed.adoption.wiring import STICKS
 
 AIRSPEED_M_S, ALTITUDE_M, ALPHA = 60.0, 1000.0, 0.05
 FORCES = [f"forces/fb{axis}-aero-lbs" for axis in "xyz"] + [f"moments/{axis}-aero-lbsft" for axis in "lmn"]

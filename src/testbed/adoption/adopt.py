@@ -9,9 +9,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from testbed.adoption.card import card, release
+from testbed.adoption.card import card
 from testbed.adoption.draft import Draft, make_draft, refused
-from testbed.adoption.files import Condition, add_release, write_folder, write_yaml
+from testbed.adoption.files import Condition, write_folder, write_yaml
 from testbed.adoption.losses import Kept, losses
 from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft
@@ -55,9 +55,6 @@ def adopt(source: Source, folder: Path) -> Adopted:
         aircraft, found = _condition(draft, place, version)
         model = identify(aircraft)
         model.save(place / DESIGN_MODEL)
-        axes = release(aircraft, model)
-        if axes:
-            add_release(place, folder.name, axes)
         kept = losses(aircraft, found)
         folder.parent.mkdir(parents=True, exist_ok=True)
         shutil.copytree(place, folder, dirs_exist_ok=True)

@@ -12,8 +12,9 @@ from testbed.adoption.modes import modes_of
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.signals import RATES
-from testbed.controllers.released_axes import axes_to_release, released_from_start
-from testbed.controllers.setup import stops
+from testbed.controllers.inversion.modes import enumerate_modes
+from testbed.controllers.released_axes import released_from_start
+from testbed.controllers.setup import own_axes, stops
 from testbed.plant.trim import Trim
 
 
@@ -27,18 +28,6 @@ def card(aircraft: Aircraft, model: DesignModel, trim: Trim, kept: Sequence[Kept
         _losses(kept),
     ]
     return "\n\n".join("\n".join(lines) for lines in sections)
-
-
-def release(aircraft: Aircraft, model: DesignModel) -> dict[str, tuple[str, ...]]:
-    """Axes to give up after the loss of each actuator alone, where there are any: those that the others cannot keep in gusts."""
-    n, priorities = len(aircraft.actuators), aircraft.control.priorities
-    present = tuple(axis for axis in priorities if axis in aircraft.axes)
-    found = {}
-    for i, name in enumerate(aircraft.actuators):
-        left = [j for j in range(n) if j != i]
-        axes = axes_to_release(model, stops(aircraft), left, present)
-        found[name] = tuple(axis for axis in axes if axis in present)
-    return {name: axes for name, axes in found.items() if axes}
 
 
 def _head(aircraft: Aircraft, trim: Trim) -> list[str]:
@@ -66,12 +55,15 @@ def _modes(model: DesignModel, trim: Trim) -> list[str]:
     ]
 
 
+def _scale(aircraft: Aircraft) -> np.ndarray:
+    """[n] rad or N of one scaled unit of each actuator."""
+    units = (math.radians(1.0) if a.kind == "servo" else 1.0 for a in aircraft.actuators.values())
+    return np.array([a.scale * unit for a, unit in zip(aircraft.actuators.values(), units, strict=True)])
+
+
 def _inputs(aircraft: Aircraft, model: DesignModel) -> list[str]:
     """B_m in units of the actuators' scales, and the condition number of its controlled rows."""
-    scale = np.array(
-        [a.scale * (math.radians(1.0) if a.kind == "servo" else 1.0) for a in aircraft.actuators.values()]
-    )
-    matrix = np.array(model.input_matrix)[:4] * scale
+    matrix = np.array(model.input_matrix)[:4] * _scale(aircraft)
     rows = [RATES.index(axis) for axis in aircraft.axes]
     lines = ["rates by one `scale` of each actuator [rad/s2; u_dot m/s2]"]
     lines.append("  " + " " * 6 + "".join(f"{name[:12]:>14}" for name in aircraft.actuators))
@@ -81,15 +73,21 @@ def _inputs(aircraft: Aircraft, model: DesignModel) -> list[str]:
 
 
 def _axes(aircraft: Aircraft, model: DesignModel) -> list[str]:
-    """Which axes are given up from the start and after each loss."""
+    """Which axes are given up from the start, for want of authority in gusts, and after each loss."""
     absent = [axis for axis in RATES if axis not in aircraft.axes]
-    present = tuple(axis for axis in aircraft.control.priorities if axis in aircraft.axes)
-    now = released_from_start(model, stops(aircraft), present)
-    lines = ["axes that the actuators cannot keep in gusts, and that are given up"]
+    control = own_axes(aircraft)
+    now = released_from_start(model, stops(aircraft), control.priorities)
+    lines = ["axes that are given up, because the actuators cannot control them"]
     lines += [f"  always: {', '.join(absent)}, for want of an actuator"] if absent else []
     lines += [f"  from the start: {', '.join(now) or 'none'}"]
-    for name, axes in release(aircraft, model).items():
-        lines.append(f"  without {name}: {', '.join(axes)}")
+    modes = enumerate_modes(model, _scale(aircraft), control, (*absent, *now))
+    for i, name in enumerate(aircraft.actuators):
+        more = (
+            [axis for axis in modes[(i,)].released if axis not in absent]
+            if len(aircraft.actuators) > 1
+            else []
+        )
+        lines += [f"  without {name}: {', '.join(more)}"] if more else []
     return lines
 
 

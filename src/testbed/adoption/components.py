@@ -23,14 +23,16 @@ class Dynamics:
 
 def writers(tree: ET.Element, name: str) -> list[ET.Element]:
     """Components that write a property: by an output, or by their own name."""
-    return [each for each in _components(tree) if name in _written(each)]
+    return [each for each in all_components(tree) if name in written(each)]
 
 
-def _components(tree: ET.Element) -> list[ET.Element]:
+def all_components(tree: ET.Element) -> list[ET.Element]:
+    """The components of all channels."""
     return [component for channel in tree.iter("channel") for component in channel if component.get("name")]
 
 
-def _written(component: ET.Element) -> set[str]:
+def written(component: ET.Element) -> set[str]:
+    """Properties that a component writes."""
     own = component.get("name", "")
     own = own if "/" in own else "fcs/" + re.sub(r"\s+", "-", own.strip().lower())
     return {own, *((each.text or "").strip() for each in component.findall("output"))}

@@ -7,9 +7,10 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
 
 from testbed.adoption.blocks import engine_block, engine_losses, read_as, servo_block
-from testbed.adoption.controls import Surface, bare, places_read
+from testbed.adoption.controls import Surface, places_read
 from testbed.adoption.propulsors import Propulsor
 from testbed.adoption.source import FOREIGN
+from testbed.adoption.wiring import bare
 
 
 def cut(

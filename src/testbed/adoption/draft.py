@@ -11,11 +11,12 @@ from pathlib import Path
 from testbed.adoption.bench import Bench, write
 from testbed.adoption.blocks import prefix_of
 from testbed.adoption.condition import SPEEDS, Size, drag_n, measure_size
-from testbed.adoption.controls import Surface, find_surfaces
+from testbed.adoption.controls import Surface, find_surfaces, surface_groups
 from testbed.adoption.cut import cut, set_property
 from testbed.adoption.engines import GEAR_S, Start, Step, clean, find_start, full_thrust, run
 from testbed.adoption.propulsors import TURBINE, Propulsor, engine_files, find_propulsors
 from testbed.adoption.source import Source, declare, read_whole
+from testbed.adoption.wiring import STICKS
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import EngineError
 
@@ -80,7 +81,7 @@ def make_draft(source: Source, folder: Path) -> Draft:
     bench.place(SPEEDS[0] * size.stall_m_s, size.altitude_m)
     servos = tuple(_with_servo(each, size) for each in find_surfaces(tree, bench))
     if not servos:
-        raise refused(source, "its aerodynamics read no surface that its flight control moves")
+        raise refused(source, _no_surface(tree))
     adopted = cut(tree, [(each.surface, each.lag_rad_s, each.rate_rad_s) for each in servos], propulsors)
     loader = _Loader(source, folder / "adopted", adopted)
     _let_float(adopted, loader, servos, size)
@@ -149,31 +150,41 @@ def _with_servo(surface: Surface, size: Size) -> Servo:
     return Servo(surface, found.lag_rad_s or lag, found.rate_rad_s or rate)
 
 
-def _let_float(tree: ET.Element, loader: _Loader, servos: tuple[Servo, ...], size: Size) -> None:
-    """Set how far each surface follows the air when its linkage is gone, from the sign of its moments.
+def _no_surface(tree: ET.Element) -> str:
+    """Why no surface was found, with the names to look for."""
+    read = ", ".join(f"fcs/{base}" for base in surface_groups(tree)) or "none"
+    return (
+        "its aerodynamics read no position that turns it and follows a stick of its flight control "
+        f"({', '.join(STICKS.values())}); positions that they read: {read}"
+    )
 
-    A free surface trails behind its hinge: with the wind from below its trailing edge goes up, from the right it goes left. An
-    elevator up pitches the nose up, a rudder left turns it left, a left aileron up rolls to the left. Surfaces that the model
-    moves as a pair do not float: the two sides would go up together.
+
+def _let_float(tree: ET.Element, loader: _Loader, servos: tuple[Servo, ...], size: Size) -> None:
+    """Set how far each surface follows the air when its linkage is gone, from the turn that it causes most of.
+
+    A free surface trails behind its hinge: with the wind from below its trailing edge goes up, from the right it goes left. A
+    trailing edge up behind the wing pitches the nose up, one to the left turns it left, one up on the left wing rolls to the left.
+    Surfaces of roll that the model moves as a pair do not float: the two sides would go up together.
     """
     bench = _in_flight(loader, size)
-    moments = bench.reader([f"moments/{axis}-aero-lbsft" for axis in ("m", "n", "l")])
+    turns = bench.reader([f"accelerations/{axis}dot-rad_sec2" for axis in "qrp"])
     for servo in servos:
-        p, lines = prefix_of(servo.surface.name), []
+        p, ends = prefix_of(servo.surface.name), []
         for angle in (_PROBE_RAD, -_PROBE_RAD):
             bench.set({f"{p}/linkage-bias-rad": angle})
             bench.settle(2.0 / bench.hz)
-            lines.append(moments())
+            ends.append(turns())
         bench.set({f"{p}/linkage-bias-rad": 0.0})
-        pitch, yaw, roll = (up - down for up, down in zip(*lines, strict=True))
-        side = -1.0 if servo.surface.name.startswith("left") else 1.0
-        follows = {
-            "elevator": ("float-alpha", math.copysign(1.0, pitch)),
-            "rudder": ("float-beta", -math.copysign(1.0, yaw)),
-            "aileron": (
-                "float-alpha",
-                side * math.copysign(1.0, roll) * servo.surface.name.startswith(("left", "right")),
-            ),
-        }.get(servo.surface.stick or "")
-        if follows:
-            set_property(tree, f"{p}/{follows[0]}", follows[1] + 0.0)
+        name, follows = _floating(servo.surface.name, *(up - down for up, down in zip(*ends, strict=True)))
+        set_property(tree, f"{p}/{name}", follows + 0.0)
+
+
+def _floating(name: str, pitch: float, yaw: float, roll: float) -> tuple[str, float]:
+    """Property and value of a surface's floating, from the turns that a positive deflection causes."""
+    most = max(map(abs, (pitch, yaw, roll)))
+    if abs(pitch) == most:
+        return "float-alpha", math.copysign(1.0, pitch)
+    if abs(yaw) == most:
+        return "float-beta", -math.copysign(1.0, yaw)
+    side = {"left": -1.0, "right": 1.0}.get(name.split("_")[0], 0.0)
+    return "float-alpha", side * math.copysign(1.0, roll)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import textwrap
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -62,19 +61,6 @@ def write_yaml(draft: Draft, folder: Path, name: str, condition: Condition, jsbs
     """Write the aircraft's YAML."""
     text = yaml_text(draft, name, condition, jsbsim_version)
     (folder / f"{name}.yaml").write_text(text, encoding="utf-8")
-
-
-def add_release(folder: Path, name: str, release: Mapping[str, Sequence[str]]) -> None:
-    """Append the axes to give up after each loss to the aircraft's YAML."""
-    lines = [
-        "",
-        "# Axes to give up after the loss of an actuator: those that the others cannot keep in gusts. Derived; yours to change.",
-        "control:",
-        "  release:",
-        *(f"    {actuator}: [{', '.join(axes)}]" for actuator, axes in release.items()),
-    ]
-    with (folder / f"{name}.yaml").open("a", encoding="utf-8") as file:
-        file.write("\n".join(lines) + "\n")
 
 
 def yaml_text(draft: Draft, name: str, condition: Condition, jsbsim_version: str) -> str:
@@ -164,13 +150,14 @@ def _servo(servo: Servo) -> list[str]:
     fraction = (
         "   # the model knows fractions of full deflection: 1 is called 20 deg" if surface.nominal else ""
     )
+    unlimited = "   # a default, the model has none" if surface.unlimited else ""
     default = {what: "   # a default, the model has none" for what in servo.defaults}
     return [
         f"  {surface.name}:   # instead of {read}",
         "    kind: servo",
         f"    prefix: {prefix_of(surface.name)}",
         f"    unit: deg{fraction}",
-        f"    limits: [{_round(low, 5):g}, {_round(high, 5):g}]",
+        f"    limits: [{_round(low, 5):g}, {_round(high, 5):g}]{unlimited}",
         f"    rate_limit: {_round(math.degrees(servo.rate_rad_s)):g}{default.get('rate limit', '')}",
         f"    lag_rad_s: {_round(servo.lag_rad_s):g}{default.get('lag', '')}",
         f"    scale: {_round(_SCALE * 0.5 * (high - low)):g}",

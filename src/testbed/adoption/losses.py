@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
 from testbed.aircraft.description import Aircraft
 from testbed.plant.jsbsim import Plant
-from testbed.plant.trim import NoTrim, Trim, trim
+from testbed.plant.trim import NoTrim, Search, Trim, trim
 
 _HZ = 120.0
 _LEVEL = (("alpha", "beta", "roll"), ("alpha", "beta", "roll", "airspeed"))
@@ -47,13 +48,17 @@ def _without(aircraft: Aircraft, i: int, reference: Trim) -> Trim | None:
     plant[f"{list(aircraft.actuators.values())[i].prefix}/effectiveness"] = 0.0
     for angles in (_LEVEL if _has_propulsion_without(aircraft, i) else ()) + _ANY_PATH:
         with suppress(NoTrim):
-            found = trim(
-                plant, aircraft.reference.airspeed_m_s, aircraft.reference.altitude_m,
-                held={i: reference.commands[i]}, free=angles,
-            )  # fmt: skip
-            if all(abs(found.state[name]) < math.radians(most) for name, most in _MOST_DEG.items()):
-                return found
+            roughly = _steady(plant, i, reference, angles, Search(reference).rough())
+            if all(abs(roughly.state[name]) < math.radians(most) for name, most in _MOST_DEG.items()):
+                return _steady(plant, i, reference, angles, Search(roughly))
     return None
+
+
+def _steady(plant: Plant, i: int, reference: Trim, angles: Sequence[str], search: Search) -> Trim:
+    """Steady flight with the lost actuator's command as it was; raises NoTrim."""
+    at = plant.aircraft.reference
+    held = {i: reference.commands[i]}
+    return trim(plant, at.airspeed_m_s, at.altitude_m, held=held, free=angles, search=search)
 
 
 def _has_propulsion_without(aircraft: Aircraft, i: int) -> bool:

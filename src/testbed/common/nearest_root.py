@@ -10,8 +10,8 @@ from scipy.optimize import least_squares
 
 _STEP = 3e-3
 """Of the differences for the Jacobian, in the unknowns' own scale."""
-_SMALLEST = 1e-11
-"""Sum of the residual and of the last change of the unknowns at which the search ends."""
+SMALLEST = 1e-11
+"""Default of the sum of the residual and of the last change of the unknowns at which the search ends."""
 _RANK = 1e-8  # singular values below this fraction of the largest count as zero
 _ITERATIONS, _FARTHEST_STEP = 40, 2.0
 _PREFERENCE = 2e-3
@@ -32,6 +32,7 @@ class NearestRoot:
         low, high: [n] bounds.
         weight: [n], above zero.
         preferred: the preferred point [n], which may depend on x (that of the step before is used).
+        enough: sum of the residual and of the last change of the unknowns at which the search ends.
     """
 
     function: Callable[[Vector], Vector]
@@ -39,6 +40,7 @@ class NearestRoot:
     high: Vector
     weight: Vector
     preferred: Callable[[Vector], Vector]
+    enough: float = SMALLEST
 
     def find(self, guess: Vector, tolerance: float) -> Vector:
         """The x [n] that was found; it is a root only if the function is small there."""
@@ -61,7 +63,7 @@ class NearestRoot:
             moved = x_next - x
             jacobian = jacobian + np.outer(f_next - f - jacobian @ moved, moved) / (moved @ moved)
             x, f, fresh = x_next, f_next, False
-            if np.max(np.abs(f)) + np.max(np.abs(moved)) < _SMALLEST:
+            if np.max(np.abs(f)) + np.max(np.abs(moved)) < self.enough:
                 break
         return x, f
 
@@ -118,6 +120,7 @@ class NearestRoot:
 
         inside = np.clip(x, self.low + 1e-6, self.high - 1e-6)
         found = least_squares(
-            residual, inside, jacobian, bounds=(self.low, self.high), max_nfev=40, xtol=1e-6
-        )
+            residual, inside, jacobian, bounds=(self.low, self.high), max_nfev=40,
+            xtol=max(1e-6, self.enough), ftol=max(1e-8, self.enough),
+        )  # fmt: skip
         return np.asarray(found.x)

@@ -140,7 +140,7 @@ def setup_for(
     return Setup(
         aircraft=aircraft.name,
         model=model.with_error(settings.model_error),
-        control=settings.applied_to(_own_axes(aircraft)),
+        control=settings.applied_to(own_axes(aircraft)),
         actuators=[_told(*each) for each in zip(aircraft.actuators.values(), model.propulsors, strict=True)],
         dt_s=dt_s,
         trim_commands=commands,
@@ -151,7 +151,7 @@ def setup_for(
     )
 
 
-def _own_axes(aircraft: Aircraft) -> ControlDesign:
+def own_axes(aircraft: Aircraft) -> ControlDesign:
     """The aircraft's control design, with the priorities of the axes that it has."""
     priorities = tuple(axis for axis in aircraft.control.priorities if axis in aircraft.axes)
     return aircraft.control.model_copy(update={"priorities": priorities})
@@ -178,7 +178,7 @@ def _released(aircraft: Aircraft, model: DesignModel, settings: ControllerSettin
     if settings.released is not None:
         released: Sequence[str] = settings.released
     else:
-        released = released_from_start(model, stops(aircraft), _own_axes(aircraft).priorities)
+        released = released_from_start(model, stops(aircraft), own_axes(aircraft).priorities)
     return tuple(axis for axis in RATES if axis in released or axis not in aircraft.axes)
 
 

@@ -9,19 +9,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from testbed.aircraft.description import Aircraft, AnyActuator, Servo
 from testbed.common.cache import Cache
 from testbed.common.frames import level_pitch
-from testbed.common.nearest_root import NearestRoot
+from testbed.common.nearest_root import SMALLEST, NearestRoot
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import Plant
-from testbed.plant.settling import accelerations, settle_at
+from testbed.plant.settling import STEADY, accelerations, settle_at
 
-_RESIDUAL_MAX = 1e-6  # largest acceleration that may remain [m/s2 or rad/s2]
 # Units by which the unknown angles and speeds are scaled [rad, m/s], so that the root-finder works with numbers near one, and
 # the largest scaled one that it may try.
 _SIZES = {"alpha": 0.1, "beta": 0.1, "roll": 0.1, "airspeed": 5.0, "path_angle": 0.1}
@@ -53,6 +52,27 @@ class Trim:
     residual: float
 
 
+@dataclass(frozen=True)
+class Search:
+    """How a trim is searched for.
+
+    Attributes:
+        near: a steady flight to begin at; without one the search begins with surfaces in their middle.
+        residual_max: largest acceleration that may remain [m/s2 or rad/s2].
+        steady: what steady means for engines, as `settling.STEADY`.
+        enough: change of the scaled unknowns with which the search ends.
+    """
+
+    near: Trim | None = None
+    residual_max: float = 1e-6
+    steady: float = STEADY
+    enough: float = SMALLEST
+
+    def rough(self) -> Search:
+        """The same search, a thousand times coarser: it shows at a fraction of the time whether there is a trim."""
+        return replace(self, residual_max=1e-3, steady=1e-5, enough=1e-3)
+
+
 def command_range(actuator: AnyActuator) -> tuple[float, float]:
     """Lowest and highest command of an actuator [rad or throttle]."""
     if isinstance(actuator, Servo):
@@ -69,12 +89,14 @@ class TrimProblem:
         given: airspeed, altitude, heading [m/s, m, rad]; for an unknown one its first guess.
         angles: names in `Trim.state` of the unknown angles and speeds.
         held: command of each actuator that is held [rad or throttle], by its index. The other commands are unknown.
+        search: how exactly, and from where.
     """
 
     plant: Plant
     given: Mapping[str, float]
     angles: tuple[str, ...]
     held: Mapping[int, float]
+    search: Search = field(default_factory=Search)
 
     @property
     def free_actuators(self) -> list[int]:
@@ -93,13 +115,10 @@ class TrimProblem:
         return np.array([_SIZES[n] for n in self.angles] + [0.5 * (high - low) for low, high in ranges])
 
     def first_guess(self) -> np.ndarray:
-        """First guess of the scaled unknowns: surfaces in their middle, throttles above theirs."""
-        known = {**_FIRST_ANGLES, **self.given}
-        commands = []
-        for actuator in self._free:
-            low, high = command_range(actuator)
-            share = 0.5 if isinstance(actuator, Servo) else _FIRST_THROTTLE
-            commands.append(low + share * (high - low))
+        """First guess of the scaled unknowns: those of a flight near it, else surfaces in their middle, throttles above theirs."""
+        near = self.search.near
+        known = {**_FIRST_ANGLES, **self.given, **(near.state if near else {})}
+        commands = [near.commands[i] for i in self.free_actuators] if near else list(map(_first, self._free))
         return np.array([known[name] for name in self.angles] + commands) / self.sizes
 
     def condition(self, unknowns: np.ndarray) -> tuple[dict[str, float], list[float]]:
@@ -113,14 +132,15 @@ class TrimProblem:
 
     def residual(self, unknowns: np.ndarray) -> np.ndarray:
         """[6] accelerations [m/s2, rad/s2]."""
-        return accelerations(self.plant, *self.condition(unknowns))
+        return accelerations(self.plant, *self.condition(unknowns), steady=self.search.steady)
 
     def solution(self) -> Trim | None:
         """The steady flight, or None if none was found within the stops. The plant is left in it."""
-        found = self._root().find(self.first_guess(), _RESIDUAL_MAX)
+        most = self.search.residual_max
+        found = self._root().find(self.first_guess(), most)
         state, commands = self.condition(found)
         worst = float(np.max(np.abs(self.residual(found))))
-        if not worst < _RESIDUAL_MAX:
+        if not worst < most:
             return None
         self.plant.place(state)
         return Trim(state, tuple(commands), _positions(self.plant), worst)
@@ -134,7 +154,7 @@ class TrimProblem:
             np.concatenate([far * s, ranges[:, k] / self.sizes[angles:]]) for s, k in ((-1, 0), (1, 1))
         )
         weight = np.array([_WEIGHTS[name] for name in self.angles] + [1.0] * len(self._free))
-        return NearestRoot(self.residual, low, high, weight, self._preferred)
+        return NearestRoot(self.residual, low, high, weight, self._preferred, self.search.enough)
 
     def _preferred(self, unknowns: np.ndarray) -> np.ndarray:
         """The unknowns with the least use: no deflection, and of each throttle the mean of all."""
@@ -146,6 +166,12 @@ class TrimProblem:
         return preferred
 
 
+def _first(actuator: AnyActuator) -> float:
+    """First guess of a command [rad or throttle]."""
+    low, high = command_range(actuator)
+    return low + (0.5 if isinstance(actuator, Servo) else _FIRST_THROTTLE) * (high - low)
+
+
 def trim(
     plant: Plant,
     airspeed_m_s: float,
@@ -153,6 +179,7 @@ def trim(
     heading_rad: float = math.pi / 2,
     held: Mapping[int, float] | None = None,
     free: Collection[str] = (),
+    search: Search | None = None,
 ) -> Trim:
     """Find the commands and angles at which all accelerations are zero; the flight is level unless `path_angle` is free.
 
@@ -161,13 +188,14 @@ def trim(
         held: command [rad or throttle] of each actuator that is not to be solved for, by its index.
         free: unknown angles and speeds, some of `alpha beta roll airspeed path_angle`. If it is empty they are alpha and roll,
             the path angle of an aircraft without propulsion, and sideslip where the unknowns would be fewer than six.
+        search: how exactly, and from where.
 
     Raises:
         NoTrim: no trim was found.
     """
     given = {"airspeed": airspeed_m_s, "altitude": altitude_m, "heading": heading_rad}
     angles = tuple(free) or _free_angles(plant.aircraft, held or {})
-    found = TrimProblem(plant, given, angles, held or {}).solution()
+    found = TrimProblem(plant, given, angles, held or {}, search or Search()).solution()
     if found is None:
         what = (
             f"no steady flight of {plant.aircraft.name} was found at {airspeed_m_s:g} m/s, {altitude_m:g} m"

@@ -76,6 +76,8 @@ class Modes(Mapping[tuple[int, ...], Mode]):
 
 
 _modes: Cache[Modes] = Cache(32)
+_CLEARLY = 0.5
+"""Share of the most authority that less important axes to give up must leave, to be preferred."""
 
 
 def enumerate_modes(
@@ -103,7 +105,10 @@ def _mode(
     available = [i for i in range(b.shape[1]) if i not in failed]
     if failed and not any(name in part.split("+") for part in control.release for name in names):
         rotating = np.where([[axis != "u_dot"] for axis in RATES], _fast(model), 1.0)
-        axes = _controllable((b * rotating)[:, available], axes, control)
+        given_up = [axis for axis in RATES if axis in released or axis not in control.priorities]
+        fast = b * rotating
+        derived = _controllable(fast[:, available], fast, given_up, control)
+        axes = axes if derived is None else derived
     kept = [i for i, axis in enumerate(RATES) if axis not in axes]
     remaining = b[np.ix_(kept, available)]
     condition = float(np.linalg.cond(remaining)) if kept else math.inf
@@ -121,21 +126,37 @@ def _fast(model: DesignModel) -> np.ndarray:
     return np.array([float(kind != "engine") for kind in model.kinds])
 
 
-def _controllable(b: np.ndarray, first: tuple[str, ...], control: ControlDesign) -> tuple[str, ...]:
-    """Axes to give up so that the input matrix of the others is well enough conditioned: `first` if it is, else the fewest, and of
-    those the least important; `first` where none suffice.
+def _controllable(
+    b: np.ndarray, healthy: np.ndarray, first: Sequence[str], control: ControlDesign
+) -> tuple[str, ...] | None:
+    """Axes to give up so that the others can be controlled: the fewest, and of those the least important, unless others leave
+    clearly more of the aircraft's authority; None where none suffice. An aileron yaws a little, so without a rudder roll could be
+    given up in place of yaw, but the aileron is the better control of roll.
 
     Args:
         b: [4, available] scaled input matrix, of those effects that are fast enough.
+        healthy: [4, n] the same of all actuators.
+        first: axes that are given up in any case.
     """
-    least, absent = list(reversed(control.priorities)), tuple(set(RATES) - set(control.priorities))
-    counts = range(len(first) - len(absent), len(least))
-    larger = ((*absent, *more) for count in counts for more in combinations(least, count))
-    for axes in chain([first], larger):
-        kept = [i for i, axis in enumerate(RATES) if axis not in axes]
-        if len(kept) <= b.shape[1] and float(np.linalg.cond(b[kept])) <= control.condition_max:
-            return tuple(axis for axis in RATES if axis in axes)
-    return first
+    size = np.maximum(np.linalg.norm(healthy, axis=1, keepdims=True), 1e-9)
+    least = [axis for axis in reversed(control.priorities) if axis not in first]
+    for count in range(len(least)):
+        sets = [(*first, *more) for more in combinations(least, count)]
+        left = [_authority_left(b, size, axes, control.condition_max) for axes in sets]
+        if max(left) > 0.0:
+            chosen = next(axes for axes, each in zip(sets, left, strict=True) if each >= _CLEARLY * max(left))
+            return tuple(axis for axis in RATES if axis in chosen)
+    return None
+
+
+def _authority_left(b: np.ndarray, size: np.ndarray, released: Sequence[str], condition_max: float) -> float:
+    """How much of the kept axes is left in the direction in which least is: the least singular value of their rows, each in units
+    of its `size` [4, 1]; 0 where the condition number or the loss is larger than `condition_max`."""
+    kept = [i for i, axis in enumerate(RATES) if axis not in released]
+    if len(kept) > b.shape[1] or float(np.linalg.cond(b[kept])) > condition_max:
+        return 0.0
+    left = float(np.linalg.svd(b[kept] / size[kept], compute_uv=False)[-1])
+    return left if left * condition_max >= 1.0 else 0.0
 
 
 def _refusal(axes: int, actuators: int, condition: float, condition_max: float) -> str:
@@ -168,7 +189,7 @@ def _released_axes(
     While nothing has failed, these are `always`. After a failure, they are those that the aircraft's `release` lists for this
     combination. If it does not list the combination, they are those that it lists for each failed actuator. In both cases more
     axes are given up, lowest priority first, until no more axes are kept than actuators are left. For actuators that it does not
-    name see `_controllable`.
+    name `_controllable` finds better ones where it can.
     """
     if not failed:
         return tuple(axis for axis in RATES if axis in always)
