@@ -39,7 +39,7 @@ def measured_error(
 def estimate_rate(
     m: np.ndarray, lam: np.ndarray, lam_hat: np.ndarray, r: np.ndarray, gamma: float, epsilon: float
 ) -> np.ndarray:
-    """(41): lam_hat_i' = gamma lam_hat_i g_i ((M Lambda Lambda_hat^-1 r)_i - r_i). The paper's first line has I in place of B_mc."""
+    """(41): lam_hat_i' = gamma lam_hat_i g_i ((M Lambda Lambda_hat^-1 r)_i - r_i). The paper's first line has I for B_mc."""
     x = m @ (lam / lam_hat * r) - r
     return np.asarray(gamma * lam_hat * modified_inverse(r, epsilon) * x)
 

@@ -39,7 +39,7 @@ def uniform_limit(b_mc: np.ndarray) -> float:
 
 
 def remaining_limit(m: np.ndarray, e: np.ndarray) -> float:
-    """Largest factor f such that each matrix within f E of an H+ matrix M is certainly H+: 1 / rho(C^-1 E), C its comparison matrix.
+    """Largest factor f such that each matrix within f E of an H+ matrix M is certainly H+: 1 / rho(C^-1 E), C its `comparison`.
 
     Args:
         m: [n, n] what is known of the mismatch; with the identity and E = |B_mc^-1| |B_mc| it is `uniform_limit`.
