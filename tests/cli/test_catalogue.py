@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from command_line import Called
 
-from testbed.aircraft.shipped import find_scenario, scenario_files, sweep_files
+from testbed.aircraft.shipped import find_scenario, scenario_files, search_files, sweep_files
 from testbed.cli.catalogue import TABLE
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.metrics import TABLE as METRICS
@@ -18,6 +18,7 @@ KNOWN = {
     "failures": ["effectiveness", "stuck_at", "reversal", "property"],
     "metrics": list(METRICS),
     "scenarios": ["scenarios/left_tail_fail.yaml", "scenarios/mems_turbulence.yaml"],
+    "searches": ["scenarios/searches/rare_gust.yaml"],
     "sweeps": ["scenarios/sweeps/left_tail_monte_carlo.yaml"],
 }
 
@@ -41,7 +42,7 @@ def test_without_a_name_everything_is_listed(here: Path, called: Called) -> None
 
 
 def test_scenarios_and_sweeps_are_listed_by_what_commands_take(here: Path, called: Called) -> None:
-    names = [*listed(called("list", "scenarios")[1]), *listed(called("list", "sweeps")[1])]
-    assert [find_scenario(name) for name in names] == [*scenario_files(), *sweep_files()]
+    names = [name for what in ("scenarios", "searches", "sweeps") for name in listed(called("list", what)[1])]
+    assert [find_scenario(name) for name in names] == [*scenario_files(), *search_files(), *sweep_files()]
     about = listed(called("list", "scenarios")[1])["scenarios/lost_surface.yaml"]
     assert about == "The left ruddervator is torn off at 5 s, with its mass."

@@ -12,7 +12,7 @@ import yaml
 from command_line import ROOT, Called
 from jsonschema import Draft202012Validator
 
-from testbed.aircraft.shipped import aircraft_names, scenario_files, sweep_files
+from testbed.aircraft.shipped import aircraft_names, scenario_files, search_files, sweep_files
 from testbed.cli import commands
 from testbed.cli.project import TEMPLATES
 from testbed.cli.schema import TABLE, schema_of
@@ -20,6 +20,7 @@ from testbed.cli.schema import TABLE, schema_of
 FILES = {
     "aircraft": [ROOT / "aircraft" / name / f"{name}.yaml" for name in aircraft_names()],
     "scenario": [*scenario_files(), TEMPLATES / "scenario.yaml"],
+    "search": [*search_files()],
     "sweep": [*sweep_files(), TEMPLATES / "sweep.yaml"],
 }
 MINIMAL = {"name": "a", "aircraft": "vtail", "duration_s": 10}

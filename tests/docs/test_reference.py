@@ -18,6 +18,7 @@ from testbed.aircraft.description import Aircraft
 from testbed.inputs.base import Number, Positive, Settings
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
+from testbed.searches.model import Search
 from testbed.sensors.settings import SENSORS
 from testbed.sweeps.model import Sweep
 
@@ -52,7 +53,7 @@ def test_a_models_keys_have_type_default_range_and_meaning() -> None:
     assert "| `depth_m` | number, at least 1 and below 3 | `2` | How deep. |" in model_tables.table(Inner)
 
 
-@pytest.mark.parametrize("model", [Scenario, Sweep, Aircraft])
+@pytest.mark.parametrize("model", [Scenario, Sweep, Search, Aircraft])
 def test_every_key_is_explained_by_the_code(model: type[Settings]) -> None:
     """By a docstring below it, or by that of the mapping that it holds."""
     said = model_tables.meanings(model)

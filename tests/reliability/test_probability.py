@@ -15,7 +15,7 @@ def linear(u: np.ndarray) -> np.ndarray:
 
 
 def test_plain_sampling_has_the_exact_interval() -> None:
-    result = testbed.failure_probability(linear, 3, method="plain", cov=0.1)
+    result = testbed.failure_probability(linear, 3, method="plain", cov=0.1, budget=9000)
     assert result.converged and result.cov <= 0.1
     assert result.interval[0] < 0.0228 < result.interval[1]
 

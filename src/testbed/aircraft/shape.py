@@ -5,6 +5,7 @@ Positions are in body axes from about the centre of gravity: x forward, y right,
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Literal
 
@@ -57,7 +58,13 @@ class Shape(Settings):
 def load_shape(folder: Path) -> Shape | None:
     """The shape in an aircraft's folder; None if it has none. Raises BadInput with everything wrong in the file."""
     file = folder / FILE
-    return validated(Shape, parsed(read_text(file), str(file))) if file.is_file() else None
+    return _shape(read_text(file), str(file)) if file.is_file() else None
+
+
+@lru_cache(maxsize=16)
+def _shape(text: str, file: str) -> Shape:
+    """The shape that a file's text describes; kept, because reading YAML takes a third of the time of a short flight."""
+    return validated(Shape, parsed(text, file))
 
 
 def generic(span_m: float = 2.0) -> Shape:

@@ -106,3 +106,8 @@ def scenario_files() -> list[Path]:
 def sweep_files() -> list[Path]:
     """Sweep files that come with the testbed."""
     return sorted((data_root() / "scenarios" / "sweeps").glob("*.yaml"))
+
+
+def search_files() -> list[Path]:
+    """Search files that come with the testbed."""
+    return sorted((data_root() / "scenarios" / "searches").glob("*.yaml"))

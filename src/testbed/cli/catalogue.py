@@ -43,6 +43,12 @@ def _scenarios() -> Entries:
     return _files(scenario_files())
 
 
+def _searches() -> Entries:
+    from testbed.aircraft.shipped import search_files
+
+    return _files(search_files())
+
+
 def _sweeps() -> Entries:
     from testbed.aircraft.shipped import sweep_files
 
@@ -75,6 +81,7 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "failures": _failures,
     "metrics": _metrics,
     "scenarios": _scenarios,
+    "searches": _searches,
     "sweeps": _sweeps,
 }
 """The lists that `testbed list` can show."""

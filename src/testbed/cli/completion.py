@@ -6,7 +6,7 @@ import argparse
 import os
 from pathlib import Path
 
-from testbed.aircraft.shipped import data_root, scenario_files, sweep_files
+from testbed.aircraft.shipped import data_root, scenario_files, search_files, sweep_files
 from testbed.inputs.problems import BadInput, Problem
 
 SHELLS = ("bash", "zsh", "fish")
@@ -32,8 +32,9 @@ def answer(parser: argparse.ArgumentParser) -> None:
 
 
 def files(prefix: str, **_: object) -> list[str]:
-    """YAML files and folders, and shipped scenarios and sweeps, whose paths begin with `prefix`."""
-    shipped = [str(file.relative_to(data_root())) for file in (*scenario_files(), *sweep_files())]
+    """YAML files and folders, and shipped scenarios, sweeps and searches, whose paths begin with `prefix`."""
+    every = (*scenario_files(), *sweep_files(), *search_files())
+    shipped = [str(file.relative_to(data_root())) for file in every]
     folder = Path(prefix).parent if Path(prefix).name or not prefix else Path(prefix)
     here = (
         [f"{path}/" if path.is_dir() else str(path) for path in folder.glob("*")] if folder.is_dir() else []

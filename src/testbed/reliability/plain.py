@@ -13,13 +13,14 @@ from testbed.sweeps.statistics import proportion
 BATCH = 1000
 
 
-def plain(asked: Asked, random: np.random.Generator, cov: float) -> FailureProbability:
-    """Draw batches until the coefficient of variation, sqrt((1 - p) / (p n)), is at most `cov`, or the budget is spent.
+def plain(
+    asked: Asked, random: np.random.Generator, cov: float, failures: int = 0, n: int = 0
+) -> FailureProbability:
+    """Draw batches, after `failures` in `n` draws, until the coefficient of variation is at most `cov` or the budget is spent.
 
-    The interval is that of Clopper and Pearson (1934). Points without a number widen it: its upper end counts them as
-    failures.
+    It is sqrt((1 - p) / (p n)). The interval is that of Clopper and Pearson (1934). Points without a number widen it: its
+    upper end counts them as failures.
     """
-    failures = n = 0
     while asked.left > 0 and _cov(failures, n) > cov:
         values = asked(random.standard_normal((min(BATCH, asked.left), asked.dimensions)))
         failures += int((values <= 0).sum())

@@ -12,10 +12,11 @@ from testbed.reliability import arguments
 from testbed.reliability.limit_state import Asked, LimitState
 from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
+from testbed.reliability.subset import subset
 
 Method = Callable[[Asked, np.random.Generator, float], FailureProbability]
 
-TABLE: dict[str, Method] = {"plain": plain}
+TABLE: dict[str, Method] = {"subset": subset, "plain": plain}
 
 
 def failure_probability(
@@ -24,8 +25,8 @@ def failure_probability(
     *,
     seed: int = 0,
     cov: float = 0.3,
-    budget: int = 10_000,
-    method: str = "plain",
+    budget: int = 4000,
+    method: str = "subset",
 ) -> FailureProbability:
     """Probability that `limit_state` is at or below 0 when its inputs are independent standard normals.
 

@@ -1,0 +1,164 @@
+"""Subset simulation, repeated until the failure probability is known well enough: `subset`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from scipy import stats
+
+from testbed.reliability.limit_state import Asked
+from testbed.reliability.plain import plain
+from testbed.reliability.results import FailureProbability
+from testbed.reliability.subset_run import LENGTH, Run, run_levels
+from testbed.sweeps.statistics import CONFIDENCE, proportion
+
+LEAST = 100
+"""Fewest points a level: ten chains."""
+FIRST = 45.0
+"""Points a level of the first run, times the square of the asked c.o.v.: enough for it near a probability of 1e-3."""
+DISAGREE = 1e-3
+"""Runs that differ more than by chance in one of a thousand cases are not averaged."""
+
+
+def subset(asked: Asked, random: np.random.Generator, cov: float) -> FailureProbability:
+    """Run subset simulation, and again with as many points as are missing, until `cov` or the budget is reached.
+
+    The estimate is the geometric mean of the runs, weighted by their points. Its interval is log-normal with Student's t, which has
+    as many degrees of freedom as independent draws have failures among their descendants, less one. A limit state that is
+    flat is sampled plainly instead. Runs that could not go on give an interval from 0.
+    """
+    runs = [run_levels(asked, _first_size(asked.budget, cov), random)]
+    if runs[0].end == "flat" and len(runs[0].levels) == 1:
+        return _flat(asked, random, cov, runs[0])
+    while runs[-1].end == "reached" and _cov(runs) > cov:
+        size = _next_size(asked, runs, cov)
+        if size < LEAST:
+            break
+        runs.append(run_levels(asked, size, random))
+    if len(runs) > 1 and runs[-1].end == "budget":
+        runs.pop()
+    return _known(asked, runs, cov) if runs[-1].end == "reached" else _unknown(asked, runs)
+
+
+def _first_size(budget: int, cov: float) -> int:
+    """Points a level: a fifth of what most budgets allow, so that at least one run is finished."""
+    wanted = min(FIRST / cov**2, budget / 8)
+    return max(LENGTH, _whole(min(max(wanted, LEAST), budget)))
+
+
+def _next_size(asked: Asked, runs: Sequence[Run], cov: float) -> int:
+    """Points a level that are missing for `cov`, or that are left in the budget, with a reserve for one more level in three."""
+    missing = sum(run.size for run in runs) * (_cov(runs) ** 2 / cov**2 - 1)
+    cost = runs[0].evaluations / runs[0].size + 0.3
+    return _whole(min(1.1 * missing + LEAST, asked.left / cost))
+
+
+def _whole(size: float) -> int:
+    return int(size) // LENGTH * LENGTH
+
+
+def _weights(runs: Sequence[Run]) -> np.ndarray:
+    sizes = np.array([run.size for run in runs], dtype=float)
+    return sizes / sizes.sum()
+
+
+def _cov(runs: Sequence[Run]) -> float:
+    """Coefficient of variation of the weighted mean."""
+    return math.sqrt(np.sum(_weights(runs) ** 2 * [run.variance for run in runs]))
+
+
+def _mean(runs: Sequence[Run]) -> float:
+    """Geometric mean, weighted by the points: the mean of log-normal estimates would be drawn upward by single runs."""
+    return float(np.exp(_weights(runs) @ np.log([run.probability for run in runs])))
+
+
+def log_normal(probability: float, cov: float, degrees: int) -> tuple[float, float]:
+    """Interval of a positive estimate, whose logarithm has variance ln(1 + cov^2), known with so many degrees of freedom."""
+    width = stats.t.ppf((1 + CONFIDENCE) / 2, max(degrees, 1)) * math.sqrt(math.log1p(cov**2))
+    return probability * math.exp(-width), min(1.0, probability * math.exp(min(width, 700.0)))
+
+
+def _known(asked: Asked, runs: Sequence[Run], cov: float) -> FailureProbability:
+    probability, reached = _mean(runs), _cov(runs)
+    low, high = log_normal(probability, reached, sum(run.ancestors for run in runs) - 1)
+    agreed = _agree(runs)
+    if not agreed:
+        each = [log_normal(run.probability, math.sqrt(run.variance), run.ancestors - 1) for run in runs]
+        low, high = min(low, *(one[0] for one in each)), max(high, *(one[1] for one in each))
+    high = min(1.0, high + max(sum(run.unknown) for run in runs))
+    return FailureProbability(
+        probability=probability,
+        cov=reached,
+        interval=(low, high),
+        evaluations=asked.evaluations,
+        method="subset",
+        levels=tuple(runs[0].levels),
+        design_point=asked.nearest,
+        converged=agreed and reached <= cov and not asked.unknown,
+        reason=_reason(asked, runs, agreed, reached, cov),
+    )
+
+
+def _agree(runs: Sequence[Run]) -> bool:
+    """Whether the logarithms of the runs' estimates differ no more than their variances say (chi-squared test)."""
+    logs = np.log([run.probability for run in runs])
+    precision = 1 / np.log1p([run.variance for run in runs])
+    mean = np.average(logs, weights=precision)
+    return len(runs) == 1 or stats.chi2.sf(np.sum(precision * (logs - mean) ** 2), len(runs) - 1) > DISAGREE
+
+
+def _reason(asked: Asked, runs: Sequence[Run], agreed: bool, reached: float, cov: float) -> str:
+    if asked.unknown:
+        return f"{asked.unknown} of {asked.evaluations} values were not a number; the interval's upper end has them as failures."
+    if not agreed:
+        return f"{len(runs)} runs disagree by more than their scatter; the interval holds that of each."
+    said = f"{len(runs)} run{'s' * (len(runs) > 1)} of subset simulation, c.o.v. {reached:.2f}"
+    return f"{said}." if reached <= cov else f"{said}; the budget was spent before {cov:g} was reached."
+
+
+def _unknown(asked: Asked, runs: Sequence[Run]) -> FailureProbability:
+    """The last run did not get to the failures, or its chains did not move: an upper end is all that is known."""
+    run = runs[-1]
+    last = run.levels[-1].probability if run.end != "stuck" else 1.0
+    spread = math.sqrt(math.log1p(sum(level.cov**2 for level in run.levels[:-1])))
+    ends = [run.above * _high(run, last) * math.exp(stats.norm.ppf(CONFIDENCE) * spread)]
+    ends += [log_normal(one.probability, math.sqrt(one.variance), one.ancestors - 1)[1] for one in runs[:-1]]
+    high = min(1.0, max(ends) + max(sum(one.unknown) for one in runs))
+    failing = len(run.failures) / (run.size or 1)
+    return FailureProbability(
+        probability=run.above * failing if run.end != "stuck" else math.nan,
+        cov=math.inf,
+        interval=(0.0, high),
+        evaluations=asked.evaluations,
+        method="subset",
+        levels=tuple(run.levels),
+        design_point=asked.nearest,
+        converged=False,
+        reason=_why(run),
+    )
+
+
+def _high(run: Run, last: float) -> float:
+    """Upper end of the last level's share, as if each of its chains were one point."""
+    chains = run.size // LENGTH
+    return proportion(math.ceil(last * chains), chains, method="exact").high
+
+
+def _why(run: Run) -> str:
+    level = run.levels[-1]
+    if run.end == "stuck":
+        return f"The chains hardly move ({run.taken:.0%} of the steps taken): the limit state is too rough to be followed down."
+    if run.end == "flat":
+        return f"The limit state is flat at {level.threshold:.3g}: {level.probability:.0%} of a level have the same lowest value."
+    return f"The budget was spent at the level {level.threshold:.3g}, before the failures were reached."
+
+
+def _flat(asked: Asked, random: np.random.Generator, cov: float, run: Run) -> FailureProbability:
+    """Plain sampling with what is left, where nothing shows the way down."""
+    known = plain(asked, random, cov, failures=len(run.failures), n=run.size)
+    words = f"The limit state is flat, so the points were drawn plainly: {known.reason}"
+    return FailureProbability(
+        **{**vars(known), "method": "subset", "reason": words, "converged": known.converged}
+    )

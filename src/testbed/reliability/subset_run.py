@@ -1,0 +1,160 @@
+"""One run of subset simulation: from independent draws down to the failures, level by level.
+
+Au and Beck 2001, Probabilistic Engineering Mechanics 16:263. Each level is the tenth of the points with the lowest limit
+state; Markov chains from these fill the level, until the failures are common enough to be counted.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from testbed.reliability.conditional import Spread, run_chains
+from testbed.reliability.limit_state import Asked
+from testbed.reliability.results import Level
+from testbed.sweeps.statistics import proportion
+
+LENGTH = 10
+"""Points of each chain with its seed; 1 / LENGTH is the probability of each level given the one before."""
+ENOUGH = 0.05
+"""Share of failures in a level that is counted, without a further level."""
+FLAT = 0.5
+"""Share of a level with the same lowest value, from which on nothing shows the way down."""
+STUCK = 0.1
+"""Share of candidates taken, below which the points of a chain are mostly copies."""
+
+
+@dataclass
+class Run:
+    """Levels so far, and what the last population of points is. `end` is reached, budget, flat or stuck."""
+
+    size: int
+    levels: list[Level] = field(default_factory=list)
+    unknown: list[float] = field(default_factory=list)
+    end: str = ""
+    taken: float = 1.0
+    ancestors: int = 0
+    shared: float = math.inf
+    failures: np.ndarray = field(default_factory=lambda: np.empty((0, 0)))
+
+    @property
+    def probability(self) -> float:
+        return math.prod(level.probability for level in self.levels)
+
+    @property
+    def above(self) -> float:
+        """Probability of the last level but one, the lowest that is certain to hold every failure."""
+        return math.prod(level.probability for level in self.levels[:-1])
+
+    @property
+    def variance(self) -> float:
+        """Square of the coefficient of variation: the greater of two estimates.
+
+        One is the sum over the levels, as if they were independent (Au and Beck 2001, equation 29). The other follows the
+        failures back to the independent draws they come from: sum(n_i^2) / n^2, with n_i failures from draw i. So it has
+        the correlation between the levels too (Lee and Whiteley 2018, Biometrika 105:609).
+        """
+        return max(sum(level.cov**2 for level in self.levels), self.shared)
+
+    @property
+    def evaluations(self) -> int:
+        return sum(level.evaluations for level in self.levels)
+
+
+@dataclass(frozen=True)
+class Population:
+    """The points of a level: their values, the chain and the independent draw that each comes from, and their cost."""
+
+    points: np.ndarray
+    values: np.ndarray
+    chain: np.ndarray
+    draw: np.ndarray
+    evaluations: int
+
+
+def run_levels(asked: Asked, size: int, random: np.random.Generator) -> Run:
+    """Run subset simulation with `size` points a level, a multiple of LENGTH."""
+    run, spread = Run(size), Spread()
+    people = _draw(asked, run, random)
+    while not run.end:
+        threshold = _threshold(people.values, size // LENGTH)
+        inside = people.values <= threshold
+        run.levels.append(_level(people, inside, threshold))
+        run.end = _end(run, people, inside, asked)
+        if not run.end:
+            people = _next(asked, run, people, inside, spread, random)
+    failing = people.values <= 0
+    run.failures = people.points[failing]
+    shares = np.bincount(people.draw[failing]) / max(failing.sum(), 1)
+    run.ancestors = int(np.count_nonzero(shares))
+    run.shared = float(np.sum(shares**2)) if run.ancestors else math.inf
+    return run
+
+
+def _draw(asked: Asked, run: Run, random: np.random.Generator) -> Population:
+    """The first level: independent draws."""
+    points = random.standard_normal((run.size, asked.dimensions))
+    values = asked(points)
+    run.unknown.append(_most_unknown(int(np.isnan(values).sum()), run.size))
+    each = np.arange(run.size)
+    return Population(points, np.where(np.isnan(values), np.inf, values), each, each, run.size)
+
+
+def _threshold(values: np.ndarray, chains: int) -> float:
+    """The value that a tenth is at or below; 0 once enough of the points fail."""
+    lowest = float(np.partition(values, chains - 1)[chains - 1])
+    return 0.0 if np.mean(values <= 0) >= ENOUGH else max(lowest, 0.0)
+
+
+def _level(people: Population, inside: np.ndarray, threshold: float) -> Level:
+    """The level with its coefficient of variation, from the sums over its independent parts, the chains."""
+    share = float(inside.mean())
+    if share == 0:
+        return Level(threshold, 0.0, math.inf, people.evaluations)
+    sums = np.bincount(people.chain, weights=inside - share)
+    return Level(threshold, share, float(np.sqrt(np.sum(sums**2)) / inside.sum()), people.evaluations)
+
+
+def _end(run: Run, people: Population, inside: np.ndarray, asked: Asked) -> str:
+    """Why the run ends with this level, "" if it does not."""
+    if run.taken < STUCK:
+        return "stuck"
+    if run.levels[-1].threshold <= 0:
+        return "reached"
+    if inside.mean() > FLAT or not math.isfinite(run.levels[-1].threshold):
+        return "flat"
+    return "" if asked.left >= 2 * (run.size // LENGTH) else "budget"
+
+
+def _next(
+    asked: Asked,
+    run: Run,
+    people: Population,
+    inside: np.ndarray,
+    spread: Spread,
+    random: np.random.Generator,
+) -> Population:
+    """The points of the next level, by chains from a tenth of the points that are inside it."""
+    chains = run.size // LENGTH
+    seeds = random.permutation(np.flatnonzero(inside))[:chains]
+    steps = min(LENGTH - 1, asked.left // chains)
+    found = run_chains(
+        asked, people.points[seeds], people.values[seeds], run.levels[-1].threshold, steps, spread, random
+    )
+    run.taken = found.taken
+    run.unknown.append(run.probability * _most_unknown(found.unknown, steps * chains))
+    repeated = steps + 1
+    return Population(
+        points=found.points.reshape(-1, asked.dimensions),
+        values=found.values.ravel(),
+        chain=np.tile(np.arange(chains), repeated),
+        draw=np.tile(people.draw[seeds], repeated),
+        evaluations=steps * chains,
+    )
+
+
+def _most_unknown(unknown: int, n: int) -> float:
+    """Upper end of the share of points without a number; 0 if there were none."""
+    return proportion(unknown, n, method="exact").high if unknown else 0.0
