@@ -61,7 +61,7 @@ class Noise(Settings):
     """The first coefficients of the noise that drives `dryden` turbulence in a window of time (see `noise`).
 
     Each is a standard normal in a flight in which it is not given. So a sweep or a search that draws them as
-    `{normal: {mean: 0, std: 1}}` draws from the same turbulence, and moves it smoothly.
+    `{normal: [0, 1]}` draws from the same turbulence, and moves it smoothly.
     """
 
     from_s: NonNegative = 0.0
