@@ -10,17 +10,19 @@ if TYPE_CHECKING:
     from testbed.monte_carlo import sweep as sweep
     from testbed.reporting.comparison import compare as compare
     from testbed.simulation import fly as fly
+    from testbed.theory.gain_design import design as design
 
     __version__: str
 
 _MODULES = {
     "compare": "testbed.reporting.comparison",
+    "design": "testbed.theory.gain_design",
     "fly": "testbed.simulation",
     "load": "testbed.loading",
     "sweep": "testbed.monte_carlo",
 }
 
-__all__ = ["__version__", "compare", "fly", "load", "sweep"]
+__all__ = ["__version__", "compare", "design", "fly", "load", "sweep"]
 
 
 def __getattr__(name: str) -> Any:

@@ -51,6 +51,7 @@ class IdealPlant:
         B_c: [4, n] the real input matrix; the model's where not given.
         A, bias: f of plant and model, by `law.state_function`; columns alpha, beta, p, q, r.
         bias_error: [4] f - f_m, constant (4.2).
+        A_error: [4, 5] derivatives of f - f_m, the Jacobian of (38).
         airspeed: as a fraction of the reference airspeed; the effect of the surfaces is proportional to its square.
         lag, rate: [n] lag and rate limit of the real servos [rad/s, 1/s]; with lag 0 a servo is ideal.
         modelled: whether the design model has these servos too; if not, it takes them for ideal.
@@ -61,6 +62,7 @@ class IdealPlant:
     A: np.ndarray = field(default_factory=lambda: np.zeros((4, 5)))
     bias: np.ndarray = field(default_factory=lambda: np.zeros(4))
     bias_error: np.ndarray = field(default_factory=lambda: np.zeros(4))
+    A_error: np.ndarray = field(default_factory=lambda: np.zeros((4, 5)))
     airspeed: float = 1.0
     lag: np.ndarray | float = 0.0
     rate: np.ndarray | float = UNLIMITED
@@ -193,7 +195,8 @@ class IdealLoop:
         models, settings = self._models, self._settings
         models["airspeed"], models["servo"], models["scale"] = 1.0, True, 1.0
         models["low"], models["high"], models["rate"] = -UNLIMITED, UNLIMITED, plant.rate
-        models["A"], models["bias"] = plant.A, [plant.bias, plant.bias + plant.bias_error]
+        models["A"] = [plant.A, plant.A + plant.A_error]
+        models["bias"] = [plant.bias, plant.bias + plant.bias_error]
         models["B"] = [plant.B, plant.B if plant.B_c is None else plant.B_c]
         models["B_inv"] = np.linalg.pinv(plant.B)
         models["lag"][1] = plant.lag
