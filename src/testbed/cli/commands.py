@@ -132,6 +132,15 @@ def parser() -> argparse.ArgumentParser:
     )
 
     command = _command(
+        commands,
+        "certify",
+        _certify,
+        "say how wrong the input matrix of a scenario's design model may be",
+    )
+    _add_certify(command)
+    _add_set(command)
+
+    command = _command(
         commands, "list", _list, "list the names that scenarios and commands can use, with their meanings"
     )
     command.add_argument("what", nargs="?", choices=CATALOGUE, help="default: everything")
@@ -274,6 +283,20 @@ def _add_compare(command: argparse.ArgumentParser) -> None:
     )
 
 
+def _add_certify(command: argparse.ArgumentParser) -> None:
+    _file(command, "scenario", _SCENARIO)
+    command.add_argument(
+        "--error",
+        type=float,
+        default=0.1,
+        metavar="FRACTION",
+        help="relative error of all entries for which the bias of the estimates is bounded (default: %(default)s)",
+    )
+    command.add_argument(
+        "--out", type=Path, metavar="FILE", help="also write all numbers into this .csv or .json file"
+    )
+
+
 def _add_export(command: argparse.ArgumentParser) -> None:
     command.add_argument("run", type=Path, help="run folder")
     command.add_argument("--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap or mat")
@@ -362,6 +385,13 @@ def _adopt(options: argparse.Namespace) -> int:
 
     with working("adopting"):
         adopt.adopt(options.model, options.out)
+    return MET
+
+
+def _certify(options: argparse.Namespace) -> int:
+    from testbed.cli import certify
+
+    certify.certify(options)
     return MET
 
 

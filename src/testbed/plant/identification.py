@@ -43,9 +43,8 @@ def identify(aircraft: Aircraft) -> DesignModel:
     positions = [math.radians(p) if k == "servo" else p for p, k in zip(level.positions, kinds, strict=True)]
     density = air_density(plant)
     n = len(kinds)
-    inputs, torques = np.zeros((6, n)), np.zeros((6, n))
+    inputs, torques = input_matrix(plant, level), np.zeros((6, n))
     for i, kind in enumerate(kinds):
-        inputs[:, i] = _input_column(plant, level, i)
         if kind == "motor":
             torques[:, i] = _torque_column(plant, level, i)
     slopes = np.column_stack([_state_column(plant, level, name) for name in COLUMNS])
@@ -125,6 +124,11 @@ def _stall_angle(plant: Plant, level: Trim) -> float:
     slopes = np.diff(rates)
     (stalled,) = np.nonzero(slopes / slopes[0] < 0.5)
     return float(alphas[stalled[0]]) if len(stalled) else _ALPHA_MAX
+
+
+def input_matrix(plant: Plant, level: Trim) -> np.ndarray:
+    """[6, n] B of the truth about a flight condition: rates by `design_model.ROWS`, per rad of servo and per N of thrust."""
+    return np.column_stack([_input_column(plant, level, i) for i in range(len(level.commands))])
 
 
 def _input_column(plant: Plant, level: Trim, i: int) -> np.ndarray:

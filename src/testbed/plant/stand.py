@@ -24,8 +24,9 @@ from testbed.plant.settling import accelerations, settle_at, wait_for_engines
 from testbed.plant.trim import Trim
 
 _SLUG_FT3 = 515.378818393  # kg/m3 in one slug/ft3
-# Operating points at which a propeller's tables are measured: fractions of the reference airspeed, throttles.
-_PROPELLER_SPEEDS, _PROPELLER_THROTTLES = (0.6, 0.8, 1.0, 1.2), np.linspace(0.3, 1.0, 36)
+PROPELLER_SPEEDS = (0.6, 0.8, 1.0, 1.2)
+"""Fractions of the reference airspeed at which a propeller's tables are measured."""
+_PROPELLER_THROTTLES = np.linspace(0.3, 1.0, 36)
 _WINDMILLING = 0.045
 """Points with a thrust that is further below the lowest limit than this share of the travel are left out of the tables."""
 _ENGINE_SPEEDS = np.linspace(0.6, 1.4, ENGINE_SPEEDS)  # fractions of the reference airspeed
@@ -67,7 +68,7 @@ def propeller(plant: Plant, level: Trim, i: int, actuator: MotorActuator) -> Pro
     sense = plant[f"{engine}/propeller-sense"]  # the airframe feels the opposite torque
     least = actuator.limits[0] - _WINDMILLING * (actuator.limits[1] - actuator.limits[0])
     rows = []
-    for speed in _PROPELLER_SPEEDS:
+    for speed in PROPELLER_SPEEDS:
         state = {**level.state, "airspeed": speed * level.state["airspeed"]}
         for throttle in _PROPELLER_THROTTLES:
             accelerations(plant, state, changed(level.commands, i, throttle - level.commands[i]))
