@@ -1,19 +1,15 @@
-"""How fast and how quiet at once: the closed forms, their bound, and the flying laws on noise."""
+"""How fast and how quiet at once: the closed forms and their bound."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from testbed.controllers.l1 import adapt_fast, low_pass_channel
-from testbed.controllers.records import memory_dtype, mode_dtype, model_dtype, settings_dtype
 from testbed.theory import decoupling
-from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
 
 DT = 0.001
 TIME = (np.arange(30000) + 0.5) * DT
@@ -72,61 +68,3 @@ def test_the_bound_is_reached_by_a_mean_that_ends_at_95_percent() -> None:
     within = np.cumsum(h) * DT >= 0.95 - 1e-9
     reached = int(np.argmax(within)) + 1
     assert reached * DT * np.sum(h[:reached] ** 2) * DT == pytest.approx(decoupling.LINEAR_BOUND, rel=2e-3)
-
-
-# --- the flying laws ---------------------------------------------------------------------------------------------------------
-
-
-def l1_effects(gamma: float, k: float, truth: np.ndarray, noise: np.ndarray, dt: float) -> np.ndarray:
-    """[steps, 4] effects lambda u of four like actuators under `l1`, r = 1, measured with noise [steps, 4]."""
-    m, c, mode, s = (
-        np.zeros(1, of(4)).view(np.recarray)[0]
-        for of in (model_dtype, settings_dtype, mode_dtype, memory_dtype)
-    )
-    m.servo[:], m.low[:], m.high[:] = 1, -1e6, 1e6
-    c.dt, c.gamma[:], c.channel_rate, c.epsilon[:], c.lambda_min, c.lambda_max = dt, gamma, k, 1e-9, 1e-3, 1e3
-    mode.available[:], mode.B_hat_inv[:] = 1, np.eye(4)
-    s.lambda_hat[:], s.r[:], s.u[:] = truth[0], 1.0, 1.0 / truth[0]
-    s.correction[:] = s.u - 1.0
-    effects = np.empty((len(truth), 4))
-    for step in range(len(truth)):
-        low_pass_channel(m, c, mode, s)
-        s.position[:] = s.u
-        effects[step] = truth[step] * s.u
-        e = truth[step] * s.u + noise[step] - s.lambda_hat * s.u
-        adapt_fast(e, 1.0, m, c, mode, s)
-    return effects
-
-
-def paper_effects(gamma: float, _: float, truth: np.ndarray, noise: np.ndarray, dt: float) -> np.ndarray:
-    """The same of the paper's law on the ideal plant."""
-    steps = len(truth)
-    loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(gamma, 1e-9, dt), truth[0])
-    estimate = loop.fly(np.ones((steps, 4)), np.tile(truth[:, None], (1, 4)), noise).lambda_hat[:-1]
-    return truth[:, None] / estimate
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(
-    ("effects", "gamma", "k", "measure"),
-    [
-        (paper_effects, 2.0, 0.0, decoupling.PAPER),
-        (l1_effects, 2.0, 2.0, decoupling.cascade(2.0, 2.0)),
-        (l1_effects, 20.0, 2.0, decoupling.cascade(20.0, 2.0)),
-    ],
-)
-def test_the_flying_laws_have_the_measure_of_their_poles(
-    effects: Callable[..., np.ndarray], gamma: float, k: float, measure: float
-) -> None:
-    """T_5% after a loss of 1 %, and the variance of the effect under white noise, small for the law to be linear.
-
-    The variance comes from 4 x 240 s with a correlation time of about half a second: 4 standard errors are 4 sqrt(2 / 960).
-    """
-    dt, loss = 0.005, 0.01
-    truth = np.where(np.arange(4000) < 10, 1.0, 1.0 - loss)
-    missing = np.abs(effects(gamma, k, truth, np.zeros((4000, 4)), dt)[10:, 0] - 1.0) / loss
-    time = (np.flatnonzero(missing > 1.0 - decoupling.REACHED)[-1] + 1) * dt
-    s = 1e-5
-    noise = np.random.default_rng(7).normal(0.0, math.sqrt(s / dt), (48000, 4))
-    flown = effects(gamma, k, np.ones(48000), noise, dt)[1000:]
-    assert time * flown.var() / s == pytest.approx(measure, rel=4.0 * math.sqrt(2.0 / 960.0))
