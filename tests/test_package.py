@@ -17,11 +17,9 @@ def run(program: str) -> str:
 
 
 def test_its_names_are_shown_and_there() -> None:
-    assert dir(testbed) == ["__version__", "compare", "failure_probability", "fly", "load", "search", "sweep"]
-    assert all(
-        callable(getattr(testbed, name))
-        for name in ("compare", "failure_probability", "fly", "load", "search", "sweep")
-    )
+    names = ["__version__", "compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
+    assert dir(testbed) == names
+    assert all(callable(getattr(testbed, name)) for name in names[1:])
     assert testbed.__version__ and testbed.__version__[0].isdigit()
     with pytest.raises(AttributeError, match="has no attribute 'land'"):
         testbed.land  # noqa: B018

@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
+import equations
 import log_meanings
 import model_tables
 import property_tables
@@ -192,4 +193,5 @@ TABLES: dict[str, Callable[[], str]] = {
     "servo_properties": lambda: property_tables.servo(markdown),
     "motor_properties": lambda: property_tables.motor(markdown),
     "exports": exports,
+    "equations": equations.table,
 }

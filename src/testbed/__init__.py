@@ -12,11 +12,13 @@ if TYPE_CHECKING:
     from testbed.reporting.comparison import compare as compare
     from testbed.searching import search as search
     from testbed.simulation import fly as fly
+    from testbed.theory.gain_design import design as design
 
     __version__: str
 
 _MODULES = {
     "compare": "testbed.reporting.comparison",
+    "design": "testbed.theory.gain_design",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
     "load": "testbed.loading",
@@ -24,7 +26,7 @@ _MODULES = {
     "sweep": "testbed.monte_carlo",
 }
 
-__all__ = ["__version__", "compare", "failure_probability", "fly", "load", "search", "sweep"]
+__all__ = ["__version__", "compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
 
 
 def __getattr__(name: str) -> Any:

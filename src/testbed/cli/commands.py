@@ -124,6 +124,10 @@ def parser() -> argparse.ArgumentParser:
         "--check", action="store_true", help="only compare with the stored model; exit status 1 if it differs"
     )
 
+    command = _command(commands, "design", _design, "gains of the estimator from a scenario's noise, as YAML")
+    _add_design(command)
+    _add_set(command)
+
     command = _command(
         commands,
         "adopt",
@@ -267,6 +271,35 @@ def _add_flying(command: argparse.ArgumentParser) -> None:
     )
 
 
+def _add_design(command: argparse.ArgumentParser) -> None:
+    _file(command, "scenario", _SCENARIO)
+    command.add_argument(
+        "--deviation",
+        type=float,
+        default=0.1,
+        metavar="SIGMA",
+        help="tolerated standard deviation of an estimate (default: %(default)s)",
+    )
+    command.add_argument(
+        "--false-alarms",
+        type=float,
+        default=0.1,
+        metavar="RATE",
+        help="tolerated false alarms per hour (default: %(default)s)",
+    )
+    command.add_argument(
+        "--keep",
+        type=float,
+        default=0.2,
+        metavar="EFFECTIVENESS",
+        help="effectiveness that must not be flagged (default: %(default)s)",
+    )
+    command.add_argument(
+        "--within", type=float, metavar="SECONDS", help="time in which an estimate has to converge"
+    )
+    command.add_argument("--out", type=Path, metavar="FILE", help="write the YAML into this file too")
+
+
 def _add_compare(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "runs", type=Path, nargs="+", metavar="RUN", help="run folder, or a flight of a sweep: SWEEP/17"
@@ -379,6 +412,12 @@ def _identify(options: argparse.Namespace) -> int:
     with working("identifying"):
         same = aircraft.identify(options.aircraft, check=options.check)
     return MET if same else NOT_MET
+
+
+def _design(options: argparse.Namespace) -> int:
+    from testbed.cli import design
+
+    return MET if design.design(options) else NOT_MET
 
 
 def _adopt(options: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""The estimate of one actuator by (13), for a reference that has been flown: what is due to servo and sensor, and what to flight."""
+"""The estimate of one actuator by (13) for a reference that has been flown: what servo and sensor do, and what the flight does."""
 
 from __future__ import annotations
 

@@ -1,0 +1,182 @@
+"""The page and the figure of `section4_bandwidth.py`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from bandwidth_ideal import REMAINS, W
+from bandwidth_limits import ALTITUDE_M, HEADING_DEG, LOSS_S, OLDER, SLOWER
+from matplotlib.axes import Axes
+
+from testbed.theory import bandwidth
+
+matplotlib.use("agg")
+import matplotlib.pyplot as plt
+
+
+@dataclass(frozen=True)
+class Row:
+    """A prediction beside what was measured.
+
+    Attributes:
+        predicted: by a closed form, or by an equation integrated.
+        ideal: by the flying law on the ideal plant, in the same condition.
+        same_r: by (13) alone for the reference that was flown (`theory.replay`).
+        flown: in JSBSim.
+    """
+
+    what: str
+    x: float
+    predicted: float
+    ideal: float
+    same_r: float
+    flown: float
+
+
+HEADS = {
+    "moving": f"""\
+## A command that moves, behind a servo slower than the law knows
+
+Mean of the estimate, true value 1, of altitude references that go up and down at w = {W:g} rad/s. Prediction:
+`offset_reading_within(F / F_m)`, with the share of the reference that moves as it was flown.""",
+    "lag": f"""\
+## A loss behind a slow servo, plain
+
+Lowest estimate after a loss to {REMAINS:g}. Prediction: `extreme`, which takes the reference for constant.""",
+    "late": f"""\
+## A loss seen late
+
+Lowest estimate after a loss to {REMAINS:g}, compensated law. Prediction: `late_extreme`, which takes the reference for constant
+and all sensors for equally late.""",
+    "mixed": f"""\
+## Late rates alone
+
+As before, with gyro and accelerometer late and the other sensors on time: f_m is that of another moment than the rates. No
+prediction is made for this; that of equally late sensors stands beside it. True value {REMAINS:g}.""",
+}
+INTRODUCTION = """\
+# Bandwidth and saturation: predictions beside flights
+
+<!-- Written by python benchmarks/section4_bandwidth.py: change that, not this. -->
+
+This page compares what [theory predicts](../explanation/bandwidth.md) of slow servos and late sensors with the ideal plant
+and with flights in JSBSim.
+
+Calm air, ideal sensors, `preset: paper` without monitor and jam test. *(13) with the flown r* is the adaptive law alone, one
+actuator by itself, for the reference that was flown (`testbed.theory.replay`): what it has in common with the flight is due to
+servo and sensor. What the prediction lacks beside it is a reference that reacts to the error.
+
+![Predictions as lines, the ideal plant as crosses, flights as dots](../figures/section4_bandwidth.png)"""
+
+
+def page(
+    rows: Mapping[str, Sequence[Row]],
+    known: Sequence[tuple[str, float, float]],
+    limits: Mapping[str, tuple[float, float]],
+) -> str:
+    """The Markdown of docs/results/section4_bandwidth.md: flights, limits on the ideal plant, and what each law withstands."""
+    lines = [INTRODUCTION]
+    for group, head in HEADS.items():
+        lines += ["", head, "", *table(rows[group])]
+    lines += ["", "## Stops, rate limits and late errors, on the ideal plant", ""]
+    lines += ["| condition | predicted | measured | error |", "| --- | --- | --- | --- |"]
+    lines += [f"| {what} | {p:.3f} | {m:.3f} | {relative(m, p)} |" for what, p, m in known]
+    lines += ["", *withstanding(), "", "| law | slowest servo | oldest sensors |", "| --- | --- | --- |"]
+    for name, (lag, age) in limits.items():
+        slowest = "none" if math.isnan(lag) else f"{lag:g} rad/s"
+        oldest = "none" if math.isnan(age) else f"{1000 * age:g} ms"
+        lines.append(f"| {name} | {slowest} | {oldest} |")
+    return "\n".join(lines) + "\n"
+
+
+def withstanding() -> list[str]:
+    slower, older = ", ".join(f"{lag:g}" for lag in SLOWER), ", ".join(f"{1000 * age:g}" for age in OLDER)
+    return [
+        "## How slow may a servo be, how late a sensor",
+        "",
+        f"Turns at 4 deg/s and a climb, the left tail at 0.3 from {LOSS_S:g} s on. Both tails' servos are slow, or all sensors",
+        "late, from the start; no law knows. Held: no healthy actuator flagged, and all the time within",
+        f"{ALTITUDE_M:g} m and {HEADING_DEG:g} deg.",
+        f"The last value held of {slower} rad/s, and of {older} ms.",
+    ]
+
+
+def table(rows: Sequence[Row]) -> list[str]:
+    head = (
+        "condition",
+        "predicted",
+        "ideal plant",
+        "error",
+        "flown",
+        "error",
+        "(13) with the flown r",
+        "flown beside it",
+    )
+    lines = [f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}"]
+    for row in rows:
+        cells = (
+            row.what, f"{row.predicted:.3f}", f"{row.ideal:.3f}", relative(row.ideal, row.predicted),
+            f"{row.flown:.3f}", relative(row.flown, row.predicted), f"{row.same_r:.3f}", relative(row.flown, row.same_r),
+        )  # fmt: skip
+        lines.append(f"| {' | '.join(cells)} |")
+    return lines
+
+
+def relative(measured: float, predicted: float) -> str:
+    return f"{100.0 * (measured / predicted - 1.0):+.1f} %"
+
+
+def draw(rows: Mapping[str, Sequence[Row]], file: Path) -> None:
+    figure, panels = plt.subplots(1, 3, figsize=(11, 3.8), layout="constrained")
+    x = np.geomspace(0.03, 4.0, 80)
+    panels[0].plot(
+        x,
+        [bandwidth.moving_reading(bandwidth.lag(v, 1.0)) for v in x],
+        color="0.6",
+        label="about zero, plain",
+    )
+    panels[1].plot(x, [bandwidth.extreme(1.0, REMAINS, v) for v in x], color="0.3", label="predicted")
+    panels[2].plot(
+        x, [bandwidth.late_extreme(1.0, REMAINS, v, 100) for v in x], color="0.3", label="predicted"
+    )
+    for axes, group in zip(panels, HEADS, strict=False):
+        scatter(axes, rows[group], group == "moving")
+    panels[0].set(xlabel="w tau [-]", ylabel="mean estimate, truth 1 [-]", xlim=(0.0, 1.0), ylim=(0.4, 1.1))
+    panels[1].set(
+        xlabel="gamma tau [-]",
+        ylabel=f"lowest estimate, truth {REMAINS:g} [-]",
+        xlim=(0.1, 4.0),
+        ylim=(0.0, 0.25),
+    )
+    panels[2].set(
+        xlabel="gamma T [-]",
+        ylabel=f"lowest estimate, truth {REMAINS:g} [-]",
+        xlim=(0.03, 1.6),
+        ylim=(0.0, 0.25),
+    )
+    panels[1].axvline(bandwidth.OVERSHOOT_LIMIT, color="0.7", lw=0.8)
+    panels[2].axvline(1.0 / math.e, color="0.7", lw=0.8)
+    for axes, title in zip(
+        panels, ("a moving command", "a loss behind a lag", "a loss seen late"), strict=True
+    ):
+        axes.set_title(title)
+        axes.legend(fontsize="small")
+    figure.savefig(file, dpi=110)
+    plt.close(figure)
+
+
+def scatter(axes: Axes, rows: Sequence[Row], lines: bool) -> None:
+    """Predictions of the rows (where they are no line), the ideal plant, (13) with the flown r, flights."""
+    x = [row.x for row in rows]
+    if lines:
+        axes.plot(
+            x, [row.predicted for row in rows], "_", color="0.3", ms=14, label="predicted, with its offset"
+        )
+    axes.plot(x, [row.ideal for row in rows], "x", color="C0", ms=6, label="ideal plant")
+    axes.plot(x, [row.same_r for row in rows], "s", mfc="none", color="C2", ms=6, label="(13), flown r")
+    axes.plot(x, [row.flown for row in rows], "o", color="C1", ms=4, label="flown")

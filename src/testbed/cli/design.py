@@ -1,0 +1,95 @@
+"""`testbed design`: gains of the estimator for a scenario's sensors and turbulence, as text and as YAML to be pasted."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from testbed.cli.checked import checked
+from testbed.cli.interrupts import tidily
+from testbed.cli.working import working
+from testbed.common.files import replacing
+from testbed.common.signals import RATES
+from testbed.inputs.problems import BadInput, Problem
+
+if TYPE_CHECKING:
+    from testbed.theory.gain_design import Design
+    from testbed.theory.gain_verdict import ActuatorDesign
+
+
+def design(options: argparse.Namespace) -> bool:
+    """Print gains for a scenario and what they are expected to do; returns whether all that is asked can be had.
+
+    Raises BadInput when the scenario or a tolerance cannot be used, or the file cannot be written.
+    """
+    from testbed.theory.gain_design import design
+
+    with working("checking"):
+        scenario = checked(options.scenario, options.set)
+    with working("designing"):
+        found = design(
+            scenario,
+            deviation=options.deviation,
+            false_alarms_per_hour=options.false_alarms,
+            keep=options.keep,
+            within_s=options.within,
+        )
+    print("\n".join(_sentences(found)))
+    print(yaml_of(found), end="")
+    if options.out is not None:
+        _write(options.out, yaml_of(found))
+    return found.possible
+
+
+def yaml_of(found: Design) -> str:
+    """The `controller` block of a scenario."""
+    return "".join(
+        ["controller:\n", *(f"  {key}: {_value(value)}\n" for key, value in found.controller.items())]
+    )
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, dict):
+        return f"{{{', '.join(f'{key}: {_value(one)}' for key, one in value.items())}}}"
+    return value if isinstance(value, str) else f"{value:g}"
+
+
+def _sentences(found: Design) -> Iterator[str]:
+    yield f"{found.scenario.name}: level flight at {found.scenario.initial.airspeed_m_s:g} m/s"
+    yield from _table(found.actuators)
+    yield (
+        f"false alarms: {found.false_alarms_per_hour:.2g} an hour with actuators at {found.tolerance.keep:g} "
+        f"({found.tolerance.false_alarms_per_hour:g} tolerated)"
+    )
+    rates = zip(RATES, found.disturbance, strict=True)
+    yield (
+        f"noise of the rates, root of the two-sided intensity: {', '.join(f'{rate} {x:.2g}' for rate, x in rates)}"
+    )
+    for sentence in found.impossible:
+        yield f"IMPOSSIBLE  {sentence}"
+    for sentence in found.advice:
+        yield f"would help  {sentence}"
+
+
+def _table(actuators: tuple[ActuatorDesign, ...]) -> Iterator[str]:
+    width = max(len(one.name) for one in actuators)
+    yield f"{'':{width}}  position  noise  offset    bias  converges  flagged  largest error"
+    for one in actuators:
+        largest = "{} {:.2g}".format(*one.shares[0]) if one.shares else "none"
+        flagged = "never" if math.isnan(one.detection_s) else f"{one.detection_s:.2f} s"
+        yield (
+            f"{one.name:{width}}  {one.position:8.3f}  {one.noise:5.3f}  {one.offset:6.3f}  {one.bias:+6.3f}  "
+            f"{one.convergence_s:7.2f} s  {flagged:>7}  {largest}"
+        )
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        with tidily(), replacing(path) as partial:
+            partial.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(path))]) from None
+    print(f"wrote {path}")
