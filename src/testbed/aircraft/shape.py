@@ -16,6 +16,7 @@ from testbed.inputs.yaml_source import parsed
 Point = tuple[Number, Number, Number]
 FILE = "shape.yaml"
 """The file in an aircraft's folder."""
+_UNKNOWN_SPAN_M = 2.0
 
 
 class Panel(Settings):
@@ -60,8 +61,9 @@ def load_shape(folder: Path) -> Shape | None:
     return validated(Shape, parsed(read_text(file), str(file))) if file.is_file() else None
 
 
-def generic(span_m: float = 2.0) -> Shape:
-    """A conventional aircraft of this span, on which nothing moves."""
+def generic(span_m: float = 0.0) -> Shape:
+    """A conventional aircraft of this span, on which nothing moves; of 2 m if the span is not known."""
+    span_m = span_m or _UNKNOWN_SPAN_M
     half, c = 0.5 * span_m, 0.16 * span_m
 
     def flat(x: float, y: float, depth: float, width: float, z: float = 0.0) -> Panel:
