@@ -13,7 +13,7 @@ import numpy as np
 from testbed.air.wind import Weather
 from testbed.aircraft.changes import chosen
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.shape import load_shape
+from testbed.aircraft.shape import generic, load_shape
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.controllers import Controller
@@ -202,7 +202,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         requirements=judge(scenario.requirements, log, metrics, scenario.duration_s),
         actuators=actuators,
         warnings=warnings,
-        shape=load_shape(aircraft.folder),
+        shape=load_shape(aircraft.folder) or generic(parts.plant.span_m),
         flown_by=parts.flown_by,
     )
 

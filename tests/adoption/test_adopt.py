@@ -34,7 +34,7 @@ def test_a_glider_is_adopted_by_the_command_line(tmp_path):
 @pytest.mark.parametrize(
     ("model", "why"),
     [
-        ("C130", "no known way to start its engines gives thrust"),
+        ("C130", "no known way to start its engines gives thrust to fly with: "),
         ("B17", "N at full throttle do not hold it in level flight"),
         ("ball", "its wing gives no lift"),
     ],
@@ -54,8 +54,15 @@ def hostile(folder, content) -> Source:
 
 def test_a_model_that_ends_the_process_is_refused(tmp_path):
     # without mass or wing, JSBSim says so or dies; either way it is a sentence
-    source = hostile(tmp_path / "empty", '<fdm_config name="empty" version="2.0"/>')
+    sections = "<metrics/><mass_balance/><aerodynamics/>"
+    source = hostile(tmp_path / "empty", f'<fdm_config name="empty" version="2.0">{sections}</fdm_config>')
     with pytest.raises(BadInput, match=r"empty cannot be adopted: .*JSBSim"):
+        adopted_card(source, tmp_path / "out")
+
+
+def test_a_model_without_a_section_is_refused(tmp_path):
+    source = hostile(tmp_path / "empty", '<fdm_config name="empty" version="2.0"/>')
+    with pytest.raises(BadInput, match="empty cannot be adopted: it has no <metrics>"):
         adopted_card(source, tmp_path / "out")
 
 

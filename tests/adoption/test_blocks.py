@@ -8,7 +8,7 @@ from testbed.adoption.propulsors import PISTON, TURBINE, Propulsor
 from testbed.injection.expected_response import MOTOR, SERVO
 
 _SERVO = [name for name in SERVO if "malfunction" not in name]  # which JSBSim makes itself
-SURFACE = Surface("left_aileron", (Reading("fcs/left-aileron-pos-rad"),), (-0.3, 0.2), "aileron")
+SURFACE = Surface("left_aileron", (Reading("fcs/left-aileron-pos-rad"),), (-0.3, 0.2), "roll")
 
 
 def names(block):
@@ -40,7 +40,7 @@ def test_other_representations_follow_the_deflection():
         Reading("fcs/mag-elevator-pos-deg", gain=57.3, magnitude=True),
         Reading("fcs/elevator-pos-norm", table=table),
     )
-    _, channel = servo_block(Surface("elevator", readings, (-0.3, 0.2), "elevator"), 20.0, 1.0)
+    _, channel = servo_block(Surface("elevator", readings, (-0.3, 0.2), "pitch"), 20.0, 1.0)
     found = {each.get("name"): ET.tostring(each, encoding="unicode") for each in channel}
     assert "<abs>" in found["actuator/elevator/as-mag-elevator-pos-deg"]
     assert "0.2 1" in found["actuator/elevator/as-elevator-pos-norm"]

@@ -48,7 +48,7 @@ class Bench:
                     self._fdm.run_ic()
                 return
             except EngineError as error:
-                found = _MISSING.search(_one_line(f"{error} {' '.join(self._words[-3:])}"))
+                found = _MISSING.search(one_line(f"{error} {' '.join(self._words[-3:])}"))
                 if found is None:
                     raise
                 self._fdm[found[1]] = 0.0
@@ -92,7 +92,8 @@ class Bench:
         self._fdm[name] = value
 
 
-def _one_line(text: str) -> str:
+def one_line(text: str) -> str:
+    """JSBSim's words without colours and line breaks."""
     return " ".join(re.sub(r"\x1b\[[0-9;]*m", "", text).split())
 
 

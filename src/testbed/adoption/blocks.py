@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Sequence
 
 from testbed.adoption.controls import Reading, Surface
-from testbed.adoption.propulsors import PISTON, Propulsor
+from testbed.adoption.propulsors import ELECTRIC, PISTON, Propulsor
 
 PREFIX = "actuator"
 """Blocks are below this, where no model has properties of its own."""
@@ -81,7 +81,9 @@ def engine_block(propulsor: Propulsor, heard_as: Sequence[str] = ()) -> tuple[di
 
     The throttle is also written to the model's command, and to the names in `heard_as`, for the model's own mixture or boost.
     """
-    p, heard = prefix_of(propulsor.name), (f"fcs/throttle-cmd-norm[{propulsor.number}]", *heard_as)
+    p, electric = prefix_of(propulsor.name), propulsor.kind in ELECTRIC
+    position = f"fcs/throttle-pos-norm[{propulsor.number}]"
+    heard = [f"fcs/throttle-cmd-norm[{propulsor.number}]", *heard_as, *([] if electric else [position])]
     values = {
         "command-norm": 0.0, "command-scale": 1.0, "command-bias-norm": 0.0, "override-active": 0.0, "override-norm": 0.0,
         "throttle-min-norm": propulsor.throttle[0], "throttle-max-norm": propulsor.throttle[1],
@@ -91,22 +93,39 @@ def engine_block(propulsor: Propulsor, heard_as: Sequence[str] = ()) -> tuple[di
   <fcs_function name="{p}/throttle-norm"><function>
     <max><property>{p}/throttle-min-norm</property><min><property>{p}/throttle-max-norm</property>
     {_demand(p, "norm")}</min></max></function>
-    <output>fcs/throttle-pos-norm[{propulsor.number}]</output>{"".join(f"<output>{name}</output>" for name in heard)}</fcs_function>
-  <fcs_function name="{p}/selected"><function><value>{propulsor.number}</value></function>
-    <output>propulsion/active_engine</output></fcs_function>
-  <fcs_function name="{p}/ignition"><function>{_ignition(p, propulsor.kind)}</function>
-    <output>propulsion/{"magneto_cmd" if propulsor.kind == PISTON else "cutoff_cmd"}</output></fcs_function>
-  <fcs_function name="{p}/deselected"><function><value>-1</value></function>
-    <output>propulsion/active_engine</output></fcs_function>
-</channel>"""
+    {"".join(f"<output>{name}</output>" for name in heard)}</fcs_function>
+{_current(p, propulsor.number) if electric else _ignition(p, propulsor)}</channel>"""
     return {f"{p}/{name}": value for name, value in values.items()}, ET.fromstring(channel)
 
 
-def _ignition(p: str, kind: str) -> str:
-    lost = f"<property>{p}/power-lost</property>"
-    if kind == PISTON:
-        return f"<product><value>3</value><difference><value>1</value>{lost}</difference></product>"
-    return f"<sum><value>0</value>{lost}</sum>"
+def _powered(p: str) -> str:
+    """1 with power, 0 without."""
+    return f"<difference><value>1</value><property>{p}/power-lost</property></difference>"
+
+
+def _current(p: str, number: int) -> str:
+    """Functions by which an electric engine has no throttle without power."""
+    return f"""  <fcs_function name="{p}/current-norm"><function>
+    <product><property>{p}/throttle-norm</property>{_powered(p)}</product></function>
+    <output>fcs/throttle-pos-norm[{number}]</output></fcs_function>
+  <fcs_function name="{p}/powered"><function><product><value>1</value>{_powered(p)}</product></function>
+    <output>propulsion/engine[{number}]/set-running</output></fcs_function>
+"""
+
+
+def _ignition(p: str, propulsor: Propulsor) -> str:
+    """Functions that stop a piston engine by its ignition, and any other by its fuel."""
+    if propulsor.kind == PISTON:
+        switch, value = "magneto_cmd", f"<product><value>3</value>{_powered(p)}</product>"
+    else:
+        switch, value = "cutoff_cmd", f"<sum><value>0</value><property>{p}/power-lost</property></sum>"
+    return f"""  <fcs_function name="{p}/selected"><function><value>{propulsor.number}</value></function>
+    <output>propulsion/active_engine</output></fcs_function>
+  <fcs_function name="{p}/ignition"><function>{value}</function>
+    <output>propulsion/{switch}</output></fcs_function>
+  <fcs_function name="{p}/deselected"><function><value>-1</value></function>
+    <output>propulsion/active_engine</output></fcs_function>
+"""
 
 
 def engine_losses(propulsor: Propulsor) -> list[ET.Element]:

@@ -79,8 +79,8 @@ def places_read(tree: ET.Element) -> Iterator[tuple[str, ET.Element]]:
 def find_surfaces(tree: ET.Element, bench: Bench) -> list[Surface]:
     """The surfaces of a model, in the order of the sticks for pitch, roll and yaw; the bench holds it in flight.
 
-    A surface is what some moment depends on, and what a stick moves or would move through the model's flight control. In a
-    model without flight control it is one of JSBSim's own positions.
+    A surface is what some moment depends on, and what a stick moves or would move through the model's flight control. JSBSim's own
+    positions are surfaces too where nothing moves them, as in a model without flight control.
     """
     wiring, groups = Wiring(tree), surface_groups(tree)
     families = {base: [*group, *_native(base)] for base, group in groups.items()}
@@ -88,8 +88,8 @@ def find_surfaces(tree: ET.Element, bench: Bench) -> list[Surface]:
     surfaces = []
     for base, group in groups.items():
         stick = sweep.stick_of(families[base])
-        unmoved = base in POSITIONS and not wiring.is_written(families[base])
-        if wiring.turns(group) and (stick or unmoved or wiring.follows(families[base], STICKS.values())):
+        known = stick or base in POSITIONS or wiring.follows(families[base], STICKS.values())
+        if known and wiring.turns(group):
             surfaces.append(_surface(tree, sweep, base, group, stick))
     return _renamed(sorted(surfaces, key=lambda each: _order(each.stick, each.name)))
 
@@ -213,7 +213,8 @@ def _renamed(surfaces: list[Surface]) -> list[Surface]:
     for each in surfaces:
         name = each.name.removeprefix("effective_")
         for side, other in (("left_", "right_"), ("right_", "left_")):
-            if name.startswith(side) and other + name.removeprefix(side) not in names:
-                name = name.removeprefix(side)
+            plain = name.removeprefix(side)
+            if plain != name and other + plain not in names and plain not in names:
+                name = plain
         out.append(replace(each, name=name))
     return out

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from testbed.adoption.bench import Bench, write
+from testbed.adoption.bench import Bench, one_line, write
 from testbed.adoption.blocks import prefix_of
 from testbed.adoption.condition import SPEEDS, Size, drag_n, measure_size
 from testbed.adoption.controls import Surface, find_surfaces, surface_groups
 from testbed.adoption.cut import cut, set_property
-from testbed.adoption.engines import GEAR_S, Start, Step, clean, find_start, full_thrust, run
+from testbed.adoption.engines import GEAR_S, LEAST_THRUST, Start, Step, clean, find_start, full_thrust, run
 from testbed.adoption.propulsors import TURBINE, Propulsor, engine_files, find_propulsors
 from testbed.adoption.source import Source, declare, read_whole
 from testbed.adoption.wiring import STICKS
@@ -26,6 +26,7 @@ _SERVO, _MODEL_SERVO = (20.0, math.radians(60.0)), (30.0, math.radians(300.0))
 """Lag [rad/s] and rate limit [rad/s] where the model has none: Stevens and Lewis's F-16 (20.2 rad/s, 60 to 120 deg/s), and a
 hobby servo (60 deg in 0.2 s)."""
 _ANY_SPEED_M_S = 80.0
+_NEEDED = ("metrics", "mass_balance", "aerodynamics")
 _PROBE_RAD = 0.02
 _EXCESS = 1.02  # of full thrust over drag, without which an airspeed is not tried
 
@@ -67,6 +68,9 @@ class Draft:
 def make_draft(source: Source, folder: Path) -> Draft:
     """Read the model and put blocks into it, with scratch files in a folder; raises BadInput with what is missing."""
     tree = read_whole(source)
+    for section in _NEEDED:
+        if tree.find(section) is None:
+            raise refused(source, f"it has no <{section}>")
     propulsors = find_propulsors(tree, source)
     whole = _Loader(source, folder / "whole", tree)
     bench = whole.bench()
@@ -86,8 +90,9 @@ def make_draft(source: Source, folder: Path) -> Draft:
     loader = _Loader(source, folder / "adopted", adopted)
     _let_float(adopted, loader, servos, size)
     start = find_start(lambda: _in_flight(loader, size), propulsors)
-    if start is None:
-        raise refused(source, "no known way to start its engines gives thrust")
+    if propulsors and start.thrust_n < LEAST_THRUST * size.weight_n:
+        weak = f"{start.thrust_n:.3g} N at full throttle, for a weight of {size.weight_n:.4g} N"
+        raise refused(source, f"no known way to start its engines gives thrust to fly with: {weak}")
     speeds = _flyable(loader, size, propulsors, start)
     if not speeds:
         raise refused(
@@ -114,7 +119,7 @@ class _Loader:
             bench = Bench(self._folder, self._source.name)
             bench.start()
         except EngineError as error:
-            raise refused(self._source, f"JSBSim does not load it: {error}") from None
+            raise refused(self._source, f"JSBSim does not load it: {one_line(str(error))}") from None
         return bench
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from testbed.adoption.bench import Bench
 from testbed.adoption.blocks import prefix_of
-from testbed.adoption.propulsors import TURBINE, Propulsor
+from testbed.adoption.propulsors import ELECTRIC, TURBINE, Propulsor
 from testbed.common.units import NEWTONS_PER_POUND
 
 _FUEL_S = 3.0  # in which collector tanks fill
@@ -17,7 +17,8 @@ GEAR_S = 10.0
 """Longest travel of a gear in the jsbsim package [s]."""
 _MIXTURES, _ADVANCES, _LEAN = (0.85, 0.7), (0.7, 0.4), (0.7, 1.0)
 _START_THROTTLE = 0.6  # as in the first guess of a trim
-_ALIVE = 0.025  # thrust by weight: less than this at full throttle is no engine that runs
+LEAST_THRUST = 0.025
+"""Thrust by weight: less than this at full throttle is no engine that runs."""
 _BETTER = 1.02  # a setting replaces the usual one if it gives this much of its thrust
 
 Way = Callable[[Sequence[Propulsor], float, float], tuple["Step", ...]]
@@ -48,22 +49,24 @@ class Start:
     thrust_n: float = 0.0
 
 
-def find_start(make: MakeBench, propulsors: Sequence[Propulsor]) -> Start | None:
-    """The start with which the engines give most thrust, or None when none of the known ways gives any.
+def find_start(make: MakeBench, propulsors: Sequence[Propulsor]) -> Start:
+    """The start with which the engines give most thrust, of the first known way that gives enough; else the best of all ways.
 
     Each setting is tried on a new bench, because some stop an engine for good.
     """
     if not propulsors:
         return Start((Step(clean(), GEAR_S),))
-    least = _ALIVE * make()["inertia/weight-lbs"] * NEWTONS_PER_POUND
-    ways = (_at_once,) if all(each.kind == TURBINE for each in propulsors) else (_by_starter, _told)
-    for way in ways:
+    least = LEAST_THRUST * make()["inertia/weight-lbs"] * NEWTONS_PER_POUND
+    simple = all(each.kind in (TURBINE, *ELECTRIC) for each in propulsors)
+    best = Start(())
+    for way in (_at_once,) if simple else (_by_starter, _told):
         usual = _tried(make, propulsors, way, 1.0, 1.0)
         if usual.thrust_n < least:
             usual = _tried(make, propulsors, way, *_LEAN)
         if usual.thrust_n >= least:
             return usual if way is _at_once else _tuned(make, propulsors, way, usual)
-    return None
+        best = max(best, usual, key=lambda start: start.thrust_n)
+    return best
 
 
 def _tried(
@@ -114,7 +117,7 @@ def clean() -> dict[str, float]:
 
 
 def _at_once(propulsors: Sequence[Propulsor], mixture: float, advance: float) -> tuple[Step, ...]:
-    """A turbine runs when it is told to."""
+    """A turbine runs when it is told to, an electric engine always."""
     running = {f"propulsion/engine[{each.number}]/set-running": 1.0 for each in propulsors}
     return Step({**clean(), **running}, _FUEL_S), Step(_KEEP_FUEL, _RUN_UP_S)
 

@@ -18,7 +18,10 @@ _SCALE = 0.4  # of half the travel: one unit of the scaled input matrix, near wh
 _BETA_MAX_DEG, _ROLL_MAX_DEG, _ALPHA_MAX_DEG = 40, 110, 25
 _PAST_STALL_DEG = 10
 _SLOWEST, _FASTEST = 0.65, 2.2  # of the stall speed, and of the reference airspeed
-_KINDS = {"piston_engine": "piston engine", "turboprop_engine": "turboprop", "turbine_engine": "turbine"}
+_KINDS = {
+    "piston_engine": "piston engine", "turboprop_engine": "turboprop", "turbine_engine": "turbine",
+    "electric_engine": "electric engine", "brushless_dc_motor": "electric engine",
+}  # fmt: skip
 
 
 _BLOCKS = (

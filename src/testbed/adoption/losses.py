@@ -12,8 +12,8 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import NoTrim, Search, Trim, trim
 
 _HZ = 120.0
-_LEVEL = (("alpha", "beta", "roll"), ("alpha", "beta", "roll", "airspeed"))
-_ANY_PATH = (("alpha", "beta", "roll", "airspeed", "path_angle"),)
+_LEVEL, _LEVEL_ANY_SPEED = ("alpha", "beta", "roll"), ("alpha", "beta", "roll", "airspeed")
+_ANY_PATH = (*_LEVEL_ANY_SPEED, "path_angle")
 
 _MOST_DEG = {"roll": 30.0, "beta": 15.0, "path_angle": 30.0}
 """A steady flight with more than one of these is none that a pilot or controller could use."""
@@ -43,22 +43,52 @@ def losses(aircraft: Aircraft, reference: Trim) -> list[Kept]:
 
 
 def _without(aircraft: Aircraft, i: int, reference: Trim) -> Trim | None:
-    """Steady flight: level at the reference airspeed if there is one, else at another, else with any path."""
-    plant = Plant(aircraft, _HZ)
-    plant[f"{list(aircraft.actuators.values())[i].prefix}/effectiveness"] = 0.0
-    for angles in (_LEVEL if _has_propulsion_without(aircraft, i) else ()) + _ANY_PATH:
+    """Steady flight: level at the reference airspeed if there is one, else at another, else with any path.
+
+    A search that finds none takes longest. So the one with most freedom is made early: where it finds none, no other would.
+    """
+    loss = _Loss(Plant(aircraft, _HZ), i, reference)
+    powered = _has_propulsion_without(aircraft, i)
+    found = loss.roughly(_LEVEL, thorough=False) if powered else None
+    if found is None or not _usable(found):
+        widest = loss.roughly(_ANY_PATH)
+        if widest is None:
+            return None
+        level = (loss.roughly(angles) for angles in (_LEVEL, _LEVEL_ANY_SPEED) if powered)
+        found = next((each for each in (*level, widest) if each is not None and _usable(each)), None)
+    return None if found is None else loss.exactly(found)
+
+
+class _Loss:
+    """An aircraft without one of its actuators."""
+
+    def __init__(self, plant: Plant, i: int, reference: Trim) -> None:
+        self._plant, self._reference = plant, reference
+        self._held = {i: reference.commands[i]}
+        plant[f"{list(plant.aircraft.actuators.values())[i].prefix}/effectiveness"] = 0.0
+
+    def roughly(self, angles: tuple[str, ...], thorough: bool = True) -> Trim | None:
+        """A steady flight with these angles and speeds free, or None."""
         with suppress(NoTrim):
-            roughly = _steady(plant, i, reference, angles, Search(reference).rough())
-            if all(abs(roughly.state[name]) < math.radians(most) for name, most in _MOST_DEG.items()):
-                return _steady(plant, i, reference, angles, Search(roughly))
-    return None
+            return self._steady(angles, Search(self._reference).rough(thorough))
+        return None
+
+    def exactly(self, near: Trim) -> Trim | None:
+        """The same steady flight to the last digit, or None."""
+        at, state = self._plant.aircraft.reference, near.state
+        path = ("path_angle",) if state["path_angle"] else ()
+        speed = ("airspeed",) if path or state["airspeed"] != at.airspeed_m_s else ()
+        with suppress(NoTrim):
+            return self._steady((*_LEVEL, *speed, *path), Search(near))
+        return None
+
+    def _steady(self, angles: Sequence[str], search: Search) -> Trim:
+        at = self._plant.aircraft.reference
+        return trim(self._plant, at.airspeed_m_s, at.altitude_m, held=self._held, free=angles, search=search)
 
 
-def _steady(plant: Plant, i: int, reference: Trim, angles: Sequence[str], search: Search) -> Trim:
-    """Steady flight with the lost actuator's command as it was; raises NoTrim."""
-    at = plant.aircraft.reference
-    held = {i: reference.commands[i]}
-    return trim(plant, at.airspeed_m_s, at.altitude_m, held=held, free=angles, search=search)
+def _usable(found: Trim) -> bool:
+    return all(abs(found.state[name]) < math.radians(most) for name, most in _MOST_DEG.items())
 
 
 def _has_propulsion_without(aircraft: Aircraft, i: int) -> bool:

@@ -13,7 +13,8 @@ from testbed.adoption.source import Source
 from testbed.inputs.problems import BadInput, Problem
 
 PISTON, TURBOPROP, TURBINE = "piston_engine", "turboprop_engine", "turbine_engine"
-ADOPTED = (PISTON, TURBOPROP, TURBINE)
+ELECTRIC = ("electric_engine", "brushless_dc_motor")
+ADOPTED = (PISTON, TURBOPROP, TURBINE, *ELECTRIC)
 """Kinds of engine, by the first tag of their files, that become actuators. A rocket stays off."""
 
 _METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "KM": 1000.0}
@@ -48,7 +49,7 @@ def find_propulsors(tree: ET.Element, source: Source) -> list[Propulsor]:
     for number, engine in enumerate(tree.findall("propulsion/engine")):
         thruster = engine.find("thruster")
         if thruster is None:
-            continue
+            raise BadInput([Problem(f"its engine {number} has no <thruster>", str(source.file))])
         contents = _root(file_of(engine, source))
         if contents.tag not in ADOPTED:
             continue

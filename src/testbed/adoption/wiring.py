@@ -15,7 +15,7 @@ from testbed.adoption.components import all_components, written
 STICKS = {"pitch": "fcs/elevator-cmd-norm", "roll": "fcs/aileron-cmd-norm", "yaw": "fcs/rudder-cmd-norm"}
 """JSBSim's own properties of the pilot's controls."""
 POSITIONS = ("elevator", "left-aileron", "right-aileron", "rudder")
-"""Beginnings, below `fcs/`, of the positions that JSBSim has for these controls in a model without flight control."""
+"""Beginnings, below `fcs/`, of the positions that JSBSim itself has for these controls."""
 READERS = ("property", "p", "independentVar")
 """Tags of what a function reads."""
 
@@ -41,10 +41,6 @@ class Wiring:
             for name in written(component):
                 self._sources.setdefault(name, set()).update(_named_in(component))
         self._turning = _read_by_moments(tree)
-
-    def is_written(self, names: Iterable[str]) -> bool:
-        """Whether a component of the flight control writes one of these properties."""
-        return any(name in self._sources for name in names)
 
     def turns(self, names: Iterable[str]) -> bool:
         """Whether a moment depends on one of these properties: those of flaps or brakes may change lift and drag alone."""

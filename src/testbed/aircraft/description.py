@@ -56,6 +56,12 @@ class Motor(Settings):
     diameter_m: Positive
 
 
+def _with_travel(ends: tuple[float, float]) -> tuple[float, float]:
+    if ends[0] >= ends[1]:
+        raise refuse(f"{list(ends)} leaves no travel", "[lowest, highest]")
+    return ends
+
+
 class Actuator(Settings):
     """What servos and motors share.
 
@@ -66,7 +72,7 @@ class Actuator(Settings):
     kind: str
     """What kind of actuator it is."""
     prefix: Text
-    """Beginning of the names of its properties in the JSBSim model, such as `fcs/elevator`."""
+    """Beginning of the names of its properties in the JSBSim model, such as `actuator/left-tail`."""
     unit: Text
     """Unit of `limits`, `rate_limit`, `scale` and the log's columns: `deg` for a servo, `N` for a motor."""
     limits: tuple[Number, Number]
@@ -84,9 +90,7 @@ class Actuator(Settings):
     @field_validator("limits")
     @classmethod
     def _ascending(cls, limits: tuple[float, float]) -> tuple[float, float]:
-        if limits[0] >= limits[1]:
-            raise refuse(f"{list(limits)} leaves no travel", "[lowest, highest]")
-        return limits
+        return _with_travel(limits)
 
 
 class Servo(Actuator):
@@ -144,9 +148,7 @@ class Engine(Actuator):
     @field_validator("throttle")
     @classmethod
     def _some_travel(cls, throttle: tuple[float, float]) -> tuple[float, float]:
-        if throttle[0] >= throttle[1]:
-            raise refuse(f"{list(throttle)} leaves no travel", "[lowest, highest]")
-        return throttle
+        return _with_travel(throttle)
 
 
 AnyActuator = Servo | MotorActuator | Engine

@@ -83,7 +83,7 @@ class DesignModel:
     span_m: float | None = None
 
     def coefficient_names(self) -> list[str]:
-        """Names that `with_error` scales: `Cm_alpha`, `Cn_rudder`, ..."""
+        """Names that `with_error` scales: `Cm_alpha`, `Cm_q`, and `Cn_NAME` of an actuator NAME."""
         return coefficient_names(self.actuators)
 
     def with_error(self, factors: Mapping[str, float]) -> DesignModel:

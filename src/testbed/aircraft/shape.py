@@ -17,6 +17,7 @@ from testbed.inputs.yaml_source import parsed
 Point = tuple[Number, Number, Number]
 FILE = "shape.yaml"
 """The file in an aircraft's folder."""
+_UNKNOWN_SPAN_M = 2.0
 
 
 class Panel(Settings):
@@ -67,8 +68,9 @@ def _shape(text: str, file: str) -> Shape:
     return validated(Shape, parsed(text, file))
 
 
-def generic(span_m: float = 2.0) -> Shape:
-    """A conventional aircraft of this span, on which nothing moves."""
+def generic(span_m: float = 0.0) -> Shape:
+    """A conventional aircraft of this span, on which nothing moves; of 2 m if the span is not known."""
+    span_m = span_m or _UNKNOWN_SPAN_M
     half, c = 0.5 * span_m, 0.16 * span_m
 
     def flat(x: float, y: float, depth: float, width: float, z: float = 0.0) -> Panel:

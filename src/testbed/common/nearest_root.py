@@ -42,10 +42,15 @@ class NearestRoot:
     preferred: Callable[[Vector], Vector]
     enough: float = SMALLEST
 
-    def find(self, guess: Vector, tolerance: float) -> Vector:
-        """The x [n] that was found; it is a root only if the function is small there."""
+    def find(self, guess: Vector, tolerance: float, thorough: bool = True) -> Vector:
+        """The x [n] that was found; it is a root only if the function is small there.
+
+        Args:
+            tolerance: largest element of the function at a root.
+            thorough: whether to search on by least squares where Newton's method ends without a root.
+        """
         x, f = self._newton(np.clip(guess, self.low, self.high))
-        if np.max(np.abs(f)) >= tolerance:
+        if thorough and np.max(np.abs(f)) >= tolerance:
             x, f = self._newton(self._least_squares(x))
         return x
 

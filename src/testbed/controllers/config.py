@@ -170,10 +170,10 @@ class PidSettings(ControllerSettings):
     """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
     With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`).
-    Gains are [1/s] unless the docstring says otherwise. Those of the v-tail were found by a search (CMA-ES, rounded) on healthy
-    flights only: the routes hard, slow and fast of the missions, in calm air and at W20 = 25 ft/s, seeds 1 to 5. The search kept
-    the inner loops at 20 rad/s (60 deg of phase margin with the servos' lag), and pitch and altitude below a third of the loop
-    inside them.
+    Gains are [1/s] unless the docstring says otherwise. The defaults were found by a search (CMA-ES, rounded) on healthy flights
+    of an aircraft of 5 kg only: the routes hard, slow and fast of the missions, in calm air and at W20 = 25 ft/s, seeds 1 to 5.
+    The search kept the inner loops at 20 rad/s (60 deg of phase margin with the servos' lag), and pitch and altitude below a third
+    of the loop inside them.
     """
 
     type: Literal["pid"] = "pid"
@@ -211,7 +211,14 @@ class IndiSettings(ControllerSettings):
     """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
 
 
-class L1InversionSettings(ControllerSettings):
+class RegressionSettings(ControllerSettings):
+    """What the controllers share that regress measured rates on positions."""
+
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+
+
+class L1InversionSettings(RegressionSettings):
     """Inversion with a fast estimator, a low-pass filter in the control channel, and a separate, slow monitor."""
 
     type: Literal["l1_inversion"] = "l1_inversion"
@@ -224,13 +231,11 @@ class L1InversionSettings(ControllerSettings):
     lambda_min: Positive = 0.05
     lambda_max: Positive = 2.0
     """The fast estimates are kept between `lambda_min` and `lambda_max`."""
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
     monitor: StrictBool = True
     """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
 
 
-class RlsInversionSettings(ControllerSettings):
+class RlsInversionSettings(RegressionSettings):
     """Inversion (6) with effectiveness by recursive least squares with forgetting: it adapts, and diagnoses nothing."""
 
     type: Literal["rls_inversion"] = "rls_inversion"
@@ -239,11 +244,9 @@ class RlsInversionSettings(ControllerSettings):
     lambda_min: Positive = 0.1
     lambda_max: Positive = 1.2
     """Estimates are kept between `lambda_min` and `lambda_max`."""
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
 
 
-class ImmInversionSettings(ControllerSettings):
+class ImmInversionSettings(RegressionSettings):
     """Inversion with an interacting multiple-model estimator: one model for each failure, and a mode for the likeliest."""
 
     type: Literal["imm_inversion"] = "imm_inversion"
@@ -253,8 +256,6 @@ class ImmInversionSettings(ControllerSettings):
     """An actuator is flagged as failed while the model of its loss is more probable than this for `persistence_s`."""
     persistence_s: NonNegative = 0.2
     """How long it must be as probable as that [s]."""
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
 
 
 class OracleSettings(ControllerSettings):

@@ -2,7 +2,7 @@
 
 The autopilot that a designer would give an aircraft without an inversion. Airspeed commands thrust. Altitude commands pitch,
 and pitch the pitch rate. Heading commands bank. Where the aircraft can roll against gusts, bank commands the roll rate, and
-the yaw rate is that of a coordinated turn. Where roll is given up (`released`), as on an aircraft without ailerons, bank
+the yaw rate is that of a coordinated turn. Where roll is given up (`released`), as on an aircraft that cannot roll by itself, bank
 commands the yaw rate: yawing causes sideslip, and with dihedral sideslip causes roll. No dynamics are cancelled and nothing
 is estimated; integrators find the trim. The design model gives the trim to start from, the motors' throttle curve, and the
 effect of each actuator. The actuators share each demand as in the other controllers (`inversion.allocation`), so the gains

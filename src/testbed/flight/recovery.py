@@ -18,7 +18,7 @@ from testbed.flight.columns import row_at
 
 RECOVERED = {"altitude": 5.0, "heading": 15.0}
 """Largest distance from the reference at which the aircraft counts as recovered [m, deg]. Gusts of moderate turbulence alone
-move the v-tail by 3 m and 6 deg, so a narrower limit would judge the weather."""
+move an aircraft of 5 kg by 3 m and 6 deg, so a narrower limit would judge the weather."""
 DWELL_S = 5.0
 """Shortest time within RECOVERED that counts [s]."""
 UNITS = {"altitude": "m", "airspeed": "m_s", "heading": "deg"}

@@ -22,7 +22,7 @@ from testbed.aircraft.design_model import (
 )
 from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.cache import Cache
-from testbed.common.units import METRES_PER_FOOT, NEWTON_METRES_PER_FOOT_POUND
+from testbed.common.units import NEWTON_METRES_PER_FOOT_POUND
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import accelerations
 from testbed.plant.stand import air_density, changed, propulsors_of, stand_physics_hz
@@ -71,7 +71,7 @@ def identify(aircraft: Aircraft) -> DesignModel:
         propulsors=propulsors,
         identified_from=aircraft.fingerprint(),
         stall_alpha_rad=_stall_angle(plant, level),
-        span_m=plant["metrics/bw-ft"] * METRES_PER_FOOT or None,
+        span_m=plant.span_m or None,
     )
 
 

@@ -185,6 +185,11 @@ class Plant:
         """Command each actuator: servos in radians, motors as throttle from 0 to 1."""
         _exhaust(map(call, self._commands, commands))
 
+    @property
+    def span_m(self) -> float:
+        """Wing span [m]; 0 if the model has none."""
+        return self["metrics/bw-ft"] * METRES_PER_FOOT
+
     def _run_substeps(self) -> None:
         for _ in range(self.substeps):
             self._run()

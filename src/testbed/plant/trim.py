@@ -61,16 +61,18 @@ class Search:
         residual_max: largest acceleration that may remain [m/s2 or rad/s2].
         steady: what steady means for engines, as `settling.STEADY`.
         enough: change of the scaled unknowns with which the search ends.
+        thorough: whether to search on where Newton's method does not lead to a trim.
     """
 
     near: Trim | None = None
     residual_max: float = 1e-6
     steady: float = STEADY
     enough: float = SMALLEST
+    thorough: bool = True
 
-    def rough(self) -> Search:
+    def rough(self, thorough: bool = True) -> Search:
         """The same search, a thousand times coarser: it shows at a fraction of the time whether there is a trim."""
-        return replace(self, residual_max=1e-3, steady=1e-5, enough=1e-3)
+        return replace(self, residual_max=1e-3, steady=1e-4, enough=1e-3, thorough=thorough)
 
 
 def command_range(actuator: AnyActuator) -> tuple[float, float]:
@@ -137,7 +139,7 @@ class TrimProblem:
     def solution(self) -> Trim | None:
         """The steady flight, or None if none was found within the stops. The plant is left in it."""
         most = self.search.residual_max
-        found = self._root().find(self.first_guess(), most)
+        found = self._root().find(self.first_guess(), most, self.search.thorough)
         state, commands = self.condition(found)
         worst = float(np.max(np.abs(self.residual(found))))
         if not worst < most:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from testbed.aircraft.description import Aircraft, MotorActuator, Servo
+from testbed.aircraft.description import Aircraft, Engine, MotorActuator, Servo
 from testbed.aircraft.model_files.mass import point_masses
 from testbed.aircraft.model_files.numbers import finite
 from testbed.aircraft.model_files.safe_xml import Element
-from testbed.aircraft.model_files.sections import engines
+from testbed.aircraft.model_files.sections import ENGINES, engines
 from testbed.aircraft.model_files.used import ModelFiles
 from testbed.common.units import DEGREES_PER_RADIAN
 from testbed.inputs.problems import Issue, TreePath
@@ -23,6 +23,7 @@ _MOTOR = {
     "no_load_current_a": "noloadcurrent",
 }
 """Fields of the YAML's `motor`, and the elements of a brushless motor's file."""
+_BRUSHLESS = "brushless_dc_motor"
 
 
 def disagreements(aircraft: Aircraft, files: ModelFiles) -> Iterator[Issue]:
@@ -33,8 +34,10 @@ def disagreements(aircraft: Aircraft, files: ModelFiles) -> Iterator[Issue]:
         if isinstance(actuator, Servo):
             yield from _point_mass(actuator, here, point_masses(files))
             yield from _limits(actuator, here, declared)
-        elif isinstance(actuator, MotorActuator):
+        else:
             yield from _engine(actuator, here, files)
+        if isinstance(actuator, Engine):
+            yield from _throttle(actuator, here, declared)
 
 
 def _declared(files: ModelFiles) -> dict[str, float]:
@@ -62,26 +65,44 @@ def _limits(actuator: Servo, here: TreePath, declared: dict[str, float]) -> Iter
         (("lag_rad_s",), actuator.lag_rad_s, "servo-lag-rad_sec", 1.0),
     ]
     for path, ours, name, factor in pairs:
-        full = f"{actuator.prefix}/{name}"
-        theirs = declared.get(full)
-        if theirs is not None and not _same(ours, theirs * factor):
-            yield Issue(
-                (*here, *path), f"is {ours:g}, the model's {full} is {theirs:g}", f"{theirs * factor:g}"
-            )
+        yield from _compared((*here, *path), ours, f"{actuator.prefix}/{name}", declared, factor)
 
 
-def _engine(actuator: MotorActuator, here: TreePath, files: ModelFiles) -> Iterator[Issue]:
+def _throttle(actuator: Engine, here: TreePath, declared: dict[str, float]) -> Iterator[Issue]:
+    for i, end in enumerate(("min", "max")):
+        name = f"{actuator.prefix}/throttle-{end}-norm"
+        yield from _compared((*here, "throttle", i), actuator.throttle[i], name, declared)
+
+
+def _compared(
+    path: TreePath, ours: float, name: str, declared: dict[str, float], factor: float = 1.0
+) -> Iterator[Issue]:
+    """A number of the YAML that is not that of a property, in the property's unit times a factor."""
+    theirs = declared.get(name)
+    if theirs is not None and not _same(ours, theirs * factor):
+        yield Issue(path, f"is {ours:g}, the model's {name} is {theirs:g}", f"{theirs * factor:g}")
+
+
+def _engine(actuator: MotorActuator | Engine, here: TreePath, files: ModelFiles) -> Iterator[Issue]:
     all_engines = engines(files)
     if actuator.engine >= len(all_engines):
         what = f"{actuator.engine} is not the number of an engine of the model"
         yield Issue((*here, "engine"), what, _from_zero(len(all_engines), "engine"))
         return
     engine = all_engines[actuator.engine]
-    motor = files.content.get(engine) or engine.first("brushless_dc_motor")
-    if motor is None or motor.tag != "brushless_dc_motor":
+    found = files.content.get(engine) or next((each for each in engine.children if each.tag in ENGINES), None)
+    if found is None or found.tag not in ENGINES:
         return
+    kind = "motor" if found.tag == _BRUSHLESS else "engine"
+    if actuator.kind != kind:
+        yield Issue((*here, "kind"), f"engine {actuator.engine} of the model is a <{found.tag}>", kind)
+    elif isinstance(actuator, MotorActuator):
+        yield from _motor(actuator, here, found)
+
+
+def _motor(actuator: MotorActuator, here: TreePath, found: Element) -> Iterator[Issue]:
     for field, tag in _MOTOR.items():
-        element = motor.first(tag)
+        element = found.first(tag)
         ours = getattr(actuator.motor, field, None)
         theirs = None if element is None else finite(element.text)
         if ours is not None and theirs is not None and not _same(ours, theirs):

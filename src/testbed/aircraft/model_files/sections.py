@@ -9,9 +9,10 @@ from testbed.aircraft.model_files.used import ModelFiles
 from testbed.inputs.problems import Problem
 
 _NEEDED = ("metrics", "mass_balance", "ground_reactions", "aerodynamics")
-_ENGINES = (
+ENGINES = (
     "piston_engine", "turbine_engine", "turboprop_engine", "rocket_engine", "electric_engine", "brushless_dc_motor",
 )  # fmt: skip
+"""Tags of engines' files."""
 _THRUSTERS = ("propeller", "nozzle", "rotor", "direct")
 _MOTOR_PARTS = ("maxvolts", "velocityconstant", "coilresistance", "noloadcurrent")
 _UNITS = {
@@ -44,8 +45,8 @@ def incomplete(files: ModelFiles) -> Iterator[Problem]:
 
 
 def _engine(files: ModelFiles, engine: Element) -> Iterator[Problem]:
-    if not _has_one(files, engine, _ENGINES):
-        yield engine.problem("has no engine", f"its file, with one of {', '.join(_ENGINES)}")
+    if not _has_one(files, engine, ENGINES):
+        yield engine.problem("has no engine", f"its file, with one of {', '.join(ENGINES)}")
     thrusters = files.children(engine, "thruster")
     if not thrusters:
         yield engine.problem("has no <thruster>", "a propeller, nozzle, rotor or direct thruster")

@@ -15,7 +15,7 @@ class Throttle:
     """Finds the throttle of a motor at which the design model gives a thrust in steady flight.
 
     throttle = Throttle(setup)                      # once, in __init__
-    throttle("left_propeller", 4.0, state)          # in update
+    throttle("motor", 4.0, state)                   # in update
     """
 
     def __init__(self, setup: Setup) -> None:

@@ -62,7 +62,7 @@ def marks(events: Sequence[Mapping[str, Any]], flight: Flight | None = None) -> 
 
 
 def describe(event: Mapping[str, Any], flight: Flight | None = None) -> str:
-    """An event in words: `left elevon kept 20 % of its effect`; without its flight, with the failure's type and number."""
+    """An event in words: `left tail kept 20 % of its effect`; without its flight, with the failure's type and number."""
     kind = event["kind"]
     if kind == "release":
         return f"{event['axis']} released"
