@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 import pytest
-from vtail_setup import WEATHER, records_of, setpoint, trim_state, vtail_setup
+from vtail_setup import PAPER, WEATHER, records_of, setpoint, trim_state, vtail_setup
 
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.outer_loops import accumulate, clip, pid_loops, regulate, wrap
+from testbed.controllers.outer_loops import accumulate, clip, given_up, pid_loops, regulate, wrap
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, REGULATOR_STATE, U_DOT
 
 SETUP = vtail_setup()
@@ -171,9 +171,19 @@ def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:
     m, c, k, s, w = records_of(vtail_setup(WEATHER))
     k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
     k.K[0, 9] = -1.0  # nu of the first row is the altitude error that the regulator sees
-    k.slow_descent, k.slow_descent_from = 2.0, 1.5
+    k.slow_descent, k.slow_descent_from, c.give_up_time = 2.0, 1.5, 0.0
     for missing, altitude_error in ((1.0, 0.0), (1.5, 0.0), (2.5, 2.0)):
         y = trim_state(MODEL, airspeed=MODEL.airspeed_m_s - missing)
         k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
         regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         assert w.nu[0] == pytest.approx(altitude_error)
+
+
+def test_altitude_is_given_up_with_a_lag() -> None:
+    """A first-order lag: after its time constant 63 % of a step. The paper's preset has none."""
+    _, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    for _ in range(round(c.give_up_time / c.dt)):
+        given_up(3.0, c, s)
+    assert s.given_up == pytest.approx(3.0 * (1.0 - math.exp(-1.0)), rel=1e-2)
+    _, c, _, s, _ = records_of(vtail_setup(PAPER))
+    assert given_up(3.0, c, s) == 3.0 and given_up(0.0, c, s) == 0.0

@@ -25,6 +25,8 @@ _JAM_PROCESS_NOISE = 0.2
 1.0, gusts at 25 ft/s moved the estimated thrust by 2 units within a second."""
 _RESIDUAL_TIME_S = 1.0
 _LATE_NOISE = 0.1  # 1/sqrt(s)
+_GIVE_UP_TIME_S = 2.0
+"""[s] Little of a gust passes, and airspeed is lost more slowly than this."""
 _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD = 0.3, 2.5, 1.3
 """When a change of one effectiveness is seen (`estimator.expect_change`)."""
 
@@ -89,6 +91,7 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.jam_sigma, c.jam_time = _JAM_SIGMA, _JAM_TIME_S
     c.jam_process_noise, c.residual_time = _JAM_PROCESS_NOISE, _RESIDUAL_TIME_S
     c.late_noise = _LATE_NOISE
+    c.give_up_time = 0.0 if estimation is not None and estimation.preset == "paper" else _GIVE_UP_TIME_S
     c.change_time, c.change_sigma, c.change_lead = _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD
     if estimation is not None:
         _fill_estimation(c, estimation, setup.model.kinds)

@@ -96,6 +96,17 @@ def accumulate(integral, error, most, dt, free=False):
 
 
 @compiled
+def given_up(altitude, c, s):
+    """Altitude [m] that is given up so far, if `altitude` is to be: a first-order lag of `give_up_time`.
+
+    Without it each m/s of a gust is a step of altitude, and so is the loss of a propeller: the nose went down by ten degrees within
+    half a second of it, and most of the altitude that was lost was lost then."""
+    share = c.dt / c.give_up_time if c.give_up_time > 0.0 else 1.0
+    s.given_up = altitude if share >= 1.0 else s.given_up + share * (altitude - s.given_up)
+    return s.given_up
+
+
+@compiled
 def regulate(y, ref, m, c, k, s, f, nu):
     """Follow the references about the mode's own trim: x_dc_dot = f_m(x) + B_m trim_effect + nu.
 
@@ -113,7 +124,7 @@ def regulate(y, ref, m, c, k, s, f, nu):
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
     # A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed.
     slow = ref.airspeed + k.airspeed_offset - y.airspeed
-    e_height += k.slow_descent * max(slow - k.slow_descent_from, 0.0)
+    e_height += given_up(k.slow_descent * max(slow - k.slow_descent_from, 0.0), c, s)
     # Where a jam needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So while it is
     # too fast it climbs, and does not descend to its reference before it is slow.
     if k.fast_climb > 0.0 and slow < 0.0:

@@ -164,6 +164,7 @@ SETTINGS = (
     Field("sideslip_kp", (), "1/s", "yaw rate for sideslip"),
     Field("sideslip_ki", (), "1/s2", "integral gain of the sideslip loop"),
     Field("r_kp", (), "1/s", "r_dot for yaw-rate error"),
+    Field("give_up_time", (), "s", "time constant with which a regulator gives altitude up for airspeed"),
     Field("heading_error_max", (), "rad", "heading error is limited to this"),
     Field("altitude_error_max", (), "m", "altitude error is limited to this"),
     Field("airspeed_error_max", (), "m/s", "airspeed error is limited to this"),
@@ -260,6 +261,7 @@ MEMORY = (
     Field("pitch_integral", (), "rad", "integral term of the altitude loop; at first the trim's pitch"),
     Field("heading_integral", (), "rad/s", "integral term of the heading loop"),
     Field("sideslip_integral", (), "rad/s", "integral term of the sideslip loop"),
+    Field("given_up", (), "m", "altitude that is given up for airspeed"),
     Field("integral", (len(INTEGRALS),), "m, m s, rad s", "integrals of the regulator, by INTEGRALS"),
 )
 """s: what the law remembers from step to step."""
