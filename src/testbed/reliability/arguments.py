@@ -7,33 +7,33 @@ from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem
 
-MOST_DIMENSIONS = 100_000
+_LEAST = {"dimensions": 1, "seed": 0, "budget": 10, "starts": 1}
+_CALLED = "a function of [n, d] standard normals that returns [n] values"
 
 
-def check(limit_state: Any, **given: Any) -> None:
-    """Raise BadInput with every problem of the arguments, before the limit state is called."""
+def check(limit_state: Any, most_dimensions: int, **given: Any) -> None:
+    """Raise BadInput with every problem of the arguments, before the limit state is called.
+
+    Those in _LEAST are whole numbers, the others numbers above 0.
+    """
     problems = [] if callable(limit_state) else [Problem("cannot be called", "limit_state", expected=_CALLED)]
-    problems += [problem for name, value in given.items() if (problem := _problem(name, value))]
+    for name, value in given.items():
+        expected = _whole(name, value, most_dimensions) if name in _LEAST else _positive(value)
+        if expected:
+            problems.append(Problem(f"is {value!r}", name, expected=expected))
     if problems:
         raise BadInput(problems)
 
 
-_CALLED = "a function of [n, d] standard normals that returns [n] values"
-_LEAST = {"dimensions": 1, "seed": 0, "budget": 10, "starts": 1}
+def _whole(name: str, value: Any, most_dimensions: int) -> str:
+    """What is expected of a whole number, "" if the value is one."""
+    least, most = _LEAST[name], most_dimensions if name == "dimensions" else math.inf
+    if hasattr(value, "__index__") and not isinstance(value, bool) and least <= value <= most:
+        return ""
+    return f"a whole number from {least} " + ("on" if most == math.inf else f"to {most}")
 
 
-def _problem(name: str, value: Any) -> Problem | None:
-    """What is wrong with one argument: a whole number with its least value in _LEAST, else a number above 0."""
-    least = _LEAST.get(name)
-    if least is None:
-        if isinstance(value, (int, float)) and not isinstance(value, bool) and 0 < value < math.inf:
-            return None
-        return Problem(f"is {value!r}", name, expected="a number above 0")
-    if _whole(value) and least <= value <= (MOST_DIMENSIONS if name == "dimensions" else math.inf):
-        return None
-    most = f" to {MOST_DIMENSIONS}" if name == "dimensions" else " on"
-    return Problem(f"is {value!r}", name, expected=f"a whole number from {least}{most}")
-
-
-def _whole(value: Any) -> bool:
-    return hasattr(value, "__index__") and not isinstance(value, bool)
+def _positive(value: Any) -> str:
+    """What is expected of a number above 0, "" if the value is one."""
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return "" if number and 0 < value < math.inf else "a number above 0"

@@ -18,6 +18,8 @@ Method = Callable[[Asked, np.random.Generator, float], FailureProbability]
 
 TABLE: dict[str, Method] = {"subset": subset, "plain": plain}
 
+MOST_DIMENSIONS = 10_000
+
 
 def failure_probability(
     limit_state: LimitState,
@@ -36,7 +38,7 @@ def failure_probability(
 
     Raises BadInput for arguments that cannot be used, and for a limit state that returns anything but [n] numbers.
     """
-    arguments.check(limit_state, dimensions=dimensions, seed=seed, cov=cov, budget=budget)
+    arguments.check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, cov=cov, budget=budget)
     if method not in TABLE:
         expected, suggestion = guess(method, TABLE)
         raise BadInput(

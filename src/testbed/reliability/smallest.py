@@ -1,19 +1,35 @@
-"""`smallest_failure`: the failure nearest to the origin."""
+"""`smallest_failure`: the failure nearest to the origin, by CMA-ES and then along the limit surface."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
+import cma
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from testbed.common.random_streams import generator
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reliability import arguments
 from testbed.reliability.limit_state import Asked, LimitState
 from testbed.reliability.results import SmallestFailure, Step
-from testbed.sweeps.statistics import proportion
+from testbed.reliability.surface import Search, around, plane, section, toward_plane
+from testbed.sweeps.statistics import CONFIDENCE, proportion
 
-BATCH = 16
+MOST_DIMENSIONS = 1000
+"""More would take matrices of their square."""
+DRAWS = 0.1
+"""Share of the budget for independent draws, with which a search begins."""
+SEARCHED = 0.75
+"""Share of the budget after which a search that found nothing gives up: the rest are independent draws, for the bound."""
+EXPLORED = 0.45
+"""Share of the budget for the starts, after which the nearest failure of all is refined."""
+SPREAD, CLOSE = 0.5, 0.08
+"""Standard deviations of CMA-ES's first points around a start, and around a failure to be refined."""
+BATCH = 64
+SETTLED = 2e-3
+"""Relative improvement below which a move along the surface counts as none."""
 
 
 def smallest_failure(
@@ -21,33 +37,179 @@ def smallest_failure(
 ) -> SmallestFailure:
     """The failure of `limit_state` (at or below 0) that is nearest to the origin, by `starts` searches within `budget`.
 
+    Each start minimises distance + weight max(limit state, 0) by CMA-ES (Hansen 2016, arXiv:1604.00772), looks for a nearer
+    failure between the best one and the origin, and then moves it along the limit surface until that no longer helps.
+    Without a failure the rest of the budget is spent on independent draws, whose number bounds the probability.
+
     Raises BadInput for arguments that cannot be used, for a limit state that returns anything but [n] numbers, and if it
-    fails at the origin, where there is nothing to search.
+    fails at the origin, or is not a number there: there is nothing to search.
     """
-    arguments.check(limit_state, dimensions=dimensions, seed=seed, budget=budget, starts=starts)
-    asked = Asked(limit_state, int(dimensions), int(budget))
-    if asked(np.zeros((1, asked.dimensions)))[0] <= 0:
+    arguments.check(
+        limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, budget=budget, starts=starts
+    )
+    search = Search(Asked(limit_state, int(dimensions), int(budget)))
+    search.begin(search.asked.budget)
+    scale = _at_origin(search)
+    random = generator(int(seed), "reliability smallest")
+    with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so the points
+        n, failures = _all_starts(search, int(starts), scale, random)
+    return _result(search, n, failures)
+
+
+def _all_starts(search: Search, starts: int, scale: float, random: np.random.Generator) -> tuple[int, int]:
+    """Draw, search from every start, refine the nearest failure; how many points were independent, and failed."""
+    asked = search.asked
+    draws = random.standard_normal((min(max(8, int(DRAWS * asked.budget)), asked.left), asked.dimensions))
+    values = search(draws)
+    n, failures = len(draws), int(np.sum(values <= 0))
+    for start, point in enumerate(_starts(draws, values, starts)):
+        whole = (EXPLORED if search.path else SEARCHED) * asked.budget
+        search.begin(int((whole - asked.evaluations) / (starts - start)))
+        _search(search, point, SPREAD, scale, random)
+    if not search.path:
+        n, failures = _more_draws(search, random, n, failures)
+    _refine(search, scale, random)
+    return n, failures
+
+
+def _at_origin(search: Search) -> float:
+    """The limit state at the origin, which is what everything else is scaled by."""
+    value = float(search(np.zeros((1, search.asked.dimensions)))[0])
+    if value <= 0:
         raise BadInput([Problem("fails at the origin: nothing is needed to break it", "limit_state")])
-    return _by_draws(asked, generator(int(seed), "reliability smallest"))
+    if math.isnan(value):
+        raise BadInput([Problem("is not a number at the origin", "limit_state")])
+    return value if math.isfinite(value) else 1.0
 
 
-def _by_draws(asked: Asked, random: np.random.Generator) -> SmallestFailure:
-    path: list[Step] = []
-    n = failures = 0
-    while asked.left:
-        values = asked(random.standard_normal((min(BATCH, asked.left), asked.dimensions)))
-        n, failures = n + len(values), failures + int((values <= 0).sum())
-        if asked.nearest is not None and (not path or asked.nearest is not path[-1].point):
-            path.append(Step(asked.evaluations, float(np.linalg.norm(asked.nearest)), asked.nearest))
-    found = asked.nearest is not None
+def _starts(draws: np.ndarray, values: np.ndarray, starts: int) -> Iterator[np.ndarray]:
+    """Where the searches begin: where a plane through the draws falls to 0, and then the draws with the lowest values."""
+    values = np.where(np.isfinite(values), values, np.inf)
+    order = np.argsort(values, kind="stable")
+    yield _by_plane(draws, values)
+    for start in range(starts - 1):
+        yield draws[order[start % len(order)]]
+
+
+def _by_plane(draws: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Where the plane through the draws comes to 0, at most as far out as the draws are; the origin if it is level."""
+    found = plane(draws, values)
+    if found is None:
+        return np.zeros(draws.shape[1])
+    toward, slope, middle = found
+    return toward * min(max(middle / slope, 0.0), 2 + math.sqrt(len(toward)))
+
+
+def _search(
+    search: Search, start: np.ndarray, spread: float, scale: float, random: np.random.Generator
+) -> None:
+    """One start: CMA-ES with most of its evaluations, then along the ray and the limit surface with the rest."""
+    reserve = int(0.4 * search.left)
+    search.limit -= reserve
+    _evolve(search, start, spread, scale, random)
+    search.limit += reserve
+    if search.best is not None:
+        section(search, 0.0, 3)
+        _along_surface(search, random)
+
+
+def _refine(search: Search, scale: float, random: np.random.Generator) -> None:
+    """Search again, close to the nearest failure of all starts, until that brings it no nearer."""
+    before = math.inf
+    while search.path and search.path[-1].distance < before * (1 - SETTLED) and search.asked.left:
+        before = search.path[-1].distance
+        search.begin(max(search.asked.left // 2, 100))
+        search.best = search.path[-1].point
+        _search(search, search.best, CLOSE, scale, random)
+
+
+def _evolve(
+    search: Search, start: np.ndarray, spread: float, scale: float, random: np.random.Generator
+) -> None:
+    """CMA-ES from a start. The penalty grows by half whenever a safe point seems better than any failure."""
+    dimensions = len(start)
+    if dimensions == 1:  # CMA-ES needs two; the second coordinate is not used
+        start = np.append(start, 0.0)
+    strategy = cma.CMAEvolutionStrategy(start, spread, _options(search, random, dimensions))
+    boost = 2.0
+    while search.left >= strategy.popsize and not strategy.stop():
+        candidates = strategy.ask()
+        points = np.array(candidates)[:, :dimensions]
+        values = np.nan_to_num(search(points), nan=10 * scale, posinf=10 * scale)
+        excess = np.maximum(values, 0) / scale
+        far = min(search.distance, 10 * math.sqrt(dimensions) + 10)
+        merits = np.linalg.norm(points, axis=1) + boost * far * excess
+        best = int(np.argmin(merits))
+        if excess[best] > 0 and merits[best] < search.distance < math.inf:
+            boost *= 1.5
+        strategy.tell(candidates, list(merits))
+
+
+def _options(search: Search, random: np.random.Generator, dimensions: int) -> dict[str, object]:
+    """Silent, with random numbers of its own stream, and settled at a thousandth of a standard deviation."""
+    return {
+        "verbose": -9,
+        "seed": math.nan,
+        "randn": lambda n, d: random.standard_normal((n, d)),
+        "popsize": max(12, 4 + int(3 * math.log(dimensions))),
+        "tolx": 1e-2,
+        "tolfun": 5e-3,
+        "CMA_diagonal": dimensions > 200,
+    }
+
+
+def _along_surface(search: Search, random: np.random.Generator) -> None:
+    """Toward the foot of the fitted plane and around the best failure, until neither brings it nearer."""
+    spread, idle = 0.3, 0
+    while search.left and idle < 6:
+        before = search.distance
+        toward_plane(search)
+        if around(search, spread, BATCH // 4, random):
+            spread = min(0.6, 1.5 * spread)
+        else:
+            spread *= 0.6
+        if search.distance < before:
+            section(search, 0.96, 1)
+        idle = idle + 1 if search.distance > before * (1 - SETTLED) else 0
+    if search.best is not None:
+        section(search, 0.98, 1)
+
+
+def _more_draws(search: Search, random: np.random.Generator, n: int, failures: int) -> tuple[int, int]:
+    """Draw what is left of the budget if nothing was found."""
+    search.limit = search.asked.budget
+    while not search.path and search.left:
+        values = search(random.standard_normal((min(BATCH, search.left), search.asked.dimensions)))
+        n, failures = n + len(values), failures + int(np.sum(values <= 0))
+    return n, failures
+
+
+def _result(search: Search, n: int, failures: int) -> SmallestFailure:
+    bound = proportion(failures, n, 2 * CONFIDENCE - 1, "exact").high  # one side of the interval
+    last = search.path[-1] if search.path else None
     return SmallestFailure(
-        found=found,
-        design_point=asked.nearest,
-        distance=path[-1].distance if found else math.inf,
-        limit_state=math.nan,
-        evaluations=asked.evaluations,
-        path=tuple(path),
+        found=last is not None,
+        design_point=None if last is None else last.point,
+        distance=math.inf if last is None else last.distance,
+        limit_state=math.nan if last is None else _value_at(search, last),
+        evaluations=search.asked.evaluations,
+        path=tuple(search.path),
         independent=n,
-        upper_bound=proportion(failures, n, confidence=0.9, method="exact").high,
-        reason="",
+        upper_bound=bound,
+        reason=_reason(search, last, n, bound),
+    )
+
+
+def _value_at(search: Search, step: Step) -> float:
+    points, values = np.concatenate(search.points), np.concatenate(search.values)
+    return float(values[np.argmin(np.linalg.norm(points - step.point, axis=1))])
+
+
+def _reason(search: Search, last: Step | None, n: int, bound: float) -> str:
+    evaluations = search.asked.evaluations
+    if last is not None:
+        return f"The nearest of the failures found in {evaluations} evaluations is {last.distance:.3g} standard deviations away."
+    return (
+        f"Not found in {evaluations} evaluations. As {n} of them were independent and none failed, the failure probability "
+        f"is at most {bound:.2g} with 95 % confidence."
     )

@@ -1,0 +1,126 @@
+"""A search near the limit surface: every point it asked for, the nearest failure, and moves that bring it nearer."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from testbed.reliability.limit_state import Asked
+from testbed.reliability.results import Step
+
+PARTS = 8
+"""Parts of an interval that one batch divides it into."""
+
+
+@dataclass
+class Search:
+    """Points and values so far, and the nearest failure of this start, `best` [d]."""
+
+    asked: Asked
+    points: list[np.ndarray] = field(default_factory=list)
+    values: list[np.ndarray] = field(default_factory=list)
+    path: list[Step] = field(default_factory=list)
+    best: np.ndarray | None = None
+    limit: int = 0
+
+    @property
+    def distance(self) -> float:
+        """Distance of this start's nearest failure; infinite without one."""
+        return math.inf if self.best is None else float(np.linalg.norm(self.best))
+
+    @property
+    def left(self) -> int:
+        """Evaluations that this start still has."""
+        return max(0, self.limit - self.asked.evaluations)
+
+    def begin(self, evaluations: int) -> None:
+        """Begin a start with so many evaluations at most, without a failure of its own."""
+        self.best = None
+        self.limit = self.asked.evaluations + max(0, min(evaluations, self.asked.left))
+
+    def __call__(self, points: np.ndarray) -> np.ndarray:
+        """Values [n] at as many of the points as are left; the others are NaN, like what is not a number."""
+        values = np.full(len(points), np.nan)
+        points = points[: self.left]
+        if len(points):
+            values[: len(points)] = self.asked(points)
+            self._keep(points, values[: len(points)])
+        return values
+
+    def _keep(self, points: np.ndarray, values: np.ndarray) -> None:
+        self.points.append(points)
+        self.values.append(values)
+        failures = points[values <= 0]
+        if not len(failures):
+            return
+        nearest = failures[np.argmin(np.linalg.norm(failures, axis=1))]
+        if np.linalg.norm(nearest) < self.distance:
+            self.best = nearest
+            if not self.path or self.distance < self.path[-1].distance:
+                self.path.append(Step(self.asked.evaluations, self.distance, nearest))
+
+
+def section(search: Search, low: float, rounds: int) -> None:
+    """Look for failures between the origin and the best one, along the ray, from the share `low` of its distance on.
+
+    Each round divides the part before the nearest failure by PARTS. A ray that fails, passes and fails again is seen if
+    its parts are wider than that.
+    """
+    assert search.best is not None
+    ray, high = search.best, 1.0
+    for _ in range(rounds):
+        shares = np.linspace(low, high, PARTS + 1)[:-1]
+        values = search(shares[:, None] * ray)
+        failing = np.flatnonzero(values <= 0)
+        first = int(failing[0]) if len(failing) else PARTS
+        high = shares[first] if len(failing) else high
+        low = shares[first - 1] if first else max(0.0, 2 * low - 1)
+
+
+def plane(points: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float, float] | None:
+    """The plane through values [n] at points [n, d]: unit vector [d] downward, slope, value at the origin; None if level.
+
+    By least squares with a ridge of a millionth, so that with fewer points than dimensions it is the flattest that fits.
+    """
+    known = np.isfinite(values)
+    points, values = points[known], values[known]
+    if len(values) < 3:
+        return None
+    middle, mean = points.mean(axis=0), values.mean()
+    spread = (points - middle).T @ (points - middle)
+    ridge = 1e-6 * max(np.trace(spread) / len(middle), 1e-12) * np.eye(len(middle))
+    fit = np.linalg.solve(spread + ridge, (points - middle).T @ (values - mean))
+    slope = float(np.linalg.norm(fit))
+    if not (slope > 0 and math.isfinite(slope)):
+        return None
+    return -fit / slope, slope, float(mean - fit @ middle)
+
+
+def toward_plane(search: Search) -> None:
+    """Try points on the way to the foot of the perpendicular from the origin to the local plane (Hasofer and Lind 1974)."""
+    assert search.best is not None
+    points, values = np.concatenate(search.points), np.concatenate(search.values)
+    near = np.argsort(np.linalg.norm(points - search.best, axis=1), kind="stable")
+    near = near[: 2 * points.shape[1] + 10]
+    found = plane(points[near], values[near])
+    if found is None:
+        return
+    foot = (search.best @ found[0]) * found[0]
+    shares = np.array([0.25, 0.5, 0.75, 1.0, 1.0])
+    scales = np.array([1.0, 1.0, 1.0, 1.0, 1.03])
+    search(scales[:, None] * (search.best + shares[:, None] * (foot - search.best)))
+
+
+def around(search: Search, spread: float, n: int, random: np.random.Generator) -> bool:
+    """Try `n` points a little nearer to the origin, in directions that differ by `spread`; whether one failed."""
+    assert search.best is not None
+    before = search.distance
+    directions = search.best / before + spread * random.standard_normal((n, len(search.best))) / math.sqrt(
+        len(search.best)
+    )
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    nearer = before * (1 - np.linspace(0.25, 1.0, n) * min(0.02, spread**2 + 0.001))
+    search(nearer[:, None] * directions)
+    return search.distance < before
