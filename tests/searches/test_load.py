@@ -49,7 +49,7 @@ def test_a_nominal_value_is_an_end_of_its_range(tmp_path: Path) -> None:
 
 def test_each_option_and_each_variant_is_a_part(tmp_path: Path) -> None:
     settings = ["compare={controller.type: [adaptive_inversion, pid]}",
-                "vary.failures.0.actuator={choice: [left_ruddervator, left_propeller, right_propeller], weights: [1, 3, 0]}"]  # fmt: skip
+                "vary.failures.0.actuator={choice: [left_ruddervator, left_propeller, stabilator], weights: [1, 3, 0]}"]  # fmt: skip
     plan = load_search(written(tmp_path), settings)
     assert [plan.label(part) for part in plan.parts] == [
         f"{controller}, {actuator}"
@@ -94,7 +94,7 @@ def test_a_sweeps_file_is_searched_with_a_goal(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [
-    ("goal: smallest", "goal: small", "goal: is 'small', expected 'smallest' or 'probability'"),
+    ("goal: smallest", "goal: small", "goal: 'small' is not known, did you mean smallest?"),
     ("budget: 300", "budget: 3", "budget: is 3, expected greater than or equal to 20"),
     ("budget: 300", "runs: 300", "runs: unknown key"),
     ("  requirements: [{name: held, metric: altitude_error_max_m, at_most: 1}]\n", "  requirements: []\n", "has no requirement"),

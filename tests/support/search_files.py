@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import os
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -27,6 +29,10 @@ vary:
   atmosphere.wind_m_s.0: {normal: [0, 2]}
   atmosphere.wind_m_s.1: {normal: [0, 2]}
 """
+REAL = SEARCH.replace("budget: 300", "budget: 24").replace(
+    "atmosphere:", "initial: {altitude_m: 300, airspeed_m_s: 18}\n  atmosphere:"
+)
+"""With few flights, which the simulator flies."""
 BETA = 2.5
 """Distance of the failures of `gusty`, in standard deviations of the wind: a wind along (3, 4) that is too strong."""
 DESIGN = (0.6 * BETA, 0.8 * BETA)
@@ -75,3 +81,9 @@ def unbreakable(scenario: Scenario) -> Flight:
 def lost(scenario: Scenario) -> Flight:
     """No flight at all."""
     raise ValueError("it went wrong")
+
+
+def in_its_process(scenario: Scenario) -> Flight:
+    """A flight whose metrics tell which process flew it."""
+    flight = gusty(scenario)
+    return replace(flight, metrics={"process": float(os.getpid())})

@@ -1,0 +1,100 @@
+"""`testbed search`: what it refuses, what it prints, its exit status, and what it keeps when it is interrupted."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+import search_files
+from command_line import Called
+from search_files import REAL, SEARCH, written
+from sweep_files import command, journal_lines, run
+
+import testbed
+from testbed.aircraft.shipped import data_root
+from testbed.aircraft.shipped import search_files as shipped
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["--jobs", "0"], "--jobs: is 0, expected at least 1"),
+        (["--goal", "least"], "--goal: is 'least', expected smallest or probability"),
+        (["--budget", "1"], "budget: is 1, expected greater than or equal to 20"),
+        (["--set", "bogus.path=1"], "--set bogus.path=1: bogus: unknown key, expected one of "),
+        (["--cluster", "tcp://127.0.0.1:1"], "--cluster: no cluster answers at tcp://127.0.0.1:1"),
+    ],
+)
+def test_bad_options_are_refused_and_leave_nothing(
+    here: Path, called: Called, arguments: list[str], words: str
+) -> None:
+    status, out, err = called("search", written(here).name, *arguments)
+    assert status == 2 and words in err and out == "", err
+    assert [path.name for path in here.iterdir()] == ["gusty.yaml"]
+
+
+def test_a_search_is_validated_by_its_goal(here: Path, called: Called) -> None:
+    assert called("validate", written(here).name) == (0, "gusty.yaml: ok\n", "")
+    status, _, err = called("validate", written(here, SEARCH.replace("wind_m_s.1", "wnd_m_s.1")).name)
+    assert status == 2 and "gusty.yaml:13: atmosphere.wnd_m_s: unknown key" in err
+    for file in shipped():
+        name = str(file.relative_to(data_root()))
+        assert called("validate", name) == (0, f"{name}: ok\n", "")
+
+
+def test_a_finished_search_is_reported_without_flying(here: Path, called: Called) -> None:
+    testbed.search(written(here), "out", fly=search_files.gusty, jobs=1, figures=False)
+    status, out, err = called("report", "out")
+    assert (status, err) == (1, "") and out.startswith("The smallest failure found: a steady wind of ")
+    assert {"report.html", "figures"} <= {path.name for path in (here / "out").iterdir()}
+    (here / "out/results.parquet").unlink()
+    assert called("report", "out")[0] == 2
+
+
+@pytest.mark.slow
+def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
+    found = run(
+        tmp_path, "search", written(tmp_path, REAL.replace("at_most: 1", "at_most: 0.05")), "--out", "found"
+    )
+    assert found.returncode == 1, found.stderr
+    assert (
+        "The smallest failure found: a steady wind of " in found.stdout
+        and "It breaks 'held'." in found.stdout
+    )
+    again = run(tmp_path, "run", "found/found.yaml", "--out", "again", "--no-plots")
+    assert again.returncode == 1
+    assert (tmp_path / "again/log.csv").read_bytes() == (tmp_path / "found/found/log.csv").read_bytes()
+    none = run(
+        tmp_path, "search", written(tmp_path, REAL.replace("at_most: 1", "at_most: 500")), "--out", "none"
+    )
+    assert none.returncode == 0 and "Not found in 24 flights." in none.stdout
+    refused = run(
+        tmp_path, "search", written(tmp_path, REAL.replace("at_most: 1", "at_most: 0")), "--out", "refused"
+    )
+    assert refused.returncode == 2 and "breaks 'held' already" in refused.stderr
+    assert not (tmp_path / "refused").exists()
+    likely = run(tmp_path, "search", "gusty.yaml", "--goal", "probability", "--set", "method=plain", "--out", "likely",
+                 "--set", "requirements.0.at_most=0.05")  # fmt: skip
+    assert (
+        likely.returncode == 0
+        and "probability" in json.loads((tmp_path / "likely/summary.json").read_text())["goal"]
+    )
+
+
+@pytest.mark.slow
+def test_ctrl_c_keeps_the_flights(tmp_path: Path) -> None:
+    file = written(tmp_path, REAL.replace("budget: 24", "budget: 2000"))
+    process = subprocess.Popen(
+        command("search", file, "--out", "out"), cwd=tmp_path, stderr=subprocess.PIPE, text=True
+    )
+    while process.poll() is None and journal_lines(tmp_path / "out") < 5:
+        time.sleep(0.05)
+    os.kill(process.pid, signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 130 and "flights are kept, --resume goes on" in err
+    assert journal_lines(tmp_path / "out") >= 5

@@ -1,0 +1,92 @@
+"""The page of a search: the answer in sentences, the design point with bars, figures, and what it says when nothing is found."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import search_files
+from html_page import Page
+from search_files import written
+
+import testbed
+from testbed.flight.flight import Flight, Outcome
+from testbed.reporting.search_page.words import answer, settings_of
+from testbed.scenario.load import load_scenario
+from testbed.searching import SearchResult
+
+
+def searched(folder: Path, *settings: str, fly: str = "gusty") -> SearchResult:
+    return testbed.search(
+        written(folder), folder / "out", fly=getattr(search_files, fly), jobs=1, settings=settings
+    )
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> SearchResult:
+    """The smallest failure of made-up flights, with two controllers that do not matter."""
+    return searched(tmp_path_factory.mktemp("found"), "compare={controller.type: [adaptive_inversion, pid]}")
+
+
+@pytest.fixture(scope="module")
+def likely(tmp_path_factory: pytest.TempPathFactory) -> SearchResult:
+    return searched(tmp_path_factory.mktemp("likely"), "goal=probability", "budget=3000")
+
+
+def test_it_is_one_file_that_fetches_nothing(found: SearchResult) -> None:
+    page = Page((found.folder / "report.html").read_text(encoding="utf-8"))
+    assert page.tags.count("img") == 2  # convergence and path; made-up flights are not compared
+    assert page.fetches_and_runs_nothing()
+    for words in (*answer(found.summary), "What it takes", "values at least as far", "found.yaml"):
+        assert words in page.text
+
+
+def test_the_answer_names_what_broke_and_compares(found: SearchResult) -> None:
+    lines = answer(found.summary)
+    assert lines[0].startswith("adaptive_inversion: the smallest failure found: a steady wind of ")
+    assert "It breaks 'held'. Distance 2.5" in lines[0] and "about 1 flight in 160 is worse" in lines[0]
+    assert lines[2].startswith("From the bigger failure needed to the smaller: ")
+    assert f"{lines[0]}\n" in repr(found)
+
+
+def test_bars_are_shares_of_the_squared_distance(found: SearchResult) -> None:
+    point = found.summary["parts"][0]["point"]
+    assert sum(each["share"] for each in point.values()) == pytest.approx(1.0)
+    text = (found.folder / "report.html").read_text(encoding="utf-8")
+    for each in point.values():
+        assert f"width:{100 * each['share']:.1f}%" in text
+
+
+def test_a_probability_comes_with_its_interval_and_levels(likely: SearchResult) -> None:
+    known = likely.probability
+    assert known is not None and known["low"] <= 0.00621 <= known["high"]  # P(normal > 2.5)
+    page = Page((likely.folder / "report.html").read_text(encoding="utf-8"))
+    assert "How likely a requirement is broken" in page.text and "robustness at most" in page.text
+    assert answer(likely.summary)[0].startswith("A requirement is broken with probability 0.00")
+    assert (likely.folder / "figures/levels.png").is_file()
+
+
+def test_nothing_found_says_what_the_draws_allow(tmp_path: Path) -> None:
+    result = searched(tmp_path, "budget=40", fly="unbreakable")
+    page = Page((result.folder / "report.html").read_text(encoding="utf-8"))
+    assert "Not found in 40 flights." in page.text and "What it takes" not in page.text
+
+
+def test_settings_in_words() -> None:
+    scenario = load_scenario(
+        "scenarios/left_propeller_fail.yaml",
+        {"failures": [{"type": "effectiveness", "actuator": "left_propeller", "at_s": 41.0, "value": 0.38}],
+         "atmosphere": {"wind_m_s": [3.0, 4.0, 0.0],
+                        "gusts": [{"at_s": 7.0, "magnitude_m_s": [0.0, 0.0, -4.6], "duration_s": 1.0}]},
+         "requirements": []},
+    )  # fmt: skip
+    flight = Flight(scenario, Outcome.completed, 60.0, (), np.zeros((0, 0)))
+    paths = ["failures.0.value", "failures.0.at_s", "atmosphere.wind_m_s.0", "atmosphere.wind_m_s.1",
+             "atmosphere.gusts.0.magnitude_m_s.2", "initial.airspeed_m_s"]  # fmt: skip
+    assert settings_of(flight, paths) == [
+        "at 41.0 s the left propeller kept 38 % of its effect",
+        "a steady wind of 5.0 m/s from 233 deg",
+        "a gust of 4.6 m/s at 7.0 s",
+        f"initial.airspeed_m_s = {scenario.initial.airspeed_m_s:.3g} m/s",
+    ]
