@@ -38,7 +38,7 @@ def test_a_signal_that_moves_a_little_changes_it_no_more(
         (eventually(distances), eventually(moved)),
         (never_outside_for(distances, rows), never_outside_for(moved, rows)),
     ):
-        assert abs(after - before) <= most * (1 + 1e-12)
+        assert abs(after - before) <= most + 1e-14  # the rounding of numbers up to 11
 
 
 @pytest.mark.skipif(sys.version_info >= (3, 13), reason="rtamt's parser does not run on Python 3.13")
