@@ -69,3 +69,9 @@ def test_noise_is_refused(settings: str, words: str) -> None:
 def test_two_intensities_are_one_too_many() -> None:
     with pytest.raises(BadInput, match=r"turbulence_w20_m_s: is 3, and turbulence is light, which is 7.717"):
         scenario("atmosphere={turbulence: light, turbulence_w20_m_s: 3}")
+
+
+def test_a_coefficient_is_set_by_its_path() -> None:
+    given = "atmosphere={model: dryden_1797b, turbulence: light, noise: {w: [0, 0, 0]}}"
+    noise = scenario(given, "atmosphere.noise.w.1=0.5").atmosphere.noise
+    assert noise is not None and noise.w == (0.0, 0.5, 0.0)

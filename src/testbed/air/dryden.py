@@ -60,7 +60,7 @@ def intensities_and_lengths(altitude_m, w20_m_s, exceeded):
     low = min(h, LOW_FT)
     f = 0.177 + 0.000823 * low
     sigma_w, length_w = 0.1 * w20_m_s, low
-    sigma_u, length_u = sigma_w / f**0.4, low / f**1.2
+    sigma_u, length_u = sigma_w / math.pow(f, 0.4), low / math.pow(f, 1.2)
     if h > LOW_FT:
         share = min((h - LOW_FT) / (HIGH_FT - LOW_FT), 1.0)
         high = METRES_PER_FOOT * _interpolated(max(h, HIGH_FT), exceeded)
@@ -114,9 +114,8 @@ def across(step, noise, state):
 @compiled
 def rolling_intensity(sigma_w, length_w, span):
     """Intensity of p [rad/s] for a wing of this span [m]: the integral of Phi_p."""
-    return sigma_w * math.sqrt(
-        0.1 * math.pi**2 / (length_w * span) * (0.25 * math.pi * length_w / span) ** (1.0 / 3.0)
-    )
+    shape = math.pow(0.25 * math.pi * length_w / span, 1.0 / 3.0)
+    return sigma_w * math.sqrt(0.1 * math.pi * math.pi / (length_w * span) * shape)
 
 
 @compiled

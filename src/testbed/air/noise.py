@@ -29,7 +29,7 @@ def white_noise(settings: Noise | None, rate_hz: int, steps: int, seed: int) -> 
     if settings is not None:
         window = slice(*window_of(settings, rate_hz, steps))
         for i, part in enumerate(PARTS):
-            put_coefficients(rows[window, i], getattr(settings, part))
+            rows[window, i] = with_coefficients(rows[window, i], getattr(settings, part))
     return rows
 
 
@@ -45,8 +45,12 @@ def cosine(i: int, length: int) -> np.ndarray:
     return np.cos(phase) * np.sqrt((2.0 if i else 1.0) / length)
 
 
-def put_coefficients(noise: np.ndarray, coefficients: Sequence[float]) -> None:
-    """Give the first coefficients of a noise [N] these values, in place. The others stay as they are."""
+def with_coefficients(noise: np.ndarray, coefficients: Sequence[float]) -> np.ndarray:
+    """[N] the noise, of which the first coefficients have these values; the others stay as they are."""
+    made = np.array(noise)
     for i, wanted in enumerate(coefficients):
-        basis = cosine(i, len(noise))
-        noise += (wanted - basis @ noise) * basis
+        basis = cosine(i, len(made))
+        made += (
+            wanted - np.sum(basis * made)
+        ) * basis  # not @, whose last bit depends on the number of threads
+    return made

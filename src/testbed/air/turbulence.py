@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import Protocol
 
 import numpy as np
@@ -41,7 +42,7 @@ class Sampled(Protocol):
 
     def sample(self) -> None: ...
     def span(self) -> float: ...
-    def blow(self, air: list[float]) -> None: ...
+    def blow(self, air: Iterable[float]) -> None: ...
 
 
 class Turbulence:
@@ -60,6 +61,7 @@ class Turbulence:
         record.exceeded = dryden.EXCEEDED_FT, dryden.EXCEEDED_FT_S[severity(w20)]
         record.factors, record.air_factors = plant.factors[: len(STATE)], plant.air_factors
         self._mean, self._air = record.wind, record.air
+        self._values = memoryview(self._air)  # its items are floats, which numpy's are not
         self._arrays = (plant.raw, noise, self._record)
         self._fill = bound(blow, 0, self._arrays)
 
@@ -75,7 +77,7 @@ class Turbulence:
     def step(self, k: int) -> None:
         """Set the air of control step k."""
         self._fill(k, self._arrays)
-        self._plant.blow(self._air.tolist())
+        self._plant.blow(self._values)
 
 
 @compiled

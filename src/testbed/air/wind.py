@@ -63,11 +63,15 @@ class Weather:
     def apply(self, step: int) -> None:
         """Log the wind of this step, and set the wind of the next."""
         self.wind[step] = self.plant.total_wind()
+        if self._starts:
+            self._put_gusts(step)
+        if self._turbulence is not None:
+            self._turbulence.step(step)
+
+    def _put_gusts(self, step: int) -> None:
         gusty = self._blowing(step)
         if gusty or self._gusty:
             self._put(self._steady + self._gust(step))
-        if self._turbulence is not None:
-            self._turbulence.step(step)
         self._gusty = gusty
 
     def _put(self, mean_m_s: np.ndarray) -> None:

@@ -19,6 +19,7 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.model_files.rotating_air import put_rotation
 from testbed.aircraft.model_files.safe_xml import read_bytes, read_xml
 from testbed.aircraft.model_files.used import model_file
+from testbed.common.cache import Cache
 from testbed.inputs.base import Number, Positive, Settings, Text
 from testbed.inputs.problems import BadInput, Problem, TreePath, did_you_mean
 from testbed.inputs.yaml_source import dotted
@@ -75,6 +76,9 @@ def chosen(choice: str | ChangedAircraft) -> Aircraft:
     return aircraft.changed_by(choice)
 
 
+_texts: Cache[str] = Cache(16)
+
+
 @contextmanager
 def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Path]:
     """The folder from which JSBSim loads the model: the aircraft's own, or a temporary copy with its changes.
@@ -86,7 +90,9 @@ def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Pat
         return
     changes = aircraft.changes or ChangedAircraft(name=aircraft.name)
     assert isinstance(changes, ChangedAircraft)
-    changed = _Model(aircraft, changes).apply(rotating_air)
+    content = read_bytes(model_file(aircraft.folder, aircraft.model))
+    key = (content, changes.model_dump_json(), rotating_air)
+    changed = _texts.get(key, lambda: _Model(aircraft, changes).apply(rotating_air))
     with TemporaryDirectory(prefix="testbed-") as folder:
         _copy(aircraft, changed, Path(folder))
         yield Path(folder)
