@@ -238,6 +238,13 @@ def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
     return trimmed_start(aircraft, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, heading)
 
 
+def start_and_setup(scenario: Scenario) -> tuple[Trim, Setup]:
+    """The trimmed flight in which a scenario begins, and what its controller is told before it; raises BadInput."""
+    aircraft = chosen(scenario.aircraft)
+    start = _start(scenario, aircraft)
+    return start, _setup(scenario, aircraft, start)
+
+
 def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
     """What the controller is told before the flight: of the aircraft as its files are, also where the truth is changed."""
     if aircraft.changes is not None:
