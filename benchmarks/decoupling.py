@@ -17,23 +17,18 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 import missions
 import numpy as np
+from decoupling_page import DELAYS, LOSS_S, REMAINS, SEEDS, draw, milliseconds, page
 from flights import Record, fly_all
 from mission_list import BASE, MISSIONS, ROUTES, Condition, chosen
-from mission_results import Row, Table, by_mission, totals
+from mission_results import Table
 
 from testbed.common.units import METRES_PER_FOOT
 from testbed.flight.flight import Flight
 from testbed.metrics import readings
 from testbed.scenario.model import Scenario
 from testbed.simulation import fly
-from testbed.theory import decoupling
-from testbed.theory.l1_plant import measured
-
-matplotlib.use("agg")
-import matplotlib.pyplot as plt
 
 DOCS = Path(__file__).parents[1] / "docs"
 Values = Mapping[str, Any]
@@ -42,10 +37,8 @@ FLOWN = (
     "hard_healthy,hard_left_tail_lost,hard_right_propeller_lost,slow_left_propeller_lost,hard_tails_weak,cruise_all_weak,"
     "cruise_tail_reversed,cruise_tail_jam_plus5,hard_tail_delay,cruise_second_tail_after_propeller"
 )
-SEEDS, TUNING_SEEDS = range(90001, 90007), range(301, 305)
-DELAYS = (0.0, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12, 0.15, 0.2)
+TUNING_SEEDS = range(301, 305)
 ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")
-LOSS_S, REMAINS = 20.0, 0.3
 
 
 def l1(**settings: float) -> Values:
@@ -53,7 +46,8 @@ def l1(**settings: float) -> Values:
 
 
 def paper(gamma: float) -> Values:
-    return {**missions.KNOWN["paper"], "gamma": gamma}
+    """The paper's law with the released axis of the others, so that only the law differs."""
+    return {**missions.KNOWN["paper"], "gamma": gamma, "released": "auto"}
 
 
 MARGINS: Mapping[str, Values] = {
@@ -69,8 +63,14 @@ TUNED = {f"l1, k {k:g}": l1(control_rad_s=k) for k in (5.0, 10.0, 15.0, 20.0)}
 # --- delay margin ------------------------------------------------------------------------------------------------------------
 
 
-def margin_flights(laws: Mapping[str, Values], seeds: Sequence[int]) -> Iterator[tuple[int, dict[str, Any]]]:
-    """The hard route with both tails at 0.3, in weather with real sensors, and every actuator late from the start."""
+CALM = {"sensors": "ideal"}
+WEATHER = {"atmosphere.turbulence_w20_m_s": 25.0 * METRES_PER_FOOT}
+
+
+def margin_flights(
+    laws: Mapping[str, Values], seeds: Sequence[int], air: Values
+) -> Iterator[tuple[int, dict[str, Any]]]:
+    """The hard route with both tails at 0.3, and every actuator late from the start."""
     weak = [
         {"type": "effectiveness", "actuator": name, "at_s": LOSS_S, "value": REMAINS}
         for name in ACTUATORS[:2]
@@ -78,21 +78,19 @@ def margin_flights(laws: Mapping[str, Values], seeds: Sequence[int]) -> Iterator
     for settings in laws.values():
         for delay in DELAYS:
             late = [{"type": "delay", "actuator": name, "at_s": 0, "delay_s": delay} for name in ACTUATORS]
+            failures = [*(late if delay else []), *weak]
             for seed in seeds:
                 yield (
                     seed,
-                    {
-                        **ROUTES["hard"].values,
-                        "controller": dict(settings),
-                        "failures": [*(late if delay else []), *weak],
-                        "atmosphere.turbulence_w20_m_s": 25.0 * METRES_PER_FOOT,
-                    },
+                    {**ROUTES["hard"].values, "controller": dict(settings), "failures": failures, **air},
                 )
 
 
-def margins(laws: Mapping[str, Values], seeds: Sequence[int], jobs: int | None) -> dict[str, list[float]]:
+def margins(
+    laws: Mapping[str, Values], seeds: Sequence[int], jobs: int | None, air: Values = WEATHER
+) -> dict[str, list[float]]:
     """For each law the largest delay [s] with which no flight is lost, and the largest with which all are held; NaN for none."""
-    flown = iter(fly_all(BASE, list(margin_flights(laws, seeds)), jobs))
+    flown = iter(fly_all(BASE, list(margin_flights(laws, seeds, air)), jobs))
     found = {}
     for name in laws:
         cells = [[next(flown) for _ in seeds] for _ in DELAYS]
@@ -144,98 +142,6 @@ def fly_and_measure(scenario: Scenario) -> Flight:
     return replace(flight, metrics={**flight.metrics, **found})
 
 
-# --- the page ----------------------------------------------------------------------------------------------------------------
-
-INTRODUCTION = """\
-# Decoupling adaptation from robustness
-
-<!-- Written by python benchmarks/decoupling.py: change that, not this. -->
-
-This page compares `l1_inversion`, which adapts fast behind a low-pass filter and diagnoses apart, with the paper's law, the default
-and incremental inversion; [the explanation](../explanation/decoupling.md) has the theory.
-"""
-
-
-MARGIN_TEXT = f"""\
-## Delay margin, and how fast the rates come back
-
-Margin: the hard route in the same weather, both tails at {REMAINS:g} from {LOSS_S:g} s on, every actuator late from the start by
-{", ".join(f"{1000 * delay:g}" for delay in DELAYS)} ms; seeds {SEEDS.start} and {SEEDS.start + 1}. The error is that of the pitch
-acceleration that was asked for, after the left tail's loss to {REMAINS:g} in calm air with ideal sensors. Where k or Gamma is not
-named it is the default of `l1_inversion`."""
-
-
-def margin_table(found: Mapping[str, Sequence[float]], recovered: Mapping[str, Record]) -> list[str]:
-    lines = [
-        "| law | none lost up to | all held up to | error after the loss | until a tenth of it |",
-        "|" + " --- |" * 5,
-    ]
-    for name, (lost, kept) in found.items():
-        back = recovered[name]["metrics"]
-        cells = (
-            name, milliseconds(lost), milliseconds(kept), f"{back['error_peak_deg_s2']:.0f} deg/s2",
-            f"{back['error_recovery_s']:.2f} s",
-        )  # fmt: skip
-        lines.append(f"| {' | '.join(cells)} |")
-    return lines
-
-
-def milliseconds(delay: float) -> str:
-    return "no delay" if math.isnan(delay) else f"{1000 * delay:g} ms"
-
-
-def page(rows: Sequence[Row], found: Mapping[str, Sequence[float]], recovered: Mapping[str, Record]) -> str:
-    lines = [
-        INTRODUCTION,
-        "## Missions",
-        "",
-        f"W20 = 25 ft/s, MEMS sensors, seeds {SEEDS.start} to {SEEDS.stop - 1}; held is within 5 m and 15 deg from the first",
-        "failure on.",
-        "",
-        *totals(rows, "default"),
-        "",
-        "held/survived/flights; where all survived, held/flights",
-        "",
-        *by_mission(rows),
-        "",
-        *MARGIN_TEXT.splitlines(),
-        "",
-        *margin_table(found, recovered),
-        "",
-        "## Speed against noise",
-        "",
-        "Time to 5 % and variance under white noise after a small loss, both by the flying law on the ideal plant. On a line their",
-        "product is the same.",
-        "",
-        "![Laws and the bounds of any linear estimator](../figures/decoupling_noise.png)",
-    ]
-    return "\n".join(lines) + "\n"
-
-
-def draw(file: Path) -> None:
-    """Lines of equal product, and the closed forms of the laws for several gains."""
-    figure, axes = plt.subplots(figsize=(6.5, 4.2), layout="constrained")
-    t = np.geomspace(0.2, 8.0, 50)
-    bounds = {"any linear estimator: 0.90": (decoupling.LINEAR_BOUND, ":"), "the paper: 1.50": (decoupling.PAPER, "-"),
-              "two equal poles: 1.19": (decoupling.cascade(1.0, 1.0), "--")}  # fmt: skip
-    for name, (product, style) in bounds.items():
-        axes.loglog(t, product / t, style, color="0.4", label=name)
-    for mark, (name, pairs) in zip("o^s", POINTS.items(), strict=True):
-        times, variances = zip(*(measured(*pair) for pair in pairs), strict=True)
-        axes.plot(times, variances, mark, ms=6, mfc="none", label=name)
-    axes.set(xlabel="time to 5 % after a small loss [s]", ylabel="variance over s / r^2 [1/s]")
-    axes.legend(fontsize="small")
-    figure.savefig(file, dpi=110)
-    plt.close(figure)
-
-
-POINTS: Mapping[str, Sequence[tuple[float, float | None]]] = {
-    "the paper, gamma 1, 2, 4, 8": [(gamma, None) for gamma in (1.0, 2.0, 4.0, 8.0)],
-    "l1, Gamma 20, k 2, 5, 10, 20": [(20.0, k) for k in (2.0, 5.0, 10.0, 20.0)],
-    "l1, Gamma = k = 1, 2, 5": [(k, k) for k in (1.0, 2.0, 5.0)],
-}
-
-
 def tune(jobs: int | None) -> None:
     for name, found in margins(TUNED, TUNING_SEEDS, jobs).items():
         print(name, *map(milliseconds, found))
@@ -256,7 +162,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = parser.parse_args(arguments)
     if options.tune:
         return tune(options.jobs)
-    found = margins(MARGINS, SEEDS[:2], options.jobs)
+    calm, weather = margins(MARGINS, [1], options.jobs, CALM), margins(MARGINS, SEEDS[:2], options.jobs)
+    found = {name: [*calm[name], *weather[name]] for name in MARGINS}
     flights = fly_all(BASE, list(recovery_flights()), options.jobs, "decoupling:fly_and_measure")
     recovered = dict(zip(MARGINS, flights, strict=True))
     plan = [

@@ -32,7 +32,7 @@ def test_stored_without_output(file: Path) -> None:
 def test_public_names_are_enough(file: Path) -> None:
     code = source(file)
     assert "import testbed" in code and not re.search(
-        r"\btestbed\.(?!(fly|sweep|load)\()\w+|from testbed", code
+        r"\btestbed\.(?!(design|fly|sweep|load)\()\w+|from testbed", code
     )
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from typing import Any
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -119,7 +120,7 @@ def extreme(start: float, truth: float, gamma_tau: float) -> float:
     begin = [math.log(start), gamma_tau * (truth / start - 1.0)]
     end = 200.0 * max(1.0, abs(math.log(start / truth)) / gamma_tau)
     found = solve_ivp(slope, (0.0, end), begin, events=turns, rtol=1e-9, atol=1e-12)
-    turned = found.y_events[0] if found.y_events else []
+    turned: Any = found.y_events[0] if found.y_events else []
     return math.exp(turned[0][0]) if len(turned) else truth
 
 
