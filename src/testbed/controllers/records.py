@@ -182,6 +182,8 @@ MODE = (
     Field(
         "hessian", (_N, _N), "1 per scaled^2", "B' diag(row_weight) B + deviation weight, of the allocation"
     ),
+    Field("thrust_alone", (_N,), "flag", "the actuator answers to u_dot alone"),
+    Field("thrust_hessian", (_N, _N), "1 per scaled^2", "`hessian` without what those actuators turn"),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
     Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
     Field(

@@ -23,8 +23,10 @@ from testbed.controllers.records import D_ALPHA, D_BETA, D_P, U_DOT
 from testbed.controllers.released_axes import authorities
 from testbed.inputs.base import Settings
 
-GUST_M_S = 0.0933
-"""Root of the two-sided spectral density of gusts along each body axis [m/s per sqrt(Hz)]: light turbulence at 5 rad/s."""
+GUST_M_S, _GUST_SPEED_M_S = 0.0933, 18.0
+"""Root of the two-sided spectral density of gusts along each body axis [m/s per sqrt(Hz)]: light turbulence at 5 rad/s, met at this
+airspeed. Gusts do not change while an aircraft passes them, so a faster one meets them sooner: above the corner of their spectrum
+the density is proportional to airspeed (MIL-F-8785C, 3.7.2.2)."""
 _ROLLING_GUST = 1.64
 """Rolling of the air about the aircraft by gusts that vary along the span: this times gust velocity over span (after
 MIL-F-8785C, 3.7.5)."""
@@ -106,7 +108,8 @@ def gust_density(model: DesignModel) -> np.ndarray:
     slopes = np.array(model.derivatives)[:4]
     angles = slopes[:, [D_ALPHA, D_BETA]] / model.airspeed_m_s
     rolling = _ROLLING_GUST / model.span_m * slopes[:, D_P] if model.span_m else np.zeros(4)
-    aerodynamic = GUST_M_S * np.sqrt(np.sum(np.square(angles), axis=1) + np.square(rolling))
+    gust = GUST_M_S * math.sqrt(model.airspeed_m_s / _GUST_SPEED_M_S)
+    aerodynamic = gust * np.sqrt(np.sum(np.square(angles), axis=1) + np.square(rolling))
     return np.maximum(aerodynamic, 1e-3)
 
 

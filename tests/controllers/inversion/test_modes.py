@@ -42,23 +42,29 @@ def test_modes_are_made_when_they_are_asked_for() -> None:
     assert len(found._made) == 1
 
 
-def jet(condition_max: float = 50.0, axes=("q_dot", "u_dot", "r_dot", "p_dot")):
-    """Modes of aileron, elevator, rudder and two engines on the wings; nothing is listed in `release`."""
-    inputs = np.zeros((6, 5))
-    inputs[:4] = [
-        [4.3, 0.0, 0.42, -1e-5, 1e-5],
-        [0.0, -49.6, 0.0, 0.0, 0.0],
-        [-0.36, 0.0, -2.5, 1e-4, -1e-4],
-        [0.0, -2.0, 0.0, 5e-4, 5e-4],
-    ]
+JET = np.array([
+    [4.3, 0.0, 0.42, -1e-5, 1e-5],
+    [0.0, -49.6, 0.0, 0.0, 0.0],
+    [-0.36, 0.0, -2.5, 1e-4, -1e-4],
+    [0.0, -2.0, 0.0, 5e-4, 5e-4],
+])  # fmt: skip
+JET_SCALE = np.array([0.1, 0.1, 0.2, 1000.0, 1000.0])
+
+
+def jet_inputs() -> np.ndarray:
+    return JET * JET_SCALE
+
+
+def jet(condition_max: float = 50.0, axes=("q_dot", "u_dot", "r_dot", "p_dot"), release=None):
+    """Modes of aileron, elevator, rudder and two engines on the wings; nothing is listed in `release` by default."""
     model = replace(
         SETUP.model,
         actuators=("aileron", "elevator", "rudder", "left", "right"),
         kinds=("servo", "servo", "servo", "engine", "engine"),
-        input_matrix=tuple(map(tuple, inputs)),
+        input_matrix=tuple(map(tuple, np.vstack([JET, np.zeros((2, 5))]))),
     )
-    control = ControlDesign(condition_max=condition_max, priorities=axes)
-    return enumerate_modes(model, np.array([0.1, 0.1, 0.2, 1000.0, 1000.0]), control, ())
+    control = ControlDesign(condition_max=condition_max, priorities=axes, release=release or {})
+    return enumerate_modes(model, JET_SCALE, control, ())
 
 
 def test_what_the_rest_cannot_control_well_is_given_up() -> None:
@@ -71,6 +77,23 @@ def test_what_the_rest_cannot_control_well_is_given_up() -> None:
         (),
     ]
     assert not any(jet()[(i,)].refused for i in range(5))
+
+
+def test_engines_answer_to_thrust_alone_while_surfaces_control_the_rotation() -> None:
+    modes = jet()
+    for failed in ((), (3,)):
+        mode = modes[failed]
+        assert mode.thrust_alone == (False, False, False, True, True)
+        assert jet_inputs() @ mode.inverse == pytest.approx(np.eye(4), abs=1e-9)
+    assert modes[()].inverse[3] == pytest.approx(modes[()].inverse[4]), "both engines alike"
+    assert not modes[(3,)].inverse[3].any()
+
+
+def test_engines_turn_the_aircraft_where_nothing_else_does() -> None:
+    """With yaw kept and no rudder; the aircraft's settings say so."""
+    mode = jet(condition_max=1e9, release={"rudder": ()})[(2,)]
+    assert mode.released == () and not any(mode.thrust_alone)
+    assert mode.inverse[3, 2] == pytest.approx(-mode.inverse[4, 2])
 
 
 def test_axes_that_the_aircraft_does_not_have_stay_given_up() -> None:

@@ -15,6 +15,7 @@ from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
 from testbed.controllers.inversion.bounded_least_squares import bounded_least_squares
 from testbed.controllers.inversion.law import compensate, divisor, invert
+from testbed.controllers.records import U_DOT
 
 
 @compiled
@@ -56,6 +57,8 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
         sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = pressure r - trim_effect,
 
     where pressure is `pressure_ratio` for a servo and 1 for a motor. A weak actuator has lambda_hat times its travel.
+    Actuators that answer to u_dot alone are found first, as if they did not turn the aircraft; then the others, which make up for
+    what they turn.
     """
     for i in range(len(s.r)):
         pressure = pressure_ratio if m.servo[i] else 1.0
@@ -63,10 +66,27 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
         trim = k.trim_effect[i] if k.available[i] else 0.0
         w.low[i], w.high[i] = m.low[i] * lam - trim, m.high[i] * lam - trim
         w.d[i] = s.r[i] * pressure - trim
-        w.g[i] = 0.0
-        for row in range(4):
-            w.g[i] += m.B[row, i] * k.row_weight[row] * nu[row]
+    if k.thrust_alone.any():
+        gradient(nu, True, m, k, w)
+        bounded_least_squares(k.thrust_hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
+        for i in range(len(s.r)):
+            if k.thrust_alone[i]:
+                w.low[i] = w.high[i] = w.d[i]
+    gradient(nu, False, m, k, w)
     bounded_least_squares(k.hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
     for i in range(len(s.r)):
         pressure = pressure_ratio if m.servo[i] else 1.0
         s.r[i] = (k.trim_effect[i] + w.d[i]) / pressure
+        if k.thrust_alone[i]:
+            s.at_stop[i] = 0
+
+
+@compiled
+def gradient(nu, thrust_first, m, k, w):
+    """Fill w.g [n] with B' diag(row_weight) nu; with `thrust_first` as if those that answer to u_dot alone did not turn the
+    aircraft."""
+    for i in range(len(w.g)):
+        w.g[i] = 0.0
+        for row in range(4):
+            if row == U_DOT or not (thrust_first and k.thrust_alone[i]):
+                w.g[i] += m.B[row, i] * k.row_weight[row] * nu[row]

@@ -98,6 +98,11 @@ class ModeSwitch:
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
         b = np.array(setup.model.input_matrix)[:4] * setup.scale
         k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, setup.control.allocation)
+        turning = np.outer([axis != "u_dot" for axis in RATES], mode.thrust_alone)
+        k.thrust_alone[:] = mode.thrust_alone
+        k.thrust_hessian[:] = allocation_of(
+            np.where(turning, 0.0, b), mode.released, setup.control.allocation
+        )[1]
         k.available[:] = [i not in failed for i in range(len(setup.actuators))]
         k.slow_descent = loops.slow_descent_s
         k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s

@@ -30,6 +30,7 @@ class Mode:
             there are more actuators than kept axes. Rows of failed actuators and columns of released axes are zero.
         condition: condition number of the remaining scaled input matrix, kept axes by available actuators.
         refused: why the mode cannot be flown, or empty.
+        thrust_alone: [n] actuators that answer to u_dot alone: engines, while surfaces control all kept rates of rotation.
     """
 
     failed: tuple[str, ...]
@@ -37,6 +38,7 @@ class Mode:
     inverse: np.ndarray
     condition: float
     refused: str = ""
+    thrust_alone: Sequence[bool] = ()
 
     @property
     def title(self) -> str:
@@ -114,11 +116,35 @@ def _mode(
     condition = float(np.linalg.cond(remaining)) if kept else math.inf
     refused = _refusal(len(kept), len(available), condition, control.condition_max)
     inverse = np.zeros((b.shape[1], 4))
-    mode = Mode(names, axes, inverse, condition)
+    alone = _thrust_alone(b, _fast(model), kept, available, control.condition_max)
+    mode = Mode(names, axes, inverse, condition, thrust_alone=tuple(map(bool, alone)))
     if refused:
         return replace(mode, refused=f"{mode.title}: {refused}")
-    inverse[np.ix_(available, kept)] = np.linalg.pinv(remaining)
+    basis = _basis(b[RATES.index("u_dot")] * ("u_dot" not in axes), alone, available)
+    inverse[np.ix_(available, kept)] = basis @ np.linalg.pinv(remaining @ basis)
     return mode
+
+
+def _thrust_alone(
+    b: np.ndarray, fast: np.ndarray, kept: Sequence[int], available: Sequence[int], condition_max: float
+) -> np.ndarray:
+    """[n] which actuators answer to u_dot alone. Differential thrust turns an aircraft too, but an engine takes seconds for it, and
+    a demand that it meets too late is one that it works against."""
+    rotating = [i for i in kept if RATES[i] != "u_dot"]
+    quick = [i for i in available if fast[i]]
+    if len(rotating) > len(quick) or not rotating:
+        return np.zeros(len(fast), bool)
+    enough = bool(np.linalg.cond(b[np.ix_(rotating, quick)]) <= condition_max)
+    return (fast == 0.0) & enough
+
+
+def _basis(thrust: np.ndarray, alone: np.ndarray, available: Sequence[int]) -> np.ndarray:
+    """[available, independent] what is moved independently: each actuator by itself, but those that answer to u_dot alone together,
+    in proportion to their effect on it, `thrust` [n]."""
+    unit = np.eye(len(thrust))[:, ~alone]
+    together = np.where(alone, thrust, 0.0)[:, None]
+    columns = np.hstack([unit, together / max(float(np.linalg.norm(together)), 1e-12)])[list(available)]
+    return columns[:, np.any(columns != 0.0, axis=0)]
 
 
 def _fast(model: DesignModel) -> np.ndarray:
