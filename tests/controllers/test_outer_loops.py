@@ -133,7 +133,8 @@ def test_an_aircraft_that_is_too_fast_for_a_jam_climbs_and_does_not_descend() ->
     m, c, k, s, w = records_of(vtail_setup(WEATHER))
     k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
     k.K[0, 9] = -1.0  # nu of the first row is the altitude error that the regulator sees
-    k.fast_climb, k.airspeed_offset = 0.5, -4.0
+    k.fast_climb = 0.5
+    k.airspeed_high = k.airspeed_too_fast = MODEL.airspeed_m_s - 4.0
     for excess, height, altitude_error in (
         (0.0, 2.0, 2.0),
         (0.4, 2.0, 1.0),

@@ -107,6 +107,25 @@ def given_up(altitude, c, s):
 
 
 @compiled
+def traded(e_height, airspeed, y, c, k, s):
+    """Altitude error [m] to be regulated in place of `e_height`, for the sake of airspeed.
+
+    A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed. Where a jam
+    needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So above the airspeeds at which
+    it can fly level it climbs, and does not descend to its reference.
+
+    Args:
+        airspeed: at which the mode is to be flown [m/s].
+    """
+    e_height += given_up(k.slow_descent * max(airspeed - y.airspeed - k.slow_descent_from, 0.0), c, s)
+    fast = y.airspeed - k.airspeed_too_fast
+    if k.fast_climb > 0.0 and fast > 0.0:
+        share = max(1.0 - 2.0 * fast / c.airspeed_error_max, 0.0)  # of being too high that still counts
+        e_height = min(e_height, 0.0) + share * max(e_height, 0.0) - k.fast_climb * fast
+    return e_height
+
+
+@compiled
 def regulate(y, ref, m, c, k, s, f, nu):
     """Follow the references about the mode's own trim: x_dc_dot = f_m(x) + B_m trim_effect + nu.
 
@@ -118,21 +137,11 @@ def regulate(y, ref, m, c, k, s, f, nu):
     where x_trim has the airspeed, altitude, heading, climb rate and turn rate of the references.
     Fills nu [4] and `s.x_dc_dot` [4].
     """
-    e_speed = clip(y.airspeed - ref.airspeed - k.airspeed_offset, c.airspeed_error_max)
-    e_height = clip(y.altitude - ref.altitude, c.altitude_error_max)
+    airspeed = min(max(ref.airspeed + k.airspeed_offset, k.airspeed_low), k.airspeed_high)
+    e_speed = clip(y.airspeed - airspeed, c.airspeed_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
-    # A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed.
-    slow = ref.airspeed + k.airspeed_offset - y.airspeed
-    e_height += given_up(k.slow_descent * max(slow - k.slow_descent_from, 0.0), c, s)
-    # Where a jam needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So while it is
-    # too fast it climbs, and does not descend to its reference before it is slow.
-    if k.fast_climb > 0.0 and slow < 0.0:
-        e_height = (
-            min(e_height, 0.0)
-            + max(e_height, 0.0) * max(1.0 + 2.0 * slow / c.airspeed_error_max, 0.0)
-            + k.fast_climb * slow
-        )
+    e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), airspeed, y, c, k, s)
     integral = s.integral
     # Nor can it slow down by winding up the integral, with which it would be slow to open the throttle in sinking air.
     if k.fast_climb == 0.0 or e_speed < 0.0 or integral[AIRSPEED_INTEGRAL] < 0.0:

@@ -186,10 +186,11 @@ MODE = (
     Field("thrust_hessian", (_N, _N), "1 per scaled^2", "`hessian` without what those actuators turn"),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
     Field("slow_descent_from", (), "m/s", "missing airspeed at which altitude begins to be given up"),
-    Field(
-        "fast_climb", (), "s", "altitude to gain per m/s above the airspeed of the mode's trim, 0 for none"
-    ),
-    Field("airspeed_offset", (), "m/s", "airspeed of the mode's trim minus that of the reference condition"),
+    Field("fast_climb", (), "s", "altitude to gain per m/s above `airspeed_too_fast`, 0 for none"),
+    Field("airspeed_offset", (), "m/s", "how much faster than its reference the mode is flown"),
+    Field("airspeed_low", (), "m/s", "lowest airspeed that the mode is flown at"),
+    Field("airspeed_high", (), "m/s", "highest airspeed that the mode is flown at"),
+    Field("airspeed_too_fast", (), "m/s", "airspeed above which the mode has no level flight with a margin"),
     Field("r_trim", (_N,), "scaled", "position at the mode's own trim"),
     Field("trim_effect", (_N,), "scaled", "r_trim, of surfaces times (V/V_0)^2 of that trim"),
     Field("x_trim", (_X,), "m/s, rad, rad/s, m", "state at the mode's own trim, by REGULATOR_STATE"),

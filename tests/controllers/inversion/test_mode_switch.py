@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -139,3 +140,29 @@ def test_released_axes_that_leave_no_steady_flight_are_bad_input() -> None:
     limits = [replace(a, low=-1e-9, high=1e-9) for a in SETUP.actuators]
     with pytest.raises(BadInput, match="cannot be flown with these axes released"):
         switch_of(replace(vtail_setup(WEATHER), actuators=limits))
+
+
+def test_another_airspeed_than_the_commanded_one_is_said_once_with_its_reason() -> None:
+    modes, s = switch_of()
+    s.failed[2] = 1
+    modes.switch(7)
+    modes.switch(8)
+    ((step, text),) = modes.reasons
+    height = SETUP.control.loops.lost_thrust_height_m
+    assert step == 7 and f"3.9 m/s faster than commanded, to have {height:.0f} m of altitude" in text
+
+
+def test_after_a_jam_airspeed_stays_where_level_flight_has_a_margin() -> None:
+    modes, s = switch_of()
+    s.failed[0] = s.jammed[0] = 1
+    s.lambda_hat[0] = -math.radians(15.0) / SETUP.scale[0]
+    modes.switch(1)
+    k = modes.record[0]
+    assert k.airspeed_offset == 0.0 and k.airspeed_high < k.airspeed_too_fast < SETUP.model.airspeed_m_s
+    assert (
+        k.airspeed_low <= k.x_trim[0] <= k.airspeed_high and k.fast_climb == SETUP.control.loops.fast_climb_s
+    )
+    assert any("farthest from the stops" in text for _, text in modes.reasons)
+    s.lambda_hat[0] = SETUP.model.trim[0] / SETUP.scale[0]
+    modes.switch(2)
+    assert k.airspeed_low < SETUP.model.airspeed_m_s < k.airspeed_high and k.fast_climb == 0.0

@@ -11,7 +11,13 @@ from vtail_setup import vtail_setup
 
 from testbed.aircraft.design_model import DesignModel
 from testbed.controllers.inversion import mode_trim
-from testbed.controllers.inversion.mode_trim import NoSteadyFlight, margins, steady_flight
+from testbed.controllers.inversion.mode_trim import (
+    NoSteadyFlight,
+    airspeed_range,
+    lost_thrust,
+    margins,
+    steady_flight,
+)
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
 from testbed.controllers.inversion.steady_flights import Remaining, SteadyFlight, at_path_angles, motion
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, PITCH, REGULATOR_STATE, ROLL
@@ -201,3 +207,35 @@ def test_motion_is_that_of_a_point_in_a_steady_turn() -> None:
     assert rates[6:8] == pytest.approx([0.0, 0.0], abs=1e-12)
     assert rates[8] == pytest.approx(rate)
     assert rates[9] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_after_a_jam_airspeed_is_kept_where_level_flight_has_margin() -> None:
+    """Every airspeed of the range has the trim's margin; just outside of it and above `too_fast` there is less."""
+    left = remaining(0, jammed={0: -math.radians(10.0) / SETUP.scale[0]})
+    flight, held = steady_flight(left, LOOPS, "")
+    low, high, too_fast = airspeed_range(left, flight, held)
+    assert 0.55 * V < low <= flight.state[AIRSPEED] <= high < too_fast < V
+
+    def margin(airspeed: float) -> float:
+        return float(margins(left, at_path_angles(left, np.array([airspeed]), np.zeros(1)))[0])
+
+    needed = min(margin(float(flight.state[AIRSPEED])), 1.0)
+    assert min(margin(low), margin(high)) >= needed - 1e-6
+    assert margin(too_fast + 0.5) < 0.3 < margin(too_fast - 0.5)
+
+
+def test_without_a_jam_any_airspeed_is_flown_and_a_mode_that_cannot_hold_it_has_one() -> None:
+    for failed in ((), (0,), (2,)):
+        left = remaining(*failed)
+        assert airspeed_range(left, *steady_flight(left, LOOPS, "")) == (0.0, math.inf, math.inf)
+    left = remaining(0, 1)
+    flight, held = steady_flight(left, LOOPS, "")
+    assert "airspeed" not in held
+    assert airspeed_range(left, flight, held) == (flight.state[AIRSPEED],) * 3
+
+
+def test_a_propeller_that_brakes_is_flown_as_fast_as_a_lost_one() -> None:
+    assert lost_thrust(MODEL, (2,)) and not lost_thrust(MODEL, (0,)) and not lost_thrust(MODEL, (2, 3))
+    flight, held = steady_flight(remaining(3, jammed={3: -0.75}), LOOPS, "")
+    assert held == ("airspeed", "altitude", "heading")
+    assert flight.state[AIRSPEED] == pytest.approx(V + LOOPS.lost_thrust_faster_m_s, abs=0.5)

@@ -8,12 +8,15 @@ from collections.abc import Mapping
 import numpy as np
 
 from testbed.common.signals import RATES
-from testbed.controllers.inversion.mode_trim import NoSteadyFlight
+from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
 from testbed.controllers.records import AIRSPEED, ALPHA, INTEGRALS, PITCH, mode_dtype
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
+
+_WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
 
 
 class ModeSwitch:
@@ -76,6 +79,22 @@ class ModeSwitch:
         if regulator is not None and "altitude" not in regulator.held:
             self._report(step, _cannot_hold_altitude(mode, regulator), once_for=mode.failed)
         self._put_in_force(mode, regulator, failed)
+        if words := self._airspeed_in_words():
+            self._report(
+                step, f"{', '.join(mode.failed)} failed: {words}", once_for=("airspeed", mode.failed)
+            )
+
+    def _airspeed_in_words(self) -> str:
+        """At which airspeed the mode in force is flown, if it is not the commanded one, and why; or empty."""
+        k, v = self.record[0], self._setup.model.airspeed_m_s
+        faster, low, high = float(k.airspeed_offset), float(k.airspeed_low), float(k.airspeed_high)
+        if not k.regulated or (low <= v + faster <= high and faster < _WORTH_SAYING_M_S):
+            return ""
+        if not low <= v + faster <= high:
+            at = f"{low:.1f} m/s" if high - low < 0.1 else f"{low:.1f} to {high:.1f} m/s"
+            return f"flies at {at}, where a steady flight is farthest from the stops"
+        height = ((v + faster) ** 2 - v * v) / (2.0 * GRAVITY_M_S2)
+        return f"flies {faster:.1f} m/s faster than commanded, to have {height:.0f} m of altitude stored as airspeed"
 
     def _note_jams(self, step: int, jammed: Mapping[int, float]) -> None:
         for i, position in jammed.items():
@@ -110,13 +129,25 @@ class ModeSwitch:
         s.pitch_integral = setup.trim_pitch
         s.integral[:] = self._carried_over(mode, regulator)
         k.regulated, k.r_trim[:], k.trim_effect[:], k.airspeed_offset = regulator is not None, 0.0, 0.0, 0.0
+        k.airspeed_low, k.airspeed_high, k.airspeed_too_fast, k.fast_climb = 0.0, math.inf, math.inf, 0.0
         if regulator is not None:
             k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim
             k.trim_effect[:] = regulator.trim_effect
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
-            k.airspeed_offset = regulator.x_trim[AIRSPEED] - setup.model.airspeed_m_s
-        k.fast_climb = loops.fast_climb_s if s.jammed.any() and k.airspeed_offset < 0.0 else 0.0
+            self._choose_airspeed(regulator, failed)
         self.mode = mode
+
+    def _choose_airspeed(self, regulator: Regulator, failed: tuple[int, ...]) -> None:
+        """How the mode's airspeed follows from its reference, and what is done above the airspeeds at which it can be flown."""
+        k, setup = self.record[0], self._setup
+        loops, jammed = setup.control.loops, bool(self._memory[0].jammed.any())
+        k.airspeed_low, k.airspeed_high, k.airspeed_too_fast = regulator.airspeeds
+        beyond = float(regulator.x_trim[AIRSPEED]) - setup.model.airspeed_m_s
+        if not jammed:
+            k.airspeed_offset = beyond
+        elif lost_thrust(setup.model, failed):
+            k.airspeed_offset = loops.lost_thrust_faster_m_s
+        k.fast_climb = loops.fast_climb_s if jammed and beyond < 0.0 else 0.0
 
     def _carried_over(self, mode: Mode, regulator: Regulator | None) -> np.ndarray:
         """[3] integrals of the regulator, with which the part of nu that comes from them stays as it is.

@@ -6,11 +6,14 @@ some airspeeds and path angles balance. So all of them are searched, and the fli
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import math
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from testbed.aircraft.control_design import Loops
+from testbed.aircraft.design_model import DesignModel
 from testbed.controllers.inversion.steady_flights import (
     Remaining,
     SteadyFlight,
@@ -32,9 +35,9 @@ _AIRSPEEDS = np.linspace(0.55, 1.5, 39)  # searched after a jam, in units of the
 _PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if level flight has too little margin
 _MARGIN_OF_LEVEL_FLIGHT = 0.15
 """Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one."""
+_MARGIN_TO_DESCEND = 0.3
+"""Scaled margin that level flight must have after a jam, or the aircraft is too fast: without it nothing is left to descend with."""
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
-_MARGIN_ENOUGH_FOR_LEVEL = 0.6
-"""The same for a level flight. On the way to another airspeed altitude is lost or gained, and near the present one it is held."""
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
 """Scaled margin that is given up in order not to change airspeed by its own amount, or the path angle by 1 rad."""
 
@@ -77,35 +80,73 @@ def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlig
     raise NoSteadyFlight(f"{title}: no steady flight within the stops, level, climbing or descending")
 
 
+class AirspeedRange(NamedTuple):
+    """Airspeeds at which a mode may be flown level [m/s].
+
+    Attributes:
+        low, high: a commanded airspeed is kept between these.
+        too_fast: above this, level flight has no margin.
+    """
+
+    low: float
+    high: float
+    too_fast: float
+
+
+def airspeed_range(left: Remaining, flight: SteadyFlight, held: tuple[str, ...]) -> AirspeedRange:
+    """Airspeeds at which the mode with this trim may be flown.
+
+    After a loss, any. Where airspeed or altitude cannot be held, that of the trim. After a jam, those at which level flight has
+    the margin of the trim, or enough of it.
+    """
+    airspeed = float(flight.state[AIRSPEED])
+    if "airspeed" not in held:
+        return AirspeedRange(airspeed, airspeed, airspeed)
+    if not left.jammed:
+        return AirspeedRange(0.0, math.inf, math.inf)
+    if "altitude" not in held:
+        return AirspeedRange(airspeed, airspeed, airspeed)
+    flights = _level_anywhere(left)
+    margin, airspeeds = margins(left, flights), flights.state[:, AIRSPEED]
+    needed = min(_MARGIN_ENOUGH, float(margins(left, flight.only(np.newaxis))[0])) - 1e-6
+    roomy, flyable = airspeeds[margin >= needed], airspeeds[margin > _MARGIN_TO_DESCEND]
+    too_fast = max(flyable, default=airspeed)
+    fastest = left.model.airspeed_m_s * _AIRSPEEDS[-1]
+    return AirspeedRange(
+        float(min(roomy, default=airspeed)),
+        float(max(roomy, default=airspeed)),
+        math.inf if too_fast >= fastest - 1e-6 else float(max(too_fast, airspeed)),
+    )
+
+
 def _best(flights: SteadyFlight, preference: Preference) -> SteadyFlight | None:
     return flights.only(int(np.argmax(preference(flights)))) if len(flights.state) else None
 
 
 def _after_losses(left: Remaining, loops: Loops) -> Iterator[Attempt]:
     """Attempts in the order in which they are made, when no actuator is jammed: the nearest airspeed is the best."""
-    reference, motors = left.model.airspeed_m_s, _available_motors(left)
+    reference, motor = left.model.airspeed_m_s, _has_motor(left)
     around = reference + np.array([0.0, -2.0, 2.0, -4.0, 4.0, 8.0])
-    if left.available.sum() < 3 or not any(motors):
-        if any(motors):
+    if left.available.sum() < 3 or not motor:
+        if motor:
             yield level(left, around), ("altitude", "heading"), _nearest(reference), 1.0
         yield at_airspeeds(left, around), ("airspeed", "heading"), _nearest(reference), 1.0
         return
-    # An aircraft that has only one motor by design has lost none.
-    lost_thrust = len(motors) > 1 and sum(motors) == 1
-    wanted = reference + (loops.lost_thrust_faster_m_s if lost_thrust else 0.0)
+    wanted = _wanted(left, loops)
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
     flights = at_path_angles(left, faster, np.zeros(5))
     for stop_factor in (1.0, _BEYOND_STOPS):
         yield flights, _EVERYTHING, _nearest(wanted), stop_factor
     yield _level_anywhere(left), _EVERYTHING, _nearest(wanted), 1.0
-    yield _anywhere(left), ("airspeed", "heading"), _roomiest(left), 1.0
+    yield _anywhere(left), ("airspeed", "heading"), _roomiest(left, wanted), 1.0
 
 
 def _after_a_jam(left: Remaining, loops: Loops) -> Iterator[Attempt]:
     """Attempts in the order in which they are made, when an actuator is jammed: the most margin is the best."""
-    preference = _roomiest(left)
+    wanted = _wanted(left, loops)
+    preference = _roomiest(left, wanted)
     if left.available.sum() < 3:
-        if any(_available_motors(left)):
+        if _has_motor(left):
             flights = level(left, left.model.airspeed_m_s * _AIRSPEEDS[::6])
             yield flights, ("altitude", "heading"), preference, 1.0
         flights = at_airspeeds(left, left.model.airspeed_m_s * _AIRSPEEDS)
@@ -113,7 +154,7 @@ def _after_a_jam(left: Remaining, loops: Loops) -> Iterator[Attempt]:
         return
     flights = _level_anywhere(left)
     roomy = flights.only(margins(left, flights) > _MARGIN_OF_LEVEL_FLIGHT)
-    yield roomy, _EVERYTHING, _roomiest(left, _MARGIN_ENOUGH_FOR_LEVEL), 1.0
+    yield roomy, _EVERYTHING, preference, 1.0
     yield _anywhere(left), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
 
@@ -132,13 +173,13 @@ def _nearest(airspeed: float) -> Preference:
     return lambda flights: -np.abs(flights.state[:, AIRSPEED] - airspeed)
 
 
-def _roomiest(left: Remaining, enough: float = _MARGIN_ENOUGH) -> Preference:
-    """Most margin up to `enough`, but not for a large change of airspeed or a steep path."""
+def _roomiest(left: Remaining, wanted: float) -> Preference:
+    """Most margin up to `_MARGIN_ENOUGH`, but not far from the airspeed that is wanted, nor for a steep path."""
 
     def preference(flights: SteadyFlight) -> np.ndarray:
-        change = np.abs(flights.state[:, AIRSPEED] / left.model.airspeed_m_s - 1.0)
+        change = np.abs(flights.state[:, AIRSPEED] - wanted) / left.model.airspeed_m_s
         cost = _MARGIN_FOR_AIRSPEED * change + _MARGIN_FOR_SLOPE * np.abs(path_angles(flights))
-        preferred: np.ndarray = np.minimum(margins(left, flights), enough) - cost
+        preferred: np.ndarray = np.minimum(margins(left, flights), _MARGIN_ENOUGH) - cost
         return preferred
 
     return preference
@@ -159,6 +200,18 @@ def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) ->
     return np.minimum(np.minimum(to_stops, to_stall), to_sideslip) + 1e-9
 
 
-def _available_motors(left: Remaining) -> list[bool]:
-    """For each motor or engine whether it is available."""
-    return [bool(left.available[i]) for i, kind in enumerate(left.model.kinds) if kind != "servo"]
+def lost_thrust(model: DesignModel, failed: Sequence[int]) -> bool:
+    """Whether one motor or engine of several is left. An aircraft that has only one by design has lost none."""
+    motors = [i not in failed for i, kind in enumerate(model.kinds) if kind != "servo"]
+    return len(motors) > 1 and sum(motors) == 1
+
+
+def _wanted(left: Remaining, loops: Loops) -> float:
+    """Airspeed to fly at if there is a trim: the reference, or faster with one motor left."""
+    faster = loops.lost_thrust_faster_m_s if lost_thrust(left.model, left.unused) else 0.0
+    return left.model.airspeed_m_s + faster
+
+
+def _has_motor(left: Remaining) -> bool:
+    """Whether a motor or engine is available."""
+    return any(left.available[i] for i, kind in enumerate(left.model.kinds) if kind != "servo")

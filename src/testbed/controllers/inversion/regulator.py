@@ -18,7 +18,12 @@ from threadpoolctl import threadpool_limits
 from testbed.aircraft.control_design import RegulatorWeights
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
-from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
+from testbed.controllers.inversion.mode_trim import (
+    AirspeedRange,
+    NoSteadyFlight,
+    airspeed_range,
+    steady_flight,
+)
 from testbed.controllers.inversion.modes import Mode
 from testbed.controllers.inversion.steady_flights import Remaining, SteadyFlight
 from testbed.controllers.records import AIRSPEED, ALTITUDE, INTEGRALS, REGULATOR_STATE
@@ -40,6 +45,7 @@ class Regulator:
         K, K_actuator, K_integral: [4, 10], [4, n], [4, 3] gains on state, modelled actuators and integrals.
         eigenvalues: of the designed loop [rad/s].
         held: outputs that follow their references with integral action: some of airspeed, altitude, heading.
+        airspeeds: at which the mode may be flown.
     """
 
     x_trim: np.ndarray
@@ -50,6 +56,7 @@ class Regulator:
     K_integral: np.ndarray
     eigenvalues: np.ndarray
     held: tuple[str, ...]
+    airspeeds: AirspeedRange
 
 
 def linearise(
@@ -131,6 +138,7 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> R
         integral,
         eigenvalues,
         held,
+        airspeed_range(left, flight, held),
     )
 
 

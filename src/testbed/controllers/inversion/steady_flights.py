@@ -63,6 +63,11 @@ class Remaining:
         return np.flatnonzero(self.available)
 
     @property
+    def unused(self) -> list[int]:
+        """Indices of the others."""
+        return np.flatnonzero(self.available == 0.0).tolist()
+
+    @property
     def jammed(self) -> bool:
         """Whether an actuator that is not available has a force."""
         return bool(np.any(self.effective > self.available))
@@ -87,8 +92,8 @@ class SteadyFlight(NamedTuple):
     state: np.ndarray
     positions: np.ndarray
 
-    def only(self, which: np.ndarray | int) -> SteadyFlight:
-        """Those flights, or that flight, of m."""
+    def only(self, which: np.ndarray | int | None) -> SteadyFlight:
+        """Those flights, or that flight, of m; with None (a new axis), one flight as one of m = 1."""
         return SteadyFlight(self.state[which], self.positions[which])
 
 
