@@ -113,6 +113,13 @@ def _search(
         _along_surface(search, random)
 
 
+def search_from(search: Search, failure: np.ndarray, evaluations: int, random: np.random.Generator) -> None:
+    """Search for the failure nearest to the origin from one that is known, with so many evaluations at most."""
+    search.begin(evaluations)
+    search.best = failure
+    _search(search, failure, 2 * CLOSE, 1.0, random)
+
+
 def _refine(search: Search, scale: float, random: np.random.Generator) -> None:
     """Search again, close to the nearest failure of all starts, until that brings it no nearer."""
     before = math.inf
