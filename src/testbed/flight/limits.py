@@ -20,15 +20,13 @@ class Side(NamedTuple):
 
 def sides_of(requirement: Requirement, values: np.ndarray) -> list[Side]:
     """Each limit of a requirement, on the values [rows] of its metric or signal, or of the signal's difference from `of`."""
-    within, at_most, at_least = requirement.within, requirement.at_most, requirement.at_least
-    away = np.abs(values)
-    found = []
-    if within is not None:
-        found.append(Side(away, within - away, requirement.scale_of(within)))
-    if at_most is not None:
-        found.append(Side(values, at_most - values, requirement.scale_of(at_most)))
-    if at_least is not None:
-        found.append(Side(values, values - at_least, requirement.scale_of(at_least)))
+    away, found = np.abs(values), []
+    if requirement.within is not None:
+        found.append(Side(away, requirement.within - away, requirement.scale_of("within")))
+    if requirement.at_most is not None:
+        found.append(Side(values, requirement.at_most - values, requirement.scale_of("at_most")))
+    if requirement.at_least is not None:
+        found.append(Side(values, values - requirement.at_least, requirement.scale_of("at_least")))
     return found
 
 
