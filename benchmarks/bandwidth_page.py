@@ -58,6 +58,10 @@ and all sensors for equally late.""",
 
 As before, with gyro and accelerometer late and the other sensors on time: f_m is that of another moment than the rates. No
 prediction is made for this; that of equally late sensors stands beside it. True value {REMAINS:g}.""",
+    "stops": """\
+## Stops
+
+Mean of the estimate at the end. Prediction: `stop_reading`; the effectiveness is 1 before a stop that the law does not know.""",
 }
 INTRODUCTION = """\
 # Bandwidth and saturation: predictions beside flights
@@ -120,15 +124,20 @@ def table(rows: Sequence[Row]) -> list[str]:
     lines = [f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}"]
     for row in rows:
         cells = (
-            row.what, f"{row.predicted:.3f}", f"{row.ideal:.3f}", relative(row.ideal, row.predicted),
-            f"{row.flown:.3f}", relative(row.flown, row.predicted), f"{row.same_r:.3f}", relative(row.flown, row.same_r),
+            row.what, number(row.predicted), number(row.ideal), relative(row.ideal, row.predicted),
+            number(row.flown), relative(row.flown, row.predicted), number(row.same_r), relative(row.flown, row.same_r),
         )  # fmt: skip
         lines.append(f"| {' | '.join(cells)} |")
     return lines
 
 
+def number(value: float) -> str:
+    return "" if math.isnan(value) else f"{value:.3f}"
+
+
 def relative(measured: float, predicted: float) -> str:
-    return f"{100.0 * (measured / predicted - 1.0):+.1f} %"
+    error = measured / predicted - 1.0
+    return "" if math.isnan(error) else f"{100.0 * error:+.1f} %"
 
 
 def draw(rows: Mapping[str, Sequence[Row]], file: Path) -> None:

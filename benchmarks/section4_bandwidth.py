@@ -30,8 +30,8 @@ from testbed.theory import bandwidth
 from testbed.theory.replay import Behind, replay
 
 DOCS = Path(__file__).parents[1] / "docs"
-SCALE_DEG = 11.459
-"""One scaled unit of a tail [deg]."""
+SCALE_DEG, TRAVEL_DEG = 11.459, 25.8
+"""One scaled unit of a tail, and its stop by the aircraft's file [deg]."""
 MOVING_S = 60.0
 LAGS = (30.0, 10.0, 7.0, 5.0)
 GAMMAS = (4.0, 8.0, 16.0)
@@ -64,9 +64,24 @@ def loss() -> Values:
     return {"type": "effectiveness", "actuator": TAILS[0], "at_s": LOSS_S, "value": REMAINS}
 
 
+def stopped(stop_deg: float) -> Values:
+    """A stop of the left tail that no law knows; or for the one that it knows, a loss that takes it there."""
+    if stop_deg == TRAVEL_DEG:
+        return {"type": "effectiveness", "actuator": TAILS[0], "at_s": LOSS_S, "value": 0.1}
+    return {
+        "type": "position_limit",
+        "actuator": TAILS[0],
+        "at_s": LOSS_S,
+        "low": -stop_deg,
+        "high": stop_deg,
+    }
+
+
 MOVING = [(lag, plain) for plain in (True, False) for lag in LAGS]
 LOSSES = [(gamma, lag) for gamma in GAMMAS for lag in (30.0, 10.0, 5.0)]
 LATE = [(gamma, age) for gamma in GAMMAS for age in AGES]
+STOPS = [(stop_deg, plain) for plain in (True, False) for stop_deg in (2.5, 2.0, TRAVEL_DEG)]
+"""Stops of the left tail, nearer than the law knows, all of them below its trim; the last is the one that it knows."""
 
 
 def flights() -> Iterator[Values]:
@@ -77,6 +92,8 @@ def flights() -> Iterator[Values]:
     for sensors in (ALL, RATES_ALONE):
         for gamma, age in LATE:
             yield {"failures": [loss()], "controller": law(gamma, 0.05, False), **late(age, sensors)}
+    for stop_deg, plain in STOPS:
+        yield {"failures": [stopped(stop_deg)], "controller": law(8.0, 0.05, plain), "duration_s": 120}
 
 
 def fly_and_read(scenario: Scenario) -> Flight:
@@ -137,6 +154,18 @@ def late_row(gamma: float, age: float, record: Record) -> Row:
     return Row(what, x, predicted, ideal_late(gamma, age), found["lowest_same_r"], found["lowest"])
 
 
+def stop_row(stop_deg: float, plain: bool, record: Record) -> Row:
+    known = stop_deg == TRAVEL_DEG
+    what = (
+        "the known stop, after a loss to 0.1"
+        if known
+        else f"a stop at {stop_deg:g} deg that it does not know"
+    )
+    predicted = bandwidth.stop_reading(stop_deg, TRAVEL_DEG) * (0.1 if known else 1.0)
+    name = "plain" if plain else "compensated"
+    return Row(f"{name}, {what}", stop_deg, predicted, math.nan, math.nan, record["metrics"]["reading"])
+
+
 def measured(jobs: int | None) -> dict[str, list[Row]]:
     planned = [(1, values) for values in flights()]
     flown = iter(fly_all(BASE, planned, jobs, "section4_bandwidth:fly_and_read"))
@@ -145,6 +174,7 @@ def measured(jobs: int | None) -> dict[str, list[Row]]:
         "lag": [loss_row(*case, next(flown)) for case in LOSSES],
         "late": [late_row(*case, next(flown)) for case in LATE],
         "mixed": [late_row(*case, next(flown)) for case in LATE],
+        "stops": [stop_row(*case, next(flown)) for case in STOPS],
     }
 
 

@@ -54,13 +54,13 @@ def test_the_last_value_before_the_first_loss_counts() -> None:
 def test_the_page_has_the_errors() -> None:
     row = Row("a condition", 0.1, 0.8, 0.808, 0.79, 0.84)
     text = page(
-        {name: [row] for name in ("moving", "lag", "late", "mixed")},
+        {name: [row] for name in ("moving", "lag", "late", "mixed", "stops")},
         [("b", -1.0, -1.1)],
         {"law": (math.nan, 0.05)},
     )
     assert "| a condition | 0.800 | 0.808 | +1.0 % | 0.840 | +5.0 % | 0.790 | +6.3 % |" in text
     assert "| b | -1.000 | -1.100 | +10.0 % |" in text and "| law | none | 50 ms |" in text
-    assert relative(0.9, 1.0) == "-10.0 %"
+    assert relative(0.9, 1.0) == "-10.0 %" and relative(math.nan, 1.0) == ""
 
 
 def test_bisection_ends_where_it_changes() -> None:

@@ -143,6 +143,18 @@ def test_eq_13_at_a_stop_falls_exponentially_unless_the_stop_is_modelled(demand:
     assert abs(rates[1]) < 1e-12
 
 
+@pytest.mark.parametrize("known", [0.5, 5.0])
+def test_the_fall_at_a_stop_ends_where_allocation_asks_for_no_more(known: float) -> None:
+    """r is at most lambda_hat times the known travel, as allocation has it: the plain law ends at lambda real / known."""
+    real, wanted, estimate = 0.5, 2.0, 1.0
+    loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(8.0, 1e-3, DT), 1.0)
+    loop._models["high"][1] = real
+    for _ in range(3000):
+        r = min(wanted, estimate * known)
+        estimate = float(loop.fly(np.full((1, 4), r), TRUTH).lambda_hat[1, 0])
+    assert estimate == pytest.approx(TRUTH * bandwidth.stop_reading(real, known), rel=1e-3)
+
+
 # Behind an unmodelled first-order lag: x times the truth after a loss to 0.2, a recovery from 0.2.
 LOSSES = {0.5: 0.97, 1.0: 0.84, 2.0: 0.64, 5.0: 0.38}
 RECOVERIES = {0.25: 1.10, 1.0: 6.7}

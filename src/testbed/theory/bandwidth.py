@@ -92,6 +92,12 @@ def saturated_rate(gamma: float, demand: float) -> float:
     return -gamma * (1.0 - 1.0 / demand)
 
 
+def stop_reading(real: float, known: float) -> float:
+    """Where the fall of `saturated_rate` ends with allocation within the stops, which asks for no r beyond lambda_hat times the
+    travel that it knows: at lambda real / known. With a stop that is known this is the truth, for the plain law too."""
+    return real / known
+
+
 def damping(gamma_tau: float) -> float:
     """Damping ratio of the estimate behind an unmodelled first-order lag: 1 / (2 sqrt(gamma kappa tau)). It is always stable."""
     return 0.5 / math.sqrt(gamma_tau)
