@@ -27,6 +27,10 @@ def test_a_glider_is_adopted_by_the_command_line(tmp_path):
     at = aircraft.reference
     found = trim(Plant(aircraft, 200), at.airspeed_m_s, at.altitude_m)
     assert -math.radians(5) < found.state["path_angle"] < 0.0
+    flown = testbed(
+        tmp_path, "run", "SGS/first_flight.yaml", "--set", "duration_s=22", "--set", "requirements=[]"
+    )
+    assert "testbed run SGS/first_flight.yaml" in done.stdout and flown.returncode == 0, flown.stderr
     again = testbed(tmp_path, "adopt", "SGS")
     assert (again.returncode, again.stderr) == (2, "SGS: exists already, expected --out with a new folder\n")
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from testbed.adoption.card import card
 from testbed.adoption.draft import Draft, make_draft, refused
 from testbed.adoption.files import Condition, write_folder, write_yaml
+from testbed.adoption.first_flight import write_first_flight
 from testbed.adoption.losses import Kept, losses
 from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft
@@ -52,6 +53,7 @@ def adopt(source: Source, folder: Path) -> Adopted:
         draft = make_draft(source, Path(scratch) / "bench")
         place = Path(scratch) / folder.name
         write_folder(draft, place, folder.name, version)
+        write_first_flight(draft, place, folder.name)
         aircraft, found = _condition(draft, place, version)
         model = identify(aircraft)
         model.save(place / DESIGN_MODEL)
