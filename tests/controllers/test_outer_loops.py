@@ -188,3 +188,14 @@ def test_altitude_is_given_up_with_a_lag() -> None:
     assert s.given_up == pytest.approx(3.0 * (1.0 - math.exp(-1.0)), rel=1e-2)
     _, c, _, s, _ = records_of(vtail_setup(PAPER))
     assert given_up(3.0, c, s) == 3.0 and given_up(0.0, c, s) == 0.0
+
+
+def test_no_altitude_is_given_up_for_an_airspeed_that_a_jam_asks_for() -> None:
+    """A propeller at full thrust needs 25 m/s. At 18 m/s the airspeed error counts, and the altitude error is zero."""
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
+    k.K[0, 9] = k.K[3, 0] = -1.0
+    k.slow_descent, c.give_up_time, k.airspeed_low = 2.0, 0.0, 25.0
+    k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
+    regulate(trim_state(MODEL), setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+    assert w.nu[0] == 0.0 and w.nu[3] == pytest.approx(-c.airspeed_error_max)

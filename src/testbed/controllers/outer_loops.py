@@ -115,7 +115,7 @@ def traded(e_height, airspeed, y, c, k, s):
     it can fly level it climbs, and does not descend to its reference.
 
     Args:
-        airspeed: at which the mode is to be flown [m/s].
+        airspeed: which is wanted [m/s]. A mode that must be flown faster gives up no altitude for that: it has thrust enough.
     """
     e_height += given_up(k.slow_descent * max(airspeed - y.airspeed - k.slow_descent_from, 0.0), c, s)
     fast = y.airspeed - k.airspeed_too_fast
@@ -137,11 +137,11 @@ def regulate(y, ref, m, c, k, s, f, nu):
     where x_trim has the airspeed, altitude, heading, climb rate and turn rate of the references.
     Fills nu [4] and `s.x_dc_dot` [4].
     """
-    airspeed = min(max(ref.airspeed + k.airspeed_offset, k.airspeed_low), k.airspeed_high)
-    e_speed = clip(y.airspeed - airspeed, c.airspeed_error_max)
+    wanted = min(ref.airspeed + k.airspeed_offset, k.airspeed_high)
+    e_speed = clip(y.airspeed - max(wanted, k.airspeed_low), c.airspeed_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
-    e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), airspeed, y, c, k, s)
+    e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, c, k, s)
     integral = s.integral
     # Nor can it slow down by winding up the integral, with which it would be slow to open the throttle in sinking air.
     if k.fast_climb == 0.0 or e_speed < 0.0 or integral[AIRSPEED_INTEGRAL] < 0.0:

@@ -36,7 +36,7 @@ _PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if leve
 _MARGIN_OF_LEVEL_FLIGHT = 0.15
 """Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one."""
 _MARGIN_TO_DESCEND = 0.3
-"""Scaled margin that level flight must have after a jam, or the aircraft is too fast: without it nothing is left to descend with."""
+"""Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has nothing left to descend with."""
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
 """Scaled margin that is given up in order not to change airspeed by its own amount, or the path angle by 1 rad."""
