@@ -18,7 +18,10 @@ def run(program: str) -> str:
 
 def test_its_names_are_shown_and_there() -> None:
     assert dir(testbed) == ["__version__", "compare", "failure_probability", "fly", "load", "sweep"]
-    assert all(callable(getattr(testbed, name)) for name in ("compare", "failure_probability", "fly", "load", "sweep"))
+    assert all(
+        callable(getattr(testbed, name))
+        for name in ("compare", "failure_probability", "fly", "load", "sweep")
+    )
     assert testbed.__version__ and testbed.__version__[0].isdigit()
     with pytest.raises(AttributeError, match="has no attribute 'land'"):
         testbed.land  # noqa: B018
