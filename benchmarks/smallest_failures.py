@@ -217,14 +217,15 @@ _PAGE = """\
 
 This page says how big the smallest failure is that breaks a requirement, for every type of failure and three controllers.
 
-Made by `benchmarks/smallest_failures.py` from {searches} searches with {flights} flights in all (seed {seed}). The v-tail flies at 18 m/s;
-the actuator fails at {at_s:g} s, and a gust of 2 s comes at 8 s. What is searched is the severity of the failure, if its type has one,
-drawn uniformly from its range, and the gust's velocity north and down, with a standard deviation of {sd} m/s each. A type without a
-severity is flown as its own example has it, and what is left to search is the gust. Broken means an altitude error above 3 m, a heading
-error above 8 deg, or the loss of the aircraft.
+Made by `benchmarks/smallest_failures.py` from {searches} searches with {flights} flights in all (seed {seed}).
+The v-tail flies at 18 m/s; the actuator fails at {at_s:g} s, and a gust of 2 s comes at 8 s. What is searched is the severity
+of the failure, if its type has one, drawn uniformly from its range, and the gust's velocity north and down, with a standard
+deviation of {sd} m/s each. A type without a severity is flown as its own example has it, and what is left to search is the
+gust. Broken means an altitude error above 3 m, a heading error above 8 deg, or the loss of the aircraft.
 
-The number is the distance in standard deviations: larger is better. Behind it is what was found: severity, and gust in m/s towards
-north and down. In the last column are all controllers within 5 % of the largest distance: searches of this length are no more exact.
+The number is the distance in standard deviations: larger is better. Behind it is what was found: severity, and gust in m/s
+towards north and down. In the last column are all controllers within 5 % of the largest distance: searches of this length
+are no more exact.
 
 {table}
 
