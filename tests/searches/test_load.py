@@ -48,8 +48,10 @@ def test_a_nominal_value_is_an_end_of_its_range(tmp_path: Path) -> None:
 
 
 def test_each_option_and_each_variant_is_a_part(tmp_path: Path) -> None:
-    settings = ["compare={controller.type: [adaptive_inversion, pid]}",
-                "vary.failures.0.actuator={choice: [left_ruddervator, left_propeller, stabilator], weights: [1, 3, 0]}"]  # fmt: skip
+    settings = [
+        "compare={controller.type: [adaptive_inversion, pid]}",
+        "vary.failures.0.actuator={choice: [left_ruddervator, left_propeller, right_propeller], weights: [1, 3, 0]}",
+    ]
     plan = load_search(written(tmp_path), settings)
     assert [plan.label(part) for part in plan.parts] == [
         f"{controller}, {actuator}"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 import search_files
-from search_files import BETA, DESIGN, gusty, unbreakable, written
+from search_files import BETA, DESIGN, gusty, searched, written
 from sweep_files import journal_lines, script
 
 import testbed
@@ -25,7 +25,7 @@ def same_bytes(one: Path, other: Path) -> None:
 
 
 def test_the_nearest_failure_is_found_where_it_is_known(tmp_path: Path) -> None:
-    result = testbed.search(written(tmp_path), tmp_path / "out", fly=gusty, jobs=1, figures=False)
+    result = searched(written(tmp_path), tmp_path / "out")
     point = result.summary["parts"][0]["point"]
     assert result.found and result.distance == pytest.approx(BETA, rel=0.02)
     for j, coordinate in enumerate(DESIGN):
@@ -40,15 +40,16 @@ def test_the_nearest_failure_is_found_where_it_is_known(tmp_path: Path) -> None:
 
 
 def test_the_scenario_found_flies_again_to_the_same_log(tmp_path: Path) -> None:
-    testbed.search(written(tmp_path), tmp_path / "out", fly=gusty, jobs=1, figures=False)
+    searched(written(tmp_path), tmp_path / "out")
     again = testbed.load(tmp_path / "out/found").scenario  # type: ignore[union-attr]
     assert gusty(again).data.tobytes() == testbed.load(tmp_path / "out/found").data.tobytes()  # type: ignore[union-attr]
     assert not gusty(again).passed
 
 
+@pytest.mark.slow
 def test_two_workers_and_a_search_that_went_on_give_the_same_bytes(tmp_path: Path) -> None:
     file = written(tmp_path)
-    testbed.search(file, tmp_path / "one", fly=gusty, jobs=1, figures=False)
+    searched(file, tmp_path / "one")
     testbed.search(file, tmp_path / "two", fly=gusty, jobs=2, figures=False)
     same_bytes(tmp_path / "one", tmp_path / "two")
     journal = tmp_path / "two" / "journal.jsonl"
@@ -83,9 +84,9 @@ def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
 
 def test_going_on_flies_only_what_is_missing(tmp_path: Path) -> None:
     file = written(tmp_path)
-    testbed.search(file, tmp_path / "out", fly=gusty, jobs=1, budget=100, figures=False)
+    searched(file, tmp_path / "out", "budget=100")
     before = (tmp_path / "out/journal.jsonl").read_bytes()
-    testbed.search(file, tmp_path / "out", fly=gusty, jobs=1, budget=100, figures=False, resume=True)
+    searched(file, tmp_path / "out", "budget=100", resume=True)
     assert (tmp_path / "out/journal.jsonl").read_bytes() == before
 
 
@@ -96,16 +97,14 @@ def test_going_on_flies_only_what_is_missing(tmp_path: Path) -> None:
 ])  # fmt: skip
 def test_another_search_does_not_go_on_in_its_folder(tmp_path: Path, change: str, words: str) -> None:
     file = written(tmp_path)
-    testbed.search(file, tmp_path / "out", fly=gusty, jobs=1, budget=20, figures=False)
+    searched(file, tmp_path / "out", "budget=20")
     with pytest.raises(BadInput) as refused:
-        testbed.search(file, tmp_path / "out", fly=gusty, jobs=1, settings=[change], resume=True)
+        searched(file, tmp_path / "out", change, resume=True)
     assert words in str(refused.value)
 
 
 def test_what_cannot_be_broken_is_not_found(tmp_path: Path) -> None:
-    result = testbed.search(
-        written(tmp_path), tmp_path / "out", fly=unbreakable, jobs=1, budget=60, figures=False
-    )
+    result = searched(written(tmp_path), tmp_path / "out", "budget=60", fly="unbreakable")
     (part,) = result.summary["parts"]
     assert not result.found and result.distance is None and not (tmp_path / "out/found.yaml").exists()
     # What n draws without a failure allow with 95 % confidence (Clopper and Pearson 1934).
@@ -116,13 +115,29 @@ def test_what_cannot_be_broken_is_not_found(tmp_path: Path) -> None:
 
 
 def test_what_is_broken_at_the_origin_is_refused_and_leaves_nothing(tmp_path: Path) -> None:
-    settings = ["vary.atmosphere.wind_m_s.0={normal: [9, 1]}"]
     with pytest.raises(BadInput, match="the flight at the origin of the search breaks 'held' already"):
-        testbed.search(written(tmp_path), tmp_path / "out", fly=gusty, jobs=1, settings=settings)
+        searched(written(tmp_path), tmp_path / "out", "vary.atmosphere.wind_m_s.0={normal: [9, 1]}")
     assert not (tmp_path / "out").exists()
 
 
+def test_a_variant_that_is_broken_at_the_origin_has_distance_0(tmp_path: Path) -> None:
+    compared = "compare={atmosphere.wind_m_s.2: [0, 1]}"
+    one = searched(written(tmp_path), tmp_path / "one", compared, fly="broken_downwards")
+    assert [variant["distance"] for variant in one.summary["variants"]] == [
+        pytest.approx(BETA, rel=0.02),
+        0.0,
+    ]
+    assert "the flight at the origin breaks 'held' already" in repr(one)
+
+
 def test_flights_without_a_result_are_refused_with_the_reason(tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match="has no result: ValueError: it went wrong"):
+        searched(written(tmp_path), tmp_path / "out", fly="lost")
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.slow
+def test_refused_by_a_worker_too(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="has no result: ValueError: it went wrong"):
         testbed.search(written(tmp_path), tmp_path / "out", fly=search_files.lost, jobs=1)
     assert not (tmp_path / "out").exists()

@@ -5,14 +5,21 @@ from __future__ import annotations
 import math
 import os
 import time
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from sweep_flights import COLUMNS
 
+from testbed import searching
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import Scenario
+from testbed.searches.folder import Store
+from testbed.searches.run import Refused, search_in
+from testbed.searching import SearchResult
+from testbed.sweeps.drawing.builder import Task
+from testbed.sweeps.workers.flying import Flown, Job, fly_task
 
 SEARCH = """\
 name: gusty
@@ -78,6 +85,16 @@ def unbreakable(scenario: Scenario) -> Flight:
     )
 
 
+def broken_downwards(scenario: Scenario) -> Flight:
+    """A flight that does not bear any wind downwards."""
+    flight = gusty(scenario)
+    down = scenario.atmosphere.wind_m_s[2]
+    left = flight.requirements[0]["robustness"] - 5.0 * down
+    return replace(
+        flight, requirements=({**flight.requirements[0], "passed": left >= 0, "robustness": left},)
+    )
+
+
 def lost(scenario: Scenario) -> Flight:
     """No flight at all."""
     raise ValueError("it went wrong")
@@ -87,3 +104,32 @@ def in_its_process(scenario: Scenario) -> Flight:
     """A flight whose metrics tell which process flew it."""
     flight = gusty(scenario)
     return replace(flight, metrics={"process": float(os.getpid())})
+
+
+class Here:
+    """Flies in this process: for tests of what is made of the flights, as starting workers would take longer than all the rest."""
+
+    def __init__(self, job: Job) -> None:
+        self.job = job
+
+    def fly(self, tasks: Sequence[Task]) -> Iterator[tuple[Task, Flown]]:
+        """The tasks in reverse, as no order is promised."""
+        for task in reversed(tasks):
+            yield task, fly_task(self.job, task)
+
+
+def searched(
+    file: Path, folder: Path, *settings: str, fly: str = "gusty", resume: bool = False, figures: bool = False
+) -> SearchResult:
+    """A whole search with made-up flights, flown in this process."""
+    plan, _ = searching.prepare(file, folder, settings)
+    job = Job(plan.plan.builder, f"search_files:{fly}", "none")
+    store = Store(folder, plan, job.fly, resume=resume)
+    try:
+        found = search_in(plan, store, Here(job))
+    except Refused:
+        store.remove()
+        raise
+    finally:
+        store.close()
+    return SearchResult(folder, searching.finish(plan, folder, found, job, figures=figures))

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import queue
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import closing, contextmanager
+from typing import Protocol
 
 from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.run import Options
@@ -13,6 +14,14 @@ from testbed.sweeps.workers import cluster
 from testbed.sweeps.workers.flying import Job
 from testbed.sweeps.workers.pool import Done, default_jobs
 from testbed.sweeps.workers.worker import Child
+
+
+class Flying(Protocol):
+    """What flies batches."""
+
+    def fly(self, tasks: Sequence[Task]) -> Iterable[Done]:
+        """Fly these tasks; yields each as it finishes, in any order."""
+        ...
 
 
 class Workers:

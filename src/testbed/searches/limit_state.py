@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from testbed.searches.flying import Workers
+from testbed.searches.flying import Flying
 from testbed.searches.folder import Store
 from testbed.searches.plan import Part, SearchPlan, key_of
 from testbed.searches.progress import Progress
@@ -25,11 +25,11 @@ class LimitState:
     """
 
     def __init__(
-        self, plan: SearchPlan, part: Part, store: Store, workers: Workers, progress: Progress
+        self, plan: SearchPlan, part: Part, store: Store, flying: Flying, progress: Progress
     ) -> None:
         self.part = part
         self.points: list[tuple[float, ...]] = []
-        self._plan, self._store, self._workers, self._progress = plan, store, workers, progress
+        self._plan, self._store, self._flying, self._progress = plan, store, flying, progress
         self._known: set[tuple[float, ...]] = set()
 
     def __call__(self, u: np.ndarray) -> np.ndarray:
@@ -50,7 +50,7 @@ class LimitState:
             return
         tasks = self._plan.tasks(self.part, np.array(points), len(self.points))
         keys = {task.run: key_of(self.part, point) for task, point in zip(tasks, points, strict=True)}
-        for task, flown in self._workers.fly([t for t in tasks if keys[t.run] not in self._store]):
+        for task, flown in self._flying.fly([t for t in tasks if keys[t.run] not in self._store]):
             self._store.add(keys[task.run], flown.record)
             self._progress.add(self.part, keys[task.run][1], failed(flown.record))
 

@@ -18,7 +18,7 @@ from testbed.reliability import (
     failure_probability,
     smallest_failure,
 )
-from testbed.searches.flying import workers
+from testbed.searches.flying import Flying, workers
 from testbed.searches.folder import Store, write_table
 from testbed.searches.limit_state import LimitState, failed, robustness
 from testbed.searches.plan import Part, SearchPlan
@@ -55,31 +55,35 @@ def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool
     if options.cluster is not None:
         cluster.refuse_dead(options.cluster)  # before the folder is made
     store = _store(folder, plan, job.fly, resume)
-    refused = False
     try:
-        with Progress(plan) as progress, workers(job, options) as flying:
-            states = [LimitState(plan, part, store, flying, progress) for part in plan.parts]
-            try:
-                _refuse_broken(plan, states)
-            except BadInput:
-                refused = True
-                raise
-            found = [_found(plan, state) for state in states]
-        write_table(plan, store, [(state.part, state.points) for state in states])
-        return found
+        with workers(job, options) as flying:
+            return search_in(plan, store, flying)
     except KeyboardInterrupt:
         raise Stopped(_kept(store, "interrupted")) from None
     except OSError as error:
         raise Stopped(_kept(store, f"cannot write: {error.strerror or error}")) from None
+    except Refused:
+        store.remove()
+        raise
     except BadInput as error:
-        if refused:
-            raise
         raise Stopped(_kept(store, str(error))) from None
     finally:
         with suppress(OSError):  # a full disk has been reported above
             store.close()
-        if refused:
-            store.remove()
+
+
+def search_in(plan: SearchPlan, store: Store, flying: Flying) -> list[Found]:
+    """As `run_search`, in an open folder, and with anything that flies batches. Raises Refused for what needs no search."""
+    with Progress(plan) as progress:
+        states = [LimitState(plan, part, store, flying, progress) for part in plan.parts]
+        _refuse_broken(plan, states)
+        found = [_found(plan, state) for state in states]
+    write_table(plan, store, [(state.part, state.points) for state in states])
+    return found
+
+
+class Refused(BadInput):
+    """The flights at the origin fail already, or have no result: there is nothing to search."""
 
 
 def _store(folder: Path, plan: SearchPlan, fly: str, resume: bool) -> Store:
@@ -94,7 +98,7 @@ def _kept(store: Store, why: str) -> str:
 
 
 def _refuse_broken(plan: SearchPlan, states: Sequence[LimitState]) -> None:
-    """Raise BadInput when a flight at the origin has no result, or when each of them breaks a requirement already."""
+    """Raise Refused when a flight at the origin has no result, or when each of them breaks a requirement already."""
     broken, problems = 0, []
     for state in states:
         origin = np.zeros((1, len(state.part.space)))
@@ -110,7 +114,7 @@ def _refuse_broken(plan: SearchPlan, states: Sequence[LimitState]) -> None:
         expected = "a scenario that meets its requirements where distance is 0 (`testbed sweep` counts how often it does)"
         problems.append(Problem(what, plan.name, expected=expected))
     if problems:
-        raise BadInput(problems)
+        raise Refused(problems)
 
 
 def broken_names(plan: SearchPlan, record: dict[str, Any]) -> list[str]:

@@ -6,32 +6,28 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import search_files
 from html_page import Page
-from search_files import written
+from search_files import searched, written
 
-import testbed
 from testbed.flight.flight import Flight, Outcome
 from testbed.reporting.search_page.words import answer, settings_of
 from testbed.scenario.load import load_scenario
 from testbed.searching import SearchResult
 
 
-def searched(folder: Path, *settings: str, fly: str = "gusty") -> SearchResult:
-    return testbed.search(
-        written(folder), folder / "out", fly=getattr(search_files, fly), jobs=1, settings=settings
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> SearchResult:
+    """The smallest failure of made-up flights, with two controllers that do not matter."""
+    folder = tmp_path_factory.mktemp("found")
+    return searched(
+        written(folder), folder / "out", "compare={controller.type: [adaptive_inversion, pid]}", figures=True
     )
 
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory: pytest.TempPathFactory) -> SearchResult:
-    """The smallest failure of made-up flights, with two controllers that do not matter."""
-    return searched(tmp_path_factory.mktemp("found"), "compare={controller.type: [adaptive_inversion, pid]}")
-
-
-@pytest.fixture(scope="module")
 def likely(tmp_path_factory: pytest.TempPathFactory) -> SearchResult:
-    return searched(tmp_path_factory.mktemp("likely"), "goal=probability", "budget=3000")
+    folder = tmp_path_factory.mktemp("likely")
+    return searched(written(folder), folder / "out", "goal=probability", "budget=3000", figures=True)
 
 
 def test_it_is_one_file_that_fetches_nothing(found: SearchResult) -> None:
@@ -68,7 +64,7 @@ def test_a_probability_comes_with_its_interval_and_levels(likely: SearchResult) 
 
 
 def test_nothing_found_says_what_the_draws_allow(tmp_path: Path) -> None:
-    result = searched(tmp_path, "budget=40", fly="unbreakable")
+    result = searched(written(tmp_path), tmp_path / "out", "budget=40", fly="unbreakable", figures=True)
     page = Page((result.folder / "report.html").read_text(encoding="utf-8"))
     assert "Not found in 40 flights." in page.text and "What it takes" not in page.text
 

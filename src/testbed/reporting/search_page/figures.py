@@ -101,6 +101,7 @@ def levels(summary: Summary) -> Figure | None:
             **_style(i),
         )
     axes.set_yscale("log")
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.set(xlabel="robustness", ylabel="probability of at most this")
     axes.axvline(0.0, color="0.35", ls=":")
     axes.grid(alpha=0.3)

@@ -8,7 +8,7 @@ from typing import Any
 
 from testbed.reporting import html
 from testbed.reporting.numbers import number
-from testbed.reporting.search_page.words import answer
+from testbed.reporting.search_page.words import answer, rounded
 
 Summary = Mapping[str, Any]
 
@@ -63,7 +63,7 @@ def _probability(label: str, weight: str, known: Summary, reason: str = "") -> h
         span,
         number(known["coefficient_of_variation"], ".2f"),
     ]
-    return html.row([*cells, known["flights"], number(known["plain_flights"], ".2g"), reason])
+    return html.row([*cells, known["flights"], rounded(known["plain_flights"]), reason])
 
 
 def design_points(summary: Summary) -> Iterator[str]:

@@ -39,7 +39,7 @@ def _probability(variant: Summary) -> str:
     unsure = "" if known["converged"] else " This is not as precise as was asked for."
     return (
         f"{who} requirement is broken with probability {number(known['estimate'], '.2g')} ({span}, 95 %; {cov}), from "
-        f"{known['flights']} flights; plain sampling would need {number(known['plain_flights'], '.2g')}.{unsure}"
+        f"{known['flights']} flights; plain sampling would need {rounded(known['plain_flights'])}.{unsure}"
     )
 
 
@@ -69,15 +69,19 @@ def _bound(part: Summary) -> str:
 def _distance(part: Summary) -> str:
     beyond = part["beyond"]
     rare = (
-        f"about 1 flight in {_round(1.0 / beyond)} is worse" if beyond else "worse ones are beyond counting"
+        f"about 1 flight in {rounded(1.0 / beyond)} is worse" if beyond else "worse ones are beyond counting"
     )
     return f"Distance {part['distance']:.2f} standard deviations; if the limit is flat there, {rare}."
 
 
-def _round(count: float) -> str:
-    """Two digits: 1400, 2.6e+06."""
+def rounded(count: float | None) -> str:
+    """A number of flights with two digits: `1400`, `2.6 million`."""
+    if count is None or not math.isfinite(count) or count <= 0.0:
+        return "-"
     digits = 1 - math.floor(math.log10(count))
-    return f"{round(count, digits):.0f}" if count < 1e6 else f"{count:.1e}"
+    if count < 999_500:
+        return f"{round(count, digits):.0f}"
+    return f"{count / 1e6:.2g} million" if count < 1e8 else f"{count:.1e}"
 
 
 def _more_than_one(summary: Summary) -> Iterator[str]:

@@ -1,0 +1,237 @@
+"""The smallest failure that breaks altitude or heading, for every type of failure and each controller: who needs the bigger one?
+
+    python benchmarks/smallest_failures.py --csv runs/smallest.csv             # minutes; may be stopped and run again
+    python benchmarks/smallest_failures.py --csv runs/smallest.csv --page      # docs/results/smallest_failures.md from the CSV
+
+What is searched is the failure's severity, if its type has one, and a gust five seconds after it. All controllers meet the same
+distributions, so that a larger distance means a larger failure.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from missions import CONTROLLERS
+
+from testbed.aircraft.description import load_aircraft
+from testbed.failures import TABLE as FAILURES
+from testbed.inputs.yaml_source import parse
+from testbed.reliability import smallest_failure
+from testbed.searches.flying import Workers, workers
+from testbed.searches.limit_state import robustness
+from testbed.searches.space import Coordinate, Origin, Space
+from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.sweeps.drawing.distributions import Distribution
+from testbed.sweeps.run import Options
+from testbed.sweeps.workers.flying import Job
+
+PAGE = Path(__file__).parents[1] / "docs" / "results" / "smallest_failures.md"
+COMPARED = ("default", "indi", "fixed_inversion")
+BASE = """\
+name: smallest failure
+aircraft: vtail
+duration_s: 15
+rate_hz: 100
+physics_hz: 200
+initial: {altitude_m: 300, airspeed_m_s: 18, heading_deg: 90}
+atmosphere: {gusts: [{at_s: 8, magnitude_m_s: [0, 0, 0], frame: ned, duration_s: 0.5, hold_s: 2}]}
+requirements:
+  - {metric: altitude_error_max_m, at_most: 3}
+  - {metric: heading_error_max_deg, at_most: 8}
+"""
+FAILURE_S, SEED = 3.0, 90001
+GUST_M_S = 1.3
+"""Standard deviation of the gust's velocity to the north and down."""
+SEVERITIES: dict[str, tuple[str, list[float], Origin]] = {
+    "effectiveness": ("value", [0.0, 1.0], "high"),
+    "command_scale": ("value", [0.0, 1.0], "high"),
+    "decay": ("value", [0.0, 1.0], "high"),
+    "intermittent": ("value", [0.0, 1.0], "high"),
+    "bias": ("value", [0.0, 15.0], "low"),
+    "oscillation": ("amplitude", [0.0, 15.0], "low"),
+    "delay": ("delay_s", [0.0, 0.5], "low"),
+    "lag": ("lag_rad_s", [1.0, 40.0], "high"),
+    "rate_limit": ("value", [0.5, 100.0], "high"),
+}
+"""Key, range, and end without effect of the severity of each type that has one; drawn uniformly."""
+HEAD = (
+    "failure",
+    "actuator",
+    "controller",
+    "distance",
+    "severity",
+    "north_m_s",
+    "down_m_s",
+    "flights",
+    "reason",
+)
+Row = dict[str, Any]
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    options = _parser().parse_args(arguments)
+    rows = read(options.csv)
+    if not options.page:
+        rows += fly(options, {(row["failure"], row["controller"]) for row in rows})
+    PAGE.write_text(page(rows), encoding="utf-8") if options.page else print("\n".join(table(rows)))
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--csv", type=Path, required=True, help="results, kept as they come")
+    parser.add_argument("--failures", default=",".join(name for name in FAILURES if name != "property"))
+    parser.add_argument("--controllers", default=",".join(COMPARED))
+    parser.add_argument("--budget", type=int, default=120, help="most flights of each search")
+    parser.add_argument("--jobs", type=int)
+    parser.add_argument("--page", action="store_true", help=f"write {PAGE.name} from the CSV, without flying")
+    return parser
+
+
+def read(file: Path) -> list[Row]:
+    """The searches of a CSV that have been made."""
+    if not file.is_file():
+        return []
+    with file.open(newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def fly(options: argparse.Namespace, done: set[tuple[str, str]]) -> list[Row]:
+    """Make every search that is missing; each is written as it is done."""
+    file, rows = options.csv, []
+    file.parent.mkdir(parents=True, exist_ok=True)
+    job = Job(
+        Builder(parse(BASE, "smallest failures"), (Variant("", {}),)), save_logs="none", time_limit_s=600.0
+    )
+    with workers(job, Options(options.jobs)) as flying, file.open("a", newline="") as stream:
+        writer = csv.DictWriter(stream, HEAD)
+        if not done:
+            writer.writeheader()
+        for name in options.failures.split(","):
+            for controller in options.controllers.split(","):
+                if (name, controller) not in done:
+                    rows.append(searched(name, controller, flying, options.budget))
+                    writer.writerow(rows[-1])
+                    stream.flush()
+                    print(rows[-1], flush=True)
+    return rows
+
+
+def searched(name: str, controller: str, flying: Workers, budget: int) -> Row:
+    """The smallest failure of one type with one controller."""
+    failure, space = failure_of(name), space_of(name)
+
+    def limit_state(u: np.ndarray) -> np.ndarray:
+        tasks = [
+            Task(i, 0, SEED, {"controller": dict(CONTROLLERS[controller]), "failures": [failure], **values})
+            for i, values in enumerate(space.values(u))
+        ]
+        records = {task.run: flown.record for task, flown in flying.fly(tasks)}
+        return np.array([robustness(records[i]) for i in range(len(u))])
+
+    row: Row = {"failure": name, "actuator": failure["actuator"], "controller": controller}
+    origin = np.zeros((1, len(space)))
+    if limit_state(origin)[0] <= 0.0:
+        return (
+            row
+            | _values(space, origin[0])
+            | {"distance": 0.0, "flights": 1, "reason": "without a gust already"}
+        )
+    found = smallest_failure(limit_state, len(space), seed=SEED, budget=budget, starts=2)
+    values = {} if found.design_point is None else _values(space, found.design_point)
+    return row | values | {"distance": found.distance, "flights": found.evaluations, "reason": found.reason}
+
+
+def failure_of(name: str) -> dict[str, Any]:
+    """The failure as its type's own example has it, of the left ruddervator or, of a type for motors only, propeller."""
+    kind, fields = next(iter(FAILURES[name].examples.items()))  # type: ignore[attr-defined]
+    aircraft = load_aircraft("vtail")
+    actuator = next(n for n, each in aircraft.actuators.items() if each.kind == kind and n.startswith("left"))
+    return {"type": name, "actuator": actuator, "at_s": FAILURE_S, **fields}
+
+
+def space_of(name: str) -> Space:
+    """Severity, if the type has one, and the gust's velocity north and down."""
+    gust = Distribution.model_validate({"normal": [0.0, GUST_M_S]})
+    coordinates = [Coordinate(f"atmosphere.gusts.0.magnitude_m_s.{axis}", gust) for axis in (0, 2)]
+    if name in SEVERITIES:
+        key, ends, origin = SEVERITIES[name]
+        severity = Distribution.model_validate({"uniform": ends})
+        coordinates.insert(0, Coordinate(f"failures.0.{key}", severity, origin))
+    return Space(tuple(coordinates))
+
+
+def _values(space: Space, point: np.ndarray) -> Row:
+    values = list(space.values(point[None])[0].values())
+    return dict(zip(("north_m_s", "down_m_s"), values[-2:], strict=True)) | {
+        "severity": values[0] if len(values) > 2 else ""
+    }
+
+
+def table(rows: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    """Markdown: a line for each type, the distance with each controller, and which needs the biggest failure."""
+    controllers = list(dict.fromkeys(row["controller"] for row in rows))
+    yield f"| failure | actuator | {' | '.join(controllers)} | needs the biggest |"
+    yield f"| --- | --- | {' | '.join('---' for _ in controllers)} | --- |"
+    for name in dict.fromkeys(row["failure"] for row in rows):
+        own = {row["controller"]: row for row in rows if row["failure"] == name}
+        cells = [_cell(own[c]) if c in own else "" for c in controllers]
+        yield f"| `{name}` | {next(iter(own.values()))['actuator']} | {' | '.join(cells)} | {_best(own)} |"
+
+
+def _cell(row: Mapping[str, Any]) -> str:
+    """`2.31 (value 0.12; gust 2.2, -0.4)`."""
+    distance = float(row["distance"])
+    if distance == 0.0:
+        return "0: breaks without a gust"
+    if not math.isfinite(distance):
+        return f"none in {row['flights']}"
+    key = SEVERITIES.get(row["failure"], ("", [], "low"))[0]
+    severity = f"{key} {float(row['severity']):.3g}; " if row["severity"] != "" else ""
+    return f"{distance:.2f} ({severity}gust {float(row['north_m_s']):+.1f}, {float(row['down_m_s']):+.1f})"
+
+
+def _best(own: Mapping[str, Mapping[str, Any]]) -> str:
+    distances = {name: float(row["distance"]) for name, row in own.items()}
+    most = max(distances.values())
+    near = [name for name, distance in distances.items() if distance == most or distance > 0.95 * most]
+    return ", ".join(near) if most > 0.0 else "none"
+
+
+def page(rows: Sequence[Mapping[str, Any]]) -> str:
+    """The page of the documentation."""
+    flights = sum(int(row["flights"]) for row in rows)
+    said = {"searches": len(rows), "flights": flights, "seed": SEED, "at_s": FAILURE_S, "sd": GUST_M_S}
+    return _PAGE.format(**said, table="\n".join(table(rows)))
+
+
+_PAGE = """\
+# Smallest failures
+
+This page says how big the smallest failure is that breaks a requirement, for every type of failure and three controllers.
+
+Made by `benchmarks/smallest_failures.py` from {searches} searches with {flights} flights in all (seed {seed}).
+The v-tail flies at 18 m/s; the actuator fails at {at_s:g} s, and a gust of 2 s comes at 8 s. What is searched is the severity
+of the failure, if its type has one, drawn uniformly from its range, and the gust's velocity north and down, with a standard
+deviation of {sd} m/s each. A type without a severity is flown as its own example has it, and what is left to search is the
+gust. Broken means an altitude error above 3 m, a heading error above 8 deg, or the loss of the aircraft.
+
+The number is the distance in standard deviations: larger is better. Behind it is what was found: severity, and gust in m/s
+towards north and down. In the last column are all controllers within 5 % of the largest distance: searches of this length
+are no more exact.
+
+{table}
+
+Distances of different failures are not to be compared: each has a severity with a range of its own.
+"""
+
+
+if __name__ == "__main__":
+    main()
