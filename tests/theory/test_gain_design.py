@@ -71,9 +71,14 @@ def test_a_reading_moves_the_error_once(paper: TrimmedLaw) -> None:
 
 
 def test_newton_response_is_eq_32(paper: TrimmedLaw) -> None:
-    """A lasting e settles at (B^-1 e) / a; white e has the variance of the discrete law; the loss of half is (22)."""
+    """A lasting e settles where Phi d = e. An e of both sides alike, at which the propellers' constant torque cancels, settles at
+    (B^-1 e) / a, and as white noise it has the variance of the discrete law. The loss of half is (22)."""
     e = np.zeros((8000, 4))
     e[0] = [0.1, -0.2, 0.05, 0.3]
+    assert paper.newton_response(e, 2.0).sum(axis=0) == pytest.approx(
+        np.linalg.solve(paper.regressor, e[0]), rel=1e-6
+    )
+    e[0] = [0.0, -0.2, 0.0, 0.3]
     response = paper.newton_response(e, 2.0)
     n_over_a = np.array(paper.model.B_inv) @ e[0] / paper.positions
     assert response.sum(axis=0) == pytest.approx(n_over_a, rel=1e-6)

@@ -60,8 +60,13 @@ def _value(value: Any) -> str:
 def _sentences(found: Design) -> Iterator[str]:
     yield f"{found.scenario.name}: level flight at {found.scenario.initial.airspeed_m_s:g} m/s"
     yield from _table(found.actuators)
+    often = (
+        f"{found.false_alarms_per_hour:.2g} an hour"
+        if math.isfinite(found.false_alarms_per_hour)
+        else "at once"
+    )
     yield (
-        f"false alarms: {found.false_alarms_per_hour:.2g} an hour with actuators at {found.tolerance.keep:g} "
+        f"false alarms: {often} with actuators at {found.tolerance.keep:g} "
         f"({found.tolerance.false_alarms_per_hour:g} tolerated)"
     )
     rates = zip(RATES, found.disturbance, strict=True)

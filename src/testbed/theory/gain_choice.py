@@ -29,6 +29,7 @@ _PERSISTENCES_S = (0.05, 0.1, 0.2, 0.5)
 _ANSWER_S = 30.0  # how long an estimate is followed after an error
 _FINEST, _COARSEST = 0.1, 0.5
 """Least and largest epsilon over the position at the trim: a transient that takes a below epsilon slows the estimate."""
+_HOPELESS = 0.05
 _ROOM = 0.7  # largest lower bound of the estimates, over the threshold
 _ROUND = 3  # digits of a setting
 
@@ -126,6 +127,11 @@ class Candidate:
             )
         return found
 
+    def judged(self, of: np.ndarray) -> np.ndarray:
+        """[n] those of the actuators `of` [n] for which a gain can be chosen: no errors that last can bring them to zero."""
+        hopeful = of & (self.middle > _HOPELESS)
+        return hopeful if hopeful.any() else of
+
     @property
     def middle(self) -> np.ndarray:
         """[n] lowest estimate over the truth that errors which last are expected to cause."""
@@ -172,8 +178,8 @@ def choose(law: TrimmedLaw, errors: Errors, tolerance: Tolerance) -> Chosen:
         name: np.stack([getattr(each, name)[..., i] for i, (each, _, _) in enumerate(every)], axis=-1)
         for name in ("parts", "noise", "offset", "bias", "rates")
     }
-    share = _share(np.array([each.middle[i] for i, (each, _, _) in enumerate(every)]))
     joint = Candidate(math.nan, **whole)
+    share = _share(joint.middle[joint.judged(np.ones(errors.n, dtype=bool))])
     threshold = _rounded(share * tolerance.keep)
     gains = {group: each.gain for group, (each, _, _) in picked.items()}
     settings = {"threshold": threshold, "persistence_s": persistence}
@@ -205,12 +211,12 @@ def _first_tolerable(
     """The first candidate that is tolerable for the actuators `of` [n], its persistence [s], and whether there is one."""
     tolerated = tolerance.false_alarms_per_hour / 3600.0 / len(of)
     for candidate in candidates:
-        allowed = _allowed(candidate.offset[of], tolerance)
-        if np.any(candidate.noise[of] > allowed):
+        judged = candidate.judged(of)
+        if np.any(candidate.noise[judged] > _allowed(candidate.offset[judged], tolerance)):
             continue
-        share = _share(candidate.middle[of])
+        share = _share(candidate.middle[judged])
         for persistence in _PERSISTENCES_S:
-            if np.all(candidate.alarms(law.setup.dt_s, persistence, share)[of] <= tolerated):
+            if np.all(candidate.alarms(law.setup.dt_s, persistence, share)[judged] <= tolerated):
                 return candidate, persistence, True
     return candidate, _PERSISTENCES_S[-1], False
 
@@ -267,7 +273,7 @@ def _newton_settings(
     )
     epsilon = {}
     for kind in gamma:
-        of = [i for i, one in enumerate(kinds) if one == kind]
+        of = joint.judged(np.array([one == kind for one in kinds]))
         epsilon[kind] = _rounded(
             max(min(finest[of].max(), _COARSEST * np.abs(law.positions[of]).min()), 1e-3)
         )

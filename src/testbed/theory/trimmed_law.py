@@ -15,7 +15,6 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy.signal import lfilter
 
 from testbed.common.signals import STATE, as_records
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
@@ -27,7 +26,7 @@ from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
 from testbed.sensors.channels import CHANNELS
 from testbed.sensors.measurement import derive
-from testbed.theory.trimmed_steps import filter_error, follow, follow_loss, settle
+from testbed.theory.trimmed_steps import filter_error, follow, follow_loss, follow_newton, settle
 
 _NAMES = tuple(channel.name for channel in CHANNELS)
 _CONVERGING_S = 30.0
@@ -103,12 +102,15 @@ class TrimmedLaw:
     def newton_response(self, e: np.ndarray, gamma: float) -> np.ndarray:
         """[steps, n] change of the estimates of (13) for a change e [steps, 4] of the measured error, linearised about 1.
 
-        The recursion of the law's own step at a held position beyond epsilon: d+ = (1 - gamma dt) d + gamma dt (B^-1 e) / a.
+        The recursion of the law's own step at a held position beyond epsilon: d+ = d + gamma dt B^-1 (e - Phi d) / a. With no
+        more actuators than rates B^-1 Phi is diag(a), and each estimate is a first-order lag.
         """
-        x = self.filtered(e) @ np.array(self.model.B_inv).T / self.force
+        inverse = np.array(self.model.B_inv) / self.force[:, None]
+        x = self.filtered(e) @ inverse.T
         step = gamma * self.setup.dt_s
-        found: np.ndarray = lfilter([step], [1.0, step - 1.0], x, axis=0)
-        return found
+        out = np.empty_like(x)
+        follow_newton(step * x, np.eye(len(inverse)) - step * inverse @ self.regressor, out)
+        return out
 
     @cached_property
     def force(self) -> np.ndarray:

@@ -38,6 +38,17 @@ def follow(e, z, phi, P_h, m, c, s, out):
 
 
 @compiled
+def follow_newton(x, transition, out):
+    """out[k] = transition out[k-1] + x[k], from zero; all [steps, n], transition [n, n]."""
+    for k in range(len(x)):
+        for i in range(x.shape[1]):
+            out[k, i] = x[k, i]
+            if k > 0:
+                for j in range(x.shape[1]):
+                    out[k, i] += transition[i, j] * out[k - 1, j]
+
+
+@compiled
 def follow_loss(truth, ratio, phi_0, force, w, m, c, s, out, flagged):
     """Estimates [steps, n] and flags [steps, n] while references hold the forces of the trimmed flight.
 
