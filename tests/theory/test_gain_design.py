@@ -13,7 +13,8 @@ from testbed.controllers.config import PerKind
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import Scenario, changed, load_scenario
 from testbed.theory import noise
-from testbed.theory.gain_design import Design, law_of
+from testbed.theory.gain_choice import Chosen, Errors, Tolerance, choose
+from testbed.theory.gain_design import law_of
 from testbed.theory.ideal import first_order
 from testbed.theory.trimmed_law import TrimmedLaw
 
@@ -40,6 +41,11 @@ def estimates(flown: Scenario, after_s: float) -> np.ndarray:
     columns = [f"{name}_effectiveness_estimate" for name in NAMES]
     found: np.ndarray = log.loc[log.time_s > after_s, columns].to_numpy()
     return found
+
+
+def chosen(at: Scenario, **tolerance: float) -> Chosen:
+    law = law_of(at)
+    return choose(law, Errors.of(law, at), Tolerance(**tolerance))
 
 
 @pytest.fixture(scope="module")
@@ -108,9 +114,8 @@ def test_model_error_at_another_airspeed_is_predicted_as_flown() -> None:
             controller__model_error=error,
             duration_s=45,
         )
-        found = design(at, deviation=0.9)
         flown = estimates(at, 40.0).mean(axis=0)
-        predicted = 1.0 + np.array([one.bias for one in found.actuators])
+        predicted = 1.0 + chosen(at).bias
         assert flown == pytest.approx(predicted, rel=2e-3)
         assert abs(predicted[0] - 1.0) > 0.04
 
@@ -126,40 +131,37 @@ def test_white_noise_in_flight_is_within_a_quarter_of_the_prediction() -> None:
     predicted = noise.deviation(noise.shape(law.positions, 2.0, s), 2.0 * law.setup.dt_s)
     flown = (1.0 / estimates(at, 10.0)).std(axis=0)
     assert flown == pytest.approx(predicted, rel=0.25)
-    found = design(at, deviation=0.08)
-    assert found.possible and {one.noise <= 0.08 for one in found.actuators} == {True}
-    designed = changed(
-        at, {"controller.gamma": found.controller["gamma"], "controller.epsilon": found.controller["epsilon"]}
-    )
+    found = chosen(at, deviation=0.08)
+    assert found.noise.max() <= 0.08
+    designed = changed(at, {f"controller.{key}": found.settings[key] for key in ("gamma", "epsilon")})
     flown = (1.0 / estimates(designed, 10.0)).std(axis=0)
-    assert flown == pytest.approx([one.noise for one in found.actuators], rel=0.25)
+    assert flown == pytest.approx(found.noise, rel=0.25)
 
 
-def gamma_of(found: Design, kind: str) -> float:
-    return float(found.controller["gamma"][kind])
+def gamma_of(found: Chosen, kind: str) -> float:
+    return float(found.settings["gamma"][kind])
 
 
 def test_gamma_goes_as_one_over_the_intensity() -> None:
     """nu = 2 r^2 / (gamma s): four times the intensity, a quarter of gamma; and T x variance is the invariant."""
     quiet, loud = (
-        design(scenario(sensors={"accelerometer": {"noise_m_s2_rthz": density}})) for density in (0.3, 0.6)
+        chosen(scenario(sensors={"accelerometer": {"noise_m_s2_rthz": density}})) for density in (0.3, 0.6)
     )
     assert gamma_of(loud, "motor") == pytest.approx(gamma_of(quiet, "motor") / 4.0, rel=0.25)  # of a grid
     assert gamma_of(loud, "servo") < gamma_of(quiet, "servo")
+    law = law_of(scenario())
     for found, density in ((quiet, 0.3), (loud, 0.6)):
-        law = law_of(found.scenario)
         s = float(law.model.B_inv[2, 3]) ** 2 * noise.one_sided_intensity(density)
-        one = found.actuators[2]
-        wanted = noise.time_times_variance(law.positions[2], s)
-        assert one.convergence_s * one.noise**2 == pytest.approx(float(wanted), rel=0.05)
-        assert found.controller["epsilon"]["motor"] <= law.positions[2]
+        wanted = float(noise.time_times_variance(law.positions[2], s))
+        assert noise.convergence_time(found.rates[2]) * found.noise[2] ** 2 == pytest.approx(wanted, rel=0.05)
+        assert found.settings["epsilon"]["motor"] <= law.positions[2]
 
 
 def test_without_noise_the_actuators_limit_gamma() -> None:
     """A quarter of the slowest corner; and the settings are some that the scenario takes."""
     found = design(scenario())
     assert found.possible and not found.advice
-    assert gamma_of(found, "servo") == pytest.approx(28.73 / 4.0, rel=1e-3)
+    assert found.controller["gamma"]["servo"] == pytest.approx(28.73 / 4.0, rel=1e-3)
     assert found.controller["threshold"] == 0.1
     assert all(one.detection_s < 1.0 and one.deviation == 0.0 for one in found.actuators)
     assert changed(found.scenario, {"controller": dict(found.controller)}).controller.gamma == PerKind(
@@ -171,14 +173,15 @@ def test_the_default_law_gets_a_process_noise() -> None:
     """The more the sensors err the smaller it is, and the slower the estimates."""
     default = {"type": "adaptive_inversion"}
     quiet, loud = (
-        design(scenario(controller=default, sensors={"accelerometer": {"noise_m_s2_rthz": density}}))
+        chosen(scenario(controller=default, sensors={"accelerometer": {"noise_m_s2_rthz": density}}))
         for density in (0.05, 1.0)
     )
     key = "process_noise_per_root_s"
-    assert loud.controller[key] < quiet.controller[key]
-    assert loud.actuators[2].convergence_s > quiet.actuators[2].convergence_s
-    assert quiet.disturbance[3] == pytest.approx(0.05 / math.sqrt(2.0), rel=1e-6)
-    changed(quiet.scenario, {"controller": dict(quiet.controller)})
+    assert loud.settings[key] < quiet.settings[key]
+    assert loud.rates[2] < quiet.rates[2]
+    changed(scenario(), {"controller": dict(quiet.settings)})
+    found = design(scenario(controller=default))
+    assert found.possible and all(one.detection_s < 1.0 for one in found.actuators)
 
 
 def test_what_cannot_be_had_is_said_with_what_would_help() -> None:

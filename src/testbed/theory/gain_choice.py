@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from testbed.controllers.config import PerKind
 from testbed.scenario.load import Scenario
 from testbed.theory.error_sources import ErrorSource, known_offset, sources
 from testbed.theory.false_alarms import false_alarm_rate
@@ -28,7 +27,8 @@ _SLOWEST, _GAMMAS = 0.1, 40
 _PROCESS_NOISE, _NOISES = (0.5, 0.005), 10
 _PERSISTENCES_S = (0.05, 0.1, 0.2, 0.5)
 _ANSWER_S = 30.0  # how long an estimate is followed after an error
-_FINEST = 0.1  # least epsilon over the position at the trim
+_FINEST, _COARSEST = 0.1, 0.5
+"""Least and largest epsilon over the position at the trim: a transient that takes a below epsilon slows the estimate."""
 _ROOM = 0.7  # largest lower bound of the estimates, over the threshold
 _ROUND = 3  # digits of a setting
 
@@ -138,13 +138,11 @@ class Chosen:
 
     Attributes:
         settings: keys of the scenario's `controller`.
-        changes: the same as arguments of `TrimmedLaw.settings_record`.
         met: [n] whether noise and false alarms are tolerable for each actuator.
         middle: [n] as `Candidate.middle`.
     """
 
     settings: Mapping[str, Any]
-    changes: Mapping[str, Any]
     parts: np.ndarray
     noise: np.ndarray
     offset: np.ndarray
@@ -160,7 +158,7 @@ def choose(law: TrimmedLaw, errors: Errors, tolerance: Tolerance) -> Chosen:
 
     Where no gain is tolerable it is the smallest that is tried.
     """
-    newton = law.settings.estimation == "newton"
+    newton = law.newton
     kinds = ["servo" if kind == "servo" else "motor" for kind in law.setup.model.kinds]
     groups = [kind for kind in ("servo", "motor") if kind in kinds] if newton else ["every"]
     candidates = _newton_candidates if newton else _weighted_candidates
@@ -184,20 +182,16 @@ def choose(law: TrimmedLaw, errors: Errors, tolerance: Tolerance) -> Chosen:
         if law.settings.lambda_min > _ROOM * threshold:
             settings["lambda_min"] = _rounded(_ROOM * threshold)
     else:
-        settings = {"process_noise_per_root_s": _rounded(gains["every"]), **settings}
-    changes: dict[str, Any] = {
-        key: PerKind.model_validate(value) if key in ("gamma", "epsilon") else value
-        for key, value in settings.items()
-    }
-    changes["ablate"] = ()  # its detections are those of a law with a monitor
-    if not newton:
-        changes["propeller_threshold"] = None
+        settings = {
+            "process_noise_per_root_s": _rounded(gains["every"]),
+            **settings,
+            "propeller_threshold": threshold,
+        }
     head: dict[str, Any] = {"type": "adaptive_inversion"}
     if newton:
         head["preset"] = "paper"
     return Chosen(
         settings={**head, **settings},
-        changes=changes,
         middle=joint.middle,
         met=np.array([met for _, _, met in every]),
         false_alarms_per_s=float(joint.alarms(law.setup.dt_s, persistence, share).sum()),
@@ -268,11 +262,15 @@ def _newton_settings(
 ) -> dict[str, Any]:
     """gamma and epsilon of each kind of actuator; a kind that the aircraft lacks has those of the other."""
     gamma = {kind: _rounded(gain) for kind, gain in gains.items()}
-    finest = np.clip(joint.noise / _allowed(joint.offset, tolerance), _FINEST, 1.0) * np.abs(law.positions)
+    finest = np.clip(joint.noise / _allowed(joint.offset, tolerance), _FINEST, _COARSEST) * np.abs(
+        law.positions
+    )
     epsilon = {}
     for kind in gamma:
         of = [i for i, one in enumerate(kinds) if one == kind]
-        epsilon[kind] = _rounded(max(min(finest[of].max(), np.abs(law.positions[of]).min()), 1e-3))
+        epsilon[kind] = _rounded(
+            max(min(finest[of].max(), _COARSEST * np.abs(law.positions[of]).min()), 1e-3)
+        )
     for settings in (gamma, epsilon):
         for kind in ("servo", "motor"):
             settings.setdefault(kind, next(iter(settings.values())))

@@ -5,7 +5,7 @@ For the paper's law (13), with s_i the noise of actuator i, a_i its position at 
 1. gamma is the largest with which noise moves no estimate by more than the tolerated deviation, and no monitor is expected to flag
    a working actuator more often than tolerated. It is never above what the control step, the sensors' delay and the slowest
    actuator allow.
-2. epsilon is the position below which the same gamma would exceed the deviation, and no more than |a_i|.
+2. epsilon is the position below which the same gamma would exceed the deviation, and no more than |a_i| / 2.
 3. The threshold is half the effectiveness that must not be flagged, or less where errors that last bring the estimate that low.
 
 The default law's gain is its process noise, in place of gamma: the random walk of effectiveness that its Kalman filter expects.
@@ -30,11 +30,9 @@ from testbed.scenario.load import Scenario, changed, load_scenario
 from testbed.simulation import start_and_setup
 from testbed.theory.gain_choice import Chosen, Errors, Tolerance, choose
 from testbed.theory.gain_verdict import ActuatorDesign, advice, shortcomings
+from testbed.theory.loss_flights import Found, found_after_loss
 from testbed.theory.noise import convergence_time
 from testbed.theory.trimmed_law import TrimmedLaw
-
-_LOSS_S = 20.0
-"""How long a total loss is followed until its flag."""
 
 
 @dataclass(frozen=True)
@@ -125,7 +123,11 @@ def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
     law = law_of(scenario)
     errors = Errors.of(law, scenario)
     chosen = choose(law, errors, tolerance)
-    actuators = tuple(_actuator(i, law, errors, chosen) for i in range(len(law.positions)))
+    settings = {key: value for key, value in chosen.settings.items() if key not in ("type", "preset")}
+    actuators = tuple(
+        _actuator(i, law, errors, chosen, found_after_loss(scenario, settings, name))
+        for i, name in enumerate(law.setup.model.actuators)
+    )
     intensity = sum((source.intensity(law.setup.dt_s) for source in errors.sources), np.zeros((4, 4)))
     return Design(
         scenario,
@@ -139,7 +141,7 @@ def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
     )
 
 
-def _actuator(i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen) -> ActuatorDesign:
+def _actuator(i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen, found: Found) -> ActuatorDesign:
     kind = law.setup.model.kinds[i]
     parts = chosen.parts[:, i]
     order = np.argsort(-parts)
@@ -150,8 +152,8 @@ def _actuator(i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen) -> Actuat
         noise=float(chosen.noise[i]),
         offset=float(chosen.offset[i]),
         bias=float(chosen.bias[i]),
-        convergence_s=convergence_time(float(chosen.rates[i])),
-        detection_s=law.detection_s(i, _LOSS_S, **chosen.changes),
+        convergence_s=convergence_time(float(chosen.rates[i])) if law.newton else found.convergence_s,
+        detection_s=found.detection_s,
         met=bool(chosen.met[i]),
         shares=tuple((errors.sources[k].name, float(parts[k])) for k in order if parts[k] > 0.0),
     )

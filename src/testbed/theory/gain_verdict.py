@@ -19,8 +19,9 @@ class ActuatorDesign:
         noise: standard deviation of its estimate by errors that change within a flight [1].
         offset: the same by errors that last [1].
         bias: what the design model's own error here, and known biases, add to its estimate [1].
-        convergence_s: until 5 % of the first error are left: three time constants.
-        detection_s: from its total loss to its flag, without noise, other forces held; NaN if it is not flagged.
+        convergence_s: until 5 % of the first error are left, three time constants: by (22), for the default law in a flight
+            without noise.
+        detection_s: from its total loss to its flag in a flight without noise; NaN if it is not flagged.
         met: whether a gain was found whose noise and false alarms are tolerable.
         shares: standard deviation by each error, the largest first.
     """
@@ -86,6 +87,8 @@ def _shortcomings(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
 
 def _advice(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
     factor = _short_by(one, tolerance)
+    if math.isnan(one.detection_s) and one.shares:
+        yield f"a higher gain, for which {one.shares[0][0]} must be less, or the position at the trim larger"
     if factor <= 1.0:
         return
     yield (
@@ -103,5 +106,9 @@ def _advice(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
 def _short_by(one: ActuatorDesign, tolerance: Tolerance) -> float:
     """By what the position would have to be larger, 1 or less if it suffices: deviations go with 1/a, T x variance with 1/a^2."""
     lasting = max(one.offset / tolerance.deviation, OFFSETS * one.offset - min(one.bias, 0.0))
-    slow = math.sqrt(one.convergence_s / tolerance.within_s) if tolerance.within_s else 0.0
+    slow = (
+        math.sqrt(one.convergence_s / tolerance.within_s)
+        if tolerance.within_s and not math.isnan(one.convergence_s)
+        else 0.0
+    )
     return max(lasting, slow, 0.0 if one.met else one.deviation / tolerance.deviation)

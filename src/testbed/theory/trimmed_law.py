@@ -59,6 +59,11 @@ class TrimmedLaw:
         """Control rate."""
         return 1.0 / self.setup.dt_s
 
+    @property
+    def newton(self) -> bool:
+        """Whether the estimator is the paper's (13)."""
+        return self.settings.estimation == "newton"
+
     @cached_property
     def model(self) -> np.record:
         """m."""
@@ -154,11 +159,6 @@ class TrimmedLaw:
         positions = np.where(self.positions == 0.0, _FEW, self.positions)
         follow_loss(truth, self.pressure_ratio, phi, positions, w, self.model, c, s, out, flagged)
         return out[:, actuator], flagged[:, actuator]
-
-    def detection_s(self, actuator: int, seconds: float, **changes: Any) -> float:
-        """Time from a total loss to the flag, without noise [s]; NaN if there is none within `seconds`."""
-        _, flagged = self.loss(actuator, 0.0, seconds, **changes)
-        return float(np.argmax(flagged > 0) + 1) * self.setup.dt_s if flagged.any() else math.nan
 
     def rates(self, **changes: Any) -> np.ndarray:
         """[n] one over the time in which each estimate has found 63 % of a loss of half [1/s]."""

@@ -1,0 +1,81 @@
+"""Gains of `testbed design`, pasted into scenarios and flown, for `section4_noise`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from flights import Record
+from section4_flights import error, head, measured, row, with_values
+
+from testbed import design
+from testbed.theory.gain_design import Design
+
+EVERY = {
+    "accelerometer": {"noise_m_s2_rthz": 0.1},
+    "gyro": {"noise_deg_s_rthz": 0.01},
+    "alpha": {"noise_deg_rthz": 0.03},
+    "beta": {"noise_deg_rthz": 0.01},
+}
+DESIGNS: list[tuple[str, str, dict[str, Any], float]] = [
+    ("paper", "accelerometer 0.3 m/s2/rtHz", {"sensors.accelerometer.noise_m_s2_rthz": 0.3}, 0.1),
+    ("paper", "accelerometer 0.3 m/s2/rtHz", {"sensors.accelerometer.noise_m_s2_rthz": 0.3}, 0.2),
+    ("paper", "gyro 0.03 deg/s/rtHz", {"sensors.gyro.noise_deg_s_rthz": 0.03}, 0.02),
+    ("paper", "alpha 0.03 deg/rtHz", {"sensors.alpha.noise_deg_rthz": 0.03}, 0.02),
+    ("paper", "all of these", {"sensors": EVERY}, 0.05),
+    ("paper", "turbulence, W20 1 m/s", {"atmosphere.turbulence_w20_m_s": 1.0}, 0.1),
+    ("default", "accelerometer 0.3 m/s2/rtHz", {"sensors.accelerometer.noise_m_s2_rthz": 0.3}, 0.05),
+    ("default", "alpha 0.1 deg/rtHz", {"sensors.alpha.noise_deg_rthz": 0.1}, 0.02),
+    ("default", "turbulence, W20 3 m/s", {"atmosphere.turbulence_w20_m_s": 3.0}, 0.05),
+]  # fmt: skip
+"""Law, errors in words and as settings, tolerated deviation."""
+FAILED_S = 200.0
+
+
+def design_rows(quick: bool, seeds: int, jobs: int | None) -> Iterator[str]:
+    """Design, paste, fly with each kind of actuator at half and lost at 60 s; compare with the predictions."""
+    yield from head(
+        "law", "errors", "tolerated", "gain", "actuator", "deviation: predicted", "flown", "error", "converges: predicted [s]",
+        "flown [s]", "error", "flagged: predicted [s]", "flown [s]", "error",
+    )  # fmt: skip
+    cases, flights = [], []
+    for law, words, values, tolerated in DESIGNS[::3] if quick else DESIGNS:
+        plain = {"type": "adaptive_inversion", **({"preset": "paper"} if law == "paper" else {})}
+        found = design(with_values({"controller": plain, **values}), deviation=tolerated)
+        cases.append((law, words, tolerated, found))
+        block = dict(found.controller)
+        wide = {"lambda_min": 0.01, "lambda_max": 10.0} if law == "paper" else {}
+        for actuator in ("left_ruddervator", "left_propeller"):
+            for left in (0.5, 0.0):
+                failure = {"type": "effectiveness", "actuator": actuator, "at_s": FAILED_S, "value": left}
+                flights.append(
+                    {**values, "controller": {**wide, **block}, "failures": [failure], "duration_s": 220}
+                )
+    records = measured(flights, seeds, jobs)
+    for k, (law, words, tolerated, found) in enumerate(cases):
+        yield from _design_rows(law, words, tolerated, found, records[4 * k : 4 * k + 4])
+
+
+def _design_rows(
+    law: str, words: str, tolerated: float, found: Design, flown: Sequence[Sequence[Record]]
+) -> Iterator[str]:
+    gains = found.controller.get("gamma", {"every": found.controller.get("process_noise_per_root_s")})
+    every = [record["metrics"] for records in flown for record in records]
+    for kind, i, of in (("tail", 0, flown[:2]), ("propeller", 2, flown[2:])):
+        one = found.actuators[i]
+        std = math.sqrt(float(np.mean([m[f"std_{j}"] ** 2 for m in every for j in (i, i + 1)])))
+        converged = float(np.median([record["metrics"]["converged_s"] for record in of[0]]))
+        flagged = [
+            record["metrics"]["flagged_s"]
+            for record in of[1]
+            if not math.isnan(record["metrics"]["flagged_s"])
+        ]
+        delay = float(np.median(flagged)) if flagged else math.nan
+        gain = gains.get("servo" if kind == "tail" else "motor", gains.get("every"))
+        share = f"{delay:.3g} ({len(flagged)}/{len(of[1])})"
+        yield row(
+            law, words, tolerated, gain, kind, one.noise, std, error(std, one.noise), one.convergence_s, converged,
+            error(converged, one.convergence_s), one.detection_s, share, error(delay, one.detection_s),
+        )  # fmt: skip

@@ -1,0 +1,33 @@
+"""What the benchmarks of section 4 of the paper count, without flying."""
+
+from __future__ import annotations
+
+import numpy as np
+import section4_bias
+import section4_flights
+import section4_survivable
+
+
+def test_alarms_are_counted_after_the_persistence() -> None:
+    """Below for more than 0.1 s at 200 Hz is 21 steps; two excursions, of which one is too short."""
+    estimate = np.ones(200)
+    estimate[10:31], estimate[50:70] = 0.5, 0.5
+    assert section4_flights.alarms(estimate, 0.6, 0.1) == 1
+    assert section4_flights.alarms(estimate, 0.6, 0.0) == 2
+    assert section4_flights.alarms(estimate, 0.4, 0.0) == 0
+
+
+def test_the_range_of_survivable_factors_ends_at_the_first_that_is_not() -> None:
+    flown = [(0.5, True), (0.8, False), (0.9, True), (1.1, True), (2.0, True)]
+    low, high = section4_survivable.survived(flown)
+    assert (low, high) == (0.9, 2.0)
+    assert section4_survivable.words(low, high, [factor for factor, _ in flown]) == "0.9 to > 2"
+
+
+def test_the_remarks_agree_with_their_predictions() -> None:
+    """The third contradicts the paper's condition both ways; the fourth flags just beyond the limit only."""
+    rows = list(section4_bias.remarks())
+    third = [line for line in rows if line.startswith("| 3.")]
+    assert "it diverges | by n/r > 1 it ends at 2 | ends at 2.0000" in third[0]
+    assert "it does not | by n/r > 1 it diverges | grows at 2.000" in third[1]
+    assert rows[-1].endswith("| flagged; not |")
