@@ -12,14 +12,14 @@ from testbed.aircraft.changes import chosen
 from testbed.aircraft.description import Aircraft
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.setup import Setup, setup_for
+from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput
-from testbed.plant.identification import input_matrix, stored
+from testbed.plant.identification import input_matrix
 from testbed.plant.jsbsim import Plant
 from testbed.plant.stand import PROPELLER_SPEEDS, stand_physics_hz
-from testbed.plant.trim import NoTrim, trim, trimmed_start
+from testbed.plant.trim import NoTrim, trim
 from testbed.scenario.load import Scenario
-from testbed.simulation import fly
+from testbed.simulation import fly, start_and_setup
 from testbed.theory.flown_bias import ActuatorBias, biases, flown, sector_limit
 from testbed.theory.input_matrix_bounds import entry_limits
 from testbed.theory.mode_margins import Condition, ModeMargin, condition, mode_margin
@@ -68,7 +68,7 @@ def certify(scenario: Scenario, error: float = 0.1) -> Certificate:
     """
     settings = _estimation(scenario)
     aircraft = chosen(scenario.aircraft)
-    setup = _setup(scenario, aircraft)
+    _, setup = start_and_setup(scenario)
     b = np.array(setup.model.input_matrix)[:4] * setup.scale
     n, rank = b.shape[1], int(np.linalg.matrix_rank(b))
     if rank < n:
@@ -108,23 +108,6 @@ def _thresholds(settings: AdaptiveInversionSettings, setup: Setup) -> np.ndarray
     other = settings.propeller_threshold
     return np.array(
         [settings.threshold if kind == "servo" or other is None else other for kind in setup.model.kinds]
-    )
-
-
-def _setup(scenario: Scenario, aircraft: Aircraft) -> Setup:
-    """What the controller knows: of the aircraft as its files are, also where the truth is changed."""
-    told = aircraft if aircraft.changes is None else aircraft.nominal
-    at = scenario.initial
-    heading = float(np.radians(at.heading_deg))
-    start = trimmed_start(told, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, heading)
-    return setup_for(
-        told,
-        stored(told),
-        scenario.controller,
-        1.0 / scenario.rate_hz,
-        start.commands,
-        start.positions,
-        start.state["pitch"],
     )
 
 
