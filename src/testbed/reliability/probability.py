@@ -9,6 +9,7 @@ import numpy as np
 from testbed.common.random_streams import generator
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reliability import arguments
+from testbed.reliability.importance import importance
 from testbed.reliability.limit_state import Asked, LimitState
 from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
@@ -16,7 +17,7 @@ from testbed.reliability.subset import subset
 
 Method = Callable[[Asked, np.random.Generator, float], FailureProbability]
 
-TABLE: dict[str, Method] = {"subset": subset, "plain": plain}
+TABLE: dict[str, Method] = {"subset": subset, "importance": importance, "plain": plain}
 
 MOST_DIMENSIONS = 10_000
 
@@ -28,9 +29,12 @@ def failure_probability(
     seed: int = 0,
     cov: float = 0.3,
     budget: int = 4000,
-    method: str = "subset",
+    method: str = "importance",
 ) -> FailureProbability:
     """Probability that `limit_state` is at or below 0 when its inputs are independent standard normals.
+
+    `method` is `importance` (subset simulation to find the failures, then importance sampling about the nearest of them
+    where that can be trusted), `subset` (subset simulation alone) or `plain` (independent draws).
 
     `limit_state` takes an array [n, dimensions] and returns [n] values. It is called until the coefficient of variation of
     the estimate is at most `cov`, or `budget` evaluations are spent. The result says which, and has a 95 % interval. The

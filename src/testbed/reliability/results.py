@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from testbed.reliability import display
+
 
 @dataclass(frozen=True)
 class Level:
@@ -22,11 +24,13 @@ class Level:
     evaluations: int
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class FailureProbability:
     """The probability that a limit state is at or below 0, and how well it is known.
 
     `cov` is the coefficient of variation of the estimate (infinite if it is not known), `interval` has 95 % confidence.
+    `probability` is NaN if nothing but the interval can be said. `method` is the one that gave the estimate. `levels` are
+    those of the first run of subset simulation.
     `design_point` [d] is the failure nearest to the origin among the evaluated points, None without a failure.
     `converged` says whether the asked coefficient of variation was reached and nothing speaks against the estimate;
     `reason` says it in a sentence.
@@ -47,8 +51,15 @@ class FailureProbability:
         """Distance of the design point from the origin; infinite without a failure."""
         return math.inf if self.design_point is None else float(np.linalg.norm(self.design_point))
 
+    def __repr__(self) -> str:
+        return display.probability_line(self)
 
-@dataclass(frozen=True)
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return display.probability_html(self)
+
+
+@dataclass(frozen=True, eq=False)
 class Step:
     """An improvement of a search: the failure `point` [d] at this `distance`, after so many evaluations."""
 
@@ -57,7 +68,7 @@ class Step:
     point: np.ndarray
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class SmallestFailure:
     """The failure nearest to the origin that was found, or that none was.
 
@@ -76,3 +87,10 @@ class SmallestFailure:
     independent: int
     upper_bound: float
     reason: str
+
+    def __repr__(self) -> str:
+        return display.smallest_line(self)
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return display.smallest_html(self)

@@ -83,12 +83,26 @@ def _at_origin(search: Search) -> float:
 
 
 def _starts(draws: np.ndarray, values: np.ndarray, starts: int) -> Iterator[np.ndarray]:
-    """Where the searches begin: where a plane through the draws falls to 0, and then the draws with the lowest values."""
+    """Where the searches begin: where a plane through the draws falls to 0, and then the worst draws, each apart from the others.
+
+    Of the tenth of the draws that is worst (nearest first if they fail, else with the lowest values) a start is the one
+    whose direction differs most from those of the starts before it.
+    """
     values = np.where(np.isfinite(values), values, np.inf)
-    order = np.argsort(values, kind="stable")
-    yield _by_plane(draws, values)
-    for start in range(starts - 1):
-        yield draws[order[start % len(order)]]
+    chosen = [_by_plane(draws, values)]
+    distances = np.linalg.norm(draws, axis=1)
+    order = np.lexsort((np.where(values <= 0, distances, values), values > 0))
+    worst = draws[order[: max(5, len(draws) // 10)]]
+    for start in range(1, starts):
+        apart = np.max([_cosines(worst, other) for other in chosen[-len(worst) :]], axis=0)
+        chosen.append(worst[0] if start == 1 else worst[int(np.argmin(apart))])
+    yield from chosen
+
+
+def _cosines(points: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Cosines of the angles between points [n, d] and another one; 0 if that is the origin."""
+    lengths = np.linalg.norm(points, axis=1) * np.linalg.norm(other)
+    return np.divide(points @ other, lengths, out=np.zeros(len(points)), where=lengths > 0)
 
 
 def _by_plane(draws: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -111,6 +125,13 @@ def _search(
     if search.best is not None:
         section(search, 0.0, 3)
         _along_surface(search, random)
+
+
+def search_from(search: Search, failure: np.ndarray, evaluations: int, random: np.random.Generator) -> None:
+    """Search for the failure nearest to the origin from one that is known, with so many evaluations at most."""
+    search.begin(evaluations)
+    search.best = failure
+    _search(search, failure, 2 * CLOSE, 1.0, random)
 
 
 def _refine(search: Search, scale: float, random: np.random.Generator) -> None:

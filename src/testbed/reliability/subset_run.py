@@ -22,13 +22,18 @@ ENOUGH = 0.05
 """Share of failures in a level that is counted, without a further level."""
 FLAT = 0.5
 """Share of a level with the same lowest value, from which on nothing shows the way down."""
+FEWEST = 5
+"""Fewest points below a flat part from which chains are run."""
 STUCK = 0.1
 """Share of candidates taken, below which the points of a chain are mostly copies."""
 
 
 @dataclass
 class Run:
-    """Levels so far, and what the last population of points is. `end` is reached, budget, flat or stuck."""
+    """Levels so far, and the failures [n, d] in the last one, each with the independent draw that it descends from.
+
+    `end` is reached, budget, flat or stuck. `unknown` are the upper ends of the share of points without a number.
+    """
 
     size: int
     levels: list[Level] = field(default_factory=list)
@@ -38,6 +43,7 @@ class Run:
     ancestors: int = 0
     shared: float = math.inf
     failures: np.ndarray = field(default_factory=lambda: np.empty((0, 0)))
+    draws: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=int))
 
     @property
     def probability(self) -> float:
@@ -86,8 +92,8 @@ def run_levels(asked: Asked, size: int, random: np.random.Generator) -> Run:
         if not run.end:
             people = _next(asked, run, people, inside, spread, random)
     failing = people.values <= 0
-    run.failures = people.points[failing]
-    shares = np.bincount(people.draw[failing]) / max(failing.sum(), 1)
+    run.failures, run.draws = people.points[failing], people.draw[failing]
+    shares = np.bincount(run.draws) / max(failing.sum(), 1)
     run.ancestors = int(np.count_nonzero(shares))
     run.shared = float(np.sum(shares**2)) if run.ancestors else math.inf
     return run
@@ -103,9 +109,17 @@ def _draw(asked: Asked, run: Run, random: np.random.Generator) -> Population:
 
 
 def _threshold(values: np.ndarray, chains: int) -> float:
-    """The value that a tenth is at or below; 0 once enough of the points fail."""
+    """The value that a tenth is at or below; 0 once enough of the points fail.
+
+    Where most of the points share that value, as where the limit state is saturated, the greatest below it.
+    """
+    if np.mean(values <= 0) >= ENOUGH:
+        return 0.0
     lowest = float(np.partition(values, chains - 1)[chains - 1])
-    return 0.0 if np.mean(values <= 0) >= ENOUGH else max(lowest, 0.0)
+    below = values[values < lowest]
+    if np.mean(values <= lowest) > FLAT and len(below) >= max(FEWEST, chains / 10):
+        lowest = float(below.max())
+    return max(lowest, 0.0)
 
 
 def _level(people: Population, inside: np.ndarray, threshold: float) -> Level:
@@ -137,9 +151,9 @@ def _next(
     random: np.random.Generator,
 ) -> Population:
     """The points of the next level, by chains from a tenth of the points that are inside it."""
-    chains = run.size // LENGTH
-    seeds = random.permutation(np.flatnonzero(inside))[:chains]
-    steps = min(LENGTH - 1, asked.left // chains)
+    seeds = random.permutation(np.flatnonzero(inside))[: run.size // LENGTH]
+    chains = len(seeds)
+    steps = min(run.size // chains - 1, asked.left // chains)
     found = run_chains(
         asked, people.points[seeds], people.values[seeds], run.levels[-1].threshold, steps, spread, random
     )
