@@ -56,7 +56,7 @@ SEVERITIES: dict[str, tuple[str, list[float], Origin]] = {
     "bias": ("value", [0.0, 15.0], "low"),
     "oscillation": ("amplitude", [0.0, 15.0], "low"),
     "delay": ("delay_s", [0.0, 0.5], "low"),
-    "lag": ("lag_rad_s", [1.0, 40.0], "high"),
+    "lag": ("lag_rad_s", [1.0, 30.0], "high"),
     "rate_limit": ("value", [0.5, 100.0], "high"),
 }
 """Key, range, and end without effect of the severity of each type that has one; drawn uniformly."""
