@@ -56,7 +56,7 @@ SEVERITIES: dict[str, tuple[str, list[float], Origin]] = {
     "bias": ("value", [0.0, 15.0], "low"),
     "oscillation": ("amplitude", [0.0, 15.0], "low"),
     "delay": ("delay_s", [0.0, 0.5], "low"),
-    "lag": ("lag_rad_s", [1.0, 40.0], "high"),
+    "lag": ("lag_rad_s", [1.0, 30.0], "high"),
     "rate_limit": ("value", [0.5, 100.0], "high"),
 }
 """Key, range, and end without effect of the severity of each type that has one; drawn uniformly."""
@@ -87,7 +87,9 @@ def _parser() -> argparse.ArgumentParser:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--csv", type=Path, required=True, help="results, kept as they come")
-    parser.add_argument("--failures", default=",".join(name for name in FAILURES if name != "property"))
+    parser.add_argument(
+        "--failures", default=",".join(["none", *(name for name in FAILURES if name != "property")])
+    )
     parser.add_argument("--controllers", default=",".join(COMPARED))
     parser.add_argument("--budget", type=int, default=120, help="most flights of each search")
     parser.add_argument("--jobs", type=int)
@@ -126,17 +128,18 @@ def fly(options: argparse.Namespace, done: set[tuple[str, str]]) -> list[Row]:
 
 def searched(name: str, controller: str, flying: Workers, budget: int) -> Row:
     """The smallest failure of one type with one controller."""
-    failure, space = failure_of(name), space_of(name)
+    failures, space = failures_of(name), space_of(name)
 
     def limit_state(u: np.ndarray) -> np.ndarray:
         tasks = [
-            Task(i, 0, SEED, {"controller": dict(CONTROLLERS[controller]), "failures": [failure], **values})
+            Task(i, 0, SEED, {"controller": dict(CONTROLLERS[controller]), "failures": failures, **values})
             for i, values in enumerate(space.values(u))
         ]
         records = {task.run: flown.record for task, flown in flying.fly(tasks)}
         return np.array([robustness(records[i]) for i in range(len(u))])
 
-    row: Row = {"failure": name, "actuator": failure["actuator"], "controller": controller}
+    actuator = failures[0]["actuator"] if failures else ""
+    row: Row = {"failure": name, "actuator": actuator, "controller": controller}
     origin = np.zeros((1, len(space)))
     if limit_state(origin)[0] <= 0.0:
         return (
@@ -149,12 +152,14 @@ def searched(name: str, controller: str, flying: Workers, budget: int) -> Row:
     return row | values | {"distance": found.distance, "flights": found.evaluations, "reason": found.reason}
 
 
-def failure_of(name: str) -> dict[str, Any]:
+def failures_of(name: str) -> list[dict[str, Any]]:
     """The failure as its type's own example has it, of the left ruddervator or, of a type for motors only, propeller."""
+    if name == "none":
+        return []
     kind, fields = next(iter(FAILURES[name].examples.items()))  # type: ignore[attr-defined]
     aircraft = load_aircraft("vtail")
     actuator = next(n for n, each in aircraft.actuators.items() if each.kind == kind and n.startswith("left"))
-    return {"type": name, "actuator": actuator, "at_s": FAILURE_S, **fields}
+    return [{"type": name, "actuator": actuator, "at_s": FAILURE_S, **fields}]
 
 
 def space_of(name: str) -> Space:
@@ -180,7 +185,8 @@ def table(rows: Sequence[Mapping[str, Any]]) -> Iterator[str]:
     controllers = list(dict.fromkeys(row["controller"] for row in rows))
     yield f"| failure | actuator | {' | '.join(controllers)} | needs the biggest |"
     yield f"| --- | --- | {' | '.join('---' for _ in controllers)} | --- |"
-    for name in dict.fromkeys(row["failure"] for row in rows):
+    known = {row["failure"] for row in rows}
+    for name in [each for each in ("none", *FAILURES) if each in known]:
         own = {row["controller"]: row for row in rows if row["failure"] == name}
         cells = [_cell(own[c]) if c in own else "" for c in controllers]
         yield f"| `{name}` | {next(iter(own.values()))['actuator']} | {' | '.join(cells)} | {_best(own)} |"
@@ -229,7 +235,9 @@ are no more exact.
 
 {table}
 
-Distances of different failures are not to be compared: each has a severity with a range of its own.
+With `none` the gust alone does it, and no failure can make the distance larger. Where a failure's distance is that of `none`, the
+controller bears the failure as well as none at all, and it is the gust that breaks. Distances of different failures are not to be
+compared otherwise: each has a severity with a range of its own.
 """
 
 

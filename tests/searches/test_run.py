@@ -144,7 +144,8 @@ def test_refused_by_a_worker_too(tmp_path: Path) -> None:
 
 
 def test_variants_meet_the_same_points_and_choices_are_searches_of_their_own(tmp_path: Path) -> None:
-    settings = ["goal=probability", "method=plain", "cov=1", "compare={controller.type: [adaptive_inversion, pid]}",
+    settings = ["goal=probability", "method=plain", "cov=1", "budget=60", "vary.atmosphere.wind_m_s.0={normal: [0, 6]}",
+                "compare={controller.type: [adaptive_inversion, pid]}",
                 "vary.failures.0.value={choice: [0.1, 0.2], weights: [1, 3]}"]  # fmt: skip
     result = testbed.search(
         written(tmp_path), tmp_path / "out", fly=gusty, jobs=1, settings=settings, figures=False

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ from html_page import Page
 from search_files import searched, written
 
 from testbed.flight.flight import Flight, Outcome
+from testbed.reporting.search_page import write_search_page
 from testbed.reporting.search_page.words import answer, settings_of
 from testbed.scenario.load import load_scenario
 from testbed.searching import SearchResult
@@ -27,7 +29,9 @@ def found(tmp_path_factory: pytest.TempPathFactory) -> SearchResult:
 @pytest.fixture(scope="module")
 def likely(tmp_path_factory: pytest.TempPathFactory) -> SearchResult:
     folder = tmp_path_factory.mktemp("likely")
-    return searched(written(folder), folder / "out", "goal=probability", "budget=3000", figures=True)
+    return searched(
+        written(folder), folder / "out", "goal=probability", "budget=1000", "cov=0.6", figures=True
+    )
 
 
 def test_it_is_one_file_that_fetches_nothing(found: SearchResult) -> None:
@@ -61,6 +65,23 @@ def test_a_probability_comes_with_its_interval_and_levels(likely: SearchResult) 
     assert "How likely a requirement is broken" in page.text and "robustness at most" in page.text
     assert answer(likely.summary)[0].startswith("A requirement is broken with probability 0.00")
     assert (likely.folder / "figures/levels.png").is_file()
+
+
+def test_a_probability_that_is_not_known_is_said_to_be_so(likely: SearchResult, tmp_path: Path) -> None:
+    summary = json.loads(json.dumps(likely.summary))
+    for known in (summary["variants"][0]["probability"], summary["parts"][0]["probability"]):
+        known |= {
+            "estimate": None,
+            "coefficient_of_variation": None,
+            "plain_flights": None,
+            "low": 0.0,
+            "high": 0.5,
+        }
+    for level in summary["parts"][0]["levels"]:
+        level |= {"threshold": None, "cov": None}
+    assert "with a probability that is not known: 0 to 0.5 (95 %)" in answer(summary)[0]
+    (tmp_path / "summary.json").write_text(json.dumps(summary))
+    assert "not known" in write_search_page(tmp_path).read_text(encoding="utf-8")
 
 
 def test_nothing_found_says_what_the_draws_allow(tmp_path: Path) -> None:

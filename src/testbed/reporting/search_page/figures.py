@@ -88,9 +88,10 @@ def levels(summary: Summary) -> Figure | None:
     figure = Drawing(figsize=(8.0, 4.0), layout="constrained")
     axes = figure.subplots()
     for i, part in enumerate(shown):
-        at = [level["threshold"] for level in part["levels"]]
-        products = np.cumprod([level["probability"] for level in part["levels"]])
-        spread = np.sqrt(np.cumsum([(level["cov"] or 0.0) ** 2 for level in part["levels"]]))
+        known = [level for level in part["levels"] if level["threshold"] is not None and level["probability"]]
+        at = [level["threshold"] for level in known]
+        products = np.cumprod([level["probability"] for level in known])
+        spread = np.sqrt(np.cumsum([(level["cov"] or 0.0) ** 2 for level in known]))
         ends = products * np.exp(np.outer([-1.96, 1.96], np.sqrt(np.log1p(spread**2))))
         axes.errorbar(
             at,

@@ -31,10 +31,12 @@ def answer(summary: Summary) -> list[str]:
 def _probability(variant: Summary) -> str:
     known = variant["probability"]
     who = f"{variant['label']}: a" if variant["label"] else "A"
+    span = f"{number(known['low'], '.2g')} to {number(known['high'], '.2g')}"
+    if known["estimate"] is None:
+        return f"{who} requirement is broken with a probability that is not known: {span} (95 %), from {known['flights']} flights."
     if not known["estimate"]:
         most = number(known["high"], ".2g")
         return f"{who} requirement was broken in none of {known['flights']} flights: its probability is at most {most} (95 %)."
-    span = f"{number(known['low'], '.2g')} to {number(known['high'], '.2g')}"
     cov = f"coefficient of variation {number(known['coefficient_of_variation'], '.2f')}"
     unsure = "" if known["converged"] else " This is not as precise as was asked for."
     return (
