@@ -7,11 +7,15 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+import pandas as pd
 from section4_flights import DT_S, at_speed, error, head, measured, over, row, with_values
 
-from testbed import design
+from testbed import fly
 from testbed.theory import noise
+from testbed.theory.gain_choice import Errors, Tolerance, choose
+from testbed.theory.gain_design import law_of
 from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
+from testbed.theory.trimmed_law import TrimmedLaw
 
 BIASES = (-0.45, -0.3, -0.15, 0.15, 0.3, 0.6)  # of the accelerometer [m/s2]
 MODEL_ERRORS = [
@@ -43,15 +47,64 @@ def bias_rows(quick: bool, jobs: int | None) -> Iterator[str]:
         "error",
     )
     for (words, _), values, records in zip(cases, flights, measured(flights, 1, jobs), strict=True):
-        found = design(with_values(values), deviation=0.9)
+        law = law_of(with_values(values))
+        found = choose(law, Errors.of(law, with_values(values)), Tolerance())
         flown = over(records, "mean")
         for kind, i in (("tail", 0), ("propeller", 2)):
-            n = found.actuators[i].bias
+            n = float(found.bias[i])
             end = flown[0, i] if len(flown) else math.nan
             literal = noise.biased_by_reference(1.0, n, 1.0)
             yield row(
                 words, kind, f"{n:+.3f}", f"{1.0 + n:.4f}", f"{end:.4f}", error(end, 1.0 + n), f"{literal:.4f}", error(end, literal)
             )  # fmt: skip
+
+
+MANOEUVRES = [(airspeed, factor) for airspeed in (20.0, 16.0) for factor in (0.8, 1.2)]
+"""Airspeed to which a flight changes from 18 m/s [m/s], and factor on Cm_alpha of the design model."""
+EPSILON, GAMMA = 0.05, 2.0
+
+
+def transients(quick: bool) -> Iterator[str]:
+    """(37) through a change of airspeed: what an error of Cm_alpha adds to a tail's estimate, integrated along the flight."""
+    yield from head(
+        "Cm_alpha times", "airspeed [m/s]", "largest: predicted", "flown", "error", "at the end: predicted", "flown", "error",
+        "rms difference over largest",
+    )  # fmt: skip
+    for airspeed, factor in MANOEUVRES[:1] if quick else MANOEUVRES:
+        correct, _ = _flown(airspeed, 1.0)
+        wrong, law = _flown(airspeed, factor)
+        flown = (wrong - correct)["left_ruddervator_effectiveness_estimate"].to_numpy()
+        predicted = _integrated(wrong, law, factor)
+        largest = [float(np.abs(change).max()) for change in (predicted, flown)]
+        rms = float(np.sqrt(np.square(predicted - flown).mean()))
+        yield row(
+            factor, f"18 to {airspeed:g}", *largest, error(largest[1], largest[0]), float(predicted[-1]), float(flown[-1]),
+            error(flown[-1], predicted[-1]), f"{100.0 * rms / largest[0]:.1f} %",
+        )  # fmt: skip
+
+
+def _flown(airspeed: float, factor: float) -> tuple[pd.DataFrame, TrimmedLaw]:
+    level = at_speed(18.0)["commands"][0]
+    values: dict[str, Any] = {
+        "commands": [level, {"at_s": 10, "airspeed_m_s": airspeed}],
+        "duration_s": 40,
+        "controller.model_error": {"Cm_alpha": factor},
+    }
+    scenario = with_values(values)
+    return fly(scenario).log, law_of(scenario)
+
+
+def _integrated(log: pd.DataFrame, law: TrimmedLaw, factor: float) -> np.ndarray:
+    """(37) for the difference that the erroneous coefficient makes, with the positions and angles of attack of the flight."""
+    m = law.model
+    slope = float(m.A[1, 0]) / factor * (1.0 - factor)  # of delta_f in q_dot over alpha
+    n = float(m.B_inv[0, 1]) * slope * (np.radians(log.alpha_deg.to_numpy()) - m.alpha)
+    a = np.radians(log.left_ruddervator_position.to_numpy()) / m.scale[0]
+    change = np.zeros(len(n))
+    for k in range(len(n) - 1):
+        g = 1.0 / a[k] if abs(a[k]) > EPSILON else a[k] / EPSILON**2
+        change[k + 1] = change[k] + DT_S * GAMMA * g * (n[k] - a[k] * change[k])
+    return change
 
 
 def remarks() -> Iterator[str]:
