@@ -157,17 +157,20 @@ def mismatches(setup: Setup) -> Iterable[tuple[str, np.ndarray]]:
 
 
 def inside(setup: Setup) -> Iterable[str]:
+    found = [(name, m, float(jacobi_radius(m))) for name, m in mismatches(setup)]
     rows = [
         (
             name,
             " ".join(f"{x:.2f}" for x in np.diag(m)),
             f"{100 * np.abs(normalised(m) - np.eye(4)).max():.1f} %",
-            f"{float(jacobi_radius(m)):.3f}",
+            f"{radius:.3f}",
             f"{diagonal_stability(m)[0]:.3f}",
         )
-        for name, m in mismatches(setup)
+        for name, m, radius in found
     ]
     yield table(("changed", "effectiveness", "largest coupling", "H+ radius", "LMI margin"), rows)
+    most = sorted(found, key=lambda each: -each[2])[:5]
+    yield f"\nIt is moved most by: {'; '.join(f'{name} ({radius:.3f})' for name, _, radius in most)}."
 
 
 def first_failures(setup: Setup) -> tuple[float, float]:

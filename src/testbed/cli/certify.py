@@ -117,9 +117,12 @@ def text(c: Certificate) -> str:
         "",
         *_biases(c),
     ]
+    parts += [
+        "",
+        "These bound the estimates, not the motion: fly with controller.model_error to see what the outer loops bear.",
+    ]
     if not c.exact_law:
         parts += [
-            "",
             "The scenario's estimation is not (13). Of the above, what is said of inversions holds, and the bias once e is 0.",
         ]
     return "\n".join(parts)
