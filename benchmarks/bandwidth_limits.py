@@ -39,11 +39,17 @@ def late(age: float, sensors: Sequence[str] = ALL) -> Values:
 LAWS: Mapping[str, Values] = {
     "the paper, plain": {"type": "adaptive_inversion", "preset": "paper", "ablate": ["actuator_model"]},
     "the paper, compensated": {"type": "adaptive_inversion", "preset": "paper"},
+    "the paper, with the default's released axis": {
+        "type": "adaptive_inversion",
+        "preset": "paper",
+        "released": "auto",
+    },
     "default": {"type": "adaptive_inversion"},
     "indi, monitored": {"type": "indi", "monitor": True},
     "l1_inversion": {"type": "l1_inversion"},
 }
 SLOWER = (30.0, 20.0, 15.0, 12.0, 10.0, 8.0, 7.0, 6.0, 5.0, 4.0, 3.0, 2.0)
+LIMITED = (200.0, 100.0, 60.0, 40.0, 30.0, 20.0, 15.0, 12.0, 10.0, 8.0, 6.0, 4.0, 3.0, 2.0)
 OLDER = (0.0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.08, 0.1, 0.12, 0.15, 0.2)
 ROUTE = {
     "duration_s": 60,
@@ -55,25 +61,30 @@ ROUTE = {
 ALTITUDE_M, HEADING_DEG = 5.0, 15.0
 
 
-def withstood(jobs: int | None) -> dict[str, tuple[float, float]]:
-    """For each law the slowest servo [rad/s] and the oldest sensors [s] with which it holds, and all faster or younger ones too."""
+def rate_limited(rate: float) -> list[Values]:
+    """Failures that limit the rate of both tails' servos [deg/s] from the start."""
+    return [{"type": "rate_limit", "actuator": name, "at_s": 0, "value": rate} for name in TAILS]
+
+
+def withstood(jobs: int | None) -> dict[str, tuple[float, float, float]]:
+    """For each law the slowest servo [rad/s], the lowest rate limit [deg/s] and the oldest sensors [s] with which it holds, and all
+    easier ones too."""
     weak = {"type": "effectiveness", "actuator": TAILS[0], "at_s": LOSS_S, "value": 0.3}
     planned = [
         (1, {**ROUTE, "controller": settings, **values})
         for settings in LAWS.values()
         for values in (
             *({"failures": [*slow(lag), weak]} for lag in SLOWER),
+            *({"failures": [*rate_limited(rate), weak]} for rate in LIMITED),
             *({"failures": [weak], **late(age)} for age in OLDER),
         )
     ]
     flown = iter(fly_all(BASE, planned, jobs))
-    return {
-        name: (
-            last_held(SLOWER, [next(flown) for _ in SLOWER]),
-            last_held(OLDER, [next(flown) for _ in OLDER]),
-        )
-        for name in LAWS
-    }
+
+    def last(values: Sequence[float]) -> float:
+        return last_held(values, [next(flown) for _ in values])
+
+    return {name: (last(SLOWER), last(LIMITED), last(OLDER)) for name in LAWS}
 
 
 def last_held(values: Sequence[float], records: Sequence[Record]) -> float:

@@ -10,7 +10,7 @@ from pathlib import Path
 import matplotlib
 import numpy as np
 from bandwidth_ideal import REMAINS, W
-from bandwidth_limits import ALTITUDE_M, HEADING_DEG, LOSS_S, OLDER, SLOWER
+from bandwidth_limits import ALTITUDE_M, HEADING_DEG, LIMITED, LOSS_S, OLDER, SLOWER
 from matplotlib.axes import Axes
 
 from testbed.theory import bandwidth
@@ -81,7 +81,7 @@ servo and sensor. What the prediction lacks beside it is a reference that reacts
 def page(
     rows: Mapping[str, Sequence[Row]],
     known: Sequence[tuple[str, float, float]],
-    limits: Mapping[str, tuple[float, float]],
+    limits: Mapping[str, tuple[float, float, float]],
 ) -> str:
     """The Markdown of docs/results/section4_bandwidth.md: flights, limits on the ideal plant, and what each law withstands."""
     lines = [INTRODUCTION]
@@ -90,23 +90,32 @@ def page(
     lines += ["", "## Stops, rate limits and late errors, on the ideal plant", ""]
     lines += ["| condition | predicted | measured | error |", "| --- | --- | --- | --- |"]
     lines += [f"| {what} | {p:.3f} | {m:.3f} | {relative(m, p)} |" for what, p, m in known]
-    lines += ["", *withstanding(), "", "| law | slowest servo | oldest sensors |", "| --- | --- | --- |"]
-    for name, (lag, age) in limits.items():
-        slowest = "none" if math.isnan(lag) else f"{lag:g} rad/s"
-        oldest = "none" if math.isnan(age) else f"{1000 * age:g} ms"
-        lines.append(f"| {name} | {slowest} | {oldest} |")
+    lines += [
+        "",
+        *withstanding(),
+        "",
+        "| law | slowest servo | lowest rate limit | oldest sensors |",
+        "|" + " --- |" * 4,
+    ]
+    for name, found in limits.items():
+        words = [
+            "none" if math.isnan(value) else f"{value * factor:g} {unit}"
+            for value, factor, unit in zip(found, (1, 1, 1000), ("rad/s", "deg/s", "ms"), strict=True)
+        ]
+        lines.append(f"| {name} | {' | '.join(words)} |")
     return "\n".join(lines) + "\n"
 
 
 def withstanding() -> list[str]:
-    slower, older = ", ".join(f"{lag:g}" for lag in SLOWER), ", ".join(f"{1000 * age:g}" for age in OLDER)
+    slower, limited = (", ".join(f"{value:g}" for value in values) for values in (SLOWER, LIMITED))
+    older = ", ".join(f"{1000 * age:g}" for age in OLDER)
     return [
         "## How slow may a servo be, how late a sensor",
         "",
-        f"Turns at 4 deg/s and a climb, the left tail at 0.3 from {LOSS_S:g} s on. Both tails' servos are slow, or all sensors",
-        "late, from the start; no law knows. Held: no healthy actuator flagged, and all the time within",
-        f"{ALTITUDE_M:g} m and {HEADING_DEG:g} deg.",
-        f"The last value held of {slower} rad/s, and of {older} ms.",
+        f"Turns at 4 deg/s and a climb, the left tail at 0.3 from {LOSS_S:g} s on. From the start both tails' servos are slow",
+        "or limited in rate, or all sensors late; no law knows. Held: no healthy actuator flagged, and all the time within",
+        f"{ALTITUDE_M:g} m and {HEADING_DEG:g} deg. The last value held of {slower} rad/s,",
+        f"of {limited} deg/s, and of {older} ms.",
     ]
 
 
