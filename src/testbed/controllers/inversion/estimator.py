@@ -19,6 +19,9 @@ HEALTHY_VARIANCE = 0.01
 """Initial variance of an effectiveness estimate: 1 with a standard deviation of 0.1."""
 UNKNOWN_VARIANCE = 1.0
 """Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
+AGAIN = 4.0
+"""Factor on the likelihood ratio of a change of a jammed actuator's position: what is broken moves again sooner than what is healthy
+breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
 JAM_VARIANCE = 16.0
 """Initial and largest variance of a jammed actuator's estimated position [scaled^2]."""
 
@@ -51,8 +54,9 @@ def expect_change(e, phi, c, s):
 
     A random walk is slow to believe in a sudden loss, and spreads it over all actuators meanwhile. So the mean of the innovation
     e - b over the last `change_time` is explained by a change of each effectiveness alone, by weighted least squares. The
-    likelihood ratio is (change / its standard deviation)^2. If the best is above `change_sigma`^2, and `change_lead`^2 times the
-    next best, the variance of that estimate becomes at least the square of the change.
+    likelihood ratio is (change / its standard deviation)^2, times `AGAIN` for a jammed actuator. If the best is above
+    `change_sigma`^2, and `change_lead`^2 times the next best, the variance of that estimate becomes at least the square of the
+    change.
     """
     for row in range(4):
         s.recent[row] += c.dt / c.change_time * (e[row] - s.b[row] - s.recent[row])
@@ -65,6 +69,8 @@ def expect_change(e, phi, c, s):
             projection += phi[row, i] * weight * s.recent[row]
             information += phi[row, i] * weight * phi[row, i]
         ratio = projection * projection / information
+        if s.jammed[i]:
+            ratio *= AGAIN
         if ratio > first:
             best, first, second, change = i, ratio, first, projection / information
         elif ratio > second:
