@@ -107,7 +107,9 @@ def fly(
 def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
     """Make plant, weather, controller, failures and sensors, and put the aircraft into trimmed flight; raises BadInput."""
     aircraft = chosen(scenario.aircraft)
-    plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
+    plant = Plant(
+        aircraft, scenario.physics_hz, scenario.physics_steps, scenario.atmosphere.is_own_turbulence
+    )
     _check_names(scenario, aircraft, plant)
     start = _start(scenario, aircraft)
     weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
@@ -197,7 +199,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         data=np.ascontiguousarray(data[:, ::every]).T,
         events=events,
         metrics=metrics,
-        requirements=judge(scenario.requirements, log, metrics),
+        requirements=judge(scenario.requirements, log, metrics, scenario.duration_s),
         actuators=actuators,
         warnings=warnings,
         shape=load_shape(aircraft.folder),

@@ -24,7 +24,10 @@ def test_summary_is_the_contract(tmp_path: Path) -> None:
         "outcome": "completed",
         "end_time_s": 60.0,
         "passed": True,
-        "requirements": [{"name": "a", "passed": True, "value": 0.1, "limit": "at most 1"}],
+        "robustness": 0.25,
+        "requirements": [
+            {"name": "a", "passed": True, "value": 0.1, "limit": "at most 1", "robustness": 0.25}
+        ],
         "events": [{"time_s": 5.0, "kind": "injection", "verified": True}],
         "metrics": {"a": None, "b": 0.1},
         "warnings": [],

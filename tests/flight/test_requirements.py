@@ -5,8 +5,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
+import numpy as np
 import pytest
-from handmade import flight_of, level_log
+from handmade import at, flight_of, level_log
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from testbed.flight.flight import Outcome
 from testbed.flight.requirements import judge
@@ -90,6 +93,105 @@ def test_heading_goes_the_short_way() -> None:
     log["heading_deg"][500] = 2.0  # the reference is 350
     found = verdict(log, signal="heading_deg", within=12.5, of="heading_command_deg")
     assert found["value"] == pytest.approx(12.0) and found["passed"]
+
+
+def outside(*stretches: tuple[float, float]) -> dict[str, Any]:
+    """A log of which the altitude is 3 m too high in these stretches of time [s], and 1 m else."""
+    log = level_log()
+    log["altitude_m"] += 1.0
+    for begin, end in stretches:
+        log["altitude_m"][at(begin) : at(end)] += 2.0
+    return log
+
+
+NEAR = {"signal": "altitude_m", "within": 2, "of": 100}
+
+
+def test_robustness_is_the_margin_in_units_of_the_scale() -> None:
+    assert verdict(outside(), **NEAR)["robustness"] == 0.5
+    assert verdict(outside((2, 3)), **NEAR)["robustness"] == -0.5
+    assert verdict(outside((2, 3)), **NEAR, scale=10)["robustness"] == -0.1
+    metric = {"metric": "detection_delay_s", "at_most": 0.5}
+    assert verdict({}, {"detection_delay_s": 0.4}, **metric)["robustness"] == pytest.approx(0.2)
+    assert verdict({}, {"detection_delay_s": math.nan}, **metric)["robustness"] == -1.0
+
+
+def test_eventually_asks_for_one_instant() -> None:
+    log = outside((0, 6), (7, 10))
+    found = verdict(log, **NEAR, eventually=True)
+    assert (found["passed"], found["value"], found["margin"], found["robustness"]) == (True, 1.0, 1.0, 0.5)
+    found = verdict(log, **NEAR, eventually=True, until_s=6)
+    assert (found["passed"], found["value"], found["margin"], found["robustness"]) == (False, 3.0, -1.0, -0.5)
+
+
+@pytest.mark.parametrize(("by_s", "passed"), [(2.9, False), (3.0, True), (2.995, True), (8.0, True)])
+def test_settling_gives_its_time(by_s: float, passed: bool) -> None:
+    """Settled in the row of 3 s; a time between two rows is that of the next one."""
+    found = verdict(outside((1, 2), (2.5, 3)), **NEAR, settles_by_s=by_s)
+    assert (found["passed"], found["value"]) == (passed, 3.0)
+    assert found["margin"] == pytest.approx(max(by_s, 3.0) - 3.0 if passed else by_s - 3.0)
+    assert found["robustness"] == (0.5 if passed else -0.5)
+
+
+def test_settling_that_does_not_happen_has_no_time() -> None:
+    found = verdict(outside((9.5, 10)), **NEAR, settles_by_s=3)
+    assert not found["passed"] and math.isnan(found["value"]) and found["robustness"] == -0.5
+    assert found["reason"] == "it was outside at the end of the window"
+    assert verdict(outside((9.5, 10)), **NEAR, settles_by_s=3, until_s=9)["value"] == 0.0
+
+
+@pytest.mark.parametrize(("longest", "passed"), [(0.99, False), (1.0, True), (1.001, True), (1.5, True)])
+def test_a_shorter_time_outside_is_allowed(longest: float, passed: bool) -> None:
+    found = verdict(outside((1, 1.5), (3, 4), (6, 6.7)), **NEAR, never_for_longer_than_s=longest)
+    assert (found["passed"], found["value"]) == (passed, pytest.approx(1.0))
+    assert found["margin"] == pytest.approx(longest - 1.0, abs=1e-9)
+    assert found["robustness"] == (0.5 if passed else -0.5)
+
+
+VERBS = ({}, {"eventually": True}, {"settles_by_s": 0.07}, {"never_for_longer_than_s": 0.03})
+LIMITS = ({"at_most": 1}, {"at_least": -1, "at_most": 1.5, "scale": 3}, {"within": 1, "of": 0.2})
+
+
+@settings(deadline=None)
+@given(st.lists(st.floats(-3, 3), min_size=12, max_size=30), st.sampled_from(VERBS), st.sampled_from(LIMITS))
+def test_robustness_is_negative_just_where_a_requirement_is_missed(
+    values: list[float], verb: dict[str, Any], limits: dict[str, Any]
+) -> None:
+    log = {"time_s": np.arange(len(values)) / 100.0, "roll_deg": np.array(values)}
+    found = verdict(log, signal="roll_deg", **limits, **verb)
+    assert found["passed"] == (found["robustness"] >= 0.0) and math.isfinite(found["robustness"])
+    assert found["passed"] or not found["margin"] >= 0.0
+
+
+def test_what_was_not_flown_counts_below_what_was() -> None:
+    """Lost at 10 s: the later the end of the window, the worse; a broken limit before the loss is worse still."""
+    asked = {**NEAR, "from_s": 1}
+
+    def robustness(log: dict[str, Any], **window: float) -> float:
+        return float(judge([Requirement(**asked, **window)], log, {}, 40.0)[0]["robustness"])
+
+    assert robustness(outside(), until_s=20) == pytest.approx(-0.5, abs=1e-3)
+    assert robustness(outside(), until_s=40) == pytest.approx(-0.75, abs=1e-3)
+    assert robustness(outside((2, 3)), until_s=20) == pytest.approx(-1.0, abs=1e-3)
+    later = judge([Requirement(signal="altitude_m", from_s=30, within=2, of=100)], outside(), {}, 40.0)
+    assert later[0]["robustness"] == pytest.approx(-0.75, abs=1e-3)
+    assert robustness(outside()) == 0.5  # it asks for no more than was flown
+
+
+def test_rows_without_a_number_count_as_if_not_flown() -> None:
+    log = outside()
+    log["altitude_m"][750:] = math.nan
+    assert verdict(log, **NEAR)["robustness"] == pytest.approx(-0.25)
+
+
+def test_robustness_of_a_flight_is_the_least() -> None:
+    met = judge([Requirement(**NEAR), Requirement(signal="roll_deg", at_most=4)], outside(), {})
+    assert flight_of(outside(), requirements=met).robustness == 0.5
+    assert flight_of(outside()).robustness == math.inf
+    lost = flight_of(level_log(4.0), requirements=met, outcome=Outcome.ground_contact)
+    assert lost.robustness == pytest.approx(-0.601)  # 3.99 of 10 s
+    at_the_end = flight_of(level_log(), requirements=met, outcome=Outcome.ground_contact)
+    assert at_the_end.robustness == pytest.approx(-0.001)
 
 
 def test_a_lost_aircraft_has_not_passed_whatever_it_met() -> None:

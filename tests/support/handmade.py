@@ -113,6 +113,8 @@ def make_flight(rows: int = 100, columns: int = 5, **changes: object) -> Flight:
         "data": data,
         "events": [{"time_s": np.float64(5.0), "kind": "injection", "verified": np.bool_(True)}],
         "metrics": {"b": np.float64(0.1), "a": math.nan},
-        "requirements": [{"name": "a", "passed": True, "value": 0.1, "limit": "at most 1"}],
+        "requirements": [
+            {"name": "a", "passed": True, "value": 0.1, "limit": "at most 1", "robustness": 0.25}
+        ],
     }
     return Flight(**(contents | changes))  # type: ignore[arg-type]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -58,7 +59,7 @@ class Flight:
     metrics: Mapping[str, float] = field(default_factory=dict)
     """The value of every metric of `testbed.metrics.TABLE` by name; NaN if it has none in this flight."""
     requirements: Sequence[Mapping[str, Any]] = ()
-    """The verdict on each of the scenario's requirements: {name, passed, value, limit, margin, reason}."""
+    """The verdict on each of the scenario's requirements: {name, passed, value, limit, margin, robustness, reason}."""
     actuators: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     """{kind, unit, limits, scale} of each actuator by name, so that the log can be read without the aircraft's files."""
     warnings: Sequence[str] = ()
@@ -130,6 +131,22 @@ class Flight:
         return self.outcome is Outcome.completed and all(r["passed"] for r in self.requirements)
 
     @property
+    def robustness(self) -> float:
+        """The least robustness of its requirements; infinite without any, NaN in a folder written
+        before there was robustness. It is not negative if the flight passed.
+
+        Of a flight that ended early it is that, or 0 if it is positive, less the share of the duration that was not flown.
+        """
+        found = [r.get("robustness", math.nan) for r in self.requirements]
+        least = float(np.min(found, initial=math.inf))
+        if self.outcome is Outcome.completed:
+            return least
+        flown_s = (
+            self.end_time_s - 1.0 / self.scenario.rate_hz
+        )  # it ended in the last step, which was not flown to its end
+        return min(least, 0.0) + flown_s / self.scenario.duration_s - 1.0
+
+    @property
     def summary(self) -> dict[str, Any]:
         """Contents of summary.json. They do not depend on clock or machine; a number that is not finite is None."""
         summary = {
@@ -138,6 +155,7 @@ class Flight:
             "outcome": str(self.outcome),
             "end_time_s": self.end_time_s,
             "passed": self.passed,
+            "robustness": self.robustness,
             "requirements": list(self.requirements),
             "events": list(self.events),
             "metrics": dict(self.metrics),

@@ -1,89 +1,173 @@
-"""Judge a flight by its requirements: the worst value, the limit and the margin of each, and whether it was met."""
+"""Judge a flight by its requirements: the worst value, the limit, the margin and the robustness of each, and whether it was met."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from testbed.common.angles import wrap_deg
-from testbed.flight.columns import row_at, row_spacing_s
+from testbed.flight.columns import row_at, row_spacing_s, stretches
+from testbed.flight.limits import Side, extreme, outside, scaled, sides_of
+from testbed.flight.robustness import always, eventually, never_outside_for
 from testbed.scenario.requirement import Requirement
+
+_ENDED = "the flight ended before this window did"
+_NO_NUMBER = "not a number in this flight"
+_NOT_SETTLED = "it was outside at the end of the window"
 
 
 def judge(
-    requirements: Sequence[Requirement], log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
+    requirements: Sequence[Requirement],
+    log: Mapping[str, np.ndarray],
+    metrics: Mapping[str, float],
+    duration_s: float = math.inf,
 ) -> list[dict[str, Any]]:
-    """{name, passed, value, limit, margin, reason} of each requirement, in their order.
+    """{name, passed, value, limit, margin, robustness, reason} of each requirement, in their order.
 
     `value` is the worst value and `margin` its distance from the limit: the requirement is met if the margin is not
-    negative. The window of a signal has the rows with from_s <= time < until_s. Without `until_s` it ends with the flight,
-    even if that ended early.
+    negative. With `eventually` it is the best value, with `settles_by_s` the time from which on the limits are kept [s],
+    with `never_for_longer_than_s` the longest time outside of them [s]. The window of a signal has the rows with
+    from_s <= time < until_s. Without `until_s` it ends with the flight, even if that ended early.
 
-    In two cases a requirement is not met, has a `reason`, a margin of -inf and the value NaN: if the flight ended before
-    `until_s` or before the window began, and if the metric or signal is not a number (such as the delay of a detection that
-    did not happen).
+    `robustness` is how far the whole signal is from breaking its limits, in units of `scale` (see `flight.robustness`). It is
+    finite, and negative where the requirement is not met, also if it has no value.
+
+    A requirement that has no value has a `reason`, a margin of -inf and the value NaN. It is not met: the flight ended before
+    `until_s` or before the window began, the metric or signal is not a number (such as the delay of a detection that did not
+    happen), or the signal has not settled. Its robustness is that of what there is, or 0 if this is positive, less the share of
+    the time to the window's end that was not flown, or of the rows without a number.
+
+    Args:
+        duration_s: how long the flight was to be [s].
     """
-    return [_judge(requirement, log, metrics) for requirement in requirements]
+    return [_judge(requirement, log, metrics, duration_s) for requirement in requirements]
+
+
+class _Verdict(NamedTuple):
+    robustness: float
+    margin: float = -math.inf
+    value: float = math.nan
+    reason: str = ""
 
 
 def _judge(
-    requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
+    requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float], duration_s: float
 ) -> dict[str, Any]:
-    margin, value, reason = -math.inf, math.nan, ""
-    values = _values(requirement, log, metrics)
-    if not len(values):
-        reason = "the flight ended before this window did"
-    elif not np.all(np.isfinite(values)):
-        reason = "not a number in this flight"
+    if requirement.metric is not None:
+        found = _of_metric(requirement, float(metrics[requirement.metric]))
     else:
-        margin, value = _worst(requirement, values)
+        found = _of_signal(requirement, log, duration_s)
     return {
         "name": requirement.title,
-        "passed": bool(margin >= 0.0),
-        "value": value,
+        "passed": bool(found.margin >= 0.0),
+        "value": found.value,
         "limit": requirement.limit,
-        "margin": margin,
-        "reason": reason,
+        "margin": found.margin,
+        "robustness": found.robustness,
+        "reason": found.reason,
     }
 
 
-def _values(
-    requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float]
-) -> np.ndarray:
-    """[1] the metric, or [rows in the window] the signal or its difference from `of`; empty if the window was not flown."""
-    if requirement.metric is not None:
-        return np.array([metrics[requirement.metric]], dtype=float)
-    window = _window(requirement, log["time_s"])
-    values = log[str(requirement.signal)][window]
+def _of_metric(requirement: Requirement, metric: float) -> _Verdict:
+    if not math.isfinite(metric):
+        return _Verdict(-1.0, reason=_NO_NUMBER)
+    sides = sides_of(requirement, np.array([metric]))
+    return _Verdict(always(scaled(sides)), *extreme(sides))
+
+
+def _of_signal(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:
+    time = log["time_s"]
+    rows = _window(requirement, time)
+    values = _values(requirement, log, rows)
+    known = np.isfinite(values)
+    if _cut_short(requirement, time) or rows.start >= rows.stop:
+        return _Verdict(
+            _of_part(requirement, values[known], time) - _not_flown(requirement, time, duration_s),
+            reason=_ENDED,
+        )
+    if not known.all():
+        return _Verdict(
+            _of_part(requirement, values[known], time) - float(np.mean(~known)), reason=_NO_NUMBER
+        )
+    sides = sides_of(requirement, values)
+    robustness = _robustness(requirement, sides, time)
+    if requirement.never_for_longer_than_s is not None:
+        return _Verdict(robustness, *_longest_outside(requirement, sides, time))
+    if requirement.settles_by_s is not None:
+        return _Verdict(robustness, *_settling(requirement, log))
+    return _Verdict(robustness, *extreme(sides, best=bool(requirement.eventually)))
+
+
+def _window(requirement: Requirement, time: np.ndarray) -> slice:
+    """Rows with begins_s <= time < until_s that were flown."""
+    end = len(time) if requirement.until_s is None else row_at(time, requirement.until_s)
+    return slice(row_at(time, requirement.begins_s), end)
+
+
+def _cut_short(requirement: Requirement, time: np.ndarray) -> bool:
+    """Whether the flight ended more than a step before `until_s`."""
+    until = requirement.until_s
+    return until is not None and (not len(time) or time[-1] < until - 1.5 * row_spacing_s(time))
+
+
+def _not_flown(requirement: Requirement, time: np.ndarray, duration_s: float) -> float:
+    """Share of the time to the end of the window that was not flown; 1 if there is nothing of the window in the log."""
+    end = duration_s if requirement.until_s is None else requirement.until_s
+    flown = time[-1] / end if len(time) else 0.0
+    return 1.0 - float(flown) if flown < 1.0 else 1.0
+
+
+def _values(requirement: Requirement, log: Mapping[str, np.ndarray], rows: slice) -> np.ndarray:
+    """[rows] the signal, or its difference from `of`."""
+    values = log[str(requirement.signal)][rows]
     if requirement.within is not None:
-        of = log[requirement.of][window] if isinstance(requirement.of, str) else float(requirement.of or 0.0)
+        of = log[requirement.of][rows] if isinstance(requirement.of, str) else float(requirement.of or 0.0)
         values = values - of
         if str(requirement.signal).startswith("heading"):
             values = wrap_deg(values)
     return values
 
 
-def _window(requirement: Requirement, time: np.ndarray) -> slice:
-    """Rows with from_s <= time < until_s; none if the flight ended more than a step before `until_s`."""
-    first = row_at(time, requirement.from_s or 0.0)
-    if requirement.until_s is None:
-        return slice(first, len(time))
-    if not len(time) or time[-1] < requirement.until_s - 1.5 * row_spacing_s(time):
-        return slice(0, 0)
-    return slice(first, row_at(time, requirement.until_s))
+def _robustness(requirement: Requirement, sides: Sequence[Side], time: np.ndarray) -> float:
+    if requirement.eventually:
+        return eventually(scaled(sides))
+    if requirement.never_for_longer_than_s is not None:
+        return never_outside_for(scaled(sides), _rows_allowed(requirement, time) + 1)
+    return always(scaled(sides))
 
 
-def _worst(requirement: Requirement, values: np.ndarray) -> tuple[float, float]:
-    """(margin, value) for the limit with the smallest margin."""
-    candidates = []
-    if requirement.within is not None:
-        worst = float(np.max(np.abs(values)))
-        candidates.append((requirement.within - worst, worst))
-    if requirement.at_most is not None:
-        candidates.append((requirement.at_most - float(np.max(values)), float(np.max(values))))
-    if requirement.at_least is not None:
-        candidates.append((float(np.min(values)) - requirement.at_least, float(np.min(values))))
-    return min(candidates)
+def _of_part(requirement: Requirement, values: np.ndarray, time: np.ndarray) -> float:
+    """Robustness of the rows that there are, or 0 if that is positive or there are none."""
+    if not len(values):
+        return 0.0
+    return min(0.0, _robustness(requirement, sides_of(requirement, values), time))
+
+
+def _rows_allowed(requirement: Requirement, time: np.ndarray) -> int:
+    """Rows in succession that may be outside the limits."""
+    return int(float(requirement.never_for_longer_than_s or 0.0) / (row_spacing_s(time) or math.inf) + 1e-6)
+
+
+def _longest_outside(
+    requirement: Requirement, sides: Sequence[Side], time: np.ndarray
+) -> tuple[float, float]:
+    """(margin, value): the longest time outside the limits [s]. A row counts for the time to the next."""
+    rows = max((end - first for first, end in stretches(outside(sides))), default=0)
+    longest = rows * row_spacing_s(time)
+    margin = float(requirement.never_for_longer_than_s or 0.0) - longest
+    return (margin if rows > _rows_allowed(requirement, time) else max(0.0, margin)), longest
+
+
+def _settling(requirement: Requirement, log: Mapping[str, np.ndarray]) -> tuple[float, float, str]:
+    """(margin, value, reason): the time of the first row after which the limits are kept to the end of the window [s]."""
+    time = log["time_s"]
+    rows = slice(0, _window(requirement, time).stop)
+    broken = np.flatnonzero(outside(sides_of(requirement, _values(requirement, log, rows))))
+    settled = int(broken[-1]) + 1 if len(broken) else 0
+    if settled == rows.stop:
+        return -math.inf, math.nan, _NOT_SETTLED
+    allowed = time[row_at(time, requirement.begins_s)]
+    return float(allowed - time[settled]), float(time[settled]), ""

@@ -58,7 +58,8 @@ def write(summary: dict[str, Any], folder: Path) -> None:
 
 def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
     """Names of the columns that are metrics."""
-    others = {"run", "seed", "outcome", "passed", "reason", "end_time_s", *plan.paths, *plan.sweep.compare}
+    others = {"run", "seed", "outcome", "passed", "reason", "end_time_s", "robustness"}
+    others |= {*plan.paths, *plan.sweep.compare}
     return [name for name in frame.columns if name not in others and not name.startswith("requirements.")]
 
 

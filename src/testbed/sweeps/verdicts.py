@@ -61,6 +61,8 @@ def missed(requirements: Sequence[Requirement], row: Mapping[Any, Any]) -> Misse
 
 def margin(requirement: Requirement, value: float) -> float:
     """Distance of a requirement's worst value from its limit, negative where it is missed; NaN without a value."""
+    if requirement.longest_s is not None:
+        return requirement.longest_s - value
     limits = [
         requirement.within - value if requirement.within is not None else math.nan,
         requirement.at_most - value if requirement.at_most is not None else math.nan,
@@ -72,5 +74,9 @@ def margin(requirement: Requirement, value: float) -> float:
 def _share(requirement: Requirement, value: float) -> float:
     """The margin as a share of the limit; 0, which is the least missed, without a value."""
     short = margin(requirement, value)
-    limit = next(x for x in (requirement.within, requirement.at_most, requirement.at_least) if x is not None)
+    limit = next(
+        x
+        for x in (requirement.longest_s, requirement.within, requirement.at_most, requirement.at_least)
+        if x is not None
+    )
     return 0.0 if math.isnan(short) else short / max(abs(limit), 1e-9)

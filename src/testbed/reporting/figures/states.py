@@ -49,7 +49,7 @@ def _limits(sheet: Page, panel: Axes, name: str, reference: str | None) -> Itera
     for requirement in sheet.flight.scenario.requirements:
         if requirement.signal != name:
             continue
-        since, until = requirement.from_s or 0.0, requirement.until_s or math.inf
+        since, until = requirement.begins_s, requirement.until_s or math.inf
         for limit in (requirement.at_most, requirement.at_least):
             if limit is not None:
                 sheet.level(panel, limit, "requirement", since, until)

@@ -78,15 +78,20 @@ def _verdicts(
             {"from_s": begin, "until_s": end, "low": -limit, "high": limit, "passed": verdict["passed"]}
         )
         rows = slice(row_at(time, begin), row_at(time, end))
+        longest = requirement.never_for_longer_than_s or 0.0
+        if requirement.eventually and verdict["passed"]:
+            continue
         outside = ~(np.abs(wrap_deg(error[rows]) if signal.startswith("heading") else error[rows]) <= limit)
         for first, last in stretches(outside):
             since, until = time[rows][first], time[rows][last - 1]
+            if until - since < longest:
+                continue
             missed.append({"from_s": float(since), "until_s": float(until)})
     return {"bands": bands, "missed": missed}
 
 
 def _window(requirement: Requirement, end_s: float) -> tuple[float, float]:
-    return requirement.from_s or 0.0, end_s if requirement.until_s is None else requirement.until_s
+    return requirement.begins_s, end_s if requirement.until_s is None else requirement.until_s
 
 
 def _effectiveness(flight: Flight, estimates: bool) -> Iterator[Panel]:

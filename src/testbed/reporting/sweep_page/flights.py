@@ -154,11 +154,13 @@ def limits(
     signal, reference = histories.CHANNELS[channel]
     metric = channel.replace("_error_", "_error_max_")
     for requirement in requirements:
+        if requirement.eventually or requirement.never_for_longer_than_s:
+            continue  # its limit may be left
         if requirement.metric == metric and requirement.at_most is not None:
             yield {"from_s": 0.0, "until_s": duration_s, "size": requirement.at_most}
         if requirement.signal == signal and requirement.of == reference and requirement.within is not None:
             end = duration_s if requirement.until_s is None else requirement.until_s
-            yield {"from_s": requirement.from_s or 0.0, "until_s": end, "size": requirement.within}
+            yield {"from_s": requirement.begins_s, "until_s": end, "size": requirement.within}
 
 
 def _all_rounded(values: np.ndarray) -> list[float | None]:

@@ -31,6 +31,7 @@ def rows(plan: Plan, records: Iterable[Mapping[str, Any]]) -> Iterator[dict[str,
             "passed": record["passed"],
             **record["values"],
             "end_time_s": record.get("end_time_s", math.nan),
+            "robustness": record.get("robustness", math.nan),
             **record.get("metrics", {}),
             **_requirements(record),
             "reason": record["reason"],
@@ -39,8 +40,11 @@ def rows(plan: Plan, records: Iterable[Mapping[str, Any]]) -> Iterator[dict[str,
 
 def _requirements(record: Mapping[str, Any]) -> dict[str, Any]:
     flat: dict[str, Any] = {}
-    for j, (passed, value) in enumerate(record.get("requirements", ())):
-        flat |= {f"requirements.{j}.passed": passed, f"requirements.{j}.value": value}
+    for j, verdict in enumerate(record.get("requirements", ())):
+        for name, value in zip(
+            ("passed", "value", "robustness"), verdict, strict=False
+        ):  # older records have two
+            flat[f"requirements.{j}.{name}"] = value
     return flat
 
 
@@ -56,7 +60,7 @@ def columns(plan: Plan, records: Iterable[Mapping[str, Any]]) -> dict[str, type]
             (verdicts if name.startswith("requirements.") and name not in plan.paths else middle).setdefault(
                 name
             )
-    head = ["run", "seed", *plan.sweep.compare, "outcome", "passed", *plan.paths, "end_time_s"]
+    head = ["run", "seed", *plan.sweep.compare, "outcome", "passed", *plan.paths, "end_time_s", "robustness"]
     rest = [name for name in middle if name not in head and name != "reason"]
     order = sorted(verdicts, key=lambda name: (int(name.split(".")[1]), name))
     return {name: _type(kinds.get(name, set())) for name in dict.fromkeys([*head, *rest, *order, "reason"])}

@@ -1,8 +1,8 @@
 """One flight of a sweep, in a worker process: fly it, and make the record that is kept of it.
 
 The record of a flight becomes a line of the journal and a row of the table. It has `run`, `variant`, `seed`, `values` (those
-drawn), `outcome`, `passed`, `reason` (why there is no result), `end_time_s`, `metrics`, and `requirements`
-[[passed, value], ...]. A flight without a result has no `end_time_s`, `metrics` and `requirements`.
+drawn), `outcome`, `passed`, `reason` (why there is no result), `end_time_s`, `robustness`, `metrics`, and `requirements`
+[[passed, value, robustness], ...]. A flight without a result has no `end_time_s`, `robustness`, `metrics` and `requirements`.
 """
 
 from __future__ import annotations
@@ -103,8 +103,12 @@ def _flown(job: Job, task: Task, flight: Flight) -> Flown:
         "passed": bool(flight.passed),
         "reason": "",
         "end_time_s": float(flight.end_time_s),
+        "robustness": float(flight.robustness),
         "metrics": {name: float(value) for name, value in flight.metrics.items()},
-        "requirements": [[bool(r["passed"]), _number(r["value"])] for r in flight.requirements],
+        "requirements": [
+            [bool(r["passed"]), _number(r["value"]), _number(r.get("robustness"))]
+            for r in flight.requirements
+        ],
     }
     wanted = job.save_logs == "all" or (job.save_logs == "failed" and not flight.passed)
     return Flown(record, history(flight), kept.encode(flight) if wanted else b"")
