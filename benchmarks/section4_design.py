@@ -25,10 +25,12 @@ DESIGNS: list[tuple[str, str, dict[str, Any], float]] = [
     ("paper", "gyro 0.03 deg/s/rtHz", {"sensors.gyro.noise_deg_s_rthz": 0.03}, 0.02),
     ("paper", "alpha 0.03 deg/rtHz", {"sensors.alpha.noise_deg_rthz": 0.03}, 0.02),
     ("paper", "all of these", {"sensors": EVERY}, 0.05),
-    ("paper", "turbulence, W20 1 m/s", {"atmosphere.turbulence_w20_m_s": 1.0}, 0.1),
+    ("paper", "JSBSim's turbulence, W20 1 m/s", {"atmosphere.turbulence_w20_m_s": 1.0}, 0.1),
+    ("paper", "Dryden turbulence, W20 1 m/s", {"atmosphere.turbulence_w20_m_s": 1.0, "atmosphere.model": "dryden_8785c"}, 0.1),
     ("default", "accelerometer 0.3 m/s2/rtHz", {"sensors.accelerometer.noise_m_s2_rthz": 0.3}, 0.05),
     ("default", "alpha 0.1 deg/rtHz", {"sensors.alpha.noise_deg_rthz": 0.1}, 0.02),
-    ("default", "turbulence, W20 3 m/s", {"atmosphere.turbulence_w20_m_s": 3.0}, 0.05),
+    ("default", "JSBSim's turbulence, W20 3 m/s", {"atmosphere.turbulence_w20_m_s": 3.0}, 0.05),
+    ("default", "Dryden turbulence, W20 3 m/s", {"atmosphere.turbulence_w20_m_s": 3.0, "atmosphere.model": "dryden_8785c"}, 0.05),
 ]  # fmt: skip
 """Law, errors in words and as settings, tolerated deviation."""
 FAILED_S = 200.0

@@ -17,7 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import lfilter
 
-from testbed.air.config import Atmosphere
+from testbed.air.config import Atmosphere, severity
+from testbed.air.dryden import EXCEEDED_FT, EXCEEDED_FT_S, intensities_and_lengths, rolling_intensity
 from testbed.controllers.records import D_P
 from testbed.scenario.load import Scenario
 from testbed.sensors.channels import CHANNELS, Channel
@@ -27,9 +28,6 @@ from testbed.theory.trimmed_law import TrimmedLaw
 ROLLING = "rolling gusts"
 LONG_S = 5.0
 """Correlation time beyond which an error lasts."""
-_FEET = 0.3048
-_LOW_M, _HIGH_M = 10.0 * _FEET, 1000.0 * _FEET
-"""Heights between which MIL-F-8785C gives the scale of turbulence as the height."""
 
 
 @dataclass(frozen=True)
@@ -124,14 +122,24 @@ def _of_sensor(
 
 
 def _gusts(law: TrimmedLaw, air: Atmosphere, height_m: float) -> Iterator[ErrorSource]:
-    """The rolling of the air about the aircraft by gusts that vary along its span (MIL-F-8785C, 3.7.5; MIL-STD-1797A, table VI).
-
-    sigma_p = 1.9 sigma_w / sqrt(L_w b), time constant sqrt(L_w b) / (2.6 V), sigma_w = 0.1 W20.
-    """
+    """The rolling of the air about the aircraft by gusts that vary along its span, as a first-order process."""
     span = law.setup.model.span_m
     if not air.turbulence_w20_m_s or not span:
         return
-    length = math.sqrt(min(max(height_m, _LOW_M), _HIGH_M) * span)
-    rolling = 1.9 * 0.1 * air.turbulence_w20_m_s / length
+    rolling, time = _rolling(air, height_m, span, law.state["airspeed"])
     response = np.array(law.model.A[:, D_P])[None] * law.state["airspeed"] / law.model.airspeed
-    yield ErrorSource(ROLLING, "turbulence", response, rolling, length / (2.6 * law.state["airspeed"]))
+    yield ErrorSource(ROLLING, "turbulence", response, rolling, time)
+
+
+def _rolling(air: Atmosphere, height_m: float, span: float, airspeed: float) -> tuple[float, float]:
+    """Standard deviation [rad/s] and correlation time [s] of the rolling gusts.
+
+    MIL-F-8785C, 3.7.5, for Dryden's turbulence; for JSBSim's MIL-STD-1797A, table VI: sigma_p = 1.9 sigma_w / sqrt(L_w b), time
+    constant sqrt(L_w b) / (2.6 V). JSBSim's own filters fall short of these: flown at 200 Hz, the deviation is 0.86 of it.
+    """
+    exceeded = np.array([EXCEEDED_FT, EXCEEDED_FT_S[severity(air.turbulence_w20_m_s)]])
+    _, sigma_w, _, length_w = intensities_and_lengths(height_m, air.turbulence_w20_m_s, exceeded)
+    if air.model == "jsbsim":
+        length = math.sqrt(length_w * span)
+        return 1.9 * sigma_w / length, length / (2.6 * airspeed)
+    return rolling_intensity(sigma_w, length_w, span), 4.0 * span / (math.pi * airspeed)
