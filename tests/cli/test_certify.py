@@ -10,6 +10,8 @@ import pytest
 from command_line import Called
 from short_flights import scenario
 
+from testbed.theory import mode_margins
+
 
 @pytest.fixture
 def file(here: Path) -> str:
@@ -20,7 +22,6 @@ def file(here: Path) -> str:
 
 def test_certify_prints_tables_and_writes_all_numbers(here: Path, called: Called, file: str) -> None:
     """The CSV and the JSON hold what the tables show: the uniform limit, and the limit of each entry."""
-    numbers = {}
     for name in ("all.json", "all.csv"):
         status, out, err = called("certify", file, "--out", name)
         assert (status, err) == (0, "")
@@ -39,6 +40,18 @@ def test_certify_prints_tables_and_writes_all_numbers(here: Path, called: Called
     entries = [float(row["value"]) for row in rows if row["quantity"] == "certified_error_of_entry"]
     assert entries == [x for row in numbers["entries"] for x in row]
     assert {row["of"] for row in rows if row["quantity"] == "trim_beta"} == set(numbers["actuators"])
+
+
+def test_without_cvxpy_all_but_the_margin_is_said(
+    here: Path, called: Called, file: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As on a machine without the extra `certify`: the table says what is missing, and the file leaves it out."""
+    monkeypatch.setattr(mode_margins, "find_spec", lambda name: None)
+    status, out, err = called("certify", file, "--out", "all.csv")
+    assert (status, err) == (0, "")
+    assert "needs cvxpy" in out and "H+ radius at most" in out
+    quantities = {row[2] for row in csv.reader((here / "all.csv").read_text().splitlines())}
+    assert "radius" in quantities and "margin" not in quantities
 
 
 def test_certify_refuses_bad_input_all_at_once(here: Path, called: Called, file: str) -> None:

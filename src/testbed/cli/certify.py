@@ -6,7 +6,6 @@ import argparse
 import csv
 import io
 import json
-import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -19,6 +18,9 @@ from testbed.common.files import plain, replacing
 from testbed.common.signals import RATES
 from testbed.common.text import cell
 from testbed.inputs.problems import BadInput, Problem
+
+_NOTHING = 1e-5
+"""A certified error that is called none."""
 
 if TYPE_CHECKING:
     from testbed.theory.certificate import Certificate
@@ -115,9 +117,12 @@ def text(c: Certificate) -> str:
         "",
         *_biases(c),
     ]
+    parts += [
+        "",
+        "These bound the estimates, not the motion: fly with controller.model_error to see what the outer loops bear.",
+    ]
     if not c.exact_law:
         parts += [
-            "",
             "The scenario's estimation is not (13). Of the above, what is said of inversions holds, and the bias once e is 0.",
         ]
     return "\n".join(parts)
@@ -136,7 +141,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 
 
 def _percent(value: float) -> str:
-    return "none" if math.isinf(value) else f"{max(round(100.0 * value, 3), 0.0):.3g} %"
+    return f"{max(round(100.0 * value, 3), 0.0):.3g} %" if value < 10.0 else "over 1000 %"
 
 
 def _modes(c: Certificate) -> str:
@@ -206,6 +211,8 @@ def _biases(c: Certificate) -> Iterator[str]:
     ]
     yield _table(head, rows)
     yield "  |r|, beta, estimate / truth and what follows are those at the start; beta bounds the bias of an estimate"
-    yield (
-        f"  However r moves, all estimates of this flight are bounded up to an error of {_percent(c.sector_limit)}"
-    )
+    if c.sector_limit < _NOTHING:
+        yield "  Over the whole flight nothing is certified: a reference passes zero."
+    else:
+        limit = _percent(c.sector_limit)
+        yield f"  However r moves in this flight, all estimates are bounded up to an error of {limit}."
