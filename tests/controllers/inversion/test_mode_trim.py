@@ -235,7 +235,12 @@ def test_without_a_jam_any_airspeed_is_flown_and_a_mode_that_cannot_hold_it_has_
 
 
 def test_a_propeller_that_brakes_is_flown_as_fast_as_a_lost_one() -> None:
-    assert lost_thrust(MODEL, (2,)) and not lost_thrust(MODEL, (0,)) and not lost_thrust(MODEL, (2, 3))
+    forces = np.zeros(4)
+    assert lost_thrust(MODEL, (2,), forces)
+    assert not lost_thrust(MODEL, (0,), forces) and not lost_thrust(MODEL, (2, 3), forces)
+    assert not lost_thrust(MODEL, (2,), np.array(MODEL.trim)), (
+        "a propeller that is jammed at its trim still pulls"
+    )
     flight, held = steady_flight(remaining(3, jammed={3: -0.75}), LOOPS, "")
     assert held == ("airspeed", "altitude", "heading")
     assert flight.state[AIRSPEED] == pytest.approx(V + LOOPS.lost_thrust_faster_m_s, abs=0.5)

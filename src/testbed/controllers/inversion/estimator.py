@@ -20,8 +20,8 @@ HEALTHY_VARIANCE = 0.01
 UNKNOWN_VARIANCE = 1.0
 """Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
 AGAIN = 4.0
-"""Factor on the likelihood ratio of a change of a jammed actuator's position: what is broken moves again sooner than what is healthy
-breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
+"""Factor on the likelihood ratio of a change of a jammed actuator's position: what is broken moves again sooner than what is
+healthy breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
 JAM_VARIANCE = 16.0
 """Initial and largest variance of a jammed actuator's estimated position [scaled^2]."""
 

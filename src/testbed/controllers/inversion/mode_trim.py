@@ -200,16 +200,21 @@ def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) ->
     return np.minimum(np.minimum(to_stops, to_stall), to_sideslip) + 1e-9
 
 
-def lost_thrust(model: DesignModel, failed: Sequence[int]) -> bool:
-    """Whether one motor or engine of several is left. An aircraft that has only one by design has lost none."""
-    motors = [i not in failed for i, kind in enumerate(model.kinds) if kind != "servo"]
-    return len(motors) > 1 and sum(motors) == 1
+def lost_thrust(model: DesignModel, failed: Sequence[int], forces: np.ndarray) -> bool:
+    """Whether one motor or engine of several is left, and the failed ones give less than half of their thrust at the trim.
+
+    Args:
+        forces: [n] of each failed actuator, 0 if it is lost [rad or N]. An aircraft that has only one motor has lost none.
+    """
+    motors = [i for i, kind in enumerate(model.kinds) if kind != "servo"]
+    lost = [i for i in motors if i in failed and forces[i] < 0.5 * model.trim[i]]
+    return len(lost) > 0 and len(motors) == len(lost) + 1
 
 
 def _wanted(left: Remaining, loops: Loops) -> float:
     """Airspeed to fly at if there is a trim: the reference, or faster with one motor left."""
-    faster = loops.lost_thrust_faster_m_s if lost_thrust(left.model, left.unused) else 0.0
-    return left.model.airspeed_m_s + faster
+    lost = lost_thrust(left.model, left.unused, left.effective * left.positions * left.scale)
+    return left.model.airspeed_m_s + (loops.lost_thrust_faster_m_s if lost else 0.0)
 
 
 def _has_motor(left: Remaining) -> bool:
