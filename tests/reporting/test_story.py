@@ -61,8 +61,8 @@ def test_drift_of_what_did_not_settle() -> None:
     log = lost(2.0)
     log["heading_deg"] = np.mod(350.0 + 4.0 * np.maximum(log["time_s"] - 2.0, 0.0), 360.0)
     text = told(log, injection(2.0))
-    assert "Heading did not settle: +32.0 deg off at the end, drifting by +4.00 deg/s." in text
-    assert "Not recovered" in text
+    assert "Heading did not settle: 32.0 deg right of it at the end, drifting by +4.00 deg/s." in text
+    assert "Not recovered: it did not stay within 15 deg of heading." in text
 
 
 def test_an_estimate_is_told_only_where_there_is_one() -> None:
@@ -76,6 +76,17 @@ def test_an_estimate_is_told_only_where_there_is_one() -> None:
 def test_false_alarms() -> None:
     false = {"time_s": 4.0, "kind": "false_alarm", "actuator": "fan"}
     assert "It wrongly flagged the fan, first at 4.0 s." in told(lost(2.0), injection(2.0), false)
+
+
+def test_what_was_given_up_for_a_false_alarm_is_not_told_of_the_failure() -> None:
+    noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    false = {"time_s": 4.0, "kind": "false_alarm", "actuator": "fan"}
+    released = [
+        {"time_s": t, "kind": "release", "axis": axis} for t, axis in ((2.3, "r_dot"), (4.0, "p_dot"))
+    ]
+    text = told(lost(2.0), injection(2.0), noticed, false, *released)
+    assert "noticed the elevon after 0.30 s and gave up yaw acceleration." in text
+    assert "It wrongly flagged the fan, first at 4.0 s and gave up roll acceleration." in text
 
 
 def test_nothing_broken() -> None:
@@ -92,8 +103,17 @@ def test_a_lost_flight_names_the_limit_and_what_was_asked() -> None:
     }
     text = told(lost(2.0), injection(2.0), event, outcome=Outcome.envelope_exceeded)
     assert "Lost at 9.9 s: sideslip of 40.3 deg passed its limit of 40 deg." in text
-    assert "asked the elevon for its highest" in text
+    assert "asked the elevon for its highest" in text and "bank" not in text
     assert "ecovered" not in text and "ettled" not in text
+
+
+def test_the_attitude_of_a_dive_and_a_heading_that_went_round() -> None:
+    log = lost(2.0)
+    log["pitch_deg"][at(3) :], log["roll_deg"][at(3) :] = -70.0, 95.0
+    log["heading_deg"] = np.mod(log["heading_deg"] + 60.0 * np.maximum(log["time_s"] - 2.0, 0.0), 360.0)
+    event = {"time_s": 9.9, "kind": "lost", "outcome": "ground_contact", "limits": [], "at_stop": []}
+    text = told(log, injection(2.0), event, outcome=Outcome.ground_contact)
+    assert "at 95 deg of bank and 70 deg nose down." in text and "(it turned all the way round)" in text
 
 
 def test_the_shipped_flight_is_told_as_it_was() -> None:
@@ -104,6 +124,6 @@ def test_the_shipped_flight_is_told_as_it_was() -> None:
     assert "At 15.0 s the left ruddervator was lost completely." in text
     assert f"noticed the left ruddervator after {detection['delay_s']:.2f} s" in text
     assert f"{flight.metrics['altitude_error_max_m']:.2f} m of altitude" in text
-    assert "Recovered" in text and "wrongly" not in text
+    assert "It held: it never left 5 m of altitude and 15 deg of heading." in text and "wrongly" not in text
     assert [e for e in flight.events if e["kind"] == "recovered"][-1]["time_s"] == pytest.approx(15.0)
     assert len(story(flight)) <= 4

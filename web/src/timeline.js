@@ -21,7 +21,9 @@ export function timeline(root, flight, clock) {
     phase.dataset.phase = name;
     phase.style.left = share(from_s);
     phase.style.width = `${(100 * (until_s - from_s)) / span}%`;
-    phase.textContent = TITLES[name];
+    const words = document.createElement("span");
+    words.textContent = TITLES[name];
+    phase.append(words);
     phase.title = `${TITLES[name]}: ${from_s.toFixed(2)} to ${until_s.toFixed(2)} s`;
     phase.addEventListener("click", () => {
       const margin = Math.max(0.15 * (until_s - from_s), 0.5);
@@ -41,11 +43,21 @@ export function timeline(root, flight, clock) {
   hand.className = "hand";
   bar.append(hand);
 
+  const times = document.createElement("p");
+  times.className = "times";
+  for (const t of [clock.start, ...flight.failures_s.slice(0, 3), clock.start + span]) {
+    const mark = document.createElement("span");
+    mark.textContent = `${+t.toFixed(1)} s`;
+    mark.style.left = share(t);
+    times.append(mark);
+  }
+
   const legend = document.createElement("p");
   legend.className = "legend";
   for (const name of PHASES.filter((p) => flight.phases.some((phase) => phase.name === p))) {
     legend.insertAdjacentHTML("beforeend", `<span><i class="phase ${name}"></i>${TITLES[name]}</span>`);
   }
+  legend.insertAdjacentHTML("beforeend", "<span>strokes: events, with their words on hover</span>");
   const buttons = document.createElement("p");
   buttons.className = "buttons";
   const button = (text, act) => {
@@ -63,7 +75,9 @@ export function timeline(root, flight, clock) {
     });
   }
   button("Whole flight", () => clock.show(clock.start, clock.end));
-  root.append(bar, legend, buttons);
+  root.append(bar, times, legend, buttons);
+  const fit = () => bar.querySelectorAll(".phase").forEach((phase) => phase.classList.toggle("narrow", phase.clientWidth < phase.firstChild.scrollWidth + 12));
+  new ResizeObserver(fit).observe(bar); // a title that does not fit is left to the legend
   clock.listen(() => {
     hand.style.left = share(clock.now);
   });

@@ -104,15 +104,12 @@ def _default_folder(scenario: Scenario, i: int) -> Path:
 
 def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
-    from testbed.reporting.story import story
+    from testbed.reporting.story import diagnoses, story
 
     by = f", flown by {flight.flown_by}" if flight.flown_by else ""
     print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s{by}")
-    for line in story(flight):
+    for line in [*story(flight), *diagnoses(flight)]:
         print(f"  {line}")
-    for event in flight.events:
-        if event["kind"] == "diagnosis":
-            print(f"  controller at {event['time_s']:.1f} s: {event['text']}")
     missed = [requirement for requirement in flight.requirements if not requirement["passed"]]
     for requirement in missed:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""

@@ -29,6 +29,8 @@ _TRACKED = {"altitude": "m", "heading": "deg"}
 _BANDS = (0.1, 0.3, 1.0, 3.0, 5.0, 10.0, 15.0)  # what "settled within" may say, in m or deg
 _LAST = 0.25  # share of the time since a failure from which the final state is judged
 _MOST = 3  # failures that are told one by one
+_ROUND_DEG = 170.0  # heading is measured the short way, so that it cannot be much further off
+_STEEP_DEG = 30.0  # of bank or pitch, worth a word when the aircraft is lost
 _WHOLE = 1e-3  # an estimate that never differs from 1 by more is none
 _LIMITS = {
     "alpha_max_deg": "angle of attack",
@@ -53,6 +55,12 @@ def story(flight: Flight) -> list[str]:
     view = readings(flight)
     parts = [_failures(flight), _controller(view), _errors(view), _end(flight)]
     return [" ".join(sentences) for sentences in map(list, parts) if sentences]
+
+
+def diagnoses(flight: Flight) -> list[str]:
+    """What the controller itself said during the flight, such as why altitude cannot be held."""
+    said = [e for e in flight.events if e["kind"] == "diagnosis"]
+    return [f"controller at {event['time_s']:.1f} s: {event['text']}" for event in said]
 
 
 def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bool:
@@ -109,7 +117,9 @@ def _controller(view: Readings) -> Iterator[str]:
         yield from _estimates(view)
     if false:
         who = _and(list(dict.fromkeys(f"the {title(e['actuator'])}" for e in false)))
-        yield f"It wrongly flagged {who}, first at {false[0]['time_s']:.1f} s."
+        gave_up = _gave_up([axis for event in false for axis in _released(view, event)])
+        first = f"{who}, first at {false[0]['time_s']:.1f} s"
+        yield f"It wrongly flagged {_and([first, *gave_up])}."
 
 
 def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, Any]]) -> Iterator[str]:
@@ -118,13 +128,22 @@ def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, An
     if not here:
         return
     first = [f"noticed the {title(name)} after {e['delay_s']:.2f} s" for name, e in reversed(here.items())]
-    axes = dict.fromkeys(
-        AXES[e["axis"]]
-        for e in view.events
-        if e["kind"] == "release" and stretch.begin_s <= e["time_s"] < stretch.end_s
-    )
-    gave_up = [f"gave up {_and(list(axes))}"] if axes else []
+    flags = [e for e in notices if stretch.begin_s <= e["time_s"] < stretch.end_s]
+    gave_up = _gave_up([axis for event in flags for axis in _released(view, event)])
     yield f"The controller {_and([*first, *gave_up, *_sideslip(view, stretch)])}."
+
+
+def _gave_up(axes: Sequence[str]) -> list[str]:
+    return [f"gave up {_and([AXES[axis] for axis in dict.fromkeys(axes)])}"] if axes else []
+
+
+def _released(view: Readings, flag: Mapping[str, Any]) -> list[str]:
+    """The axes that were released because of a flag: after it, and before the next flag."""
+    flags = [e["time_s"] for e in view.events if e["kind"] in ("detection", "false_alarm")]
+    until = min((t for t in flags if t > flag["time_s"]), default=math.inf)
+    return [
+        e["axis"] for e in view.events if e["kind"] == "release" and flag["time_s"] <= e["time_s"] < until
+    ]
 
 
 def _sideslip(view: Readings, stretch: Stretch) -> list[str]:
@@ -146,7 +165,8 @@ def _errors(view: Readings) -> Iterator[str]:
     """The worst errors since the first failure, and whether they settled."""
     first = min(view.first_failed_row(), len(view.time_s) - 1) if view.failure_times_s() else 0
     worst = {q: float(np.abs(view.error(q)[first:]).max()) for q in _TRACKED}
-    yield f"Worst: {_amount(worst['altitude'])} m of altitude, {_amount(worst['heading'])} deg of heading."
+    round_ = " (it turned all the way round)" if worst["heading"] > _ROUND_DEG else ""
+    yield f"Worst: {_amount(worst['altitude'])} m of altitude, {_amount(worst['heading'])} deg of heading{round_}."
     if view.survived:
         yield from _settled(view, slice(first, len(view.time_s)), worst)
         yield from _speed(view, first)
@@ -172,7 +192,9 @@ def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:
     tail = _tail(rows)
     error, time = view.error(quantity)[tail], view.time_s[tail]
     rate = float(np.polyfit(time, np.unwrap(error, period=360.0) if unit == "deg" else error, 1)[0])
-    off = f"{quantity.capitalize()} did not settle: {_amount(float(error[-1]), signed=True)} {unit} off at the end"
+    end = float(error[-1])
+    side = ("too low", "too high") if quantity == "altitude" else ("left of it", "right of it")
+    off = f"{quantity.capitalize()} did not settle: {_amount(abs(end))} {unit} {side[end > 0.0]} at the end"
     return f"{off}, drifting by {_amount(rate, signed=True)} {unit}/s."
 
 
@@ -192,14 +214,25 @@ def _end(flight: Flight) -> Iterator[str]:
     times = failure_times_s(flight.events)
     if not times or flight.outcome is not Outcome.completed:
         return
-    limits = " and ".join(f"{limit:g} {_TRACKED[q]}" for q, limit in RECOVERED.items())
+    limits = _within(RECOVERED)
     last = [e for e in flight.events if e["kind"] == "recovered" and e["time_s"] >= times[-1]]
     if not last:
-        yield f"Not recovered: it did not stay within {limits} of its references."
+        yield f"Not recovered: it did not stay within {_within(_left(flight))}."
     elif last[0]["after_s"] > 0.0:
         yield f"Recovered {last[0]['after_s']:.1f} s after the failure: within {limits} from then on."
     else:
-        yield f"Recovered: it never left {limits}."
+        yield f"It held: it never left {limits}."
+
+
+def _within(quantities: Iterable[str]) -> str:
+    return " and ".join(f"{RECOVERED[q]:g} {_TRACKED[q]} of {q}" for q in quantities)
+
+
+def _left(flight: Flight) -> list[str]:
+    """The quantities that end beyond the limits of a recovery; all of them if none does."""
+    view = readings(flight)
+    tail = _tail(slice(min(view.first_failed_row(), len(view.time_s) - 1), len(view.time_s)))
+    return [q for q in _TRACKED if np.abs(view.error(q)[tail]).max() > RECOVERED[q]] or list(_TRACKED)
 
 
 def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
@@ -207,10 +240,21 @@ def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
         f"{_LIMITS[m['limit']]} of {m['value']:.1f} {m['unit']} passed its limit of {m['allowed']:g} {m['unit']}"
         for m in event["limits"]
     ]
-    yield f"Lost at {event['time_s']:.1f} s: {_and(reached) or 'it ' + flight.outcome.sentence}."
+    yield f"Lost at {event['time_s']:.1f} s: {_and(reached) or 'it ' + flight.outcome.sentence}{_attitude(flight)}."
     asked = [f"the {title(a['actuator'])} for its {a['stop']}est" for a in event["at_stop"]]
     if asked:
         yield f"In the second before, the controller asked {_and(asked)}."
+
+
+def _attitude(flight: Flight) -> str:
+    """Bank and pitch at the end, where they are steep."""
+    last = flight.log.iloc[-1]
+    steep = {
+        "of bank": abs(last["roll_deg"]),
+        f"nose {'up' if last['pitch_deg'] > 0 else 'down'}": abs(last["pitch_deg"]),
+    }
+    said = [f"{angle:.0f} deg {words}" for words, angle in steep.items() if angle > _STEEP_DEG]
+    return f", at {_and(said)}" if said else ""
 
 
 def _tail(rows: slice) -> slice:

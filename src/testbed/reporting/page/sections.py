@@ -13,7 +13,7 @@ from testbed.flight.flight import Flight
 from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
 from testbed.reporting.figures.marks import describe
-from testbed.reporting.story import story
+from testbed.reporting.story import diagnoses, story
 from testbed.scenario.load import dump
 
 _THEMES = {
@@ -39,7 +39,7 @@ def head(flight: Flight) -> str:
         if total
         else "the scenario has no requirements."
     )
-    lines = "".join(f"<li>{escape(line)}</li>" for line in story(flight))
+    lines = "".join(f"<li>{escape(line)}</li>" for line in [*story(flight), *diagnoses(flight)])
     warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
     return (
         f"<h1>{escape(flight.scenario.name)}</h1>\n{html.chips(facts(flight))}\n"
