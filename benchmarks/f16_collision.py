@@ -92,7 +92,9 @@ def _recover(aircraft: jsbsim.FGFDMExec) -> None:
 
 TEXT = """# Ground collision of an F-16
 
-An F-16 dives at 540 ft/s with a random attitude, rolls level and pulls. The requirement is that its altitude stays above 0
+This page says how a search finds the collision of an F-16 with the ground, and how rare it is.
+
+The F-16 dives at 540 ft/s with a random attitude, rolls level and pulls. The requirement is that its altitude stays above 0
 for 15 s. It is the benchmark F16 of ARCH-COMP with another model: JSBSim's own `f16` and its flight control system, and a
 recovery of two lines. Ranges of attitude, airspeed, time and requirement are the same, so the numbers of flights compare in
 kind only. Everything is measured by `python benchmarks/f16_collision.py`.
