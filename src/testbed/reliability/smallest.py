@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-import cma
 import numpy as np
 from threadpoolctl import threadpool_limits
 
 from testbed.common.random_streams import generator
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reliability import arguments
+from testbed.reliability.evolution import evolve
 from testbed.reliability.limit_state import Asked, LimitState
 from testbed.reliability.results import SmallestFailure, Step
 from testbed.reliability.surface import Search, around, plane, section, toward_plane
@@ -120,7 +120,7 @@ def _search(
     """One start: CMA-ES with most of its evaluations, then along the ray and the limit surface with the rest."""
     reserve = int(0.4 * search.left)
     search.limit -= reserve
-    _evolve(search, start, spread, scale, random)
+    evolve(search, start, spread, scale, random)
     search.limit += reserve
     if search.best is not None:
         section(search, 0.0, 3)
@@ -142,41 +142,6 @@ def _refine(search: Search, scale: float, random: np.random.Generator) -> None:
         search.begin(max(search.asked.left // 2, 100))
         search.best = search.path[-1].point
         _search(search, search.best, CLOSE, scale, random)
-
-
-def _evolve(
-    search: Search, start: np.ndarray, spread: float, scale: float, random: np.random.Generator
-) -> None:
-    """CMA-ES from a start. The penalty grows by half whenever a safe point seems better than any failure."""
-    dimensions = len(start)
-    if dimensions == 1:  # CMA-ES needs two; the second coordinate is not used
-        start = np.append(start, 0.0)
-    strategy = cma.CMAEvolutionStrategy(start, spread, _options(search, random, dimensions))
-    boost = 2.0
-    while search.left >= strategy.popsize and not strategy.stop():
-        candidates = strategy.ask()
-        points = np.array(candidates)[:, :dimensions]
-        values = np.nan_to_num(search(points), nan=10 * scale, posinf=10 * scale)
-        excess = np.maximum(values, 0) / scale
-        far = min(search.distance, 10 * math.sqrt(dimensions) + 10)
-        merits = np.linalg.norm(points, axis=1) + boost * far * excess
-        best = int(np.argmin(merits))
-        if excess[best] > 0 and merits[best] < search.distance < math.inf:
-            boost *= 1.5
-        strategy.tell(candidates, list(merits))
-
-
-def _options(search: Search, random: np.random.Generator, dimensions: int) -> dict[str, object]:
-    """Silent, with random numbers of its own stream, and settled at a thousandth of a standard deviation."""
-    return {
-        "verbose": -9,
-        "seed": math.nan,
-        "randn": lambda n, d: random.standard_normal((n, d)),
-        "popsize": max(12, 4 + int(3 * math.log(dimensions))),
-        "tolx": 1e-2,
-        "tolfun": 5e-3,
-        "CMA_diagonal": dimensions > 200,
-    }
 
 
 def _along_surface(search: Search, random: np.random.Generator) -> None:
