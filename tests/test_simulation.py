@@ -31,6 +31,7 @@ CASES = {
     "mems": ["sensors=mems", "controller.filter_rad_s=20"],
     "weighted": ["sensors=mems", "controller.estimation=weighted"],
     "fixed": ["controller.type=fixed_inversion"],
+    "dryden": ["atmosphere={model: dryden_8785c, turbulence: light, noise: {w: [1, -2]}}"],
 }
 _SAVE = """
 import json, sys
@@ -128,3 +129,24 @@ def test_an_edited_aircraft_flies_as_in_a_new_process(
     subprocess.run(command, check=True)
     assert here == (tmp_path / "elsewhere").read_bytes()
     assert here != before, "the edit makes a difference"
+
+
+def test_a_loss_is_the_worse_the_earlier_it_is() -> None:
+    """Both ruddervators at their stops: robustness is below 0 by what was not flown, though no requirement was missed before."""
+
+    def flown(at_s: float) -> Flight:
+        gone = [
+            f"{{type: hardover, actuator: {side}_ruddervator, at_s: {at_s}}}" for side in ("left", "right")
+        ]
+        settings = [
+            f"failures=[{', '.join(gone)}]",
+            "requirements=[{signal: airspeed_m_s, at_least: 0}]",
+            "duration_s=30",
+        ]
+        return fly(load_scenario(TAIL, [*settings, "commands=[]", "controller={type: adaptive_inversion}"]))
+
+    early, late = flown(1.0), flown(6.0)
+    assert not (early.passed or late.passed) and late.requirements[0]["passed"]
+    assert early.robustness < late.robustness < 0.0
+    assert late.robustness == pytest.approx(late.end_time_s / 30.0 - 1.0, abs=1e-3)
+    assert late.summary["robustness"] == late.robustness

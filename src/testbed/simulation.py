@@ -107,7 +107,9 @@ def fly(
 def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
     """Make plant, weather, controller, failures and sensors, and put the aircraft into trimmed flight; raises BadInput."""
     aircraft = chosen(scenario.aircraft)
-    plant = Plant(aircraft, scenario.physics_hz, scenario.physics_steps)
+    plant = Plant(
+        aircraft, scenario.physics_hz, scenario.physics_steps, scenario.atmosphere.is_own_turbulence
+    )
     _check_names(scenario, aircraft, plant)
     start = _start(scenario, aircraft)
     weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)

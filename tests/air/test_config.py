@@ -44,6 +44,34 @@ def test_refusals(setting: str, words: str) -> None:
     assert words in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("settings", "words"),
+    [
+        ("noise: {w: [1]}", "JSBSim's turbulence draws its own noise, expected model: dryden_8785c"),
+        ("model: dryden_8785, noise: {w: [1]}", "did you mean dryden_8785c?"),
+        ("model: dryden_8785c, noise: {x: [1]}", "atmosphere.noise.x: unknown"),
+        ("model: dryden_8785c, noise: {w: [a]}", "atmosphere.noise.w.0"),
+        ("model: dryden_8785c, noise: {from_s: 1, until_s: 1}", "1 s is not after from_s"),
+        ("model: dryden_8785c, noise: {from_s: 3}", "noise.from_s: 3 s is not within the flight"),
+        ("model: dryden_8785c, noise: {until_s: 3}", "noise.until_s: 3 s is after the flight's end"),
+        (
+            "model: dryden_8785c, noise: {from_s: 1, until_s: 1.01, p: [1, 0, 1]}",
+            "noise.p: has 3 coefficients for 2 control steps, expected at most 2",
+        ),
+    ],
+)
+def test_noise_is_refused(settings: str, words: str) -> None:
+    with pytest.raises(BadInput) as caught:
+        scenario(f"atmosphere={{{settings}}}")
+    assert words in str(caught.value)
+
+
 def test_two_intensities_are_one_too_many() -> None:
     with pytest.raises(BadInput, match=r"turbulence_w20_m_s: is 3, and turbulence is light, which is 7.717"):
         scenario("atmosphere={turbulence: light, turbulence_w20_m_s: 3}")
+
+
+def test_a_coefficient_is_set_by_its_path() -> None:
+    given = "atmosphere={model: dryden_1797b, turbulence: light, noise: {w: [0, 0, 0]}}"
+    noise = scenario(given, "atmosphere.noise.w.1=0.5").atmosphere.noise
+    assert noise is not None and noise.w == (0.0, 0.5, 0.0)

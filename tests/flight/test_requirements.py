@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from handmade import at, flight_of, level_log
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from testbed.flight.flight import Outcome
@@ -152,6 +152,7 @@ VERBS = ({}, {"eventually": True}, {"settles_by_s": 0.07}, {"never_for_longer_th
 LIMITS = ({"at_most": 1}, {"at_least": -1, "at_most": 1.5, "scale": 3}, {"within": 1, "of": 0.2})
 
 
+@settings(deadline=None)
 @given(st.lists(st.floats(-3, 3), min_size=12, max_size=30), st.sampled_from(VERBS), st.sampled_from(LIMITS))
 def test_robustness_is_negative_just_where_a_requirement_is_missed(
     values: list[float], verb: dict[str, Any], limits: dict[str, Any]

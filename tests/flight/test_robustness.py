@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from testbed.flight.robustness import always, eventually, never_outside_for
@@ -14,6 +14,7 @@ from testbed.flight.robustness import always, eventually, never_outside_for
 DISTANCES = st.lists(st.floats(-10, 10), min_size=1, max_size=40).map(np.array)
 
 
+@settings(deadline=None)
 @given(DISTANCES, st.integers(1, 45))
 def test_never_outside_for_is_the_least_of_the_largest(distances: np.ndarray, rows: int) -> None:
     starts = range(len(distances) - rows + 1)
@@ -22,12 +23,14 @@ def test_never_outside_for_is_the_least_of_the_largest(distances: np.ndarray, ro
     assert never_outside_for(distances, 1) == always(distances)
 
 
+@settings(deadline=None)
 @given(DISTANCES, st.integers(1, 40))
 def test_is_negative_just_where_a_stretch_outside_is_as_long(distances: np.ndarray, rows: int) -> None:
     text = "".join("o" if distance < 0.0 else "." for distance in distances)
     assert (never_outside_for(distances, rows) < 0.0) == ("o" * rows in text)
 
 
+@settings(deadline=None)
 @given(DISTANCES, st.integers(1, 40), st.floats(0.0, 1.0))
 def test_a_signal_that_moves_a_little_changes_it_no_more(
     distances: np.ndarray, rows: int, most: float
@@ -38,7 +41,7 @@ def test_a_signal_that_moves_a_little_changes_it_no_more(
         (eventually(distances), eventually(moved)),
         (never_outside_for(distances, rows), never_outside_for(moved, rows)),
     ):
-        assert abs(after - before) <= most * (1 + 1e-12)
+        assert abs(after - before) <= most + 1e-14  # the rounding of numbers up to 11
 
 
 @pytest.mark.skipif(sys.version_info >= (3, 13), reason="rtamt's parser does not run on Python 3.13")

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import base64
 import zlib
+from typing import Any
 
 import numpy as np
 import pytest
 from handmade import at, flight_of, injection, level_log, lost
 
+from testbed.flight.requirements import judge
 from testbed.reporting.page.columns import MOST_ROWS, packed
 from testbed.reporting.page.panels import error_columns, groups
 from testbed.reporting.page.phases import phases
+from testbed.scenario.requirement import Requirement
 
 
 def unpacked(log: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -103,9 +106,6 @@ def test_no_estimate_is_drawn_where_the_controller_makes_none() -> None:
 
 
 def test_bands_of_requirements_and_the_stretches_that_miss_them() -> None:
-    from testbed.flight.requirements import judge
-    from testbed.scenario.requirement import Requirement
-
     log = level_log()
     log["altitude_m"][at(5) : at(6)] += 2.0
     within = Requirement(signal="altitude_m", within=1.0, of="altitude_command_m", from_s=4.0, until_s=8.0)
@@ -116,3 +116,25 @@ def test_bands_of_requirements_and_the_stretches_that_miss_them() -> None:
     assert altitude["bands"] == [{"from_s": 4.0, "until_s": 8.0, "low": -1.0, "high": 1.0, "passed": False}]
     (missed,) = altitude["missed"]
     assert (missed["from_s"], missed["until_s"]) == pytest.approx((5.0, 5.99))
+
+
+@pytest.mark.parametrize(
+    ("key", "begins_s", "missed_at_s"),
+    [
+        ({"settles_by_s": 5.5}, 5.5, [5.5, 7.0]),
+        ({"never_for_longer_than_s": 0.7}, 0.0, [5.0]),
+        ({"eventually": True}, 0.0, []),
+    ],
+)
+def test_stretches_that_a_requirement_allows_are_not_marked(
+    key: dict[str, Any], begins_s: float, missed_at_s: list[float]
+) -> None:
+    log = level_log()
+    for begin, end in ((5.0, 6.0), (7.0, 7.5)):
+        log["altitude_m"][at(begin) : at(end)] += 2.0
+    within = Requirement(signal="altitude_m", within=1.0, of="altitude_command_m", **key)
+    flight = flight_of(log, requirements=judge([within], log, {}))
+    object.__setattr__(flight.scenario, "requirements", (within,))
+    altitude = groups(flight, log | error_columns(log), True)[0]["panels"][0]
+    assert altitude["bands"][0]["from_s"] == begins_s
+    assert [missed["from_s"] for missed in altitude["missed"]] == pytest.approx(missed_at_s)

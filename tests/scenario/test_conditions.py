@@ -39,3 +39,10 @@ def test_the_papers_law_outside_its_conditions(settings: tuple[str, ...], found:
 )
 def test_nothing_to_say(settings: tuple[str, ...]) -> None:
     assert warnings(load_scenario(PAPER, settings)) == []
+
+
+def test_noise_without_turbulence_has_no_effect() -> None:
+    settings = ["controller={type: adaptive_inversion}", "atmosphere={model: dryden_8785c, noise: {w: [1]}}"]
+    (warning,) = warnings(load_scenario(PAPER, settings))
+    assert "atmosphere.noise has no effect" in warning
+    assert not warnings(load_scenario(PAPER, [*settings, TURBULENT]))

@@ -85,18 +85,19 @@ def test_refused(given: dict[str, Any], words: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "limit", "scale"),
+    ("given", "key", "scale"),
     [
-        ({"within": 5, "of": 300}, 5, 5),
-        ({"within": 0, "of": 300}, 0, 1),
-        ({"at_most": -30}, -30, 30),
-        ({"at_least": 14, "at_most": 22}, 14, 4),
-        ({"at_least": 14, "at_most": 14}, 14, 14),
-        ({"at_most": 0}, 0, 1),
-        ({"at_most": 300, "scale": 10}, 300, 10),
+        ({"within": 5, "of": 300}, "within", 5),
+        ({"within": 0, "of": 300}, "within", 1),
+        ({"at_most": -30}, "at_most", 30),
+        ({"at_least": 14, "at_most": 22}, "at_least", 4),
+        ({"at_least": 0, "at_most": 5, "within": 5, "of": 0}, "at_most", 2.5),
+        ({"at_least": 14, "at_most": 14}, "at_most", 14),
+        ({"at_most": 0}, "at_most", 1),
+        ({"at_most": 300, "scale": 10}, "at_most", 10),
     ],
 )
 def test_scale_is_the_limit_or_half_the_width_unless_given(
-    given: dict[str, Any], limit: float, scale: float
+    given: dict[str, Any], key: str, scale: float
 ) -> None:
-    assert Requirement.model_validate({**SIGNAL, **given}).scale_of(limit) == scale
+    assert Requirement.model_validate({**SIGNAL, **given}).scale_of(key) == scale

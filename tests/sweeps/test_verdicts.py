@@ -37,6 +37,14 @@ def test_margins_are_negative_outside_of_the_limit() -> None:
     assert (margin(both, 6.0), margin(both, 0.5)) == (-2.0, -0.5)
 
 
+@pytest.mark.parametrize("key", ["settles_by_s", "never_for_longer_than_s"])
+def test_the_margin_of_a_time_is_a_time(key: str) -> None:
+    timed = Requirement.model_validate({"signal": "altitude_m", "within": 1, "of": 300, key: 4.0})
+    assert (margin(timed, 3.0), margin(timed, 5.0)) == (1.0, -1.0)
+    found = missed([timed], row((False, 6.0)))
+    assert found is not None and found.margin == -2.0
+
+
 def row(*verdicts: tuple[bool | None, float | None]) -> dict[str, object]:
     told: dict[str, object] = {}
     for j, (passed, value) in enumerate(verdicts):

@@ -19,6 +19,8 @@ _WORDS_KT = {"light": 15.0, "moderate": 30.0, "severe": 45.0}
 _SEVERITY = {"light": 3, "moderate": 4, "severe": 6}
 
 Vector = tuple[Number, Number, Number]
+PARTS = ("u", "v", "w", "p")
+"""Noises of turbulence: of the gusts along the heading, to the right and down, and of that which rolls."""
 COLUMNS = ("wind_north_m_s", "wind_east_m_s", "wind_down_m_s")
 
 
@@ -55,9 +57,40 @@ class Gust(Settings):
         return self.duration_s or float(self.length_m or 0.0) / airspeed_m_s
 
 
+class Noise(Settings):
+    """The first coefficients of the noise that drives `dryden` turbulence in a window of time (see `noise`).
+
+    Each is a standard normal in a flight in which it is not given. So a sweep or a search that draws them as
+    `{normal: [0, 1]}` draws from the same turbulence, and moves it smoothly.
+    """
+
+    from_s: NonNegative = 0.0
+    """Start of the window."""
+    until_s: Positive | None = None
+    """End of the window; default: end of the flight."""
+    u: tuple[Number, ...] = ()
+    """Coefficients of the gust along the heading, those of low frequency first: i half-waves in the window, i = 0, 1, ..."""
+    v: tuple[Number, ...] = ()
+    """Those of the gust to the right."""
+    w: tuple[Number, ...] = ()
+    """Those of the gust downwards."""
+    p: tuple[Number, ...] = ()
+    """Those of the air that rotates about the x axis."""
+
+    @field_validator("until_s")
+    @classmethod
+    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
+        start = info.data.get("from_s", 0.0)
+        if until_s is not None and until_s <= start:
+            raise refuse(f"{until_s:g} s is not after from_s", f"more than {start:g}")
+        return until_s
+
+
 class Atmosphere(Settings):
     """Steady wind, gusts, and turbulence with the intensity that MIL-F-8785C gives for a wind at 20 ft."""
 
+    model: Literal["jsbsim", "dryden_8785c", "dryden_1797b"] = "jsbsim"
+    """Whose turbulence: JSBSim's, or Dryden's of MIL-F-8785C or MIL-HDBK-1797B, which are the same but for notation."""
     wind_m_s: Vector = (0.0, 0.0, 0.0)
     """Steady wind over the ground; it blows towards north, east, down."""
     turbulence: Literal["light", "moderate", "severe"] | None = None
@@ -65,6 +98,8 @@ class Atmosphere(Settings):
     turbulence_w20_m_s: NonNegative = Field(default=0.0, validate_default=True)
     """W20 of MIL-F-8785C, the wind at 20 ft, which sets the intensity of turbulence; 0 is none."""
     gusts: tuple[Gust, ...] = ()
+    noise: Noise | None = None
+    """Coefficients of the noise of a `dryden` model; what is not given comes from the seed."""
 
     @field_validator("turbulence_w20_m_s")
     @classmethod
@@ -76,6 +111,18 @@ class Atmosphere(Settings):
         if w20 not in (0.0, meant):
             raise refuse(f"is {w20:g}, and turbulence is {word}, which is {meant:.4g}", "one of the two")
         return meant
+
+    @field_validator("noise")
+    @classmethod
+    def _given(cls, noise: Noise | None, info: ValidationInfo) -> Noise | None:
+        if noise is not None and info.data.get("model") == "jsbsim":
+            raise refuse("JSBSim's turbulence draws its own noise", "model: dryden_8785c, or no noise")
+        return noise
+
+    @property
+    def is_own_turbulence(self) -> bool:
+        """Whether there is turbulence that the testbed makes, not JSBSim."""
+        return self.model != "jsbsim" and self.turbulence_w20_m_s > 0.0
 
     @property
     def is_calm(self) -> bool:

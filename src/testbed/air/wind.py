@@ -1,6 +1,6 @@
-"""The air of one flight: steady wind, gusts computed here in each control step, and JSBSim's turbulence.
+"""The air of one flight: steady wind, gusts computed here in each control step, and turbulence, JSBSim's or `turbulence`.
 
-Turbulence has the intensities and length scales of MIL-F-8785C and the filters of MIL-STD-1797A. Its seed is derived from
+JSBSim's has the intensities and length scales of MIL-F-8785C and the filters of MIL-STD-1797A. Its seed is derived from
 that of the flight. It is switched on after the aircraft has been placed.
 """
 
@@ -12,12 +12,13 @@ from typing import Protocol
 import numpy as np
 
 from testbed.air.config import COLUMNS, Atmosphere, Gust, severity
+from testbed.air.turbulence import Sampled, Turbulence
 from testbed.common.frames import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
 from testbed.common.signals import first_step_at
 
 
-class Air(Protocol):
+class Air(Sampled, Protocol):
     """What weather needs of the plant."""
 
     def set_wind(self, ned_m_s: np.ndarray) -> None: ...
@@ -43,6 +44,9 @@ class Weather:
         self.wind = np.zeros((0 if settings.is_calm else steps, 3))
         self._steady = np.array(settings.wind_m_s)
         self._gusty = False
+        self._turbulence = None
+        if settings.is_own_turbulence:
+            self._turbulence = Turbulence(settings, plant, rate_hz, steps, seed)
         self._starts = [first_step_at(gust.at_s, rate_hz) for gust in settings.gusts]
         self._gusts: list[tuple[float, float, np.ndarray] | None] = [None] * len(settings.gusts)
         if not settings.is_calm:
@@ -51,16 +55,31 @@ class Weather:
     def begin(self) -> None:
         """Switch turbulence on. If it were on earlier, it would disturb JSBSim's initialisation."""
         w20 = self.settings.turbulence_w20_m_s
-        if w20 > 0.0:
+        if self._turbulence is not None:
+            self._turbulence.begin(self._steady)
+        elif w20 > 0.0:
             self.plant.set_turbulence(w20, severity(w20), engine_seed(self.seed, "turbulence"))
 
     def apply(self, step: int) -> None:
         """Log the wind of this step, and set the wind of the next."""
         self.wind[step] = self.plant.total_wind()
+        if self._starts:
+            self._put_gusts(step)
+        if self._turbulence is not None:
+            self._turbulence.step(step)
+
+    def _put_gusts(self, step: int) -> None:
         gusty = self._blowing(step)
         if gusty or self._gusty:
-            self.plant.set_wind(self._steady + self._gust(step))
+            self._put(self._steady + self._gust(step))
         self._gusty = gusty
+
+    def _put(self, mean_m_s: np.ndarray) -> None:
+        """Set the wind without turbulence."""
+        if self._turbulence is None:
+            self.plant.set_wind(mean_m_s)
+        else:
+            self._turbulence.over(mean_m_s)
 
     def _blowing(self, step: int) -> bool:
         """Whether any gust has begun and is not over."""

@@ -16,8 +16,10 @@ from xml.etree import ElementTree
 import numpy as np
 
 from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.model_files.rotating_air import put_rotation
 from testbed.aircraft.model_files.safe_xml import read_bytes, read_xml
 from testbed.aircraft.model_files.used import model_file
+from testbed.common.cache import Cache
 from testbed.inputs.base import Number, Positive, Settings, Text
 from testbed.inputs.problems import BadInput, Problem, TreePath, did_you_mean
 from testbed.inputs.yaml_source import dotted
@@ -74,14 +76,23 @@ def chosen(choice: str | ChangedAircraft) -> Aircraft:
     return aircraft.changed_by(choice)
 
 
+_texts: Cache[str] = Cache(16)
+
+
 @contextmanager
-def model_folder(aircraft: Aircraft) -> Iterator[Path]:
-    """The folder from which JSBSim loads the model: the aircraft's own, or a temporary copy with its changes."""
-    if aircraft.changes is None:
+def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Path]:
+    """The folder from which JSBSim loads the model: the aircraft's own, or a temporary copy with its changes.
+
+    With `rotating_air` there is a copy that feels air that rotates (see `model_files.rotating_air`).
+    """
+    if aircraft.changes is None and not rotating_air:
         yield Path(aircraft.folder).resolve()
         return
-    assert isinstance(aircraft.changes, ChangedAircraft)
-    changed = _Model(aircraft, aircraft.changes).apply()
+    changes = aircraft.changes or ChangedAircraft(name=aircraft.name)
+    assert isinstance(changes, ChangedAircraft)
+    content = read_bytes(model_file(aircraft.folder, aircraft.model))
+    key = (content, changes.model_dump_json(), rotating_air)
+    changed = _texts.get(key, lambda: _Model(aircraft, changes).apply(rotating_air))
     with TemporaryDirectory(prefix="testbed-") as folder:
         _copy(aircraft, changed, Path(folder))
         yield Path(folder)
@@ -108,7 +119,7 @@ class _Model:
         self._root = ElementTree.fromstring(read_bytes(self._file))
         self._choice = choice
 
-    def apply(self) -> str:
+    def apply(self, rotating_air: bool = False) -> str:
         """The text of the changed model; raises BadInput if it has no such part."""
         self._balance()
         functions = self._functions()
@@ -117,6 +128,8 @@ class _Model:
                 what = f"{self._choice.name} has no aerodynamic function of this name"
                 raise _refused(("coefficients", name), what, suggestion=did_you_mean(name, functions))
             _multiply(functions[name], factor)
+        if rotating_air:
+            put_rotation(self._root)
         return ElementTree.tostring(self._root, encoding="unicode")
 
     def _functions(self) -> Mapping[str, ElementTree.Element]:

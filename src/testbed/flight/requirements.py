@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from testbed.common.angles import wrap_deg
 from testbed.flight.columns import row_at, row_spacing_s, stretches
+from testbed.flight.limits import Side, extreme, outside, scaled, sides_of
 from testbed.flight.robustness import always, eventually, never_outside_for
 from testbed.scenario.requirement import Requirement
 
@@ -52,14 +53,6 @@ class _Verdict(NamedTuple):
     reason: str = ""
 
 
-class _Side(NamedTuple):
-    """One limit of a requirement: the values [rows] that it limits, how far inside they are [rows], and robustness 1."""
-
-    values: np.ndarray
-    inside: np.ndarray
-    scale: float
-
-
 def _judge(
     requirement: Requirement, log: Mapping[str, np.ndarray], metrics: Mapping[str, float], duration_s: float
 ) -> dict[str, Any]:
@@ -81,8 +74,8 @@ def _judge(
 def _of_metric(requirement: Requirement, metric: float) -> _Verdict:
     if not math.isfinite(metric):
         return _Verdict(-1.0, reason=_NO_NUMBER)
-    sides = list(_sides(requirement, np.array([metric])))
-    return _Verdict(always(_scaled(sides)), *_extreme(sides))
+    sides = sides_of(requirement, np.array([metric]))
+    return _Verdict(always(scaled(sides)), *extreme(sides))
 
 
 def _of_signal(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:
@@ -99,13 +92,13 @@ def _of_signal(requirement: Requirement, log: Mapping[str, np.ndarray], duration
         return _Verdict(
             _of_part(requirement, values[known], time) - float(np.mean(~known)), reason=_NO_NUMBER
         )
-    sides = list(_sides(requirement, values))
+    sides = sides_of(requirement, values)
     robustness = _robustness(requirement, sides, time)
     if requirement.never_for_longer_than_s is not None:
         return _Verdict(robustness, *_longest_outside(requirement, sides, time))
     if requirement.settles_by_s is not None:
         return _Verdict(robustness, *_settling(requirement, log))
-    return _Verdict(robustness, *_extreme(sides, best=bool(requirement.eventually)))
+    return _Verdict(robustness, *extreme(sides, best=bool(requirement.eventually)))
 
 
 def _window(requirement: Requirement, time: np.ndarray) -> slice:
@@ -138,36 +131,19 @@ def _values(requirement: Requirement, log: Mapping[str, np.ndarray], rows: slice
     return values
 
 
-def _sides(requirement: Requirement, values: np.ndarray) -> Iterator[_Side]:
-    within, at_most, at_least = requirement.within, requirement.at_most, requirement.at_least
-    if within is not None:
-        away = np.abs(values)
-        yield _Side(away, within - away, requirement.scale_of(within))
-    if at_most is not None:
-        yield _Side(values, at_most - values, requirement.scale_of(at_most))
-    if at_least is not None:
-        yield _Side(values, values - at_least, requirement.scale_of(at_least))
-
-
-def _scaled(sides: Sequence[_Side]) -> np.ndarray:
-    """[rows] distance to the nearest limit, in units of its scale."""
-    nearest: np.ndarray = np.min([side.inside / side.scale for side in sides], axis=0)
-    return nearest
-
-
-def _robustness(requirement: Requirement, sides: Sequence[_Side], time: np.ndarray) -> float:
+def _robustness(requirement: Requirement, sides: Sequence[Side], time: np.ndarray) -> float:
     if requirement.eventually:
-        return eventually(_scaled(sides))
+        return eventually(scaled(sides))
     if requirement.never_for_longer_than_s is not None:
-        return never_outside_for(_scaled(sides), _rows_allowed(requirement, time) + 1)
-    return always(_scaled(sides))
+        return never_outside_for(scaled(sides), _rows_allowed(requirement, time) + 1)
+    return always(scaled(sides))
 
 
 def _of_part(requirement: Requirement, values: np.ndarray, time: np.ndarray) -> float:
     """Robustness of the rows that there are, or 0 if that is positive or there are none."""
     if not len(values):
         return 0.0
-    return min(0.0, _robustness(requirement, list(_sides(requirement, values)), time))
+    return min(0.0, _robustness(requirement, sides_of(requirement, values), time))
 
 
 def _rows_allowed(requirement: Requirement, time: np.ndarray) -> int:
@@ -175,26 +151,11 @@ def _rows_allowed(requirement: Requirement, time: np.ndarray) -> int:
     return int(float(requirement.never_for_longer_than_s or 0.0) / (row_spacing_s(time) or math.inf) + 1e-6)
 
 
-def _extreme(sides: Sequence[_Side], best: bool = False) -> tuple[float, float]:
-    """(margin, value) in the row with the smallest margin, or in that with the largest, for the limit that is nearest."""
-    inside = np.array([side.inside for side in sides])
-    nearest = inside.min(axis=0)
-    row = int(np.argmax(nearest) if best else np.argmin(nearest))
-    side = int(np.argmin(inside[:, row]))
-    return float(inside[side, row]), float(sides[side].values[row])
-
-
-def _outside(sides: Sequence[_Side]) -> np.ndarray:
-    """[rows] whether any limit is broken."""
-    kept: np.ndarray = np.all([side.inside >= 0.0 for side in sides], axis=0)
-    return ~kept
-
-
 def _longest_outside(
-    requirement: Requirement, sides: Sequence[_Side], time: np.ndarray
+    requirement: Requirement, sides: Sequence[Side], time: np.ndarray
 ) -> tuple[float, float]:
     """(margin, value): the longest time outside the limits [s]. A row counts for the time to the next."""
-    rows = max((end - first for first, end in stretches(_outside(sides))), default=0)
+    rows = max((end - first for first, end in stretches(outside(sides))), default=0)
     longest = rows * row_spacing_s(time)
     margin = float(requirement.never_for_longer_than_s or 0.0) - longest
     return (margin if rows > _rows_allowed(requirement, time) else max(0.0, margin)), longest
@@ -204,8 +165,8 @@ def _settling(requirement: Requirement, log: Mapping[str, np.ndarray]) -> tuple[
     """(margin, value, reason): the time of the first row after which the limits are kept to the end of the window [s]."""
     time = log["time_s"]
     rows = slice(0, _window(requirement, time).stop)
-    outside = np.flatnonzero(_outside(list(_sides(requirement, _values(requirement, log, rows)))))
-    settled = int(outside[-1]) + 1 if len(outside) else 0
+    broken = np.flatnonzero(outside(sides_of(requirement, _values(requirement, log, rows))))
+    settled = int(broken[-1]) + 1 if len(broken) else 0
     if settled == rows.stop:
         return -math.inf, math.nan, _NOT_SETTLED
     allowed = time[row_at(time, requirement.begins_s)]

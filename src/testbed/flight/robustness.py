@@ -27,8 +27,14 @@ def never_outside_for(distances: np.ndarray, rows: int) -> float:
     """
     if len(distances) < rows:
         return max(0.0, eventually(distances))
-    from scipy.ndimage import maximum_filter1d  # imported here, because few scenarios need it
+    return always(_largest_of(distances, rows))
 
-    largest = maximum_filter1d(distances, rows, mode="nearest")
-    first = rows // 2  # the filter's windows are centred
-    return always(largest[first : first + len(distances) - rows + 1])
+
+def _largest_of(values: np.ndarray, rows: int) -> np.ndarray:
+    """The largest of each so many values in succession, from windows that double."""
+    width = 1
+    while width < rows:
+        shift = min(width, rows - width)
+        values = np.maximum(values[:-shift], values[shift:])
+        width += shift
+    return values

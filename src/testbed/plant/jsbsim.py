@@ -21,6 +21,7 @@ import numpy as np
 
 from testbed.aircraft.changes import model_folder
 from testbed.aircraft.description import Aircraft
+from testbed.aircraft.model_files.rotating_air import ROTATION
 from testbed.common.cache import Cache
 from testbed.common.frames import body_from_ned
 from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
@@ -96,13 +97,13 @@ def engine_errors() -> Iterator[None]:
         raise EngineError(str(error)) from None
 
 
-def loaded(aircraft: Aircraft, physics_hz: float) -> tuple[Any, tuple[str, ...]]:
+def loaded(aircraft: Aircraft, physics_hz: float, rotating_air: bool = False) -> tuple[Any, tuple[str, ...]]:
     """JSBSim with the aircraft's model loaded, and what it warned about; raises BadInput if it cannot load the model.
 
     It must be known that the model does not end the process: see `first_load.assure`.
     """
     try:
-        with model_folder(aircraft) as folder:
+        with model_folder(aircraft, rotating_air) as folder:
             fdm, warnings = opened(folder, aircraft.model, physics_hz)
     except EngineError as error:
         raise _broken_model(aircraft, str(error)) from None
@@ -116,6 +117,7 @@ class Plant:
         aircraft: what to fly.
         physics_hz: rate at which JSBSim integrates [Hz].
         substeps: physics steps in one control step: the control rate is physics_hz / substeps.
+        rotating_air: whether the model is to feel the rotation that `blow` gives to the air.
 
     Raises:
         BadInput: the model's files may not be loaded, or JSBSim cannot load them.
@@ -126,16 +128,19 @@ class Plant:
         warnings: what JSBSim warned about while loading.
         raw: [17 + 2 n] the last sample: `signals.STATE`, then the position of each of the n actuators (as if fully
             effective), then the effectiveness of each.
+        air_factors: [6] from SI to the units of `blow`.
         factors: [17 + 2 n] from `raw` to SI, but for positions: to degrees and newtons, the units of the aircraft's YAML.
     """
 
-    def __init__(self, aircraft: Aircraft, physics_hz: float, substeps: int = 1) -> None:
+    def __init__(
+        self, aircraft: Aircraft, physics_hz: float, substeps: int = 1, rotating_air: bool = False
+    ) -> None:
         assure(aircraft)
         self.aircraft = aircraft
         self.physics_hz = physics_hz
         self.dt_s = 1.0 / physics_hz
         self.substeps = substeps
-        self._fdm, self.warnings = loaded(aircraft, physics_hz)
+        self._fdm, self.warnings = loaded(aircraft, physics_hz, rotating_air)
         self._manager = self._fdm.get_property_manager()
         self._run = self._fdm.run
         self.step: Callable[[], object] = self._run if substeps == 1 else self._run_substeps
@@ -150,6 +155,9 @@ class Plant:
         self._wind = np.zeros(3)
         self._started = False
         self._put_wind = [self.setter(name) for name in SET_WIND_FPS]
+        rotation = [self.setter(name) for name in ROTATION if self._manager.hasNode(name)]
+        self._put_air = [*self._put_wind, *rotation]
+        self.air_factors = np.array([1.0 / METRES_PER_FOOT] * 3 + [1.0] * 3)
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
 
     def getter(self, name: str) -> Callable[[], float]:
@@ -203,6 +211,15 @@ class Plant:
         self._wind = np.array(ned_m_s)
         for put, value in zip(self._put_wind, self._wind, strict=True):
             put(float(value) / METRES_PER_FOOT)
+
+    def blow(self, air: Iterable[float]) -> None:
+        """Set the velocity of the air over the ground, north, east, down, and its rotation about the body axes, in the units of
+        `air_factors`. The model feels the rotation if the plant was made with `rotating_air`."""
+        _exhaust(map(call, self._put_air, air))
+
+    def span(self) -> float:
+        """Span of the wing [m]."""
+        return self["metrics/bw-ft"] * METRES_PER_FOOT
 
     def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
         """Switch on Dryden turbulence, which builds up from zero.

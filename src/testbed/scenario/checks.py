@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from testbed.air.config import PARTS
+from testbed.air.noise import window_of
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import first_step_at
 from testbed.failures import Failure, overlaps, same_property
@@ -20,6 +22,7 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
         yield from _glide(scenario, aircraft)
         yield from _axes(scenario, aircraft)
         yield from _coefficients(scenario, aircraft)
+        yield from _noise(scenario)
         yield from _failures(scenario, aircraft)
 
 
@@ -91,6 +94,9 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
         ends.append((("sensors", "faults", i, "until_s"), fault.until_s))
     for i, gust in enumerate(scenario.atmosphere.gusts):
         starts.append((("atmosphere", "gusts", i, "at_s"), gust.at_s))
+    if (noise := scenario.atmosphere.noise) is not None:
+        starts.append((("atmosphere", "noise", "from_s"), noise.from_s))
+        ends.append((("atmosphere", "noise", "until_s"), noise.until_s))
     for i, requirement in enumerate(scenario.requirements):
         starts.append((("requirements", i, "from_s"), requirement.from_s))
         starts.append((("requirements", i, "settles_by_s"), requirement.settles_by_s))
@@ -186,6 +192,19 @@ def _coefficients(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
                 close = did_you_mean(name, known)
                 expected = "" if close else f"such as {known[0]} or {known[-1]}"
                 yield Issue(path, f"unknown coefficient {name!r}", expected, close)
+
+
+def _noise(scenario: Scenario) -> Iterator[Issue]:
+    """More coefficients of a noise than it has samples."""
+    noise = scenario.atmosphere.noise
+    if noise is None or scenario.rate_hz <= 1:
+        return
+    first, end = window_of(noise, scenario.rate_hz, scenario.steps)
+    for part in PARTS:
+        count = len(getattr(noise, part))
+        if count > max(end - first, 0) > 0:
+            what = f"has {count} coefficients for {end - first} control steps"
+            yield Issue(("atmosphere", "noise", part), what, f"at most {end - first}")
 
 
 def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:

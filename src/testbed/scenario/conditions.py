@@ -8,6 +8,17 @@ from testbed.scenario.model import Scenario
 
 def warnings(scenario: Scenario) -> list[str]:
     """Sentences about conditions in which the scenario's controller is not expected to hold the aircraft."""
+    return [*_without_effect(scenario), *_for_the_controller(scenario)]
+
+
+def _without_effect(scenario: Scenario) -> list[str]:
+    air = scenario.atmosphere
+    if air.noise is None or air.turbulence_w20_m_s:
+        return []
+    return ["atmosphere.noise has no effect: there is no turbulence, and turbulence_w20_m_s is 0"]
+
+
+def _for_the_controller(scenario: Scenario) -> list[str]:
     found = _unsuited(scenario)
     controller = scenario.controller
     if (

@@ -114,13 +114,15 @@ class Requirement(Settings):
         """Largest value allowed, where the value is a time [s]: that of settling, or the longest one outside the limits."""
         return self.settles_by_s or self.never_for_longer_than_s
 
-    def scale_of(self, limit: float) -> float:
-        """What robustness 1 is for one of its limits, in the limit's unit: `scale`, half the width, or the limit itself; else 1."""
+    def scale_of(self, key: str) -> float:
+        """What robustness 1 is for its limit `within`, `at_most` or `at_least`, in the limit's unit: `scale`, half the distance
+        between two limits, or the limit itself; 1 where that is 0."""
+        limit = abs(float(getattr(self, key)))
         if self.scale is not None:
             return self.scale
-        if limit != self.within and self.at_least is not None and self.at_most is not None:
-            return (self.at_most - self.at_least) / 2.0 or abs(limit) or 1.0
-        return abs(limit) or 1.0
+        if key != "within" and self.at_least is not None and self.at_most is not None:
+            return (self.at_most - self.at_least) / 2.0 or limit or 1.0
+        return limit or 1.0
 
     @property
     def limit(self) -> str:

@@ -45,6 +45,15 @@ def test_a_column_has_one_type_and_a_number_its_shortest_text(plan: Plan, tmp_pa
     assert frame["requirements.0.value"].isna().all() and frame["requirements.0.passed"].all()
 
 
+def test_robustness_of_the_flight_and_of_each_requirement(plan: Plan, tmp_path: Path) -> None:
+    """A record that was written before there was robustness leaves the cells empty."""
+    new = record(1, 0.5, robustness=-0.25, requirements=[[False, 7.0, -0.25]])
+    lines, frame = written_table(plan, [record(0, 0), new], tmp_path)
+    assert ",end_time_s,robustness," in lines[0]
+    for name in ("robustness", "requirements.0.robustness"):
+        assert frame[name].isna().tolist() == [True, False] and frame[name][1] == -0.25
+
+
 def test_flights_without_a_result_and_metrics_of_some_leave_cells_empty(plan: Plan, tmp_path: Path) -> None:
     lost = {key: value for key, value in record(1, 0.5).items() if key not in ("metrics", "requirements")}
     records = [record(0, 0.5), lost | {"outcome": "crashed", "reason": "signal 9, twice"},

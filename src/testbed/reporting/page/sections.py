@@ -74,14 +74,18 @@ def requirements(flight: Flight) -> str:
                 r["name"],
                 _rounded(r["value"]),
                 _bar(r),
+                _rounded(r.get("robustness")),
                 r.get("reason", ""),
             ],
             "met" if r["passed"] else "missed",
         )
         for r in order
     )
-    caption = "Value: the worst value. Bar: how much of the limit it takes; the line is the limit."
-    heads = ("verdict", "requirement", "value", "share of the limit", "remark")
+    caption = (
+        "Value: the worst value. Bar: how much of the limit it takes; the line is the limit. "
+        "Robustness: the distance from the limit in units of its scale, negative where it is not met."
+    )
+    heads = ("verdict", "requirement", "value", "share of the limit", "robustness", "remark")
     return "<h2>Requirements</h2>\n" + html.table(heads, rows, caption)
 
 

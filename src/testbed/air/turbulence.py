@@ -1,0 +1,114 @@
+"""Dryden turbulence in flight: in each control step the gusts at the present airspeed and altitude, turned to the ground's axes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Protocol
+
+import numpy as np
+
+from testbed.air import dryden
+from testbed.air.config import Atmosphere, severity
+from testbed.air.dryden import across, along, intensities_and_lengths, rolling_intensity, slope
+from testbed.air.noise import white_noise
+from testbed.common.jit import bound, compiled
+from testbed.common.signals import STATE
+
+_ALTITUDE, _AIRSPEED, _HEADING = map(STATE.index, ("altitude", "airspeed", "heading"))
+_LEAST_AIRSPEED_M_S = 1.0
+"""Below this the turbulence passes by as at this airspeed."""
+_RECORD = np.dtype(
+    [
+        ("w20", float),  # [m/s]
+        ("dt", float),  # control step [s]
+        ("span", float),  # [m]
+        ("exceeded", float, (2, len(dryden.EXCEEDED_FT))),  # see `dryden.intensities_and_lengths`
+        ("factors", float, len(STATE)),  # of the plant
+        ("air_factors", float, 6),
+        ("states", float, 8),  # of the filters
+        ("wind", float, 3),  # wind without turbulence [m/s, north, east, down]
+        ("air", float, 6),  # what the plant is told
+    ]
+)
+
+
+class Sampled(Protocol):
+    """What turbulence needs of the plant: its last sample, its span, and a way to set the air (see `plant.jsbsim.Plant`)."""
+
+    raw: np.ndarray
+    factors: np.ndarray
+    air_factors: np.ndarray
+
+    def sample(self) -> None: ...
+    def span(self) -> float: ...
+    def blow(self, air: Iterable[float]) -> None: ...
+
+
+class Turbulence:
+    """Gusts of one flight, which build up from zero.
+
+    u is along the heading, v to its right, w down: horizontal axes, as MIL-F-8785C has them at low altitude.
+    """
+
+    def __init__(self, settings: Atmosphere, plant: Sampled, rate_hz: int, steps: int, seed: int) -> None:
+        self._plant = plant
+        w20 = settings.turbulence_w20_m_s
+        noise = white_noise(settings.noise, rate_hz, steps, seed)
+        self._record = np.zeros(1, _RECORD).view(np.recarray)
+        (record,) = self._record
+        record.w20, record.dt, record.span = w20, 1.0 / rate_hz, plant.span()
+        record.exceeded = dryden.EXCEEDED_FT, dryden.EXCEEDED_FT_S[severity(w20)]
+        record.factors, record.air_factors = plant.factors[: len(STATE)], plant.air_factors
+        self._mean, self._air = record.wind, record.air
+        self._values = memoryview(self._air)  # its items are floats, which numpy's are not
+        self._arrays = (plant.raw, noise, self._record)
+        self._fill = bound(blow, 0, self._arrays)
+
+    def begin(self, mean_m_s: np.ndarray) -> None:
+        """Sample the plant that was placed, on whose state the first gust depends; then as `over`."""
+        self._plant.sample()
+        self.over(mean_m_s)
+
+    def over(self, mean_m_s: np.ndarray) -> None:
+        """Take a new mean wind, on which the turbulence is added [m/s, north, east, down]."""
+        self._mean[:] = mean_m_s
+
+    def step(self, k: int) -> None:
+        """Set the air of control step k."""
+        self._fill(k, self._arrays)
+        self._plant.blow(self._values)
+
+
+@compiled
+def blow(k, arrays):
+    """Fill the motion of the air in step k: its velocity north, east, down, and its rotation p, q, r, in the plant's units.
+
+    Args:
+        k: the control step.
+        arrays: raw of the plant; noise [steps, 4]; and the record [1] of `_RECORD`, of which `states` are updated and `air` is
+            filled.
+    """
+    raw, noise, records = arrays
+    of = records[0]
+    sigma_u, sigma_w, length_u, length_w = intensities_and_lengths(
+        raw[_ALTITUDE] * of.factors[_ALTITUDE], of.w20, of.exceeded
+    )
+    flown = max(raw[_AIRSPEED] * of.factors[_AIRSPEED], _LEAST_AIRSPEED_M_S) * of.dt
+    states = of.states
+    u = sigma_u * along(flown / length_u, noise[k, 0], states[0:1])
+    v = sigma_u * across(flown / length_u, noise[k, 1], states[1:3])
+    w = sigma_w * across(flown / length_w, noise[k, 2], states[3:5])
+    length_q, length_r = 4.0 * of.span / math.pi, 3.0 * of.span / math.pi
+    sigma_p = rolling_intensity(sigma_w, length_w, of.span)
+    heading = raw[_HEADING] * of.factors[_HEADING]
+    cos, sin = math.cos(heading), math.sin(heading)
+    air = of.air
+    air[0] = of.wind[0] + cos * u - sin * v
+    air[1] = of.wind[1] + sin * u + cos * v
+    air[2] = of.wind[2] + w
+    air[3] = sigma_p * along(flown / length_q, noise[k, 3], states[5:6])
+    air[4] = -slope(flown / length_q, length_q, w, states[6:7])
+    air[5] = slope(flown / length_r, length_r, v, states[7:8])
+    for i in range(len(air)):
+        air[i] *= of.air_factors[i]
