@@ -53,6 +53,7 @@ def _result(asked: Asked, failures: int, n: int, cov: float) -> FailureProbabili
 def _reason(asked: Asked, failures: int, n: int, converged: bool) -> str:
     if asked.unknown:
         return f"{asked.unknown} of {n} values were not a number; the interval's upper end counts them as failures."
-    if converged:
-        return f"{failures} failures in {n} independent draws."
-    return f"{failures} failures in {n} independent draws; the budget was spent before the asked precision was reached."
+    said = f"{failures} failure{'s' * (failures != 1)} in {n} independent draws"
+    return (
+        f"{said}." if converged else f"{said}; the budget was spent before the asked precision was reached."
+    )
