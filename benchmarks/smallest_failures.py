@@ -235,9 +235,9 @@ are no more exact.
 
 {table}
 
-With `none` the gust alone does it, and no failure can make the distance larger. Where a failure's distance is that of `none`, the
-controller bears the failure as well as none at all, and it is the gust that breaks. Distances of different failures are not to be
-compared otherwise: each has a severity with a range of its own.
+With `none` the gust alone does it. Where a failure's distance is about that of `none`, it is the gust that breaks, and not the
+failure. It can also be larger, since a controller may fly otherwise after a failure. Distances of different failures are not to
+be compared: each has a severity with a range of its own.
 """
 
 
