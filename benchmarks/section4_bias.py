@@ -12,7 +12,8 @@ from section4_flights import DT_S, at_speed, error, head, measured, over, row, w
 
 from testbed import fly
 from testbed.theory import noise
-from testbed.theory.gain_choice import Errors, Tolerance, choose
+from testbed.theory.gain_candidates import Errors
+from testbed.theory.gain_choice import Tolerance, choose
 from testbed.theory.gain_design import law_of
 from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
 from testbed.theory.trimmed_law import TrimmedLaw

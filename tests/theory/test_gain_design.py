@@ -13,7 +13,8 @@ from testbed.controllers.config import PerKind
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import Scenario, changed, load_scenario
 from testbed.theory import noise
-from testbed.theory.gain_choice import Chosen, Errors, Tolerance, choose
+from testbed.theory.gain_candidates import Errors
+from testbed.theory.gain_choice import Chosen, Tolerance, choose
 from testbed.theory.gain_design import law_of
 from testbed.theory.ideal import first_order
 from testbed.theory.trimmed_law import TrimmedLaw

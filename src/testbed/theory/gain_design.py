@@ -3,8 +3,7 @@
 For the paper's law (13), with s_i the noise of actuator i, a_i its position at the trim (see `noise`):
 
 1. gamma is the largest with which noise moves no estimate by more than the tolerated deviation, and no monitor is expected to flag
-   a working actuator more often than tolerated. It is never above what the control step, the sensors' delay and the slowest
-   actuator allow.
+   a working actuator more often than tolerated. It is never above what the control step and the slowest actuator allow.
 2. epsilon is the position below which the same gamma would exceed the deviation, and no more than |a_i| / 2.
 3. The threshold is half the effectiveness that must not be flagged, or less where errors that last bring the estimate that low.
 
@@ -28,7 +27,8 @@ from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario, changed, load_scenario
 from testbed.simulation import start_and_setup
-from testbed.theory.gain_choice import Chosen, Errors, Tolerance, choose
+from testbed.theory.gain_candidates import Errors
+from testbed.theory.gain_choice import Chosen, Tolerance, choose
 from testbed.theory.gain_verdict import ActuatorDesign, advice, shortcomings
 from testbed.theory.loss_flights import Found, found_after_loss
 from testbed.theory.noise import convergence_time

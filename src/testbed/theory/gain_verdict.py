@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from testbed.theory.error_sources import ROLLING
-from testbed.theory.gain_choice import OFFSETS, Tolerance
+from testbed.theory.gain_candidates import OFFSETS
+from testbed.theory.gain_choice import Tolerance
 
 
 @dataclass(frozen=True)
