@@ -50,6 +50,8 @@ def rows_of(folder: str, options: argparse.Namespace) -> list[Row]:
     aircraft = load_aircraft(folder)
     file = options.results / f"{aircraft.name}.jsonl"
     rows = [json.loads(line) for line in file.read_text().splitlines()] if file.is_file() else []
+    if options.flown:
+        return rows
     done = {(row["controller"], row["air"], row["actuator"], row["value"]) for row in rows}
     for controller in options.controllers.split(","):
         for air in options.air.split(","):
@@ -174,19 +176,16 @@ def page(rows: Sequence[Row]) -> Iterator[str]:
     yield ""
     yield "| lost | air | controller | held | survived | flown |"
     yield "| --- | --- | --- | --- | --- | --- |"
-    for part, air, controller in dict.fromkeys(
-        (_part(r), r["air"], r["controller"]) for r in rows if r["value"] == 0.0
-    ):
-        these = [
-            r
-            for r in rows
-            if r["value"] == 0.0 and (_part(r), r["air"], r["controller"]) == (part, air, controller)
-        ]
+    counted = [row for row in rows if row["value"] == 0.0 or not row["actuator"]]
+    for key in sorted({(_part(r), r["air"], r["controller"]) for r in counted}):
+        these = [r for r in counted if (_part(r), r["air"], r["controller"]) == key]
         counts = sum(r["held"] for r in these), sum(r["survived"] for r in these), len(these)
-        yield f"| {part} | {air} | {controller} | " + " | ".join(map(str, counts)) + " |"
+        yield f"| {' | '.join(key)} | " + " | ".join(map(str, counts)) + " |"
 
 
 def _part(row: Row) -> str:
+    if not row["actuator"]:
+        return "nothing"
     parts = ("elevator", "aileron", "rudder", "engine", "propeller", "ruddervator")
     return next((part for part in reversed(parts) if part in row["actuator"]), row["actuator"])
 
@@ -208,6 +207,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("folders", nargs="+", metavar="FOLDER")
     parser.add_argument("--results", type=Path, default=Path("runs/gallery"))
     parser.add_argument("--document", type=Path, help="page to write")
+    parser.add_argument(
+        "--flown", action="store_true", help="fly no more: the page of what is in the results' folder"
+    )
     parser.add_argument("--controllers", default="default,indi")
     parser.add_argument("--air", default="calm,turbulent")
     parser.add_argument("--values", default="0.4,0", help="effectiveness of the broken actuator")
