@@ -1,6 +1,6 @@
 """Which jams have a trim: a search on JSBSim itself, beside what the controller's design chooses. Writes docs/results/jam_trims.md.
 
-    python benchmarks/jam_trims.py            # every position of every actuator of the v-tail: some minutes
+    python benchmarks/jam_trims.py            # every position of every actuator of the v-tail: an hour
     python benchmarks/jam_trims.py --quick    # three positions each
 
 For every position of a jammed surface (steps of 5 deg) and every throttle of a stuck propeller (steps of 0.1), steady straight
@@ -183,7 +183,7 @@ HEAD = """# Which jams have a trim
 
 <!-- Written by python benchmarks/jam_trims.py: change that, not this. -->
 
-Where an actuator jams, the others must balance it, and at most positions they can at some airspeeds only. This page searches for
+This page says at which airspeeds the v-tail can fly with a jammed actuator. The others must balance it, and at most positions they can at some airspeeds only. It searches for
 these on JSBSim itself, with bounded least squares from several starts and nothing of the controller, and shows beside it
 what the controller's design chooses on its own linear model. Margin is the distance of the nearest actuator that is left to its
 stop, in units of its `scale`. Where no level flight is within the stops, the best flight
