@@ -243,9 +243,9 @@ are no more exact.
 
 {table}
 
-With `none` the gust alone does it. The gust alone also counts for a failure with a severity, where it was the nearest. Where a failure's distance is about that of `none`, it is the gust that breaks, and not the
-failure. It can also be larger, since a controller may fly otherwise after a failure. Distances of different failures are not to
-be compared: each has a severity with a range of its own.
+With `none` the gust alone does it; it also counts for a failure with a severity, where it was the nearest. Where a failure's
+distance is about that of `none`, it is the gust that breaks, and not the failure. It can also be larger, since a controller may
+fly otherwise after a failure. Distances of different failures are not to be compared: each has a severity with a range of its own.
 """
 
 
