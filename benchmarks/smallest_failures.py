@@ -187,9 +187,17 @@ def table(rows: Sequence[Mapping[str, Any]]) -> Iterator[str]:
     yield f"| --- | --- | {' | '.join('---' for _ in controllers)} | --- |"
     known = {row["failure"] for row in rows}
     for name in [each for each in ("none", *FAILURES) if each in known]:
-        own = {row["controller"]: row for row in rows if row["failure"] == name}
+        own = {row["controller"]: _no_worse(row, rows) for row in rows if row["failure"] == name}
         cells = [_cell(own[c]) if c in own else "" for c in controllers]
         yield f"| `{name}` | {next(iter(own.values()))['actuator']} | {' | '.join(cells)} | {_best(own)} |"
+
+
+def _no_worse(row: Mapping[str, Any], rows: Sequence[Mapping[str, Any]]) -> Mapping[str, Any]:
+    """The row, or that of the gust alone if this is nearer: with a severity without effect it is in the same space."""
+    alone = [r for r in rows if r["failure"] == "none" and r["controller"] == row["controller"]]
+    if row["failure"] not in SEVERITIES or not alone or float(alone[0]["distance"]) >= float(row["distance"]):
+        return row
+    return {**alone[0], "actuator": row["actuator"]}
 
 
 def _cell(row: Mapping[str, Any]) -> str:
@@ -235,9 +243,9 @@ are no more exact.
 
 {table}
 
-With `none` the gust alone does it. Where a failure's distance is about that of `none`, it is the gust that breaks, and not the
-failure. It can also be larger, since a controller may fly otherwise after a failure. Distances of different failures are not to
-be compared: each has a severity with a range of its own.
+With `none` the gust alone does it; it also counts for a failure with a severity, where it was the nearest. Where a failure's
+distance is about that of `none`, it is the gust that breaks, and not the failure. It can also be larger, since a controller may
+fly otherwise after a failure. Distances of different failures are not to be compared: each has a severity with a range of its own.
 """
 
 
