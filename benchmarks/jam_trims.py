@@ -183,7 +183,8 @@ HEAD = """# Which jams have a trim
 
 <!-- Written by python benchmarks/jam_trims.py: change that, not this. -->
 
-This page says at which airspeeds the v-tail can fly with a jammed actuator. The others must balance it, and mostly they can at some airspeeds only. It searches for
+This page says at which airspeeds the v-tail can fly with a jammed actuator. The others must balance it,
+and at most positions they can at some airspeeds only. It searches for
 these on JSBSim itself, with bounded least squares from several starts and nothing of the controller, and shows beside it
 what the controller's design chooses on its own linear model. Margin is the distance of the nearest actuator that is left to its
 stop, in units of its `scale`. Where no level flight is within the stops, the best flight

@@ -184,8 +184,9 @@ def test_altitude_is_given_up_with_a_lag() -> None:
     """A first-order lag: after its time constant 63 % of a step. The paper's preset has none."""
     _, c, _, s, _ = records_of(vtail_setup(WEATHER))
     for _ in range(round(c.give_up_time / c.dt)):
-        given_up(3.0, c, s)
-    assert s.given_up == pytest.approx(3.0 * (1.0 - math.exp(-1.0)), rel=1e-2)
+        given_up(2.0, c, s)
+    assert s.given_up == pytest.approx(2.0 * (1.0 - math.exp(-1.0)), rel=1e-2)
+    assert given_up(20.0, c, s) == 20.0 - 0.5 * c.altitude_error_max, "much is given up at once"
     _, c, _, s, _ = records_of(vtail_setup(PAPER))
     assert given_up(3.0, c, s) == 3.0 and given_up(0.0, c, s) == 0.0
 

@@ -97,12 +97,14 @@ def accumulate(integral, error, most, dt, free=False):
 
 @compiled
 def given_up(altitude, c, s):
-    """Altitude [m] that is given up so far, if `altitude` is to be: a first-order lag of `give_up_time`.
+    """Altitude [m] that is given up so far, if `altitude` is to be: a first-order lag of `give_up_time`, at most half of
+    `altitude_error_max` behind it, so that an aircraft that is very slow gains airspeed at once.
 
     Without it each m/s of a gust is a step of altitude, and so is the loss of a propeller: the nose went down by ten degrees within
     half a second of it, and most of the altitude that was lost was lost then."""
     share = c.dt / c.give_up_time if c.give_up_time > 0.0 else 1.0
-    s.given_up = altitude if share >= 1.0 else s.given_up + share * (altitude - s.given_up)
+    lagged = altitude if share >= 1.0 else s.given_up + share * (altitude - s.given_up)
+    s.given_up = max(lagged, altitude - 0.5 * c.altitude_error_max)
     return s.given_up
 
 
