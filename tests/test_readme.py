@@ -17,6 +17,8 @@ STATUS = {
     "a flight": 1,
     "a sweep": 1,
     "the smallest failure that breaks it": 1,
+    "gains from the noise of sensors and air": 0,
+    "how wrong the input matrix may be": 0,
     "your own controller": 1,
     "your own aircraft": 0,
 }
@@ -53,6 +55,9 @@ def test_its_commands_run(what: str, command: str, tmp_path: Path) -> None:
     description.write_text(description.read_text().replace("model: vtail", "model: my_aircraft"))
     ran = testbed(tmp_path, *shlex.split(command))
     assert ran.returncode == STATUS[what], ran.stdout + ran.stderr
+    if shlex.split(command)[0] in ("design", "certify"):  # their answer is what they print
+        assert not (tmp_path / "runs").exists() and ran.stdout
+        return
     (folder,) = (tmp_path / "runs").iterdir()
     assert (folder / "report.html").is_file()
 

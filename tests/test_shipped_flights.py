@@ -23,7 +23,7 @@ from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.folder import write_run_folder
 from testbed.plant.jsbsim import Plant
-from testbed.reporting.story import story
+from testbed.reporting.story import diagnoses, story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import assemble, fly, lockstep
 
@@ -215,7 +215,7 @@ def test_run_says_what_it_found(fixture: str, request: pytest.FixtureRequest) ->
     assert (done.process.returncode, done.process.stderr) == (0, "")
     first, *told, passed, wrote = done.process.stdout.splitlines()
     assert first.endswith("flew to the end, 60 s")
-    assert [line.strip() for line in told] == story(done.flight)
+    assert [line.strip() for line in told] == [*story(done.flight), *diagnoses(done.flight)]
     count = len(done.flight.requirements)
     assert count > 5 and (passed, wrote) == (f"passed: {count} of {count} requirements met", "wrote out")
     assert done.flight.passed

@@ -36,7 +36,6 @@ export function timeline(root, flight, clock) {
     const mark = document.createElement("i");
     mark.className = `mark ${event.kind}`;
     mark.style.left = share(event.time_s);
-    mark.title = `${event.time_s.toFixed(2)} s: ${event.text}`;
     bar.append(mark);
   }
   const hand = document.createElement("i");
@@ -57,7 +56,7 @@ export function timeline(root, flight, clock) {
   for (const name of PHASES.filter((p) => flight.phases.some((phase) => phase.name === p))) {
     legend.insertAdjacentHTML("beforeend", `<span><i class="phase ${name}"></i>${TITLES[name]}</span>`);
   }
-  legend.insertAdjacentHTML("beforeend", "<span>strokes: events, with their words on hover</span>");
+  legend.insertAdjacentHTML("beforeend", "<span>strokes: events, listed below</span>");
   const buttons = document.createElement("p");
   buttons.className = "buttons";
   const button = (text, act) => {
