@@ -85,8 +85,9 @@ def test_a_click_on_a_phase_moves_panels_and_replay(window: Window) -> None:
     phase = value(window, "r.flight.phases.find(p => p.name === 'flagged' || p.name === 'recovered')")
     window.page.locator(f".phase[data-phase={phase['name']}]").first.click(position={"x": 1, "y": 5})
     assert value(window, "r.clock.now") == pytest.approx(phase["from_s"])
-    window.page.locator(".panel").first.scroll_into_view_if_needed()
-    window.page.wait_for_function("window.flightReport.panels.made[0].plot !== null")
+    first = window.page.locator(".panel").first
+    first.scroll_into_view_if_needed()
+    first.locator("canvas").first.wait_for()
     low, high = (
         value(window, "r.panels.made[0].plot.scales.x.min"),
         value(window, "r.panels.made[0].plot.scales.x.max"),
