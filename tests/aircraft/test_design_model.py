@@ -110,6 +110,16 @@ def test_gravity_and_rotation_of_the_axes() -> None:
 # Propellers -------------------------------------------------------------------------------------------------------
 
 
+def test_a_thrust_that_the_propeller_cannot_give(model: DesignModel) -> None:
+    propulsor = model.propulsors[2]
+    assert isinstance(propulsor, Propulsor)
+    with pytest.raises(BadInput, match=r"cannot give 1e\+03 N at 18 m/s, expected .* N by its tables"):
+        propulsor.speed_at(1000.0, 18.0, 1.2)
+    nothing = replace(propulsor, thrust=(0.0,) * len(propulsor.thrust))
+    with pytest.raises(BadInput, match="does not change with its speed"):
+        nothing.torque_at(0.0, 18.0, 1.2)
+
+
 def test_speed_and_torque_are_of_the_tables(model: DesignModel) -> None:
     """T = rho n^2 D^4 C_T(J) and Q = rho n^2 D^5 C_Q(J), looked up again at the speed that was found."""
     propulsor = model.propulsors[2]

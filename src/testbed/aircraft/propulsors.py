@@ -7,6 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
+from testbed.inputs.problems import BadInput, Problem
+
 PROPELLER_POINTS = 41
 """Number of points in each table of a propeller."""
 ENGINE_THROTTLES, ENGINE_SPEEDS = 17, 5
@@ -40,6 +42,12 @@ class Propulsor:
 
         slowest = axial_m_s / (self.diameter_m * self.advance[1])
         top = self.max_volts * self.velocity_constant_rps_v
+        least, most = (self._loads(n, axial_m_s, density_kg_m3)[0] for n in (slowest, top))
+        if not least <= thrust_n <= most:
+            what = f"the propeller cannot give {thrust_n:.3g} N at {axial_m_s:.3g} m/s"
+            raise BadInput(
+                [Problem(what, expected=f"{least:.3g} to {most:.3g} N by its tables and its motor")]
+            )
         return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
 
     def least_thrust(self, axial_m_s: float | np.ndarray, density_kg_m3: float) -> float | np.ndarray:
@@ -53,6 +61,9 @@ class Propulsor:
         (t0, q0), (_, q), (t1, q1) = (
             self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
         )  # a step wide enough to average over the corners of the piecewise linear tables
+        if t1 == t0:
+            what = f"the propeller's thrust does not change with its speed at {axial_m_s:.3g} m/s"
+            raise BadInput([Problem(what, expected="a table of thrust whose values are not all 0")])
         return q, (q1 - q0) / (t1 - t0)
 
     def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:

@@ -8,19 +8,30 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from testbed.aircraft.description import Aircraft, Engine
+from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import Plant
 from testbed.plant.properties import ACCELERATIONS
 
 _TIME_CONSTANTS = 43.0
 """Time constants of the slowest servo or rotor after which all are taken to be steady: e^-43 is less than rounding."""
+_SLOWEST_RAD_S = 0.7
+"""Lag of the slowest servo or rotor: a trim waits some fifty times until all are steady, a minute of flight each time."""
 _ENGINE_WINDOW_S, _ENGINES_WITHIN_S = 0.5, 120.0
 STEADY = 1e-8
 """Engines are steady when their thrust is expected to change by no more than this, as a fraction of their `scale`."""
 
 
 def settle_s(aircraft: Aircraft) -> float:
-    """Time in which servos and rotors become steady [s], a whole number of tenths; engines are waited for."""
+    """Time in which servos and rotors become steady [s], a whole number of tenths; engines are waited for.
+
+    Raises BadInput for an actuator so slow that looking for a trim would take minutes.
+    """
     lags = [a.lag_rad_s for a in aircraft.actuators.values() if not isinstance(a, Engine)]
+    for name, actuator in aircraft.actuators.items():
+        if not isinstance(actuator, Engine) and 0.0 < actuator.lag_rad_s < _SLOWEST_RAD_S:
+            what = f"follows its command at {actuator.lag_rad_s:.2g} rad/s"
+            expected = f"at least {_SLOWEST_RAD_S:g} rad/s, by its lag or its rotor's inertia"
+            raise BadInput([Problem(what, str(aircraft.folder), path=f"actuators.{name}", expected=expected)])
     return math.ceil(10.0 * _TIME_CONSTANTS / min(lag for lag in lags if lag)) / 10.0 if lags else 0.5
 
 
