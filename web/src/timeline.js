@@ -75,7 +75,7 @@ export function timeline(root, flight, clock) {
   }
   button("Whole flight", () => clock.show(clock.start, clock.end));
   root.append(bar, times, legend, buttons);
-  const fit = () => bar.querySelectorAll(".phase").forEach((phase) => phase.classList.toggle("narrow", phase.clientWidth < phase.firstChild.scrollWidth + 12));
+  const fit = () => bar.querySelectorAll(".phase").forEach((phase) => phase.classList.toggle("narrow", phase.clientWidth < phase.firstChild.offsetWidth + 12));
   new ResizeObserver(fit).observe(bar); // a title that does not fit is left to the legend
   clock.listen(() => {
     hand.style.left = share(clock.now);

@@ -39,12 +39,23 @@ def head(flight: Flight) -> str:
         if total
         else "the scenario has no requirements."
     )
-    lines = "".join(f"<li>{escape(line)}</li>" for line in [*story(flight), *diagnoses(flight)])
+    lines = "".join(f"<li>{escape(line)}</li>" for line in story(flight))
     warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
     return (
         f"<h1>{escape(flight.scenario.name)}</h1>\n{html.chips(facts(flight))}\n"
-        f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>\n<ul class="story">{lines}</ul>{warnings}'
+        f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>\n'
+        f'<ul class="story">{lines}</ul>{_said(flight)}{warnings}'
     )
+
+
+def _said(flight: Flight) -> str:
+    """What the controller said, folded: the first of it can be read."""
+    said = diagnoses(flight)
+    if not said:
+        return ""
+    more = "".join(f"<li>{escape(line)}</li>" for line in said[1:])
+    first = escape(said[0])
+    return f"<details><summary>{first}</summary><ul>{more}</ul></details>" if more else f"<p>{first}</p>"
 
 
 def facts(flight: Flight) -> dict[str, str]:
