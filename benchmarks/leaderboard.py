@@ -1,6 +1,6 @@
 """Compare every controller for every type of failure, with the same seeds. Writes docs/results/leaderboard.md.
 
-python benchmarks/leaderboard.py            # 3 seeds, calm air and W20 = 25 ft/s: some 1000 flights
+python benchmarks/leaderboard.py            # 3 seeds, calm air and W20 = 25 ft/s: some 1500 flights
 python benchmarks/leaderboard.py --quick    # 1 seed
 """
 
@@ -31,6 +31,9 @@ CONTROLLERS: Mapping[str, Mapping[str, Any]] = {
     "fixed_inversion": {"type": "fixed_inversion"},
     "pid": {"type": "pid"},
     "indi": {"type": "indi"},
+    "rls_inversion": {"type": "rls_inversion"},
+    "imm_inversion": {"type": "imm_inversion"},
+    "l1_inversion": {"type": "l1_inversion"},
 }
 ACTUATOR = {"servo": "left_ruddervator", "motor": "right_propeller"}
 PROPERTY = {"set": {"fcs/left-ruddervator/effectiveness": 0.5, "fcs/right-propeller/effectiveness": 0.5}}
