@@ -65,6 +65,14 @@ def test_drift_of_what_did_not_settle() -> None:
     assert "Not recovered: it did not stay within 15 deg of heading." in text
 
 
+def test_a_failure_shortly_before_the_end_is_not_called_unrecovered() -> None:
+    late = "5 m of altitude and 15 deg of heading, but the flight ended before that had lasted 5 s."
+    assert f"It never left {late}" in told(lost(7.0), injection(7.0))
+    log = lost(2.0)
+    log["altitude_m"][at(2.5) : at(7)] += 6.0
+    assert f"Not recovered: it was back within {late}" in told(log, injection(2.0))
+
+
 def test_an_estimate_is_told_only_where_there_is_one() -> None:
     log = level_log()
     log["elevon_effectiveness"][at(2) :] = 0.5
