@@ -40,6 +40,9 @@ _LIMITS = {
     "airspeed_max_m_s": "airspeed",
     "altitude_min_m": "altitude",
 }
+_STAYED = (
+    f"altitude stayed within {RECOVERED['altitude']:g} m and heading within {RECOVERED['heading']:g} deg"
+)
 
 
 class Stretch(NamedTuple):
@@ -221,7 +224,7 @@ def _end(flight: Flight) -> Iterator[str]:
     elif last[0]["after_s"] > 0.0:
         yield f"Recovered {last[0]['after_s']:.1f} s after the failure: within {limits} from then on."
     else:
-        yield f"It held: it never left {limits}."
+        yield f"It held: {_STAYED} of their references."
 
 
 def _not_recovered(flight: Flight, failed_s: float) -> str:
@@ -230,9 +233,11 @@ def _not_recovered(flight: Flight, failed_s: float) -> str:
         return f"Not recovered: it did not stay within {_within(left)}."
     view = readings(flight)
     rows = slice(view.row_at(failed_s), len(view.time_s))
-    held = all(np.abs(view.error(q)[rows]).max() <= RECOVERED[q] for q in _TRACKED)
-    began = "It never left" if held else "Not recovered: it was back within"
-    return f"{began} {_within(RECOVERED)}, but the flight ended before that had lasted {DWELL_S:g} s."
+    if all(np.abs(view.error(q)[rows]).max() <= RECOVERED[q] for q in _TRACKED):
+        return f"So far it held: {_STAYED} of their references, but the flight ended within {DWELL_S:g} s of the failure."
+    return (
+        f"Not recovered: it was back within {_within(RECOVERED)} for less than {DWELL_S:g} s before the end."
+    )
 
 
 def _within(quantities: Iterable[str]) -> str:
