@@ -172,23 +172,21 @@ def by_kind(rows: Sequence[Row], finding: Finding) -> str:
 
 
 def remaining(rows: Sequence[Row], trims: Mapping[str, str], bound: str) -> list[str]:
-    """Markdown: the missions that even the bound does not hold in one flight of ten or more, and what trims the truth has."""
-    lines = [
-        "## What remains lost, and why",
-        "",
-        f"Missions of which `{bound}` does not hold nine of ten, with the steady flights that JSBSim itself has after the",
-        "failure (`benchmarks/true_trims.py`). A jam whose level trim is far from the speed before it has to be flown there first.",
-        "",
-        f"| mission | {bound} survives | {bound} holds | default holds | steady flight on JSBSim |",
-        "| --- | --- | --- | --- | --- |",
-    ]
+    """Markdown: the missions that even the bound does not hold in one flight of ten or more; the truth's trims, if looked for."""
+    heads = ["mission", f"{bound} survives", f"{bound} holds", "default holds"]
+    lines = ["## What remains lost", "", f"Missions of which `{bound}` does not hold nine of ten."]
+    if trims:
+        heads.append("steady flight on JSBSim")
+        lines += ["The last column has the steady flights that JSBSim itself has after the failure (`benchmarks/true_trims.py`).",
+                  "A jam whose level trim is far from the speed before it has to be flown there first."]  # fmt: skip
+    lines += ["", f"| {' | '.join(heads)} |", f"|{' --- |' * len(heads)}"]
     for mission in dict.fromkeys(row.mission for row in rows):
         own = [row for row in rows if (row.mission, row.controller) == (mission, bound)]
         default = [row for row in rows if (row.mission, row.controller) == (mission, "default")]
         if own and sum(row.held for row in own) < 0.9 * len(own):
             counted = ([r.survived for r in own], [r.held for r in own], [r.held for r in default])
-            cells = (f"{sum(flags)}/{len(flags)}" for flags in counted)
-            lines.append(f"| {mission} | {' | '.join(cells)} | {trims.get(mission, 'not searched')} |")
+            cells = [mission, *(f"{sum(flags)}/{len(flags)}" for flags in counted)]
+            lines.append(f"| {' | '.join([*cells, trims[mission]] if trims else cells)} |")
     return lines
 
 

@@ -103,6 +103,11 @@ def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
         f"actuator at once: what it does not hold, no better diagnosis holds. Seeds are {seeds[0]} to {seeds[-1]}; those below",
         f"{TUNING_END} were for tuning, and no gain was chosen on these. Intervals are of paired differences, 95 % (Newcombe).",
         "",
+        "**Detection** is the longest time in a flight from a failure to the flag of its actuator: the median over flights, and",
+        "what 95 % do not exceed.",
+        "**Missed** are losses (effectiveness 0.1 or less for over 2 s) that were never flagged, and false alarms are flags of",
+        "actuators that were not broken, both over all flights.",
+        "",
         "## All flights",
         "",
         *totals(main_rows, REFERENCE),
@@ -131,7 +136,7 @@ def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
         lines += [f"| {name} | {found} |" for name, found in trims.items()]
     for condition in conditions:
         lines += ["", f"## Each mission: {condition.title}", ""]
-        lines += ["held/survived/flights; where all survived, held/flights", ""]
+        lines += ["Flights held / survived / flown; where all survived, held / flown.", ""]
         lines += by_mission([row for row in main_rows if row.condition == condition])
         own = [row for row in main_rows if row.condition == condition and row.controller == REFERENCE]
         lines += ["", f"`{REFERENCE}`, worst flight of each:", "", *details(own)]

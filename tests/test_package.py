@@ -1,4 +1,4 @@
-"""The package as it is imported: seven names, quickly, each from its own module when it is first used."""
+"""The package as it is imported: nine names, quickly, each from its own module when it is first used."""
 
 from __future__ import annotations
 
@@ -17,9 +17,11 @@ def run(program: str) -> str:
 
 
 def test_its_names_are_shown_and_there() -> None:
-    names = ["__version__", "compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
-    assert dir(testbed) == names
-    assert all(callable(getattr(testbed, name)) for name in names[1:])
+    raised = ["BadInput", "Stopped"]
+    called = ["compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
+    assert dir(testbed) == [*raised, "__version__", *called]
+    assert all(callable(getattr(testbed, name)) for name in called)
+    assert all(issubclass(getattr(testbed, name), Exception) for name in raised)
     assert testbed.__version__ and testbed.__version__[0].isdigit()
     with pytest.raises(AttributeError, match="has no attribute 'land'"):
         testbed.land  # noqa: B018

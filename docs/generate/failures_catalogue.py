@@ -96,7 +96,7 @@ def rows() -> Iterator[str]:
     """The rows of the page's table of types."""
     for name, kind in TABLE.items():
         meaning = (kind.__doc__ or "").strip().partition("\n")[0]
-        on = "any" if name == "property" else " and ".join(kind.kinds)
+        on = "any" if name == "property" else ", ".join(kind.kinds)
         undone = "yes" if kind.undone else "no"
         figure = f"![{name}](figures/failures/{name}.png)"
         yield f"| `{name}` | {on} | {fields_of(name)} | {undone} | {meaning} | {figure} |"

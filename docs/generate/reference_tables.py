@@ -82,12 +82,10 @@ def _options(command: argparse.ArgumentParser) -> Iterable[tuple[str, str]]:
         if action.choices and not action.metavar:
             value = "one of " + ", ".join(map(str, action.choices))
         name = ", ".join(action.option_strings) or action.dest
-        default = (
-            "" if action.default in (None, False, [], argparse.SUPPRESS) else f" (default: {action.default})"
-        )
         word = f"{name} {value}" if action.option_strings else f"{action.metavar or name}"
-        more = f"; {value}" if value.startswith("one of") and not action.option_strings else ""
-        meaning = f"{action.help or ''}{more}{default}"
+        choices = value if value.startswith("one of") and not action.option_strings else ""
+        said = (action.help or "") % vars(action)
+        meaning = "; ".join(filter(None, (said, choices)))
         yield f"`{word.strip()}`", html.escape(meaning, quote=False)
 
 

@@ -6,17 +6,21 @@ TYPE_CHECKING = False  # as `typing` has it; importing that takes longer than al
 if TYPE_CHECKING:
     from typing import Any
 
+    from testbed.inputs.problems import BadInput as BadInput
     from testbed.loading import load as load
     from testbed.monte_carlo import sweep as sweep
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison import compare as compare
     from testbed.searching import search as search
     from testbed.simulation import fly as fly
+    from testbed.sweeps.run import Stopped as Stopped
     from testbed.theory.gain_design import design as design
 
     __version__: str
 
 _MODULES = {
+    "BadInput": "testbed.inputs.problems",
+    "Stopped": "testbed.sweeps.run",
     "compare": "testbed.reporting.comparison",
     "design": "testbed.theory.gain_design",
     "failure_probability": "testbed.reliability.probability",
@@ -26,7 +30,18 @@ _MODULES = {
     "sweep": "testbed.monte_carlo",
 }
 
-__all__ = ["__version__", "compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
+__all__ = [
+    "BadInput",
+    "Stopped",
+    "__version__",
+    "compare",
+    "design",
+    "failure_probability",
+    "fly",
+    "load",
+    "search",
+    "sweep",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -20,9 +20,9 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
     A flight of a sweep whose log was kept is read as a Flight, too: `SWEEP/logs/run-000017-pid.parquet`, or `SWEEP/17` for
     short where only one variant's log was kept.
 
-    The table's `plot(figure)` draws the sweep's figures: `probabilities`, `map`, ... Its `attrs` hold `name`, `folder`,
-    `summary` (a sentence) and `units` (of each column). Needs neither the simulator nor, for a run folder, the aircraft.
-    Raises BadInput when the folder is neither a run nor a sweep.
+    A sweep's table has `plot(figure)`, which draws the sweep's figures: `probabilities`, `map`, ... Its `attrs` hold `name`,
+    `folder`, `summary` (a sentence) and `units` (of each column). Needs neither the simulator nor, for a run folder, the
+    aircraft. Raises BadInput when the folder is none of these, or the search has not finished.
     """
     if names_kept_log(folder):
         from testbed.sweeps.folder import kept

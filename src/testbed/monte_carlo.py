@@ -59,7 +59,7 @@ def sweep(
         runs: number of runs, in place of the file's.
         seed: seed of everything random, in place of the file's.
         settings: changes as with `--set`, each KEY=VALUE.
-        set: the same as a mapping from dotted paths, as `fly` takes it: {"set.sensors": "mems", "runs": 50}.
+        set: the same as a mapping from dotted paths, as `fly` takes it: {"sensors": "mems", "runs": 50}.
         jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, and fly only the missing flights.
@@ -71,13 +71,18 @@ def sweep(
     Raises BadInput when nothing can be flown, Stopped when the sweep ended early; the finished flights are then kept.
     """
     how = options(jobs, cluster, save_logs, fly)
-    settings = [*settings, *(f"{path}={json.dumps(value)}" for path, value in (set or {}).items())]
+    settings = [*settings, *written(set or {})]
     plan, folder = prepare(sweep, out, settings, runs=runs, seed=seed, resume=resume, controllers=controllers)
     fly_sweep(plan, folder, how, resume=resume)
     finish(plan, folder, figures=figures)
     from testbed.reporting.sweep_table import table_of
 
     return table_of(reading.load(folder))
+
+
+def written(changes: Mapping[str, Any]) -> list[str]:
+    """Changes by dotted path as `--set` takes them, each KEY=VALUE."""
+    return [f"{path}={json.dumps(value)}" for path, value in changes.items()]
 
 
 def options(jobs: int | None, cluster: str | None, save_logs: str, fly: Fly | None = None) -> Options:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -16,7 +16,7 @@ from testbed.common.files import slug
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
-from testbed.monte_carlo import options
+from testbed.monte_carlo import options, written
 from testbed.reporting.attempt import attempt
 from testbed.reporting.present import present
 from testbed.reporting.search_page.words import settings_of
@@ -81,6 +81,7 @@ def search(
     budget: int | None = None,
     seed: int | None = None,
     settings: Sequence[str] = (),
+    set: Mapping[str, Any] | None = None,
     jobs: int | None = None,
     cluster: str | None = None,
     resume: bool = False,
@@ -97,6 +98,7 @@ def search(
         budget: most flights of each part, in place of the file's.
         seed: seed of everything random, in place of the file's.
         settings: changes as with `--set`, each KEY=VALUE.
+        set: the same as a mapping from dotted paths, as `fly` takes it: {"sensors": "mems", "budget": 50}.
         jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, with the flights that it has.
@@ -107,6 +109,7 @@ def search(
     Raises BadInput when nothing can be searched, Stopped when the search ended early; the finished flights are then kept.
     """
     how = options(jobs, cluster, "none", fly)
+    settings = [*settings, *written(set or {})]
     plan, folder = prepare(
         search, out, settings, goal=goal, budget=budget, seed=seed, controllers=controllers
     )

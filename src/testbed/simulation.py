@@ -83,17 +83,24 @@ def fly(
     set: Mapping[str, Any] | None = None,
     watch: Watch | None = None,
 ) -> Flight:
-    """Fly a scenario. The flight is a pure function of the scenario, the aircraft's files and the user's controller, if any.
+    """Fly a scenario. The same scenario, aircraft and controller give the same flight, to the last bit.
+
+    Nothing is written; `Flight.save` writes a run folder as `testbed run` does.
 
     Args:
-        scenario: a scenario, or the path of its file.
-        controller: a class of the user's own that flies in place of the scenario's (see `controllers.user`).
+        scenario: the path of a scenario's YAML file, or a `Scenario`; a shipped file is found from any folder.
+        controller: a class of your own that flies in place of the scenario's controller. It has
+            `__init__(self, setup)` and `update(self, time_s, state, reference)`, as `examples/my_controller.py` shows.
         set: settings to change, as `--set` does: {"sensors": "mems", "failures.0.value": 0.5}, by dotted paths.
         watch: called in each control step with its time [s] and its row of truth (see `flight.columns.Recorded`), which it must
             not change; it may wait, so that the flight is shown in real time.
 
+    Returns:
+        The finished flight: `passed`, `outcome`, `log` (a DataFrame), `events`, `metrics`, `requirements`, `plot()`, `save()`.
+        An aircraft that is lost is an outcome, not an exception.
+
     Raises:
-        BadInput: the scenario, a name in it, its aircraft, or the user's controller cannot be used.
+        BadInput: the scenario, a name in it, its aircraft, or your controller cannot be used.
     """
     if not isinstance(scenario, Scenario):
         scenario = load_scenario(scenario, set or {})

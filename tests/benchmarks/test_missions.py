@@ -6,6 +6,7 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+import mission_findings
 import mission_report
 import missions
 import pytest
@@ -96,6 +97,15 @@ def test_a_report_is_of_reporting_seeds_only(tmp_path: Path) -> None:
     list(table.write([replace(HELD, seed=49999)]))
     with pytest.raises(SystemExit, match="seed 49999 is for tuning"):
         mission_report.reporting_rows(table.file)
+
+
+def test_the_page_has_a_column_of_trims_only_where_they_were_looked_for() -> None:
+    lost = replace(HELD, controller="oracle", altitude_m=99.0)
+    default = replace(lost, controller="default")
+    without = "\n".join(mission_findings.remaining([lost, default], {}, "oracle"))
+    assert without.endswith("| hard_healthy | 1/1 | 0/1 | 0/1 |") and "steady" not in without
+    beside = mission_findings.remaining([lost, default], {"hard_healthy": "level"}, "oracle")
+    assert beside[-1] == "| hard_healthy | 1/1 | 0/1 | 0/1 | level |" and "steady flight" in beside[-3]
 
 
 def test_the_truth_has_a_trim_with_a_lost_tail_and_none_without_actuators() -> None:

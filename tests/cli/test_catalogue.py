@@ -46,3 +46,8 @@ def test_scenarios_and_sweeps_are_listed_by_what_commands_take(here: Path, calle
     assert [find_scenario(name) for name in names] == [*scenario_files(), *search_files(), *sweep_files()]
     about = listed(called("list", "scenarios")[1])["scenarios/lost_surface.yaml"]
     assert about == "The left ruddervator is torn off at 5 s, with its mass."
+
+
+def test_of_a_long_comment_the_first_paragraph_is_listed(here: Path, called: Called) -> None:
+    about = listed(called("list", "scenarios")[1])["scenarios/mems_turbulence.yaml"]
+    assert about.startswith("A realistic small UAV") and about.endswith("between manoeuvres.")

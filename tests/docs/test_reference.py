@@ -15,11 +15,12 @@ from command_line import ROOT
 from pydantic import Field
 
 from testbed.aircraft.description import Aircraft
+from testbed.failures import TABLE as FAILURES
 from testbed.inputs.base import Number, Positive, Settings
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
 from testbed.searches.model import Search
-from testbed.sensors.settings import SENSORS
+from testbed.sensors.settings import SENSORS, SensorSettings
 from testbed.sweeps.model import Sweep
 
 DOCS = ROOT / "docs"
@@ -69,6 +70,21 @@ def test_every_command_and_option_is_there() -> None:
             "--help",
         }
         assert all(f"`{option}" in section for option in options)
+
+
+def test_an_options_default_is_said_once() -> None:
+    rows = [line for line in reference_tables.commands().splitlines() if line.startswith("| `")]
+    assert any("(default: 0.1)" in row for row in rows)
+    assert not [row for row in rows if "%(" in row or row.count("default") > 1 or "|  |" in row]
+
+
+def test_what_a_table_has_of_a_docstring_is_a_whole_sentence() -> None:
+    faults = model_tables.alternatives(SensorSettings, "faults")
+    first = {
+        name: reference_tables.first_line(it)
+        for name, it in [*FAILURES.items(), *METRICS.items(), *faults.items()]
+    }
+    assert not [name for name, line in first.items() if not line.endswith((".", ".)"))]
 
 
 def test_every_metric_is_there_with_a_unit() -> None:

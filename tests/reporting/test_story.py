@@ -65,6 +65,15 @@ def test_drift_of_what_did_not_settle() -> None:
     assert "Not recovered: it did not stay within 15 deg of heading." in text
 
 
+def test_a_failure_shortly_before_the_end_is_not_called_unrecovered() -> None:
+    held = "So far it held: altitude stayed within 5 m and heading within 15 deg of their references"
+    assert f"{held}, but the flight ended within 5 s of the failure." in told(lost(7.0), injection(7.0))
+    log = lost(2.0)
+    log["altitude_m"][at(2.5) : at(7)] += 6.0
+    back = "Not recovered: it was back within 5 m of altitude and 15 deg of heading for less than 5 s before the end."
+    assert back in told(log, injection(2.0))
+
+
 def test_an_estimate_is_told_only_where_there_is_one() -> None:
     log = level_log()
     log["elevon_effectiveness"][at(2) :] = 0.5
@@ -124,6 +133,7 @@ def test_the_shipped_flight_is_told_as_it_was() -> None:
     assert "At 15.0 s the left ruddervator was lost completely." in text
     assert f"noticed the left ruddervator after {detection['delay_s']:.2f} s" in text
     assert f"{flight.metrics['altitude_error_max_m']:.2f} m of altitude" in text
-    assert "It held: it never left 5 m of altitude and 15 deg of heading." in text and "wrongly" not in text
+    assert "It held: altitude stayed within 5 m and heading within 15 deg of their references." in text
+    assert "wrongly" not in text
     assert [e for e in flight.events if e["kind"] == "recovered"][-1]["time_s"] == pytest.approx(15.0)
     assert len(story(flight)) <= 4

@@ -61,7 +61,7 @@ def _described(table: Mapping[str, object]) -> Entries:
 
 
 def _files(files: Iterable[Path]) -> Entries:
-    """Shipped files by the path that commands take, each with the comment at its beginning or, without one, its name."""
+    """Shipped files by the path that commands take, each with the first paragraph of its comment or, without one, its name."""
     from testbed.aircraft.shipped import data_root
 
     return [(str(file.relative_to(data_root())), _about(file)) for file in files]
@@ -71,7 +71,7 @@ def _about(file: Path) -> str:
     lines = file.read_text(encoding="utf-8").splitlines()
     if lines and lines[0].startswith("# yaml-language-server:"):  # for editors
         del lines[0]
-    comment = takewhile(lambda line: line.startswith("#"), lines)
+    comment = takewhile(lambda line: line.startswith("# "), lines)  # its first paragraph
     return " ".join(line.lstrip("# ") for line in comment) or file.stem.replace("_", " ")
 
 

@@ -101,9 +101,9 @@ class AdaptiveInversionSettings(ControllerSettings):
     filter_rad_s: NonNegative = 20.0
     """Corner of two equal first-order lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
     lambda_min: Number = -1.2
+    """Lowest estimate. `newton` integrates the logarithm of an estimate, so its `lambda_min` must be above zero."""
     lambda_max: Positive = 1.2
-    """Estimates are kept between `lambda_min` and `lambda_max`. `newton` integrates the logarithm of an estimate, so its
-    `lambda_min` must be above zero."""
+    """Highest estimate."""
     ablate: tuple[Part, ...] = ()
     """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
     `monitor` (nothing is flagged for a low estimate), `model_error` (the model's own error is not estimated), `speed_rule`
@@ -229,8 +229,9 @@ class L1InversionSettings(RegressionSettings):
     epsilon: Positive = 0.05
     """Half-width of g in (14), in units of the actuator's `scale`."""
     lambda_min: Positive = 0.05
+    """Lowest fast estimate."""
     lambda_max: Positive = 2.0
-    """The fast estimates are kept between `lambda_min` and `lambda_max`."""
+    """Highest fast estimate."""
     monitor: StrictBool = True
     """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
 
@@ -242,8 +243,9 @@ class RlsInversionSettings(RegressionSettings):
     forgetting_s: Positive = 2.0
     """Time constant with which old measurements are forgotten [s]."""
     lambda_min: Positive = 0.1
+    """Lowest estimate."""
     lambda_max: Positive = 1.2
-    """Estimates are kept between `lambda_min` and `lambda_max`."""
+    """Highest estimate."""
 
 
 class ImmInversionSettings(RegressionSettings):

@@ -42,8 +42,7 @@ class PropLoss(ActuatorFailure):
 
 
 class MotorStop(ActuatorFailure):
-    """A motor has no power, or an engine no ignition or fuel, and its propeller windmills; with `braked: true` a short-circuited
-    motor brakes the propeller."""
+    """No power, ignition or fuel: the propeller windmills, or a short-circuited motor brakes it with `braked: true`."""
 
     kinds: ClassVar[tuple[str, ...]] = ("motor", "engine")
     type: Literal["motor_stop"] = "motor_stop"

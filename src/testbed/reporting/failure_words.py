@@ -26,7 +26,7 @@ def _share(value: float) -> str:
     if value < 0.0:
         return f"acted in reverse, with {-100 * value:.0f} % of its effect"
     if value == 1.0:
-        return "had its full effect again"
+        return "had its full effect"
     if value < LOST:
         return f"was lost but for {100 * value:.0f} % of its effect"
     return f"kept {100 * value:.0f} % of its effect"

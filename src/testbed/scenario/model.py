@@ -27,20 +27,27 @@ MAX_NAME = 120
 
 
 class Initial(Settings):
-    """Initial condition: trimmed level flight. `airspeed_m_s` is relative to the air, also in wind."""
+    """Initial condition: trimmed level flight."""
 
     altitude_m: Number
+    """Above mean sea level, which is also the height of the ground."""
     airspeed_m_s: Positive
+    """Relative to the air, also in wind."""
     heading_deg: Number = Field(default=0.0, ge=0, le=360)
+    """Clockwise from north."""
 
 
 class Command(Settings):
     """New values to fly to from `at_s` on; a value that is not given does not change."""
 
     at_s: NonNegative
+    """Time since the start of the flight."""
     altitude_m: Number | None = None
+    """Above mean sea level."""
     airspeed_m_s: Positive | None = None
+    """Relative to the air."""
     heading_deg: Number | None = Field(default=None, ge=0, le=360)
+    """Clockwise from north; flown to the short way round."""
 
 
 class CommandRates(Settings):
@@ -49,7 +56,9 @@ class CommandRates(Settings):
     heading_deg_s: Positive | None = None
     """By default 4, or the rate of a turn with 20 deg of bank at the initial airspeed if that is less."""
     altitude_m_s: Positive = 1.0
+    """Rate of the altitude reference, up and down."""
     airspeed_m_s2: Positive = 0.5
+    """Rate of the airspeed reference, up and down."""
 
 
 def _shape(value: Any) -> str:

@@ -81,7 +81,7 @@ PRESETS: dict[str, dict[str, dict[str, float]]] = {"ideal": {}, "mems": MEMS}
 
 
 class SensorSettings(Settings):
-    """All sensors of an aircraft, one block each (see SENSORS). What a block does not set has the value of the preset `model`."""
+    """All sensors of an aircraft, one block each. What a block does not set has the value of the preset `model`."""
 
     model: Literal["ideal", "mems"] = "ideal"
     faults: tuple[AnyFault, ...] = ()

@@ -21,7 +21,7 @@ from testbed.sweeps.workers.flying import Fly, Job, fly_reference
 
 
 class Stopped(Exception):
-    """The sweep ended early. The finished flights are kept, and --resume flies the rest."""
+    """A sweep or a search ended early. The finished flights are kept, and --resume flies the rest."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Flights:
     def __str__(self) -> str:
         rate, speed = self.count / self.wall_s, self.flown_s / self.wall_s
         return (
-            f"{self.count} flights in {self.wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} s flown a second"
+            f"{self.count} flights in {self.wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} times real time"
         )
 
 

@@ -38,3 +38,4 @@ def test_a_recovery_is_marked_unless_nothing_was_ever_left() -> None:
     assert [mark.label for mark in marks([recovered, {**recovered, "after_s": 0.0}])] == [
         "recovered 3.0 s after the failure"
     ]
+    assert describe({**recovered, "after_s": 0.0}) == "held within 5 m and 15 deg"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -65,6 +66,13 @@ def test_a_probability_comes_with_its_interval_and_levels(likely: SearchResult) 
     assert "How likely a requirement is broken" in page.text and "robustness at most" in page.text
     assert answer(likely.summary)[0].startswith("A requirement is broken with probability 0.00")
     assert (likely.folder / "figures/levels.png").is_file()
+
+
+def test_of_a_probability_only_what_is_known_is_said(likely: SearchResult) -> None:
+    assert "coefficient of variation 0." in answer(likely.summary)[0]
+    summary = json.loads(json.dumps(likely.summary))
+    summary["variants"][0]["probability"] |= {"coefficient_of_variation": None, "plain_flights": None}
+    assert re.search(r"\(\S+ to \S+, 95 %\), from \d+ flights\.", answer(summary)[0])
 
 
 def test_a_probability_that_is_not_known_is_said_to_be_so(likely: SearchResult, tmp_path: Path) -> None:

@@ -34,7 +34,13 @@ _UPDATE = "update(time_s, state, reference) -> commands"
 
 
 class State(NamedTuple):
-    """The measured state (`signals.STATE`) [m, m/s, rad, rad/s, rad/s2]; airspeed, alpha and beta are relative to the air."""
+    """The measured state (`signals.STATE`), in SI units and radians.
+
+    `north` and `east` [m] are from the start of the flight, `altitude` [m] is above mean sea level. `airspeed` [m/s], `alpha`
+    and `beta` [rad] are relative to the air, `climb_rate` [m/s] is over the ground. Positive are a bank to the right, nose up,
+    headings clockwise from north, and wind from the right in `beta` [rad]. `p`, `q`, `r` [rad/s] and their derivatives
+    [rad/s2] are about the body axes x forward, y right, z down; `u_dot` [m/s2] is along x.
+    """
 
     north: float
     east: float

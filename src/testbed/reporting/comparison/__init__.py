@@ -69,12 +69,13 @@ class Comparison:
 
 
 def compare(flights: Sequence[Flight], out: str | Path | None = None) -> Comparison:
-    """Compare two flights or more, as `testbed.fly` and `testbed.load` give them.
+    """Compare two to six flights, as `testbed.fly` and `testbed.load` give them. The first is the one compared with.
 
     Args:
-        out: page to write, an HTML file.
+        flights: the flights.
+        out: page to write, an HTML file; None for none.
 
-    Raises BadInput when there are fewer than two flights, or more than MOST.
+    Raises BadInput for fewer than two flights, or more than six.
     """
     if not 2 <= len(flights) <= MOST:
         raise BadInput([Problem(f"compares {len(flights)}", "flights", expected=f"from 2 to {MOST}")])

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from testbed.flight.flight import Flight
+from testbed.flight.recovery import RECOVERED
 from testbed.reporting.failure_words import predicate
 
 _MOST_LABELS = 12
@@ -69,7 +70,8 @@ def describe(event: Mapping[str, Any], flight: Flight | None = None) -> str:
     if kind == "diagnosis":
         return str(event["text"])
     if kind == "recovered":
-        return f"recovered {event['after_s']:.1f} s after the failure"
+        held = f"held within {RECOVERED['altitude']:g} m and {RECOVERED['heading']:g} deg"
+        return f"recovered {event['after_s']:.1f} s after the failure" if event["after_s"] else held
     if kind == "lost":
         return "aircraft lost"
     what = str(event.get("actuator") or "").replace("_", " ")

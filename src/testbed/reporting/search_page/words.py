@@ -37,11 +37,14 @@ def _probability(variant: Summary) -> str:
     if not known["estimate"]:
         most = number(known["high"], ".2g")
         return f"{who} requirement was broken in none of {known['flights']} flights: its probability is at most {most} (95 %)."
-    cov = f"coefficient of variation {number(known['coefficient_of_variation'], '.2f')}"
+    scatter = known["coefficient_of_variation"]
+    cov = "" if scatter is None else f"; coefficient of variation {scatter:.2f}"
+    plain = known["plain_flights"]
+    more = "" if plain is None else f"; plain sampling would need {rounded(plain)}"
     unsure = "" if known["converged"] else " This is not as precise as was asked for."
     return (
-        f"{who} requirement is broken with probability {number(known['estimate'], '.2g')} ({span}, 95 %; {cov}), from "
-        f"{known['flights']} flights; plain sampling would need {rounded(known['plain_flights'])}.{unsure}"
+        f"{who} requirement is broken with probability {number(known['estimate'], '.2g')} ({span}, 95 %{cov}), from "
+        f"{known['flights']} flights{more}.{unsure}"
     )
 
 
