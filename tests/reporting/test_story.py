@@ -65,6 +65,15 @@ def test_drift_of_what_did_not_settle() -> None:
     assert "Not recovered: it did not stay within 15 deg of heading." in text
 
 
+def test_a_flight_that_ends_too_soon_is_not_said_to_have_left_its_limits() -> None:
+    text = told(lost(8.0), injection(8.0))
+    assert "Not recovered" not in text
+    assert (
+        "Too short to say that it recovered: it was within 5 m of altitude and 15 deg of heading at the end"
+        in text
+    )
+
+
 def test_an_estimate_is_told_only_where_there_is_one() -> None:
     log = level_log()
     log["elevon_effectiveness"][at(2) :] = 0.5

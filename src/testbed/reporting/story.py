@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from testbed.flight.flight import Flight, Outcome
-from testbed.flight.recovery import RECOVERED, failure_times_s
+from testbed.flight.recovery import DWELL_S, RECOVERED, failure_times_s
 from testbed.metrics import Readings, readings
 from testbed.metrics.flight_view import settled_after
 from testbed.reporting.failure_words import predicate
@@ -217,11 +217,18 @@ def _end(flight: Flight) -> Iterator[str]:
     limits = _within(RECOVERED)
     last = [e for e in flight.events if e["kind"] == "recovered" and e["time_s"] >= times[-1]]
     if not last:
-        yield f"Not recovered: it did not stay within {_within(_left(flight))}."
+        yield _not_recovered(flight)
     elif last[0]["after_s"] > 0.0:
         yield f"Recovered {last[0]['after_s']:.1f} s after the failure: within {limits} from then on."
     else:
         yield f"It held: it never left {limits}."
+
+
+def _not_recovered(flight: Flight) -> str:
+    left = _left(flight)
+    if not left:
+        return f"Too short to say that it recovered: it was within {_within(RECOVERED)} at the end, for less than {DWELL_S:g} s."
+    return f"Not recovered: it did not stay within {_within(left)}."
 
 
 def _within(quantities: Iterable[str]) -> str:
@@ -229,10 +236,10 @@ def _within(quantities: Iterable[str]) -> str:
 
 
 def _left(flight: Flight) -> list[str]:
-    """The quantities that end beyond the limits of a recovery; all of them if none does."""
+    """The quantities that end beyond the limits of a recovery."""
     view = readings(flight)
     tail = _tail(slice(min(view.first_failed_row(), len(view.time_s) - 1), len(view.time_s)))
-    return [q for q in _TRACKED if np.abs(view.error(q)[tail]).max() > RECOVERED[q]] or list(_TRACKED)
+    return [q for q in _TRACKED if np.abs(view.error(q)[tail]).max() > RECOVERED[q]]
 
 
 def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
