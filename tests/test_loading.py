@@ -13,6 +13,7 @@ import testbed
 from testbed.flight.flight import Flight
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
+from testbed.loading import load_flight
 from testbed.sweeps.load import load_sweep
 
 
@@ -26,9 +27,9 @@ def test_either_kind_of_folder(tmp_path: Path) -> None:
 def test_what_is_neither_is_refused_in_words(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     for name, words in (
-        ("none", "there is no such folder, expected a run folder or a sweep folder"),
-        ("file", "is a file, expected a run folder or a sweep folder"),
-        (".", "is neither a run folder nor a sweep folder, expected scenario.yaml"),
+        ("none", "there is no such folder, expected the folder of a run, a sweep or a search"),
+        ("file", "is a file, expected the folder of a run, a sweep or a search"),
+        (".", "is the folder neither of a run nor of a sweep or a search, expected scenario.yaml"),
     ):
         with pytest.raises(BadInput) as refused:
             testbed.load(tmp_path / name)
@@ -40,3 +41,11 @@ def test_a_run_folder_with_a_file_missing_says_which(tmp_path: Path) -> None:
     (folder / "summary.json").unlink()
     with pytest.raises(BadInput, match=r"summary\.json: is missing from the run folder"):
         testbed.load(folder)
+
+
+def test_a_search_is_no_flight(tmp_path: Path) -> None:
+    (tmp_path / "search.yaml").touch()
+    with pytest.raises(
+        BadInput, match="is a search folder, expected the folder of a flight in it, such as SEARCH/found"
+    ):
+        load_flight(tmp_path)

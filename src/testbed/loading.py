@@ -57,14 +57,13 @@ def is_sweep_folder(folder: str | Path) -> bool:
     folder = Path(folder)
     if not os.path.isdir(folder):
         what = "is a file" if os.path.exists(folder) else "there is no such folder"
-        raise BadInput([Problem(what, str(folder), expected="a run folder or a sweep folder")])
+        raise BadInput([Problem(what, str(folder), expected="the folder of a run, a sweep or a search")])
     if (folder / "sweep.yaml").is_file():
         return True
     if not any((folder / name).is_file() for name in ("scenario.yaml", "summary.json", "log.csv")):
-        expected = "scenario.yaml, summary.json and log.csv in a run folder, or sweep.yaml in a sweep folder"
-        raise BadInput(
-            [Problem("is neither a run folder nor a sweep folder", str(folder), expected=expected)]
-        )
+        expected = "scenario.yaml, summary.json and log.csv of a run, sweep.yaml of a sweep, or search.yaml of a search"
+        what = "is the folder neither of a run nor of a sweep or a search"
+        raise BadInput([Problem(what, str(folder), expected=expected)])
     return False
 
 
@@ -79,10 +78,14 @@ def names_kept_log(path: str | Path) -> bool:
 
 
 def load_flight(path: str | Path) -> Flight:
-    """Read a run folder or a kept log of a sweep; raises BadInput when it is a sweep, or neither."""
-    if not names_kept_log(path) and is_sweep_folder(path):
-        expected = "a run folder, or a flight of the sweep such as SWEEP/17"
-        raise BadInput([Problem("is a sweep folder", str(path), expected=expected)])
+    """Read a run folder or a kept log of a sweep; raises BadInput when it is a sweep, a search, or neither."""
+    if not names_kept_log(path):
+        if os.path.isfile(Path(path) / "search.yaml"):
+            expected = "the folder of a flight in it, such as SEARCH/found"
+            raise BadInput([Problem("is a search folder", str(path), expected=expected)])
+        if is_sweep_folder(path):
+            expected = "a run folder, or a flight of the sweep such as SWEEP/17"
+            raise BadInput([Problem("is a sweep folder", str(path), expected=expected)])
     flight = load(path)
-    assert not hasattr(flight, "groupby")  # a sweep was refused above
+    assert not hasattr(flight, "groupby")  # a sweep and a search were refused above
     return flight  # type: ignore[return-value]

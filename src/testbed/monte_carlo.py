@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from testbed.common.files import slug
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
+from testbed.inputs.overrides import Option
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.attempt import attempt
 from testbed.reporting.kept_report import write_kept_page
@@ -113,13 +114,15 @@ def prepare(
     """
     if runs is not None and runs < 1:
         raise BadInput([Problem(f"is {runs}", "--runs", expected="at least 1")])
-    given = [f"{name}={value}" for name, value in (("runs", runs), ("seed", seed)) if value is not None]
+    given = [
+        Option(f"{name}={value}") for name, value in (("runs", runs), ("seed", seed)) if value is not None
+    ]
     own = own_controllers(controllers)
     plan = load_sweep(file, [*settings, *given], own)
     folder = Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="sweep")
     before = runs_of(folder) if resume and runs is None else None
     if before is not None and before > plan.runs:
-        plan = load_sweep(file, [*settings, *given, f"runs={before}"], own)
+        plan = load_sweep(file, [*settings, *given, Option(f"runs={before}")], own)
     check(plan)
     return plan, folder
 

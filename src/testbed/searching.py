@@ -15,6 +15,7 @@ import numpy as np
 from testbed.common.files import slug
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
+from testbed.inputs.overrides import Option
 from testbed.inputs.problems import BadInput, Problem
 from testbed.monte_carlo import options, written
 from testbed.reporting.attempt import attempt
@@ -130,7 +131,8 @@ def prepare(
     """Read and check a search; returns the plan and the search folder. Raises BadInput with every problem found."""
     if goal is not None and goal not in GOALS:
         raise BadInput([Problem(f"is {goal!r}", "--goal", expected=" or ".join(GOALS))])
-    given = [f"{name}={value}" for name, value in (("budget", budget), ("seed", seed)) if value is not None]
+    numbers = (("budget", budget), ("seed", seed))
+    given = [Option(f"{name}={value}") for name, value in numbers if value is not None]
     plan = load_search(file, [*settings, *given], own_controllers(controllers), goal)
     check(plan.plan)
     return plan, Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="search")

@@ -76,6 +76,12 @@ def test_an_unknown_scenario(tmp_path: Path) -> None:
     (tmp_path / "climb.yaml").write_text("")
     with pytest.raises(BadInput, match=r"did you mean .*climb\.yaml"):
         find_scenario(tmp_path / "clibm.yaml")
+    for typo, meant in (
+        ("left_tail_monte_calro", "sweeps/left_tail_monte"),
+        ("smallest_gsut", "searches/smallest"),
+    ):
+        with pytest.raises(BadInput, match=rf"did you mean scenarios/{meant}"):
+            find_scenario(typo)
 
 
 def test_a_model_of_jsbsim_is_not_shipped_but_can_be_adopted() -> None:

@@ -63,5 +63,7 @@ def test_certify_refuses_bad_input_all_at_once(here: Path, called: Called, file:
     assert err.splitlines()[1] == "numbers.txt: has no known ending, expected .csv or .json"
     assert "did you mean vtail?" in err.splitlines()[2]
     assert sorted(p.name for p in here.iterdir()) == ["bad.yaml", "healthy.yaml"]
-    status, _, err = called("certify", file, "--out", "nowhere/numbers.csv")
-    assert status == 2 and err.startswith("nowhere/numbers.csv: is in a folder that does not exist")
+    (here / "mine.csv").write_text("mine")
+    status, _, err = called("certify", file, "--out", "mine.csv")
+    assert status == 2 and err.startswith("mine.csv: exists already, expected a file that does not exist yet")
+    assert (here / "mine.csv").read_text() == "mine"

@@ -35,10 +35,13 @@ def test_design_says_what_is_impossible(here: Path, called: Called) -> None:
     ("arguments", "problem"),
     [
         (("--keep", "1.5"), "--keep: is 1.5, expected more than 0 and less than 1"),
-        (("--out", "no/such/gains.yaml"), "no/such/gains.yaml: cannot be written"),
+        (("--out", "mine.yaml"), "mine.yaml: exists already, expected a file that does not exist yet"),
+        (("--out", "mine.yaml/gains.yaml"), "mine.yaml/gains.yaml: cannot be written"),
     ],
 )
 def test_bad_input_is_one_line(here: Path, called: Called, arguments: tuple[str, ...], problem: str) -> None:
-    status, _, error = called("design", *PAPER, *arguments)
-    assert status == 2
+    (here / "mine.yaml").write_text("mine")
+    status, out, error = called("design", *PAPER, *arguments)
+    assert (status, out) == (2, "")
+    assert (here / "mine.yaml").read_text() == "mine"
     assert problem in error

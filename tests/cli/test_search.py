@@ -23,7 +23,7 @@ from testbed.aircraft.shipped import search_files as shipped
     [
         (["--jobs", "0"], "--jobs: is 0, expected at least 1"),
         (["--goal", "least"], "--goal: is 'least', expected smallest or probability"),
-        (["--budget", "1"], "budget: is 1, expected greater than or equal to 20"),
+        (["--budget", "1"], "--budget 1: budget: is 1, expected greater than or equal to 20"),
         (["--set", "bogus.path=1"], "--set bogus.path=1: bogus: unknown key, expected one of "),
         (["--cluster", "tcp://127.0.0.1:1"], "--cluster: no cluster answers at tcp://127.0.0.1:1"),
     ],

@@ -10,7 +10,14 @@ from short_flights import scenario
 from vtail_setup import records_of, vtail_setup
 
 from testbed.aircraft.control_design import ControlDesign
-from testbed.controllers.config import TABLE, AdaptiveInversionSettings, PerKind
+from testbed.controllers.config import (
+    TABLE,
+    AdaptiveInversionSettings,
+    ControllerSettings,
+    L1InversionSettings,
+    PerKind,
+    RlsInversionSettings,
+)
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import dump, load_scenario
 
@@ -110,6 +117,16 @@ def test_contradictions_are_refused(given: dict[str, float], message: str) -> No
     import re
 
     assert re.search(message, str(caught.value), flags=re.DOTALL)
+
+
+@pytest.mark.parametrize("settings", [AdaptiveInversionSettings, L1InversionSettings, RlsInversionSettings])
+@pytest.mark.parametrize("given", [{"lambda_min": 0.9, "lambda_max": 0.4}, {"lambda_min": 2.5}])
+def test_the_limits_of_the_estimates_are_in_order(
+    settings: type[ControllerSettings], given: dict[str, float]
+) -> None:
+    """Also where one of them is the default."""
+    with pytest.raises(ValidationError, match="is not above lambda_min"):
+        settings.model_validate(given)
 
 
 def test_a_weighted_estimate_may_be_negative() -> None:

@@ -1,5 +1,8 @@
 """A process that looks at mutants: it reads each from stdin, a line of JSON, and answers in lines of JSON on stdout.
 
+It imports the program, flies each controller once, unspoilt, and then forks. The fork looks at mutants until one ends it; the
+next one begins as warm, within milliseconds, where a new process needs seconds. An answer {"pid": ...} says that a fork is there.
+
 The last answer to a mutant has `outcome`:
 
     refused   BadInput, in words
@@ -7,8 +10,8 @@ The last answer to a mutant has `outcome`:
     flown     flown to its end, or until the aircraft was lost
     DEFECT    any other exception
 
-An answer without it, {"stage": ...}, says what is begun, in case the process ends or hangs. An aircraft's model is loaded
-here as the process of the first load does it (`plant.probe`), at a tenth of the time: this process may die as well as that.
+An answer {"stage": ...} says what is begun, in case the fork ends or hangs, and {"ended": status} that it has ended. An
+aircraft's model is loaded here as the process of the first load does it (`plant.probe`): this fork may die as well as that.
 """
 
 from __future__ import annotations
@@ -20,9 +23,17 @@ import shutil
 import sys
 import tempfile
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TextIO
+
+import mutants
+import yaml
+
+if TYPE_CHECKING:
+    from testbed.sweeps.drawing.builder import Task
+    from testbed.sweeps.workers.flying import Job
+    from testbed.sweeps.workers.pool import Done
 
 _SCENARIO = """\
 name: fuzz
@@ -33,6 +44,10 @@ failures: [{type: effectiveness, actuator: left_ruddervator, at_s: 0.5, value: 0
 """
 _LONGEST_S = 4.0
 """Longest flight that is flown here [s]."""
+_BUDGET, _MOST_PARTS = 20, 1
+"""Flights of a search that is flown here, and most searches in one file."""
+_NO_MORE = 77
+"""Exit status of a fork that has read the last mutant; a mutant that makes it exit gives another one."""
 
 
 def main() -> None:
@@ -40,24 +55,53 @@ def main() -> None:
     sys.stdout = sys.stderr  # what the program prints is no answer
     root = Path(tempfile.mkdtemp(prefix="fuzz-"))
     try:
-        for line in sys.stdin:
-            with contextlib.suppress(FileNotFoundError):
-                shutil.rmtree(root)
-            root.mkdir()
-            os.chdir(root)
-            request = json.loads(line)
-            answers.write(json.dumps(_examined(request, root, answers)) + "\n")
+        _warm_up(root)
+        while _forked(root, answers):
+            pass
     finally:
         os.chdir("/")
         shutil.rmtree(root, ignore_errors=True)
 
 
-def _examined(request: dict[str, Any], root: Path, answers: Any) -> dict[str, str]:
+def _warm_up(root: Path) -> None:
+    """Fly each controller once: neither compiling nor importing is what the mutants are timed for."""
+    from testbed.controllers.config import TABLE as CONTROLLERS
+
+    for controller in CONTROLLERS:
+        tree = {**mutants.scenario_bases()[0], "controller": {"type": controller}}
+        request = {"kind": "scenario", "files": {"s.yaml": yaml.safe_dump(tree)}, "fly": True}
+        answer = _examined(request, root, sys.stderr)
+        assert answer["outcome"] == "flown", answer
+
+
+def _forked(root: Path, answers: TextIO) -> bool:
+    """Look at mutants in a fork until it ends; returns whether more may come."""
+    pid = os.fork()
+    if pid == 0:
+        _answer_all(root, answers)
+        os._exit(_NO_MORE)
+    answers.write(json.dumps({"pid": pid}) + "\n")
+    _, status = os.waitpid(pid, 0)
+    status = os.waitstatus_to_exitcode(status)
+    answers.write(json.dumps({"ended": status}) + "\n")
+    return status != _NO_MORE
+
+
+def _answer_all(root: Path, answers: TextIO) -> None:
+    while line := sys.stdin.buffer.readline():
+        answers.write(json.dumps(_examined(json.loads(line), root, answers)) + "\n")
+
+
+def _examined(request: dict[str, Any], root: Path, answers: TextIO) -> dict[str, str]:
     from testbed.inputs.problems import BadInput
 
     def begin(stage: str) -> None:
         answers.write(json.dumps({"stage": stage}) + "\n")
 
+    with contextlib.suppress(FileNotFoundError):
+        shutil.rmtree(root)
+    root.mkdir()
+    os.chdir(root)
     _write(request["files"], root)
     try:
         return {"outcome": TABLE[request["kind"]](request["fly"], begin)}
@@ -122,6 +166,48 @@ def _sweep(fly: bool, begin: Callable[[str], None]) -> str:
     return "flown"
 
 
+def _search(fly: bool, begin: Callable[[str], None]) -> str:
+    from testbed import searching
+    from testbed.searches.folder import Store
+    from testbed.searches.run import Refused, search_in
+    from testbed.sweeps.workers.flying import Job
+
+    begin("checking")
+    searching.prepare("search.yaml")
+    if not fly:
+        return "valid"
+    plan, folder = searching.prepare("search.yaml", "out", budget=_BUDGET)
+    scenario = plan.plan.builder.scenario(plan.plan.task(0))
+    if len(plan.parts) > _MOST_PARTS or scenario.duration_s > _LONGEST_S or scenario.physics_hz > 1000:
+        return "valid"
+    begin("flying")
+    job = Job(plan.plan.builder, save_logs="none")
+    store = Store(folder, plan, "", resume=False)
+    try:
+        found = search_in(plan, store, _Here(job))
+    except Refused:
+        store.remove()
+        return "flown"
+    store.close()
+    searching.finish(plan, folder, found, job, figures=False)
+    return "flown"
+
+
+class _Here:
+    """Flies the batches of a search in this process."""
+
+    def __init__(self, job: Job) -> None:
+        self._job = job
+
+    def fly(self, tasks: Sequence[Task]) -> Iterator[Done]:
+        from testbed.sweeps.workers.flying import fly_task
+
+        for task in tasks:
+            flown = fly_task(self._job, task)
+            assert flown.record["outcome"] != "error", flown.record["reason"]
+            yield task, flown
+
+
 def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.aircraft.description import load_aircraft
     from testbed.aircraft.model_files.check import model_problems
@@ -142,7 +228,7 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
 
 
 TABLE: dict[str, Callable[[bool, Callable[[str], None]], str]] = {
-    "scenario": _scenario, "sweep": _sweep, "aircraft": _aircraft, "xml": _aircraft,
+    "scenario": _scenario, "sweep": _sweep, "search": _search, "aircraft": _aircraft, "xml": _aircraft,
 }  # fmt: skip
 
 

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 ROOT = Path(__file__).parents[2]
 Mutant = dict[str, str]
 
+_TIMED = ("commands", "failures", "requirements")
 _SECONDS = 2
 """Duration of the mutants' flights: that of the shipped scenarios is squeezed into it."""
 HOSTILE = [
@@ -39,12 +40,34 @@ def scenario_bases() -> list[dict[str, Any]]:
 def _squeezed(tree: dict[str, Any]) -> dict[str, Any]:
     factor = _SECONDS / tree["duration_s"]
     tree["duration_s"] = _SECONDS
-    for kind in ("commands", "failures", "requirements"):
-        for entry in tree.get(kind, []):
-            for key in ("at_s", "until_s", "from_s"):
-                if key in entry:
-                    entry[key] = round(entry[key] * factor, 2)
+    gusts = tree.get("atmosphere", {}).get("gusts", [])
+    for entry in [*gusts, *(entry for kind in _TIMED for entry in tree.get(kind, []))]:
+        for key in ("at_s", "until_s", "from_s", "duration_s", "hold_s"):
+            if key in entry:
+                entry[key] = round(entry[key] * factor, 2)
     return tree
+
+
+def search_bases() -> list[dict[str, Any]]:
+    """The shipped searches, and one with all further keys, all with their flights squeezed into _SECONDS."""
+    files = sorted((ROOT / "scenarios" / "searches").glob("*.yaml"))
+    bases = [yaml.safe_load(file.read_text(encoding="utf-8")) for file in files]
+    for tree in bases:
+        factor = _SECONDS / tree["scenario"]["duration_s"]
+        _squeezed(tree["scenario"])
+        for path, distribution in tree["vary"].items():
+            if path.endswith(".at_s"):
+                ends = distribution["uniform"]
+                distribution["uniform"] = [round(end * factor, 2) for end in ends]
+    further = copy.deepcopy(bases[-1])
+    further |= {
+        "goal": "probability", "method": "importance", "cov": 0.5, "starts": 1, "time_limit_s": 9,
+        "requirement": "altitude", "nominal": {"failures.0.value": 1},
+        "set": {"requirements": [{"name": "altitude", "metric": "altitude_error_max_m", "at_most": 3}]},
+        "compare": {"controller.type": ["pid"]},
+    }  # fmt: skip
+    further["vary"]["failures.0.actuator"]["weights"] = [1, 2]
+    return [*bases, further]
 
 
 def sweep_bases() -> list[dict[str, Any]]:
@@ -210,6 +233,7 @@ def _xml_text() -> st.SearchStrategy[Mutant]:
 KINDS: dict[str, st.SearchStrategy[Mutant]] = {
     "scenario": _yaml_files("s.yaml", scenario_bases()),
     "sweep": _yaml_files("sweep.yaml", sweep_bases()),
+    "search": _yaml_files("search.yaml", search_bases()),
     "aircraft": _aircraft_yaml(),
     "xml": mutated_model() | _xml_text(),
 }

@@ -14,94 +14,83 @@ import itertools
 import json
 import os
 import select
+import signal
 import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-import yaml
 from hypothesis import HealthCheck, Phase, given, seed, settings
-from mutants import KINDS, ROOT, Mutant, scenario_bases
+from mutants import KINDS, ROOT, Mutant
 
 from testbed.common import jit
-from testbed.controllers.config import TABLE as CONTROLLERS
 
 LONGEST_S = 10.0
 """Longest computing time for one mutant [s]: the program promises an answer within it."""
-_BUSY = 12
-"""On the clock, at most this many times as long."""
+_BUSY = 60
+"""On the clock, at most this many times as long: a busy machine gives it a small share."""
 _ROUND = 200
 """Mutants that are drawn with one seed."""
-_START_S, _COMPILE_S = 60.0, 300.0
+_COMPILE_S = 300.0
+"""On the clock, the longest start of the process that looks at mutants."""
 BAD = ("DEFECT", "HANG", "DIED")
 """Outcomes that must not be."""
 
 
 class Examiner:
-    """A process of `examine`, started again when it has died."""
+    """A process of `examine`, whose forks look at mutants. It is started at the first one."""
 
     def __init__(self, cache: str) -> None:
-        source = str(ROOT / "src")
         # Its own folder for records, because each mutant of an aircraft leaves one; compiled code is that of other flights.
         self._environment = {
             **os.environ,
-            "PYTHONPATH": source,
+            "PYTHONPATH": str(ROOT / "src"),
             "OPENBLAS_NUM_THREADS": "1",
             "XDG_CACHE_HOME": cache,
         }
         if jit._FOLDER is not None:
             self._environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER)
         self._process: subprocess.Popen[bytes] | None = None
-
-    def warm_up(self) -> None:
-        """Fly each controller once, unspoilt: compiling is not what the mutants are timed for."""
-        tree = scenario_bases()[0]
-        for controller in CONTROLLERS:
-            text = yaml.safe_dump({**tree, "controller": {"type": controller}})
-            answer = self.examine({"kind": "scenario", "files": {"s.yaml": text}, "fly": True}, _COMPILE_S)
-            assert answer["outcome"] == "flown", answer
+        self._fork = 0
 
     def examine(self, request: dict[str, Any], longest_s: float = LONGEST_S) -> dict[str, str]:
         """The outcome of a mutant; see `examine`. Besides, HANG and DIED, and `ended JSBSim`, which a first load reports."""
-        limit = longest_s if self._process is not None else max(longest_s, _START_S)
         process = self._running()
-        assert process.stdin is not None and process.stdout is not None
+        assert process.stdin is not None
         process.stdin.write(json.dumps(request).encode() + b"\n")
         process.stdin.flush()
-        stage, begun, used = "starting", time.monotonic(), _cpu_s(process.pid)
+        stage, begun, used = "starting", time.monotonic(), _cpu_s(self._fork)
         while True:
-            if not select.select([process.stdout], [], [], _LOOK_S)[0]:
-                used_s, waited_s = _cpu_s(process.pid) - used, time.monotonic() - begun
-                if used_s < limit and waited_s < _BUSY * limit:
+            answer = self._answer(_LOOK_S)
+            if answer is None:
+                used_s, waited_s = _cpu_s(self._fork) - used, time.monotonic() - begun
+                if used_s < longest_s and waited_s < _BUSY * longest_s:
                     continue
-                self.close()
+                os.kill(self._fork, signal.SIGKILL)
+                self._next_fork()
                 return {"outcome": "HANG", "words": f"no answer after {used_s:.0f} s of {stage}"}
-            line = process.stdout.readline()
-            if not line:
-                status = self.close()
-                if stage == "loading":
-                    return {"outcome": "ended JSBSim", "words": f"exit status {status} while {stage}"}
-                return {"outcome": "DIED", "words": f"exit status {status} while {stage}"}
-            answer: dict[str, str] = json.loads(line)
             if "outcome" in answer:
                 return answer
+            if "ended" in answer:
+                self._next_fork()
+                outcome = "ended JSBSim" if stage == "loading" else "DIED"
+                return {"outcome": outcome, "words": f"exit status {answer['ended']} while {stage}"}
             stage = answer["stage"]
 
-    def close(self) -> int:
-        """End the process; returns its exit status."""
+    def close(self) -> None:
+        """End the process."""
         process, self._process = self._process, None
-        if process is None:
-            return 0
-        process.kill() if process.poll() is None else None
-        assert process.stdin is not None and process.stdout is not None
-        process.stdout.close()
-        process.stdin.close()
-        return process.wait()
+        if process is not None:
+            assert process.stdin is not None and process.stdout is not None
+            process.stdin.close()
+            process.stdout.close()
+            process.wait()
 
     def _running(self) -> subprocess.Popen[bytes]:
         if self._process is None:
@@ -110,7 +99,28 @@ class Examiner:
                 command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                 env=self._environment, bufsize=0,
             )  # fmt: skip
+            self._next_fork()
         return self._process
+
+    def _next_fork(self) -> None:
+        """Wait for the next fork; raises TimeoutError when there is none."""
+        until = time.monotonic() + _COMPILE_S
+        while (answer := self._answer(max(until - time.monotonic(), 0.0))) is not None:
+            if "pid" in answer:
+                self._fork = answer["pid"]
+                return
+        raise TimeoutError("the process that looks at mutants does not start")
+
+    def _answer(self, longest_s: float) -> dict[str, Any] | None:
+        """The next answer; None if there is none for so long. Raises RuntimeError when the process itself has ended."""
+        assert self._process is not None and self._process.stdout is not None
+        if not select.select([self._process.stdout], [], [], longest_s)[0]:
+            return None
+        line = self._process.stdout.readline()
+        if not line:
+            raise RuntimeError(f"the process that looks at mutants ended: exit status {self._process.wait()}")
+        answer: dict[str, Any] = json.loads(line)
+        return answer
 
 
 _LOOK_S = 0.05  # how often an answer is looked for
@@ -118,7 +128,10 @@ _LOOK_S = 0.05  # how often an answer is looked for
 
 def _cpu_s(pid: int) -> float:
     """Computing time of a process [s]: on a busy machine the time on the clock says little."""
-    fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    try:
+        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+    except FileNotFoundError:  # it has ended, which its last answer says
+        return 0.0
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
@@ -137,30 +150,37 @@ class Found:
             self.bad.append((answer, mutant))
 
 
-def fuzz(kind: str, count: int, number: int, fly_every: int = 1, until: float = float("inf")) -> Found:
+def fuzz(
+    kind: str, count: int, number: int, examiner: Examiner, fly_every: int = 1, until: float = float("inf")
+) -> Found:
     """Examine `count` mutants of a kind, drawn with the seed `number`; every `fly_every`-th valid one is flown."""
     found, counter = Found(), itertools.count()
+
+    @seed(number)
+    @settings(max_examples=count, deadline=None, database=None, phases=[Phase.generate],
+              suppress_health_check=list(HealthCheck))  # fmt: skip
+    @given(KINDS[kind])
+    def examined(mutant: Mutant) -> None:
+        if time.monotonic() > until:
+            return
+        begun = time.monotonic()
+        fly = next(counter) % fly_every == 0
+        answer = examiner.examine({"kind": kind, "files": mutant, "fly": fly})
+        found.add(answer, mutant, time.monotonic() - begun)
+
+    examined()
+    return found
+
+
+@contextmanager
+def examiners() -> Iterator[Examiner]:
+    """An examiner that is ended with the block."""
     with tempfile.TemporaryDirectory() as cache:
         examiner = Examiner(cache)
-        examiner.warm_up()
-
-        @seed(number)
-        @settings(max_examples=count, deadline=None, database=None, phases=[Phase.generate],
-                  suppress_health_check=list(HealthCheck))  # fmt: skip
-        @given(KINDS[kind])
-        def examined(mutant: Mutant) -> None:
-            if time.monotonic() > until:
-                return
-            begun = time.monotonic()
-            fly = next(counter) % fly_every == 0
-            answer = examiner.examine({"kind": kind, "files": mutant, "fly": fly})
-            found.add(answer, mutant, time.monotonic() - begun)
-
         try:
-            examined()
+            yield examiner
         finally:
             examiner.close()
-    return found
 
 
 def keep(found: Found, kind: str, folder: Path) -> None:
@@ -198,20 +218,25 @@ def main() -> int:
     until = time.monotonic() + 60.0 * options.minutes if options.minutes else float("inf")
     totals: dict[str, Counter[str]] = {}
     slowest: dict[str, float] = {}
-    for kind, number, count in _rounds(options):
-        found = fuzz(kind, count, number, options.fly_every, until)
-        totals[kind] = totals.get(kind, Counter()) + found.outcomes
-        slowest[kind] = max(slowest.get(kind, 0.0), found.slowest_s)
-        keep(found, f"{kind}-{number}", options.keep)
-        print(_line(f"{kind}, seed {number}", found.outcomes, found.slowest_s), flush=True)
-        for words, times in Counter(answer["words"] for answer, _ in found.bad).most_common(20):
-            print(f"  {times} x {words}", flush=True)
-        if time.monotonic() > until:
-            break
+    with examiners() as examiner:
+        for kind, number, count in _rounds(options):
+            found = fuzz(kind, count, number, examiner, options.fly_every, until)
+            totals[kind] = totals.get(kind, Counter()) + found.outcomes
+            slowest[kind] = max(slowest.get(kind, 0.0), found.slowest_s)
+            keep(found, f"{kind}-{number}", options.keep)
+            _print(f"{kind}, seed {number}", found)
+            if time.monotonic() > until:
+                break
     print("total")
     for kind, outcomes in totals.items():
         print(_line(kind, outcomes, slowest[kind]))
     return 1 if any(outcomes[bad] for outcomes in totals.values() for bad in BAD) else 0
+
+
+def _print(what: str, found: Found) -> None:
+    print(_line(what, found.outcomes, found.slowest_s), flush=True)
+    for words, times in Counter(answer["words"] for answer, _ in found.bad).most_common(20):
+        print(f"  {times} x {words}", flush=True)
 
 
 def _line(what: str, outcomes: Counter[str], slowest_s: float) -> str:

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 import yaml
 from command_line import ROOT
-from mutants import KINDS, scenario_bases, sweep_bases
-from run import Examiner, fuzz
+from mutants import KINDS, scenario_bases, search_bases, sweep_bases
+from run import Examiner, examiners, fuzz
 
 from testbed.cli.checked import _valid
 
@@ -16,7 +16,8 @@ from testbed.cli.checked import _valid
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_mutant_ends_in_words_or_in_a_flight(kind: str) -> None:
-    found = fuzz(kind, 60, 1, fly_every=5)
+    with examiners() as examiner:
+        found = fuzz(kind, 60, 1, examiner, fly_every=5)
     assert not found.bad, found.bad[:3]
     assert sum(found.outcomes.values()) == 60 and found.outcomes["refused"] > 12
 
@@ -42,7 +43,7 @@ def test_a_defect_a_hang_and_a_dead_process_are_noticed(tmp_path: Path) -> None:
 
 def test_the_unspoilt_bases_are_valid(tmp_path: Path) -> None:
     """Else every mutant would be refused for the same reason."""
-    for i, tree in enumerate([*scenario_bases(), *sweep_bases()]):
+    for i, tree in enumerate([*scenario_bases(), *sweep_bases(), *search_bases()]):
         file = tmp_path / f"{i}.yaml"
         file.write_text(yaml.safe_dump(tree), encoding="utf-8")
         _valid(str(file))

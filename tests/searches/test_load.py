@@ -92,7 +92,7 @@ def test_a_sweeps_file_is_searched_with_a_goal(tmp_path: Path) -> None:
     assert [each.path for each in plan.parts[0].space.coordinates] == [
         "failures.0.at_s", "failures.0.value", "controller.model_error.Cm_alpha",
     ]  # fmt: skip
-    assert "goal: is missing" in refused(sweep_written(tmp_path))
+    assert "is a sweep, expected a search" in refused(sweep_written(tmp_path))
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [

@@ -19,7 +19,7 @@ VALUE = "failures.0.value: {uniform: [0, 1]}"
 REFUSED: list[tuple[str, str, list[str]]] = [
     (VALUE, "failures.0.vaule: {uniform: [0, 1]}", [":11: failures.0.vaule: unknown key, did you mean value?"]),
     (VALUE, "failures.3.value: {uniform: [0, 1]}",
-     [":11: failures: has no entry 3, expected an index from 0 to 0"]),
+     [":11: failures: has no entry 3, expected 0, its only entry"]),
     (VALUE, "failures.0.value: {unifrom: [0, 1]}",
      [":11: vary.failures.0.value: unknown distribution 'unifrom', did you mean uniform?"]),
     (VALUE, "failures.0.value: {uniform: [1, 0]}",
@@ -75,6 +75,23 @@ def test_refused_with_place_and_suggestion(tmp_path: Path, old: str, new: str, e
         check(load_sweep(file))
     lines = [str(problem).removeprefix(str(file)) for problem in refused.value.problems]
     assert lines == expected
+
+
+def test_what_every_draw_has_wrong_is_said_once(tmp_path: Path) -> None:
+    text = SWEEP.replace(VALUE, "rate_hz: {normal: [100.3, 0.01]}", 1)
+    with pytest.raises(BadInput) as refused:
+        check(load_sweep(written(tmp_path, text)))
+    (problem,) = refused.value.problems
+    assert problem.path == "rate_hz" and problem.expected == "a valid integer"
+
+
+def test_a_scenario_that_cannot_be_read_is_refused_where_it_is_named(tmp_path: Path) -> None:
+    (tmp_path / "other.yaml").write_text(SWEEP)
+    for name, words in ((".", ":2: scenario: . is a folder"), ("other.yaml", "other.yaml:1: is a sweep")):
+        text = SWEEP.replace("scenarios/left_tail_fail.yaml", name)
+        assert text != SWEEP
+        with pytest.raises(BadInput, match=words):
+            load_sweep(written(tmp_path, text))
 
 
 def test_bad_cases_are_refused_by_line(tmp_path: Path) -> None:

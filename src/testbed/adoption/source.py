@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from testbed.aircraft.model_files.safe_xml import read_bytes
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 FOREIGN = "fg/"
@@ -101,11 +102,9 @@ def _is_channel_of_data(element: ET.Element, parent: ET.Element) -> bool:
 
 def _parsed(file: Path) -> ET.Element:
     try:
-        return ET.parse(file).getroot()
+        return ET.fromstring(read_bytes(file))
     except (ET.ParseError, UnicodeDecodeError, LookupError, ValueError) as error:
         raise BadInput([Problem(f"is not XML: {error}", str(file))]) from None
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be read: {error.strerror}", str(file))]) from None
 
 
 def _inline(tree: ET.Element, source: Source) -> None:

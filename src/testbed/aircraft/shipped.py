@@ -86,11 +86,12 @@ def _names_in(folder: Path) -> list[str]:
 
 
 def find_scenario(path: str | Path) -> Path:
-    """A scenario file by its path, else the shipped file with that path; raises BadInput when there is neither."""
+    """A scenario, sweep or search by its path, else the shipped file with that path; raises BadInput when there is neither."""
     for candidate in (Path(path), data_root() / path):
         if os.path.exists(candidate):
             return candidate
-    shipped = {file.stem: str(file.relative_to(data_root())) for file in scenario_files()}
+    every = (*scenario_files(), *sweep_files(), *search_files())
+    shipped = {file.stem: str(file.relative_to(data_root())) for file in every}
     folder = Path(path).parent
     beside = {Path(name).stem: str(folder / name) for name in _names_in(folder) if name.endswith(".yaml")}
     known = shipped | beside

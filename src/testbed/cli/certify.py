@@ -14,9 +14,10 @@ from typing import TYPE_CHECKING
 from testbed.cli.checked import checked, collect
 from testbed.cli.interrupts import tidily
 from testbed.cli.working import working
-from testbed.common.files import plain, replacing
+from testbed.common.files import plain
 from testbed.common.signals import RATES
 from testbed.common.text import cell
+from testbed.inputs.output_file import refuse_unwritable, written
 from testbed.inputs.problems import BadInput, Problem
 
 _NOTHING = 1e-5
@@ -54,16 +55,15 @@ def _wrong_error(error: float) -> Iterator[Problem]:
 def _wrong_file(out: Path | None) -> Iterator[Problem]:
     if out is not None and out.suffix not in _FORMATS:
         yield Problem("has no known ending", str(out), expected=" or ".join(_FORMATS))
-    elif out is not None and not out.parent.is_dir():
-        yield Problem("is in a folder that does not exist", str(out))
+    elif out is not None:
+        found: list[Problem] = []
+        collect(found, lambda: refuse_unwritable(out))
+        yield from found
 
 
 def _write(certificate: Certificate, out: Path) -> None:
-    try:
-        with tidily(), replacing(out) as partial:
-            partial.write_text(_FORMATS[out.suffix](certificate), encoding="utf-8")
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(out))]) from None
+    with tidily(), written(out) as partial:
+        partial.write_text(_FORMATS[out.suffix](certificate), encoding="utf-8")
 
 
 def as_json(certificate: Certificate) -> str:

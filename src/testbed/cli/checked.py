@@ -73,8 +73,7 @@ def _valid(file: str) -> object:
     """The scenario, the sweep or the search in a file, checked."""
     from testbed.aircraft.shipped import find_scenario
     from testbed.inputs import yaml_source
-    from testbed.searches import is_search
-    from testbed.sweeps import is_sweep
+    from testbed.inputs.kinds import is_search, is_sweep
 
     tree = yaml_source.read(find_scenario(file)).tree
     if is_search(tree):

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from testbed import __version__
 from testbed.cli import completion, interrupts
+from testbed.cli.arguments import Parser, number, whole_number
 from testbed.cli.catalogue import TABLE as CATALOGUE
 from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, MET, NOT_MET
 from testbed.cli.terminal import give_up_stdout, plain_output
@@ -79,7 +80,7 @@ def _in_words(error: Exception) -> str:
 
 def parser() -> argparse.ArgumentParser:
     """The commands and their options."""
-    top = argparse.ArgumentParser(prog="testbed", description="A flight-control failure testbed.")
+    top = Parser(prog="testbed", description="A flight-control failure testbed.")
     top.add_argument("--version", action="version", version=f"testbed {__version__}")
     commands = top.add_subparsers(required=True, metavar="COMMAND")
 
@@ -175,7 +176,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def _command(
-    commands: argparse._SubParsersAction[argparse.ArgumentParser],
+    commands: argparse._SubParsersAction[Parser],
     name: str,
     function: Callable[[argparse.Namespace], int],
     description: str,
@@ -220,10 +221,15 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
         "--out", type=Path, metavar="DIR", help="sweep folder to make (default: runs/<name>)"
     )
     command.add_argument(
-        "--runs", type=int, metavar="N", help="number of runs; with --resume, a larger number adds runs"
+        "--runs",
+        type=whole_number,
+        metavar="N",
+        help="number of runs; with --resume, a larger number adds runs",
     )
     _add_flying(command)
-    command.add_argument("--only", type=int, metavar="I", help="fly run I alone and keep its whole log")
+    command.add_argument(
+        "--only", type=whole_number, metavar="I", help="fly run I alone and keep its whole log"
+    )
     command.add_argument(
         "--variant",
         metavar="LABEL",
@@ -247,7 +253,10 @@ def _add_search(command: argparse.ArgumentParser) -> None:
         "--goal", metavar="GOAL", help="smallest or probability; with it the file may be a sweep's"
     )
     command.add_argument(
-        "--budget", type=int, metavar="N", help="most flights for each variant and option of a choice"
+        "--budget",
+        type=whole_number,
+        metavar="N",
+        help="most flights for each variant and option of a choice",
     )
     _add_flying(command)
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
@@ -255,7 +264,7 @@ def _add_search(command: argparse.ArgumentParser) -> None:
 
 def _add_flying(command: argparse.ArgumentParser) -> None:
     """What a sweep and a search share: seed, controllers, and where and how the flights are flown."""
-    command.add_argument("--seed", type=int, metavar="S", help="seed of everything random")
+    command.add_argument("--seed", type=whole_number, metavar="S", help="seed of everything random")
     command.add_argument(
         "--controller",
         action="append",
@@ -264,7 +273,7 @@ def _add_flying(command: argparse.ArgumentParser) -> None:
         help="compare a controller class of your own too; may be given several times",
     )
     command.add_argument(
-        "--jobs", type=int, metavar="N", help="number of processes (default: one for each core)"
+        "--jobs", type=whole_number, metavar="N", help="number of processes (default: one for each core)"
     )
     command.add_argument(
         "--cluster", metavar="ADDRESS", help="fly on a Dask cluster, such as tcp://host:8786"
@@ -278,27 +287,27 @@ def _add_design(command: argparse.ArgumentParser) -> None:
     _file(command, "scenario", _SCENARIO)
     command.add_argument(
         "--deviation",
-        type=float,
+        type=number,
         default=0.1,
         metavar="SIGMA",
         help="tolerated standard deviation of an estimate (default: %(default)s)",
     )
     command.add_argument(
         "--false-alarms",
-        type=float,
+        type=number,
         default=0.1,
         metavar="RATE",
         help="tolerated false alarms per hour (default: %(default)s)",
     )
     command.add_argument(
         "--keep",
-        type=float,
+        type=number,
         default=0.2,
         metavar="EFFECTIVENESS",
         help="effectiveness that must not be flagged (default: %(default)s)",
     )
     command.add_argument(
-        "--within", type=float, metavar="SECONDS", help="time in which an estimate has to converge"
+        "--within", type=number, metavar="SECONDS", help="time in which an estimate has to converge"
     )
     command.add_argument("--out", type=Path, metavar="FILE", help="write the YAML into this file too")
 
@@ -320,7 +329,7 @@ def _add_certify(command: argparse.ArgumentParser) -> None:
     _file(command, "scenario", _SCENARIO)
     command.add_argument(
         "--error",
-        type=float,
+        type=number,
         default=0.1,
         metavar="FRACTION",
         help="relative error of all entries for which the bias of the estimates is bounded (default: %(default)s)",

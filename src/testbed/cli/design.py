@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any
 from testbed.cli.checked import checked
 from testbed.cli.interrupts import tidily
 from testbed.cli.working import working
-from testbed.common.files import replacing
 from testbed.common.signals import RATES
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.output_file import refuse_unwritable, written
 
 if TYPE_CHECKING:
     from testbed.theory.gain_design import Design
@@ -27,6 +26,8 @@ def design(options: argparse.Namespace) -> bool:
     """
     from testbed.theory.gain_design import design
 
+    if options.out is not None:
+        refuse_unwritable(options.out)
     with working("checking"):
         scenario = checked(options.scenario, options.set)
     with working("designing"):
@@ -92,9 +93,6 @@ def _table(actuators: tuple[ActuatorDesign, ...]) -> Iterator[str]:
 
 
 def _write(path: Path, text: str) -> None:
-    try:
-        with tidily(), replacing(path) as partial:
-            partial.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(path))]) from None
+    with tidily(), written(path) as partial:
+        partial.write_text(text, encoding="utf-8")
     print(f"wrote {path}")

@@ -10,8 +10,7 @@ from typing import Any, get_args
 from pydantic import BaseModel
 
 from testbed.common.docstrings import field_docstrings
-from testbed.common.files import replacing
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.output_file import refuse_unwritable, written
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -61,17 +60,20 @@ def text_of(kind: str) -> str:
 
 
 def write(kind: str, out: Path | None) -> None:
-    """Print a schema, or write it into a file; raises BadInput if that cannot be written."""
+    """Print a schema, or write it into a file, also over an earlier schema; raises BadInput if that cannot be done."""
     if out is None:
         print(text_of(kind), end="")
         return
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        with replacing(out) as partial:
-            partial.write_text(text_of(kind), encoding="utf-8")
-    except OSError as error:
-        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(out))]) from None
+    refuse_unwritable(out, _is_schema)
+    with written(out) as partial:
+        partial.write_text(text_of(kind), encoding="utf-8")
     print(f"wrote {out}")
+
+
+def _is_schema(file: Path) -> bool:
+    """Whether a file is a schema that was written here, perhaps by another version."""
+    with file.open(encoding="utf-8", errors="replace") as stream:
+        return DRAFT in stream.read(100)
 
 
 def schema_of(model: type[BaseModel]) -> dict[str, Any]:

@@ -26,12 +26,17 @@ def replacing(file: Path) -> Iterator[Path]:
 
     A reader sees the old contents or the new, never a part of them. Raises OSError as writing does.
     """
-    partial = file.with_name(f".{file.name}.partial")
+    partial = partial_of(file)
     try:
         yield partial
         partial.replace(file)
     finally:
         partial.unlink(missing_ok=True)
+
+
+def partial_of(file: Path) -> Path:
+    """The path beside a file to which `replacing` writes."""
+    return file.with_name(f".{file.name}.partial")
 
 
 def plain(value: Any) -> Any:

@@ -4,12 +4,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import Field, StrictBool, ValidationInfo, field_validator, model_validator
+from pydantic import AfterValidator, Field, StrictBool, ValidationInfo, field_validator, model_validator
 
 from testbed.aircraft.control_design import Axis, ControlDesign
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 
 Fraction = Annotated[Number, Field(ge=0, le=1)]
+
+
+def _above_min(lambda_max: float, info: ValidationInfo) -> float:
+    lambda_min = info.data.get("lambda_min", 0.0)
+    if lambda_max <= lambda_min:
+        raise refuse(f"{lambda_max:g} is not above lambda_min", f"more than {lambda_min:g}")
+    return lambda_max
+
+
+Highest = Annotated[Positive, AfterValidator(_above_min)]
+"""A `lambda_max`, which is above the `lambda_min` before it."""
 
 
 class PerKind(Settings):
@@ -102,7 +113,7 @@ class AdaptiveInversionSettings(ControllerSettings):
     """Corner of two equal first-order lags on both sides of the regression, for noisy sensors [rad/s]; 0 is none."""
     lambda_min: Number = -1.2
     """Lowest estimate. `newton` integrates the logarithm of an estimate, so its `lambda_min` must be above zero."""
-    lambda_max: Positive = 1.2
+    lambda_max: Highest = Field(default=1.2, validate_default=True)
     """Highest estimate."""
     ablate: tuple[Part, ...] = ()
     """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
@@ -144,13 +155,6 @@ class AdaptiveInversionSettings(ControllerSettings):
         if lambda_min <= 0.0 and info.data.get("estimation") == "newton":
             raise refuse(f"{lambda_min:g} is not above 0, and newton integrates the logarithm", "more than 0")
         return lambda_min
-
-    @field_validator("lambda_max")
-    @classmethod
-    def _above_min(cls, lambda_max: float, info: ValidationInfo) -> float:
-        if lambda_max <= info.data.get("lambda_min", 0.0):
-            raise refuse(f"{lambda_max:g} is not above lambda_min", f"more than {info.data['lambda_min']:g}")
-        return lambda_max
 
 
 def _asks_for_newton(value: dict[str, Any]) -> bool:
@@ -230,7 +234,7 @@ class L1InversionSettings(RegressionSettings):
     """Half-width of g in (14), in units of the actuator's `scale`."""
     lambda_min: Positive = 0.05
     """Lowest fast estimate."""
-    lambda_max: Positive = 2.0
+    lambda_max: Highest = Field(default=2.0, validate_default=True)
     """Highest fast estimate."""
     monitor: StrictBool = True
     """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
@@ -244,7 +248,7 @@ class RlsInversionSettings(RegressionSettings):
     """Time constant with which old measurements are forgotten [s]."""
     lambda_min: Positive = 0.1
     """Lowest estimate."""
-    lambda_max: Positive = 1.2
+    lambda_max: Highest = Field(default=1.2, validate_default=True)
     """Highest estimate."""
 
 

@@ -13,6 +13,16 @@ SHORT_FORMS: dict[TreePath, str] = {("aircraft",): "name"}
 """Where a text is short for a mapping, and the key of the mapping that has the text."""
 
 
+class Option(str):
+    """A KEY=VALUE that was given as an option of its own, as `--budget 100`, and is called so in problems."""
+
+
+def place_of(setting: str) -> str:
+    """Where a KEY=VALUE comes from, as problems with it say."""
+    key, _, value = setting.partition("=")
+    return f"--{key} {value}" if isinstance(setting, Option) else f"--set {setting}"
+
+
 def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any]) -> None:
     """Apply each KEY=VALUE, or each value by its KEY, to the tree in turn; problems are added to `source.problems`."""
     if isinstance(overrides, Mapping):
@@ -20,7 +30,7 @@ def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any]) -> None:
             set_value(source, str(key).split("."), copy.deepcopy(value), f"set {key}")
         return
     for override in overrides:
-        place = f"--set {override}"
+        place = place_of(override)
         key, equals, text = override.partition("=")
         parts = key.strip().split(".")
         if not equals or not all(parts):
@@ -52,8 +62,7 @@ def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
         if isinstance(node, list):
             index = _index(part, node)
             if index is None:
-                expected = f"an index from 0 to {len(node) - 1}" if node else "no index, the list is empty"
-                what = f"has no entry {part}"
+                what, expected = f"has no entry {part}", _indices(node)
                 source.problems.append(Problem(what, place, path=dotted(path), expected=expected))
                 return
             key: str | int = index
@@ -79,6 +88,13 @@ def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
 def is_override(source: Source, path: TreePath) -> bool:
     """Whether the value at a path came from --set, not from the file."""
     return path in source.places and source.places[path][0] != source.file
+
+
+def _indices(items: list[Any]) -> str:
+    """What an index of a list may be, in words."""
+    if len(items) < 2:
+        return "0, its only entry" if items else "no index, the list is empty"
+    return f"an index from 0 to {len(items) - 1}"
 
 
 def _index(part: str, items: list[Any]) -> int | None:

@@ -52,6 +52,12 @@ def write_page(file: Path, title: str, parts: Iterable[str], styles: Iterable[st
     return file
 
 
+def is_page(file: Path) -> bool:
+    """Whether a file is a report that `write_page` wrote."""
+    with file.open(encoding="utf-8", errors="replace") as stream:
+        return _POLICY in stream.read(1000)
+
+
 def row(cells: Iterable[Cell], kind: str = "") -> Html:
     """A row of a table: texts are escaped, numbers aligned to the right; `kind` is the row's CSS class."""
     inside = "".join(map(_cell, cells))

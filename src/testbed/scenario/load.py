@@ -16,6 +16,7 @@ from testbed.aircraft.shipped import find_scenario, is_folder_name
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.kinds import refuse_other
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
@@ -41,6 +42,7 @@ def load_scenario(
         BadInput: with every problem found.
     """
     source = yamlfile.read(find_scenario(path))
+    refuse_other(source, "scenario")
     overrides.apply(source, settings)
     return scenario_from(source, with_aircraft=with_aircraft)
 

@@ -6,10 +6,3 @@ these coordinates: its robustness, negative where a requirement is not met. `rel
 nothing of flights. `flying` flies a batch with the sweeps' own workers, `folder` keeps every flight, so that a search which was
 killed goes on where it was, and `run` puts them together.
 """
-
-from __future__ import annotations
-
-
-def is_search(tree: object) -> bool:
-    """Whether the tree of a YAML file is that of a search, which has a key that no sweep and no scenario has."""
-    return isinstance(tree, dict) and "goal" in tree

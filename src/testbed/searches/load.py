@@ -15,13 +15,13 @@ from testbed.aircraft.changes import chosen
 from testbed.aircraft.shipped import find_scenario
 from testbed.controllers.user.own import OwnController
 from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.kinds import is_sweep, refuse_other
 from testbed.inputs.problems import BadInput, guess
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.requirement import Requirement
 from testbed.searches.model import Goal, Search
 from testbed.searches.plan import Part, SearchPlan
 from testbed.searches.space import Coordinate, Origin, Space, origin_at
-from testbed.sweeps import is_sweep
 from testbed.sweeps.drawing.builder import Builder, Task
 from testbed.sweeps.load import name_of, study_of
 from testbed.sweeps.model import Study, Sweep
@@ -46,6 +46,7 @@ def load_search(
     source = yamlfile.read(find_scenario(path))
     if goal is not None:
         _become(source, goal)
+    refuse_other(source, "search")
     search, builder = study_of(Search, source, settings, own)
     _choose_requirement(search, source, builder.base)
     plan = Plan(_sweep(search), name_of(search, path), builder, _DRAWS)

@@ -5,10 +5,3 @@ seed, i). `checks` refuses plans with invalid scenarios. `run` flies a plan, wit
 evaluates the table of results, with `statistics` and `sensitivity`. The packages: `drawing` draws values and makes
 scenarios from them, `workers` are the processes that fly, and `folder` writes the sweep folder and reads it back.
 """
-
-from __future__ import annotations
-
-
-def is_sweep(tree: object) -> bool:
-    """Whether the tree of a YAML file is that of a sweep, which has a key that no scenario has."""
-    return isinstance(tree, dict) and any(key in tree for key in ("vary", "cases", "scenario"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -34,9 +34,14 @@ def check(plan: Plan) -> None:
     # The ends come first, because their messages show the value that the user wrote.
     found = list(dict.fromkeys(checker.ends()))
     if not found:
-        found = list(dict.fromkeys(checker.draws()))
+        found = _once(checker.draws())
     if found:
         raise BadInput(found)
+
+
+def _once(problems: Iterable[Problem]) -> list[Problem]:
+    """Of the problems that differ in the drawn value alone, the first."""
+    return list({(p.file, p.line, p.path, p.expected): p for p in reversed(list(problems))}.values())[::-1]
 
 
 class _Checker:

@@ -16,7 +16,8 @@ from testbed.aircraft.shipped import find_scenario
 from testbed.controllers.user.own import OwnController
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
-from testbed.inputs.problems import BadInput
+from testbed.inputs.kinds import refuse_other
+from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
 from testbed.sweeps.drawing.builder import TYPE, Builder, Variant
@@ -40,6 +41,7 @@ def load_sweep(
     the sweep. `checks.check` checks the scenarios that the plan draws.
     """
     source = yamlfile.read(find_scenario(path))
+    refuse_other(source, "sweep")
     sweep, builder = study_of(Sweep, source, settings, own)
     cases, text = None, None
     if sweep.cases is not None:
@@ -85,7 +87,7 @@ def _apply(model: type[Study], source: Source, settings: Iterable[str]) -> None:
         if not equals or first not in _MAPPINGS or not rest:
             overrides.apply(source, [setting])
             continue
-        place = f"--set {setting}"
+        place = overrides.place_of(setting)
         value = yamlfile.parse(text)
         if source.tree.get(first) is None:
             source.tree[first] = {}
@@ -112,13 +114,19 @@ def _base(study: Study, source: Source) -> Source:
         return Source(source.file, copy.deepcopy(study.scenario), places)
     beside = Path(source.file).parent / study.scenario
     try:
-        return yamlfile.read(beside if os.path.exists(beside) else find_scenario(study.scenario))
+        base = yamlfile.read(beside if os.path.exists(beside) else find_scenario(study.scenario))
     except BadInput as error:
-        missing = [p for p in error.problems if p.line is None and p.what == "there is no such file"]
-        if not missing:
-            raise
-        raise BadInput([source.problem(("scenario",), f"there is no file {study.scenario!r}", "",
-                                       missing[0].suggestion)]) from None  # fmt: skip
+        raise BadInput([_named(source, p) if p.line is None else p for p in error.problems]) from None
+    refuse_other(base, "scenario")
+    return base
+
+
+def _named(source: Source, problem: Problem) -> Problem:
+    """The problem of a scenario's file that cannot be read, where it is named."""
+    name = str(source.tree["scenario"])
+    what = problem.what.replace("there is no such file", f"there is no file {name!r}")
+    what = what if what != problem.what else f"{name} {what}"
+    return source.problem(("scenario",), what, problem.expected, problem.suggestion)
 
 
 def _comparing(own: Mapping[str, OwnController], study: AnyStudy, source: Source, base: Source) -> AnyStudy:

@@ -93,7 +93,14 @@ def test_the_command(
         write_run_folder(made(name), tmp_path / name)
     assert main(["compare", "a", "b"]) == 0
     assert capsys.readouterr().out.endswith("wrote runs/comparison.html\n")
-    assert main(["compare", "a", "b", "--out", "here"]) == 0 and (tmp_path / "here/comparison.html").is_file()
+    for _ in range(2):  # also over its own page
+        assert (
+            main(["compare", "a", "b", "--out", "here"]) == 0
+            and (tmp_path / "here/comparison.html").is_file()
+        )
+    (tmp_path / "mine.html").write_text("mine")
+    assert main(["compare", "a", "b", "--out", "mine.html"]) == 2, "nobody else's"
+    assert (tmp_path / "mine.html").read_text() == "mine"
     assert main(["compare", "a", "none"]) == 2
     assert "none: there is no such folder" in capsys.readouterr().err
     assert main(["compare", "a"]) == 2

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 
-from testbed.common.files import replacing
 from testbed.flight.flight import Flight
+from testbed.inputs.output_file import refuse_unwritable, written
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.export.place import DEFAULT_ORIGIN, Origin
 
@@ -48,16 +48,15 @@ def export(flight: Flight, to: str, file: str | Path, origin: Origin = DEFAULT_O
         origin: where on earth the flight starts; for formats that show a place.
 
     Raises:
-        BadInput: there is no such format, the file exists, the log lacks a column, or a package is not installed.
-        OSError: the file cannot be written.
+        BadInput: there is no such format, the log lacks a column, a package is not installed, or the file exists or cannot be
+            written.
     """
     file, needed = Path(file), format_of(to).needs
-    if file.exists():
-        raise BadInput([Problem("exists already", str(file), expected="a file that does not exist yet")])
+    refuse_unwritable(file)
     if missing := [name for name in needed if name not in flight.columns]:
         raise BadInput([Problem(f"the log has no column {name}", "--to " + to) for name in missing])
     write: Write = import_module(f"{__name__}.{to}").write
-    with replacing(file) as partial:
+    with written(file) as partial:
         write(flight, partial, origin)
     return file
 

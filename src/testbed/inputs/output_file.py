@@ -1,0 +1,42 @@
+"""A file that a command is asked to write: refused before the work if it cannot be made, and written whole or not at all."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from testbed.common.files import partial_of, replacing
+from testbed.inputs.problems import BadInput, Problem
+
+
+def refuse_unwritable(file: Path, is_ours: Callable[[Path], bool] = lambda _: False) -> None:
+    """Raise BadInput when there is something at this path already, or no file can be made there.
+
+    Folders above it that do not exist are made.
+
+    Args:
+        is_ours: whether a regular file that is there may be replaced, because it was made by the same command.
+    """
+    try:
+        if os.path.lexists(file) and not (file.is_file() and is_ours(file)):
+            what, expected = "exists already", "a file that does not exist yet"
+            raise BadInput([Problem(what, str(file), expected=expected)])
+        file.parent.mkdir(parents=True, exist_ok=True)
+        partial_of(file).touch()
+        partial_of(file).unlink()
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
+    except ValueError:
+        raise BadInput([Problem("has a NUL character in its name", repr(str(file)))]) from None
+
+
+@contextmanager
+def written(file: Path) -> Iterator[Path]:
+    """A path to write to, which takes the place of `file` when the block ends without an error; raises BadInput if it cannot."""
+    try:
+        with replacing(file) as partial:
+            yield partial
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
