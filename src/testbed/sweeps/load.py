@@ -19,6 +19,7 @@ from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
+from testbed.scenario.missing import made
 from testbed.sweeps.drawing.builder import TYPE, Builder, Variant
 from testbed.sweeps.drawing.cases import read_cases
 from testbed.sweeps.model import MOST_FLIGHTS, MOST_LEVELS, Study, Sweep
@@ -66,7 +67,7 @@ def study_of(
     _refuse_overwritten(study, source)
     base = _base(study, source)
     for key, value in study.set.items():
-        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
+        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)), made)
     if own:
         study = _comparing(own, study, source, base)
     unknown = {name: OwnController(name, *_split(text)) for name, text in study.controllers.items()}
