@@ -109,6 +109,30 @@ def test_what_is_refused(tmp_path: Path, old: str, new: str, words: str) -> None
     assert words in refused(written(tmp_path, SEARCH.replace(old, new)))
 
 
+@pytest.mark.parametrize("varied", [
+    "atmosphere.wind_m_s.0: {normal: [0, 2]}",
+    "controller.model_error.Cm_alpha: {uniform: [0.8, 1.2]}",
+    "atmosphere.turbulence_w20_m_s: {halfnorm: [0, 2]}",
+])  # fmt: skip
+def test_what_varies_may_be_a_default_of_the_scenario(tmp_path: Path, varied: str) -> None:
+    """Without `atmosphere` and `controller` in the file; halfnorm's upper quantile is finite."""
+    text = SEARCH.partition("vary:")[0].replace("  atmosphere: {wind_m_s: [0, 0, 0]}\n", "")
+    text = text.replace("scenario: scenarios/left_tail_fail.yaml", _PLAIN)
+    check(load_search(written(tmp_path, f"{text}vary:\n  {varied}\n")).plan)
+
+
+_PLAIN = "scenario: {name: plain, aircraft: vtail}"
+
+
+@pytest.mark.parametrize("path", ["failures.0.at_s", "atmosphere.gusts.0.at_s"])
+def test_an_entry_of_a_list_that_is_not_there_is_refused(tmp_path: Path, path: str) -> None:
+    text = SEARCH.replace("  failures:", "  rate_hz: 100 #").replace("atmosphere.wind_m_s.1", path)
+    parent = path.partition(".0")[0]
+    assert f"{parent}: has no entry 0, expected no index, the list is empty" in refused(
+        written(tmp_path, text.replace("scenario: scenarios/left_tail_fail.yaml", _PLAIN))
+    )
+
+
 def test_choices_alone_are_no_search(tmp_path: Path) -> None:
     text = SEARCH.replace("{normal: [0, 2]}", "{choice: [0, 2]}")
     assert "vary: has choices only, expected a value with a distribution to search in" in refused(

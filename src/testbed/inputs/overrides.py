@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem, TreePath
@@ -11,6 +11,13 @@ from testbed.inputs.yaml_source import Source, describe, dotted, parse
 
 SHORT_FORMS: dict[TreePath, str] = {("aircraft",): "name"}
 """Where a text is short for a mapping, and the key of the mapping that has the text."""
+
+Made = Callable[[TreePath], dict[str, Any] | list[Any]]
+"""Gives what is put at a path where the tree has nothing, so that a setting can lead on into it."""
+
+
+def _mapping(_: TreePath) -> dict[str, Any]:
+    return {}
 
 
 class Option(str):
@@ -23,11 +30,11 @@ def place_of(setting: str) -> str:
     return f"--{key} {value}" if isinstance(setting, Option) else f"--set {setting}"
 
 
-def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any]) -> None:
+def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any], missing: Made = _mapping) -> None:
     """Apply each KEY=VALUE, or each value by its KEY, to the tree in turn; problems are added to `source.problems`."""
     if isinstance(overrides, Mapping):
         for key, value in overrides.items():
-            set_value(source, str(key).split("."), copy.deepcopy(value), f"set {key}")
+            set_value(source, str(key).split("."), copy.deepcopy(value), f"set {key}", missing)
         return
     for override in overrides:
         place = place_of(override)
@@ -46,15 +53,16 @@ def apply(source: Source, overrides: Iterable[str] | Mapping[str, Any]) -> None:
         source.problems += [
             Problem(p.what, place, None, f"{key}.{p.path}".rstrip("."), p.expected) for p in value.problems
         ]
-        set_value(source, parts, value.tree, place)
+        set_value(source, parts, value.tree, place, missing)
 
 
-def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
-    """Set the value at a path; missing mappings on the way are made. Problems are added to `source.problems`.
+def set_value(source: Source, parts: list[str], value: Any, place: str, missing: Made = _mapping) -> None:
+    """Set the value at a path; what is missing on the way is made. Problems are added to `source.problems`.
 
     Args:
         parts: the path's keys and indices, as text.
         place: where the value comes from, as problems with it will say, such as `--set a.b=1`.
+        missing: gives what is made at a path on the way; by default an empty mapping.
     """
     node, path = source.tree, ()  # type: tuple[Any, TreePath]
     for i, part in enumerate(parts):
@@ -71,7 +79,7 @@ def set_value(source: Source, parts: list[str], value: Any, place: str) -> None:
             if not last and isinstance(node.get(part), str) and (*path, part) in SHORT_FORMS:
                 node[part] = {SHORT_FORMS[(*path, part)]: node[part]}
             if not last and node.get(part) is None:
-                node[part] = {}
+                node[part] = missing((*path, part))
                 _forget(source, (*path, part), place)
         else:
             what = f"is {describe(node)}"

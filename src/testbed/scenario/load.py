@@ -21,6 +21,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 from testbed.scenario import checks as scenario_checks
+from testbed.scenario import missing
 from testbed.scenario.model import Command, CommandRates, Initial, Scenario
 
 __all__ = [
@@ -43,14 +44,14 @@ def load_scenario(
     """
     source = yamlfile.read(find_scenario(path))
     refuse_other(source, "scenario")
-    overrides.apply(source, settings)
+    overrides.apply(source, settings, missing.made)
     return scenario_from(source, with_aircraft=with_aircraft)
 
 
 def changed(scenario: Scenario, settings: Mapping[str, Any]) -> Scenario:
     """The scenario with other values at these dotted paths; raises BadInput with every problem found."""
     source = yamlfile.parsed(dump(scenario), scenario.name)
-    overrides.apply(source, settings)
+    overrides.apply(source, settings, missing.made)
     return scenario_from(source)
 
 

@@ -17,6 +17,7 @@ from testbed.reliability import FailureProbability, SmallestFailure, Step
 from testbed.searches.plan import Part, SearchPlan
 from testbed.searches.run import Found, broken_names
 from testbed.searches.space import likelihoods
+from testbed.sweeps.drawing.builder import Task
 
 Summary = dict[str, Any]
 
@@ -77,6 +78,8 @@ def _part(plan: SearchPlan, found: Found) -> Summary:
             "beyond": float(ndtr(-answer.distance)),
             "point": _point(part, np.asarray(record["u"])),
         }
+        own = plan.plan.builder.own_controller(Task(0, part.variant, 0, {}))
+        said |= {} if own is None else {"own_controller": own.reference}
     if isinstance(answer, SmallestFailure):
         said |= {
             "path": [_step(part, step) for step in answer.path],

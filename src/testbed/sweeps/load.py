@@ -20,6 +20,7 @@ from testbed.inputs.kinds import refuse_other
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
+from testbed.scenario.missing import made
 from testbed.sweeps.drawing.builder import TYPE, Builder, Variant
 from testbed.sweeps.drawing.cases import read_cases
 from testbed.sweeps.model import MOST_FLIGHTS, MOST_LEVELS, Study, Sweep
@@ -68,7 +69,7 @@ def study_of(
     _refuse_overwritten(study, source)
     base = _base(study, source)
     for key, value in study.set.items():
-        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)))
+        overrides.set_value(base, key.split("."), value, _place(source, ("set", key)), made)
     if own:
         study = _comparing(own, study, source, base)
     unknown = {name: OwnController(name, *_split(text)) for name, text in study.controllers.items()}

@@ -46,6 +46,15 @@ def test_extreme_draws_are_finite() -> None:
     assert values[0] < -8 and values[1] > 8 and np.isfinite(values).all()
 
 
+@pytest.mark.parametrize("name", ["halfnorm", "foldnorm", "expon", "rayleigh"])
+def test_the_last_quantile_of_a_distribution_from_0_is_finite(name: str) -> None:
+    """Those of halfnorm and foldnorm round to the quantile of 1, which is infinite."""
+    given = {name: [1.0, 0.0, 2.0] if name == "foldnorm" else [0.0, 2.0]}
+    law = getattr(stats, name)(*given[name])
+    (last,) = Distribution.model_validate(given).quantiles(np.array([1.0]))
+    assert last == pytest.approx(law.isf(2.0**-53))
+
+
 @pytest.mark.parametrize("name", ["uniform", "integers", "normal", "log_uniform", "norm"])
 @pytest.mark.parametrize("parameters", [[0, 10**400], [1, 1e400], [-1.7e308, 1.7e308], [-(10**308), 10**308]])
 def test_numbers_beyond_a_floats_are_refused_or_drawn(name: str, parameters: list[float]) -> None:

@@ -61,7 +61,15 @@ def _smallest(summary: Summary, part: Summary) -> str:
         return _said(part["label"], f"the flight at the origin breaks {_and(part['broken'])} already.")
     what = "the smallest failure found" if summary["goal"] == "smallest" else "the most likely failure seen"
     words = "; ".join(part.get("words", ()))
-    return _said(part["label"], f"{what}: {words}. It breaks {_and(part['broken'])}. {_distance(part)}")
+    said = f"{what}: {words}. It breaks {_and(part['broken'])}. {_distance(part)}{_flown_again(part)}"
+    return _said(part["label"], said)
+
+
+def _flown_again(part: Summary) -> str:
+    """With what the scenario found flies again, where it does not by itself: a scenario cannot name a class."""
+    if "own_controller" not in part:
+        return ""
+    return f" `testbed run {part['folder']}/scenario.yaml --controller {part['own_controller']}` flies it again."
 
 
 def _bound(part: Summary) -> str:

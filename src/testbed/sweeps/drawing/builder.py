@@ -13,6 +13,7 @@ from testbed.controllers.user.own import OwnController
 from testbed.inputs.overrides import set_value
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.load import Scenario, scenario_from
+from testbed.scenario.missing import made
 
 TYPE = "controller.type"
 _PARAMETERS = "parameters"
@@ -62,7 +63,8 @@ class Builder:
         source = Source(base.file, copy.deepcopy(base.tree), dict(base.places), list(base.problems))
         for path, value in values.items():
             if not self._of_another_controller(path, values):
-                set_value(source, path.split("."), copy.deepcopy(value), self.places.get(path, "sweep"))
+                place = self.places.get(path, "sweep")
+                set_value(source, path.split("."), copy.deepcopy(value), place, made)
         source.tree["seed"] = seed
         return source
 

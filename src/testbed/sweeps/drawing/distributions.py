@@ -98,7 +98,10 @@ class Distribution(Settings):
         if self.name == "uniform":
             low, high = map(float, self.parameters)
             return [low + p * (high - low) for p in u.tolist()]
-        values = self._frozen.ppf(np.clip(u, _OPEN, 1.0 - _OPEN))
+        u = np.clip(u, _OPEN, 1.0 - _OPEN)
+        values = self._frozen.ppf(u)
+        if not np.isfinite(values).all():  # of halfnorm and others the inverse rounds to that of 1
+            values = np.where(np.isfinite(values), values, self._frozen.isf(1.0 - u))
         return [int(v) for v in values] if self._discrete else [float(v) for v in values]
 
     def at_normal(self, z: np.ndarray) -> list[Any]:
