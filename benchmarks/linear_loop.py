@@ -60,7 +60,7 @@ class LinearLoop:
         self._late, self._wash = slipstream.effect * setup.scale, slipstream.corner_rad_s
         self._gamma, self._epsilon = gamma, epsilon
         self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
-        self._inertia = _rotor_inertia(setup.model) * self._scale
+        self._inertia = rotor_inertia(setup.model) * self._scale
         self.trim = np.zeros(26)
         alpha, airspeed = setup.model.alpha_rad, setup.model.airspeed_m_s
         self.trim[:3] = airspeed * math.cos(alpha), 0.0, airspeed * math.sin(alpha)
@@ -175,7 +175,7 @@ def _rotor_corner(model: DesignModel, i: int, propulsor: Propulsor) -> float:
     return (motor + load) / (2.0 * math.pi * propulsor.rotor_inertia_kg_m2)
 
 
-def _rotor_inertia(model: DesignModel) -> np.ndarray:
+def rotor_inertia(model: DesignModel) -> np.ndarray:
     """[n] torque that accelerates a rotor, per rate of change of its thrust at the trim [N m per N/s]; 0 for servos."""
     found, axial = np.zeros(len(model.kinds)), model.airspeed_m_s * math.cos(model.alpha_rad)
     for i, (propulsor, thrust) in enumerate(zip(model.propulsors, model.trim, strict=True)):
