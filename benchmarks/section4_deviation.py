@@ -10,18 +10,20 @@ from typing import Any
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from prediction_errors import summary as worst_and_median
 from scipy.signal import lfilter
 from section4_flights import ALARMS, DT_S, SETTLED_S, at_speed, error, head, measured, over, row, with_values
 
 from testbed.theory import noise
 from testbed.theory.error_sources import ErrorSource, sources
 from testbed.theory.false_alarms import POSITION, REFERENCE, false_alarm_rate
+from testbed.theory.gain_choice import LEAST_SHAPE
 from testbed.theory.gain_design import law_of
 from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
 from testbed.theory.trimmed_law import TrimmedLaw
 
 KINDS = {"tail": slice(0, 2), "propeller": slice(2, 4)}
-WHITE = [(2.0, density, 18.0) for density in (0.02, 0.05, 0.1, 0.2, 0.3, 0.37, 0.6, 0.8)] + [
+WHITE = [(2.0, density, 18.0) for density in (0.02, 0.05, 0.1, 0.2, 0.3, 0.37, 0.45, 0.5, 0.55, 0.6, 0.8)] + [
     (8.0, 0.05, 18.0), (8.0, 0.15, 18.0), (2.0, 0.1, 20.0), (2.0, 0.3, 20.0),
 ]  # fmt: skip
 """gamma [1/s], density of the accelerometer [m/s2 per root hertz], airspeed [m/s]."""
@@ -57,7 +59,8 @@ def noise_points(quick: bool, seeds: int, jobs: int | None) -> list[dict[str, An
                 {
                     "colour": colour, "gamma": gamma, "density": density, "airspeed": airspeed, "kind": kind, "nu": nu,
                     "axis": math.sqrt(nu * gamma / 2.0), "predicted": size, "ideal": ideal[of].mean(), "flown": flown[of].mean(),
-                    "completed": f"{len(over(records, 'std'))}/{len(records)}",
+                    "least_nu": float(1.0 / predicted.max() ** 2),
+                    "level": f"{sum(bool(record['metrics']['level']) for record in records)}/{len(records)}",
                 }
             )  # fmt: skip
     return found
@@ -120,13 +123,13 @@ def draw_noise(points: Sequence[Mapping[str, Any]], path: Path) -> None:
 def noise_table(points: Sequence[Mapping[str, Any]]) -> Iterator[str]:
     yield from head(
         "noise", "gamma [1/s]", "density", "airspeed [m/s]", "actuator", "nu", "predicted", "ideal plant", "error", "flown",
-        "error", "flown to the end",
+        "error", "kept its trim",
     )  # fmt: skip
     for p in points:
         size, ideal, flown = p["predicted"], p["ideal"], p["flown"]
         yield row(
             p["colour"], p["gamma"], p["density"], p["airspeed"], p["kind"], p["nu"], size, ideal, error(ideal, size), flown,
-            error(flown, size), p["completed"],
+            error(flown, size), p["level"],
         )  # fmt: skip
 
 
@@ -164,10 +167,13 @@ def alarm_rows(quick: bool, seeds: int, jobs: int | None) -> Iterator[str]:
 
 
 def summary(points: Sequence[Mapping[str, Any]]) -> str:
-    """How many points with nu of 4 or more are within a quarter of the prediction."""
-    chosen = [p for p in points if p["nu"] >= 4.0]
-    words = []
-    for name in ("ideal", "flown"):
-        within = sum(abs(p[name] / p["predicted"] - 1.0) <= 0.25 for p in chosen)
-        words.append(f"{'On the ideal plant' if name == 'ideal' else 'In JSBSim'} {within} of {len(chosen)}")
-    return f"{'; '.join(words)} deviations with nu of 4 or more are within 25 % of the prediction."
+    """How far the deviations are off where every actuator of a flight has a nu of `LEAST_SHAPE` or more."""
+    chosen = [p for p in points if p["least_nu"] >= LEAST_SHAPE]
+    lines = [f"In flights whose actuators all have a nu of {LEAST_SHAPE:g} or more:", ""]
+    pairs = {
+        f"deviation, {'ideal plant' if name == 'ideal' else 'flown'}": [
+            (p["predicted"], p[name]) for p in chosen
+        ]
+        for name in ("ideal", "flown")
+    }
+    return "\n".join([*lines, *worst_and_median(pairs)])

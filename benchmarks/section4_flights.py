@@ -68,9 +68,23 @@ def fly_and_measure(scenario: Scenario) -> Flight:
             after = log.loc[log.time_s >= end, f"{name}_effectiveness_estimate"].to_numpy()
             level = 1.0 - (1.0 - scenario.failures[0].value) * (1.0 - math.exp(-1.0))
             found["converged_s"] = 3.0 * (np.argmax(after <= level) + 1) * DT_S
+    found["level"] = float(level_until(flight, end))
     flags = [event for event in flight.events if event["kind"] == "detection"]
     found["flagged_s"] = float(flags[0]["delay_s"]) if flags else math.nan
     return replace(flight, metrics={**flight.metrics, **found})
+
+
+def level_until(flight: Flight, end_s: float) -> bool:
+    """Whether a level flight has kept its trim up to this time: within 5 m, 2 m/s and 15 deg of its references."""
+    log = flight.log[flight.log.time_s < end_s]
+    initial = flight.scenario.initial
+    heading = (log.heading_deg - initial.heading_deg + 180.0) % 360.0 - 180.0
+    near = (
+        (log.altitude_m - initial.altitude_m).abs().max() <= 5.0,
+        (log.airspeed_m_s - initial.airspeed_m_s).abs().max() <= 2.0,
+        heading.abs().max() <= 15.0,
+    )
+    return all(near)
 
 
 def alarms(estimate: np.ndarray, threshold: float, persistence_s: float) -> int:
@@ -95,7 +109,7 @@ def over(records: Sequence[Record], metric: str) -> np.ndarray:
 
 def error(value: float, predicted: float) -> str:
     """Relative error in percent."""
-    if math.isnan(value) or math.isnan(predicted):
+    if not (math.isfinite(value) and math.isfinite(predicted)):
         return "-"
     return f"{100.0 * (value / predicted - 1.0):+.1f} %"
 

@@ -15,7 +15,8 @@ from typing import Any
 
 import numpy as np
 from input_matrix_plants import PHASES, Found, draw, fly_one, study
-from linear_loop import LinearLoop
+from linear_loop import LinearLoop, Slipstream
+from prediction_errors import summary
 
 from testbed.aircraft.changes import ChangedAircraft, chosen
 from testbed.common.signals import RATES
@@ -51,8 +52,13 @@ WORST_OF = 300
 FIXED = {"type": "fixed_inversion", "released": []}
 DEFAULT = {"type": "adaptive_inversion"}
 PAPER = {"type": "adaptive_inversion", "preset": "paper", "ablate": ["monitor"]}
-MOST = 0.3
-"""Largest error that is flown; the certificate ends a little above."""
+LAWS: Mapping[str, tuple[bool, Mapping[str, Any]]] = {
+    "limit, fixed": (False, FIXED),
+    "limit, adaptive": (True, PAPER),
+}
+"""Whether it adapts, and its controller: what the linear loop predicts."""
+MOST = 0.6
+"""Largest error that is flown, nearly twice the certified limit. An error with which the law refuses the model is not settled."""
 SETTLED_S, SETTLED, STILL_DEG_S = 20.0, 0.05, 1e-3
 """A flight settles if the largest rate of its last 20 s is less than in the 20 s before, and less than 5 % of that of its first
 20 s; or less than 0.001 deg/s, five times what remains of any flight."""
@@ -217,7 +223,7 @@ def bias(setup: Setup) -> Iterable[str]:
                     f"{by_matrix[i]:.4f}",
                     f"{by_both[i]:.4f}",
                     f"{flown[i]:.4f}",
-                    f"{100 * (by_both[i] / flown[i] - 1):+.2f} %",
+                    f"{100 * (flown[i] / by_both[i] - 1):+.2f} %",
                 )
             )
     head = (
@@ -266,7 +272,7 @@ def flown_bias(coefficients: Mapping[str, float]) -> np.ndarray:
 
 
 def outer_loop(setup: Setup, patterns: int) -> Iterable[str]:
-    loop, rows = LinearLoop(setup), []
+    loop, rows = LinearLoop(setup, slipstream(setup)), []
     signs = np.random.default_rng(1).choice([-1.0, 1.0], (WORST_OF, 16))
 
     def stable(pattern: np.ndarray, adapts: bool, exact_state: bool = False) -> float:
@@ -278,20 +284,35 @@ def outer_loop(setup: Setup, patterns: int) -> Iterable[str]:
         return limit(lambda x: settles(errors(setup, x * pattern), controller, **settings))
 
     worst = min(range(len(signs)), key=lambda i: stable(signs[i], True))
+    compared: dict[str, list[tuple[float, float]]] = {name: [] for name in LAWS}
     for number in (*range(patterns), worst):
         pattern, cells = (
             signs[number],
             [f"{number}, the worst of {WORST_OF}" if number == worst else str(number)],
         )
-        for adapts, controller in ((False, FIXED), (True, PAPER)):
+        for name, (adapts, controller) in LAWS.items():
             predicted, flown = stable(pattern, adapts), settling(pattern, controller)
             cells += [size(predicted), size(flown), relative(predicted, flown)]
+            if MOST not in (predicted, flown):
+                compared[name].append((predicted, flown))
         larger = [size(settling(pattern, controller, commands=LARGER)) for controller in (PAPER, DEFAULT)]
         rows.append((*cells, *larger, size(stable(pattern, False, exact_state=True))))
     three = ("predicted", "flown", "relative error")
     head = ("signs", *(f"fixed, {x}" for x in three), *(f"adaptive, {x}" for x in three))
     larger_head = ("adaptive, larger step", "default law, larger step")
     yield table((*head, *larger_head, "f subtracted exactly"), rows)
+    yield "\nA relative error is that of the flown limit over the predicted one. In short:\n"
+    yield from summary(compared)
+
+
+def slipstream(setup: Setup) -> Slipstream:
+    """Of the v-tail in level flight: what its propellers do to the tail, found by taking the slipstream away."""
+    truth = Truth(setup)
+    at = truth.level()
+    found, corner = input_matrix(truth.plant, at), truth.plant["fcs/left-slipstream/lag-rad_sec"]
+    truth.plant["fcs/slipstream-active"] = 0.0
+    servo = np.array([kind == "servo" for kind in setup.model.kinds])
+    return Slipstream(np.where(servo, 0.0, found - input_matrix(truth.plant, at)), float(corner))
 
 
 def errors(setup: Setup, sizes: np.ndarray) -> dict[str, float]:
@@ -332,7 +353,7 @@ def size(error: float) -> str:
 
 
 def relative(predicted: float, flown: float) -> str:
-    return "" if MOST in (predicted, flown) or not flown else f"{100 * (predicted / flown - 1):+.0f} %"
+    return "" if MOST in (predicted, flown) or not flown else f"{100 * (flown / predicted - 1):+.0f} %"
 
 
 # The page ------------------------------------------------------------------------------------------------------
@@ -356,6 +377,7 @@ def page(count: int, patterns: int) -> str:
         "not_p": f"{100 * not_p:.0f} %",
         "inside": "\n".join(inside(setup)),
         "bias": "\n".join(bias(setup)),
+        "most": f"{100 * MOST:.0f} %",
         "outer": "\n".join(outer_loop(setup, patterns)),
     }
     return TEXT.format(**parts)
@@ -401,8 +423,8 @@ Now the design model is wrong, in all 16 entries by the same size with random si
 The largest size with which the v-tail comes to rest after a step of 0.1 m and 0.2 deg is predicted by the eigenvalues of the
 linear closed loop (`benchmarks/linear_loop.py`), and found in flight by bisection. *Fixed* is `fixed_inversion` with no axis
 released; *adaptive* is the preset `paper` without its monitor; the *default law* is flown as it is, with roll given up from the
-start. The larger step is ten times as large. Errors above 30 % were not flown. The linear loop knows the aircraft as the design
-model does: without the slipstream's and the downwash's delay, and without sampling.
+start. The larger step is ten times as large. Errors above {most} were not flown; one with which a law refuses the model counts as
+not settled. The linear loop knows the aircraft as the design model does, with the delay of the slipstream and of sampling.
 
 {outer}
 

@@ -16,6 +16,7 @@ from pathlib import Path
 from section4_bias import bias_rows, remarks, transients
 from section4_design import design_rows
 from section4_deviation import alarm_rows, draw_noise, noise_points, noise_table, summary
+from section4_jacobian import jacobian, remark_4
 from section4_survivable import survivable
 
 PAGE = Path(__file__).with_suffix(".md")
@@ -36,7 +37,9 @@ SECTIONS: dict[str, Section] = {
     "alarms": lambda options: alarm_rows(options.quick, options.seeds, options.jobs),
     "bias": lambda options: bias_rows(options.quick, options.jobs),
     "transients": lambda options: transients(options.quick),
+    "jacobian": lambda options: jacobian(),
     "remarks": lambda options: remarks(),
+    "remark_4": lambda options: remark_4(),
     "design": lambda options: design_rows(options.quick, options.seeds, options.jobs),
     "survivable": lambda options: survivable(
         options.quick, options.jobs, options.figures / "section4_survivable.png"

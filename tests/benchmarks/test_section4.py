@@ -1,10 +1,13 @@
-"""What the benchmarks of section 4 of the paper count, without flying."""
+"""What the benchmarks of section 4 of the paper count; and the fourth remark after (32), flown."""
 
 from __future__ import annotations
 
 import numpy as np
+import prediction_errors
+import pytest
 import section4_bias
 import section4_flights
+import section4_jacobian
 import section4_survivable
 
 
@@ -31,3 +34,17 @@ def test_the_remarks_agree_with_their_predictions() -> None:
     assert "it diverges | by n/r > 1 it ends at 2 | ends at 2.0000" in third[0]
     assert "it does not | by n/r > 1 it diverges | grows at 2.000" in third[1]
     assert rows[-1].endswith("| flagged; not |")
+
+
+def test_the_fourth_remark_is_flown() -> None:
+    """A bias that takes the estimates just below the threshold flags healthy propellers in JSBSim, one just short of it does not."""
+    *_, short, beyond = section4_jacobian.remark_4()
+    assert short.endswith("| not flagged | not flagged |")
+    assert "| flagged | flagged at " in beyond
+
+
+def test_errors_are_relative_to_the_prediction() -> None:
+    pairs = [(2.0, 1.0), (1.0, 1.1), (1.0, float("inf")), (float("nan"), 1.0)]
+    assert prediction_errors.relative_errors(pairs) == pytest.approx([-0.5, 0.1])
+    *_, line = prediction_errors.summary({"gain": pairs})
+    assert line == "| gain | 2 | 30.0 % | 50.0 % | -50.0 % | +10.0 % |"

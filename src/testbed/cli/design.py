@@ -82,14 +82,24 @@ def _sentences(found: Design) -> Iterator[str]:
 
 def _table(actuators: tuple[ActuatorDesign, ...]) -> Iterator[str]:
     width = max(len(one.name) for one in actuators)
-    yield f"{'':{width}}  position  noise  offset    bias  converges  flagged  largest error"
+    yield f"{'':{width}}  position  noise  offset    bias  converges  flagged                 largest error"
     for one in actuators:
         largest = "{} {:.2g}".format(*one.shares[0]) if one.shares else "none"
-        flagged = "never" if math.isnan(one.detection_s) else f"{one.detection_s:.2f} s"
         yield (
             f"{one.name:{width}}  {one.position:8.3f}  {one.noise:5.3f}  {one.offset:6.3f}  {one.bias:+6.3f}  "
-            f"{one.convergence_s:7.2f} s  {flagged:>7}  {largest}"
+            f"{one.convergence_s:7.2f} s  {_flagged(one):<22}  {largest}"
         )
+
+
+def _flagged(one: ActuatorDesign) -> str:
+    """Time to the flag: the median of the flights, and their range."""
+    if math.isinf(one.detection_s):
+        return "never"
+    found = f"{one.detection_s:.2f} s"
+    if one.soonest_s == one.latest_s:
+        return found
+    latest = "never" if math.isinf(one.latest_s) else f"{one.latest_s:.2f}"
+    return f"{found} ({one.soonest_s:.2f} to {latest})"
 
 
 def _write(path: Path, text: str) -> None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -12,6 +12,7 @@ import numpy as np
 from testbed.scenario.load import Scenario
 from testbed.theory.error_sources import ErrorSource, known_offset, sources
 from testbed.theory.false_alarms import false_alarm_rate
+from testbed.theory.moving_law import MovingLaw
 from testbed.theory.trimmed_law import TrimmedLaw
 
 OFFSETS = 3.0
@@ -124,11 +125,26 @@ def _fastest(law: TrimmedLaw) -> float:
     return min(_STEP_SHARE * law.rate_hz, _LAG_SHARE * float(np.min(law.setup.lags)))
 
 
-def weighted_candidates(law: TrimmedLaw, errors: Errors) -> Iterator[Candidate]:
-    """Values of the default law's process noise."""
+def weighted_candidates(
+    law: TrimmedLaw, errors: Errors, moving: MovingLaw | None = None
+) -> Iterator[Candidate]:
+    """Values of the default law's process noise; `moving` is the law in weather."""
     for noise in np.geomspace(*_PROCESS_NOISE, _NOISES):
+        change = {"process_noise_per_root_s": float(noise)}
         respond = partial(law.weighted_response, process_noise_per_root_s=float(noise))
-        yield _candidate(float(noise), errors, respond, law.rates(process_noise_per_root_s=float(noise)))
+        found = _candidate(float(noise), errors, respond, law.rates(**change))
+        yield found if moving is None else _moved(found, errors, moving, change)
+
+
+def _moved(found: Candidate, errors: Errors, moving: MovingLaw, change: Mapping[str, float]) -> Candidate:
+    """A candidate with the noise of actuators that move, and its parts in proportion."""
+    passing = [source for source in errors.sources if not source.lasts]
+    if not passing:
+        return found
+    noise = moving.deviation(passing, **change)
+    share = noise / np.where(found.noise > 0.0, found.noise, 1.0)
+    parts = np.where(errors.lasting[:, None], found.parts, share * found.parts)
+    return replace(found, noise=noise, parts=parts)
 
 
 def _candidate(gain: float, errors: Errors, respond: Respond, rates: np.ndarray) -> Candidate:

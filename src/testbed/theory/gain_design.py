@@ -31,6 +31,7 @@ from testbed.theory.gain_candidates import Errors
 from testbed.theory.gain_choice import Chosen, Tolerance, choose
 from testbed.theory.gain_verdict import ActuatorDesign, advice, shortcomings
 from testbed.theory.loss_flights import Found, found_after_loss
+from testbed.theory.moving_law import MovingLaw
 from testbed.theory.noise import convergence_time
 from testbed.theory.trimmed_law import TrimmedLaw
 
@@ -122,7 +123,8 @@ def law_of(scenario: Scenario) -> TrimmedLaw:
 def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
     law = law_of(scenario)
     errors = Errors.of(law, scenario)
-    chosen = choose(law, errors, tolerance)
+    gusts = not law.newton and scenario.atmosphere.turbulence_w20_m_s
+    chosen = choose(law, errors, tolerance, MovingLaw.of(law, scenario) if gusts else None)
     settings = {key: value for key, value in chosen.settings.items() if key not in ("type", "preset")}
     actuators = tuple(
         _actuator(i, law, errors, chosen, found_after_loss(scenario, settings, name))
@@ -154,6 +156,8 @@ def _actuator(i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen, found: Fo
         bias=float(chosen.bias[i]),
         convergence_s=convergence_time(float(chosen.rates[i])) if law.newton else found.convergence_s,
         detection_s=found.detection_s,
+        soonest_s=found.soonest_s,
+        latest_s=found.latest_s,
         met=bool(chosen.met[i]),
         shares=tuple((errors.sources[k].name, float(parts[k])) for k in order if parts[k] > 0.0),
     )

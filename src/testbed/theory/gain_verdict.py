@@ -20,9 +20,9 @@ class ActuatorDesign:
         noise: standard deviation of its estimate by errors that change within a flight [1].
         offset: the same by errors that last [1].
         bias: what the design model's own error here, and known biases, add to its estimate [1].
-        convergence_s: until 5 % of the first error are left, three time constants: by (22), for the default law in a flight
-            without noise.
-        detection_s: from its total loss to its flag in a flight without noise; NaN if it is not flagged.
+        convergence_s: until 5 % of the first error are left, three time constants: by (22), for the default law in flights.
+        detection_s: from its total loss to its flag, the median of flights; infinite if it is not flagged in half of them.
+        soonest_s, latest_s: the range of these flights.
         met: whether a gain was found whose noise and false alarms are tolerable.
         shares: standard deviation by each error, the largest first.
     """
@@ -35,6 +35,8 @@ class ActuatorDesign:
     bias: float
     convergence_s: float
     detection_s: float
+    soonest_s: float
+    latest_s: float
     met: bool
     shares: tuple[tuple[str, float], ...]
 
@@ -82,13 +84,13 @@ def _shortcomings(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
             f"with the gain that noise allows, the estimate converges in {one.convergence_s:.2g} s, not within "
             f"{tolerance.within_s:g} s"
         )
-    if math.isnan(one.detection_s):
+    if math.isinf(one.detection_s):
         yield "a total loss would not be flagged"
 
 
 def _advice(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
     factor = _short_by(one, tolerance)
-    if math.isnan(one.detection_s) and one.shares:
+    if math.isinf(one.detection_s) and one.shares:
         yield f"a higher gain, for which {one.shares[0][0]} must be less, or the position at the trim larger"
     if factor <= 1.0:
         return
@@ -109,7 +111,7 @@ def _short_by(one: ActuatorDesign, tolerance: Tolerance) -> float:
     lasting = max(one.offset / tolerance.deviation, OFFSETS * one.offset - min(one.bias, 0.0))
     slow = (
         math.sqrt(one.convergence_s / tolerance.within_s)
-        if tolerance.within_s and not math.isnan(one.convergence_s)
+        if tolerance.within_s and math.isfinite(one.convergence_s)
         else 0.0
     )
     return max(lasting, slow, 0.0 if one.met else one.deviation / tolerance.deviation)

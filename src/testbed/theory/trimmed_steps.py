@@ -38,6 +38,19 @@ def follow(e, z, phi, P_h, m, c, s, out):
 
 
 @compiled
+def follow_moving(e, phi, P_h, m, c, s, out):
+    """`follow` with actuators that move: phi [steps, 4, n], of which z is the sum while all is healthy."""
+    n = len(s.lambda_hat)
+    for k in range(len(e)):
+        for i in range(4):
+            for j in range(n):
+                e[k, i] += phi[k, i, j]
+        adapt_weighted(e[k], phi[k], P_h, m, c, s)
+        for j in range(n):
+            out[k, j] = s.lambda_hat[j]
+
+
+@compiled
 def follow_newton(x, transition, out):
     """out[k] = transition out[k-1] + x[k], from zero; all [steps, n], transition [n, n]."""
     for k in range(len(x)):
