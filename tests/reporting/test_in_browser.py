@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -35,18 +34,22 @@ def window(browser: Any, report: Path) -> Iterator[Window]:
         yield made
 
 
+@pytest.fixture(scope="module")
+def untouched(browser: Any, report: Path) -> Iterator[Window]:
+    """A window for tests that only read."""
+    with drawn(browser, report) as made:
+        yield made
+
+
 def value(window: Window, expression: str) -> Any:
     return window.page.evaluate(f"(() => {{ const r = window.flightReport; return {expression}; }})()")
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [390, 1400, 1600])
-def test_quiet_and_no_wider_than_the_window(
-    browser: Any, report: Path, tmp_path: Path, width: int, scheme: str
-) -> None:
+def test_quiet_and_no_wider_than_the_window(browser: Any, report: Path, width: int, scheme: str) -> None:
     with drawn(browser, report, width, scheme) as made:
-        pictures = Path(os.environ.get("SITE_PICTURES", tmp_path))
-        made.page.screenshot(path=pictures / f"report-{width}-{scheme}.png", full_page=True)
+        made.picture(f"report-{width}-{scheme}", full_page=True)
         assert made.page.locator("#replay canvas").count() == 1
         made.page.locator("#panels-actuators").scroll_into_view_if_needed()
         made.page.locator(
@@ -58,15 +61,17 @@ def test_small_enough_for_a_mail(report: Path) -> None:
     assert report.stat().st_size < 1_500_000
 
 
-def test_the_columns_are_those_of_the_log(window: Window, report: Path) -> None:
+def test_the_columns_are_those_of_the_log(untouched: Window, report: Path) -> None:
     """Every column of the log is there, and a smooth one is right to 16 bits of its range."""
     log = np.genfromtxt(report.parent / "log.csv", delimiter=",", names=True)
-    assert set(log.dtype.names) <= set(value(window, "Object.keys(r.columns)"))
-    time, altitude = (np.array(value(window, f"[...r.columns.{c}]")) for c in ("time_s", "altitude_m"))
+    assert set(log.dtype.names) <= set(value(untouched, "Object.keys(r.columns)"))
+    time, altitude = (np.array(value(untouched, f"[...r.columns.{c}]")) for c in ("time_s", "altitude_m"))
     true = np.interp(time, log["time_s"], log["altitude_m"])
     assert np.abs(altitude - true).max() <= 2e-4 * np.ptp(true)
     assert time[-1] == pytest.approx(log["time_s"][-1])
-    rate = np.array(value(window, "[...r.columns.p_dot_deg_s2]"))  # dense, from a gyro: its extremes are kept
+    rate = np.array(
+        value(untouched, "[...r.columns.p_dot_deg_s2]")
+    )  # dense, from a gyro: its extremes are kept
     true = log["p_dot_deg_s2"]
     assert (rate.min(), rate.max()) == pytest.approx((true.min(), true.max()), rel=1e-3)
 
@@ -132,24 +137,24 @@ def rotated(window: Window, roll: float, pitch: float, heading: float, body: lis
     ],
 )
 def test_signs_of_attitude(
-    window: Window, angles: tuple[float, ...], body: list[float], north_up_east: tuple[float, ...]
+    untouched: Window, angles: tuple[float, ...], body: list[float], north_up_east: tuple[float, ...]
 ) -> None:
-    assert rotated(window, *angles, body) == pytest.approx(north_up_east, abs=1e-9)
+    assert rotated(untouched, *angles, body) == pytest.approx(north_up_east, abs=1e-9)
 
 
 @pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize(("angle", "up"), [(10, -1), (-10, 1)])
 def test_a_positive_deflection_moves_the_trailing_edge_down(
-    window: Window, side: int, angle: float, up: int
+    untouched: Window, side: int, angle: float, up: int
 ) -> None:
     a, b, _, trailing = [[x, side * y, z] for x, y, z in _CORNERS]
     matrix = f"r.geometry.deflection({a}, {b}, {trailing}, {math.radians(angle)})"
-    y = value(window, f"r.geometry.fromBody({trailing}).applyMatrix4({matrix}).y")
+    y = value(untouched, f"r.geometry.fromBody({trailing}).applyMatrix4({matrix}).y")
     assert y == pytest.approx(up * 0.2 * math.sin(math.radians(10)), abs=1e-9)
 
 
-def test_a_positive_rudder_moves_its_trailing_edge_to_the_left(window: Window) -> None:
+def test_a_positive_rudder_moves_its_trailing_edge_to_the_left(untouched: Window) -> None:
     a, b, trailing = [-1, 0, 0], [-1, 0, -1], [-1.2, 0, 0]
     matrix = f"r.geometry.deflection({a}, {b}, {trailing}, {math.radians(10)})"
-    z = value(window, f"r.geometry.fromBody({trailing}).applyMatrix4({matrix}).z")
+    z = value(untouched, f"r.geometry.fromBody({trailing}).applyMatrix4({matrix}).z")
     assert z == pytest.approx(-0.2 * math.sin(math.radians(10)), abs=1e-9)

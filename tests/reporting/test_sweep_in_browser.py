@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -54,11 +53,10 @@ def window(browser: Any, sweep: Path) -> Iterator[Window]:
 @pytest.mark.parametrize("width", [390, 1400, 1600])
 @pytest.mark.parametrize("what", ["sweep", "comparison"])
 def test_quiet_and_no_wider_than_the_window(
-    browser: Any, sweep: Path, comparison: Path, tmp_path: Path, what: str, width: int, scheme: str
+    browser: Any, sweep: Path, comparison: Path, what: str, width: int, scheme: str
 ) -> None:
     with drawn(browser, {"sweep": sweep, "comparison": comparison}[what], width, scheme) as made:
-        pictures = Path(os.environ.get("SITE_PICTURES", tmp_path))
-        made.page.screenshot(path=pictures / f"{what}-{width}-{scheme}.png", full_page=True)
+        made.picture(f"{what}-{width}-{scheme}", full_page=True)
         shown = {"sweep": "#map svg .flight", "comparison": "#panels-errors canvas"}[what]
         assert made.page.locator(shown).count() > 0
 

@@ -1,13 +1,14 @@
 """Debian's chromium, driven by Playwright: pages are looked at as a reader sees them.
 
-With BROWSER_REQUIRED set, as `.ci/run` does, what is not there is a failure and not a reason to skip.
+With BROWSER_REQUIRED set, as `.ci/run` does, what is not there is a failure and not a reason to skip. With SITE_PICTURES set, the
+pages that tests look at are left in that folder as pictures.
 """
 
 from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,10 @@ from typing import Any
 import pytest
 
 REQUIRED = bool(os.environ.get("BROWSER_REQUIRED"))
+PICTURES = os.environ.get("SITE_PICTURES")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+_AT_ONCE = 6
+"""Windows in which pages are loaded at the same time: each is watched for half a second after its last request."""
 FLAGS = [
     "--headless",
     "--no-sandbox",
@@ -74,9 +78,8 @@ class Window:
         self.page.on("request", self._asked)
 
     def _said(self, message: Any) -> None:
-        software_drawing = (
-            "GL Driver Message" in message.text
-        )  # how fast this machine draws is not the page's fault
+        # How fast this machine draws is not the page's fault.
+        software_drawing = "GL Driver Message" in message.text
         if message.type in ("error", "warning") and not software_drawing:
             self.wrong.append(message.text)
 
@@ -85,8 +88,43 @@ class Window:
             self.wrong.append(f"asked for {request.url}")
 
     def open(self, file: Path, query: str = "") -> None:
+        """Load a page, and look at it once it has been quiet."""
+        self.load(file, query)
+        self.look()
+
+    def load(self, file: Path, query: str = "") -> None:
+        self.wrong.clear()
         self.page.goto(file.as_uri() + query)
+
+    def look(self) -> None:
+        """Wait until the page has asked for nothing for half a second, and see whether it fits into the window."""
         self.page.wait_for_load_state("networkidle")
         wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
         if self.page.evaluate(wide) > 0:
-            self.wrong.append("wider than the window")
+            self.wrong.append(f"wider than the window of {self.page.viewport_size['width']}")
+
+    def resize(self, width: int) -> None:
+        """Make the window this wide, and wait until nothing on the page moves any more."""
+        self.page.set_viewport_size({"width": width, "height": 900})
+        self.page.wait_for_function("document.getAnimations().length === 0")
+
+    def picture(self, name: str, full_page: bool = False) -> None:
+        """Leave a picture, where pictures are asked for."""
+        if PICTURES:
+            self.page.screenshot(path=Path(PICTURES) / f"{name}.png", full_page=full_page)
+
+
+def opened(browser: Any, files: Sequence[Path], width: int, scheme: str) -> Iterator[tuple[Path, Window]]:
+    """Each page in turn, in one of a few windows, while the next ones are loaded in the others."""
+    windows = [Window(browser, width, scheme) for _ in files[:_AT_ONCE]]
+    for file, window in zip(files, windows, strict=False):
+        window.load(file)
+    for i, file in enumerate(files):
+        window = windows[i % _AT_ONCE]
+        window.look()
+        yield file, window
+        if i + _AT_ONCE < len(files):
+            window.resize(width)
+            window.load(files[i + _AT_ONCE])
+    for window in windows:
+        window.context.close()
