@@ -50,3 +50,27 @@ def test_where_there_is_none_the_function_is_not_small() -> None:
     """x^2 + 1 has no root; and x = 3 is beyond the bounds."""
     assert root_of(lambda x: x @ x + 1.0, 1) @ np.ones(1) == pytest.approx(0.0, abs=0.1)
     assert root_of(lambda x: x - 3.0, 1, high=2.0) == pytest.approx([2.0], abs=1e-5)
+
+
+def test_most_of_a_search_is_made_with_the_coarse_function() -> None:
+    """Rosenbrock's system, with a coarse function that is 1e-4 wrong: the root is the exact one, for a few exact evaluations."""
+    exact_at: list[np.ndarray] = []
+
+    def rosenbrock(x: np.ndarray) -> np.ndarray:
+        return np.array([10.0 * (x[1] - x[0] ** 2), 1.0 - x[0]])
+
+    def exact(x: np.ndarray) -> np.ndarray:
+        exact_at.append(x)
+        return rosenbrock(x)
+
+    def coarse(x: np.ndarray) -> np.ndarray:
+        return rosenbrock(x) + 1e-4 * np.sin(1e4 * x)
+
+    bounds = np.full(2, -FAR), np.full(2, FAR), np.ones(2), np.zeros_like
+    near = NearestRoot(coarse, *bounds, enough=1e-3, noise=1e-4)
+    guess = np.array([-1.2, 1.0])
+    found = NearestRoot(exact, *bounds, coarse=(near, 1e-3)).find(guess, 1e-9)
+    with_coarse = len(exact_at)
+    NearestRoot(exact, *bounds).find(guess, 1e-9)
+    assert found == pytest.approx([1.0, 1.0], abs=1e-10)
+    assert 5 * with_coarse < len(exact_at) - with_coarse

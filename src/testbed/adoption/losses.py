@@ -45,17 +45,20 @@ def losses(aircraft: Aircraft, reference: Trim) -> list[Kept]:
 def _without(aircraft: Aircraft, i: int, reference: Trim) -> Trim | None:
     """Steady flight: level at the reference airspeed if there is one, else at another, else with any path.
 
-    A search that finds none takes longest. So the one with most freedom is made early: where it finds none, no other would.
+    A search that finds none takes longest. So the one with most freedom is made early: where it finds none, no other would; and
+    where it finds one, the others begin there.
     """
     loss = _Loss(Plant(aircraft, _HZ), i, reference)
     powered = _has_propulsion_without(aircraft, i)
-    found = loss.roughly(_LEVEL, thorough=False) if powered else None
+    found = loss.roughly(_LEVEL, reference, thorough=False) if powered else None
     if found is None or not _usable(found):
-        widest = loss.roughly(_ANY_PATH)
+        widest = loss.roughly(_ANY_PATH, reference)
         if widest is None:
             return None
-        level = (loss.roughly(angles) for angles in (_LEVEL, _LEVEL_ANY_SPEED) if powered)
-        found = next((each for each in (*level, widest) if each is not None and _usable(each)), None)
+        level = loss.roughly(_LEVEL_ANY_SPEED, widest) if powered else None
+        same_speed = loss.roughly(_LEVEL, level, thorough=False) if level else None
+        choices = (same_speed, level, widest)
+        found = next((each for each in choices if each is not None and _usable(each)), None)
     return None if found is None else loss.exactly(found)
 
 
@@ -63,14 +66,14 @@ class _Loss:
     """An aircraft without one of its actuators."""
 
     def __init__(self, plant: Plant, i: int, reference: Trim) -> None:
-        self._plant, self._reference = plant, reference
+        self._plant = plant
         self._held = {i: reference.commands[i]}
         plant[f"{list(plant.aircraft.actuators.values())[i].prefix}/effectiveness"] = 0.0
 
-    def roughly(self, angles: tuple[str, ...], thorough: bool = True) -> Trim | None:
-        """A steady flight with these angles and speeds free, or None."""
+    def roughly(self, angles: tuple[str, ...], near: Trim, thorough: bool = True) -> Trim | None:
+        """A steady flight with these angles and speeds free, searched for from one near it, or None."""
         with suppress(NoTrim):
-            return self._steady(angles, Search(self._reference).rough(thorough))
+            return self._steady(angles, Search(near).rough(thorough))
         return None
 
     def exactly(self, near: Trim) -> Trim | None:
@@ -79,7 +82,7 @@ class _Loss:
         path = ("path_angle",) if state["path_angle"] else ()
         speed = ("airspeed",) if path or state["airspeed"] != at.airspeed_m_s else ()
         with suppress(NoTrim):
-            return self._steady((*_LEVEL, *speed, *path), Search(near))
+            return self._steady((*_LEVEL, *speed, *path), Search(near, thorough=False))
         return None
 
     def _steady(self, angles: Sequence[str], search: Search) -> Trim:

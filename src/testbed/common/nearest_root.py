@@ -33,6 +33,9 @@ class NearestRoot:
         weight: [n], above zero.
         preferred: the preferred point [n], which may depend on x (that of the step before is used).
         enough: sum of the residual and of the last change of the unknowns at which the search ends.
+        noise: error of the function. A difference below it teaches nothing about the Jacobian.
+        coarse: the same problem with a cheaper, less exact function, and the tolerance of its roots. The search is then made with
+            that, and goes on with the exact one from its root and with its Jacobian.
     """
 
     function: Callable[[Vector], Vector]
@@ -41,6 +44,8 @@ class NearestRoot:
     weight: Vector
     preferred: Callable[[Vector], Vector]
     enough: float = SMALLEST
+    noise: float = 0.0
+    coarse: tuple[NearestRoot, float] | None = None
 
     def find(self, guess: Vector, tolerance: float, thorough: bool = True) -> Vector:
         """The x [n] that was found; it is a root only if the function is small there.
@@ -49,28 +54,41 @@ class NearestRoot:
             tolerance: largest element of the function at a root.
             thorough: whether to search on by least squares where Newton's method ends without a root.
         """
-        x, f = self._newton(np.clip(guess, self.low, self.high))
-        if thorough and np.max(np.abs(f)) >= tolerance:
-            x, f = self._newton(self._least_squares(x))
-        return x
+        return self._search(np.clip(guess, self.low, self.high), tolerance, thorough)[0]
 
-    def _newton(self, x: Vector) -> tuple[Vector, Vector]:
-        f = self.function(x)
-        jacobian, fresh = self._jacobian(x, f), True
+    def _search(self, x: Vector, tolerance: float, thorough: bool) -> tuple[Vector, Vector, Vector]:
+        """The x that was found, the function and its Jacobian there."""
+        jacobian = None
+        if self.coarse is not None:
+            near, enough = self.coarse
+            x, f, jacobian = near._search(x, enough, thorough)
+            if np.max(np.abs(f)) >= enough:
+                return x, f, jacobian
+        x, f, jacobian = self._newton(x, jacobian)
+        if thorough and np.max(np.abs(f)) >= tolerance:
+            x, f, jacobian = self._newton(self._least_squares(x))
+        return x, f, jacobian
+
+    def _newton(self, x: Vector, jacobian: Vector | None = None) -> tuple[Vector, Vector, Vector]:
+        """The x that was found, the function and the Jacobian there; begins with a Jacobian that is known."""
+        f, fresh = self.function(x), jacobian is None
+        jacobian = self._jacobian(x, f) if jacobian is None else jacobian
         for _ in range(_ITERATIONS):
             step = self._step(x, f, jacobian)
             x_next, f_next = self._shortened(x, f, step)
             if x_next is None or f_next is None:
                 if fresh:
-                    return x, f
+                    break
                 jacobian, fresh = self._jacobian(x, f), True
                 continue
             moved = x_next - x
-            jacobian = jacobian + np.outer(f_next - f - jacobian @ moved, moved) / (moved @ moved)
+            unexpected = f_next - f - jacobian @ moved
+            if np.linalg.norm(unexpected) > self.noise:
+                jacobian = jacobian + np.outer(unexpected, moved) / (moved @ moved)
             x, f, fresh = x_next, f_next, False
             if np.max(np.abs(f)) + np.max(np.abs(moved)) < self.enough:
                 break
-        return x, f
+        return x, f, jacobian
 
     def _jacobian(self, x: Vector, f: Vector) -> Vector:
         columns = []

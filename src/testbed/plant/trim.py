@@ -29,6 +29,8 @@ _WEIGHTS = {"alpha": 0.01, "beta": 1.0, "roll": 1.0, "airspeed": 0.01, "path_ang
 """How unwanted a unit of each is, compared with half the travel of an actuator."""
 _FIRST_ANGLES = {"alpha": 0.05, "beta": 0.0, "roll": 0.0, "path_angle": 0.0}
 _FIRST_THROTTLE = 0.6  # of the range
+_ENGINES_ENOUGH = 1e-7
+"""An engine that is as steady as `STEADY` leaves accelerations of this order: a search that goes on finds noise."""
 
 
 class NoTrim(BadInput):
@@ -156,7 +158,19 @@ class TrimProblem:
             np.concatenate([far * s, ranges[:, k] / self.sizes[angles:]]) for s, k in ((-1, 0), (1, 1))
         )
         weight = np.array([_WEIGHTS[name] for name in self.angles] + [1.0] * len(self._free))
-        return NearestRoot(self.residual, low, high, weight, self._preferred, self.search.enough)
+        exact = NearestRoot(self.residual, low, high, weight, self._preferred, self.search.enough)
+        return self._with_rough_start(exact) if self.plant.aircraft.has_engines else exact
+
+    def _with_rough_start(self, exact: NearestRoot) -> NearestRoot:
+        """An engine takes long to become as steady as an exact trim asks for: most of the search does without."""
+        rough = replace(self, search=self.search.rough(self.search.thorough))
+        enough, noise = max(self.search.enough, _ENGINES_ENOUGH), self.search.steady
+        exact = replace(exact, enough=enough, noise=noise)
+        if rough.search == self.search:
+            return exact
+        enough, noise = rough.search.enough, rough.search.steady
+        coarse = replace(exact, function=rough.residual, enough=enough, noise=noise)
+        return replace(exact, coarse=(coarse, rough.search.residual_max))
 
     def _preferred(self, unknowns: np.ndarray) -> np.ndarray:
         """The unknowns with the least use: no deflection, and of each throttle the mean of all."""
