@@ -69,7 +69,9 @@ def _flown_again(part: Summary) -> str:
     """With what the scenario found flies again, where it does not by itself: a scenario cannot name a class."""
     if "own_controller" not in part:
         return ""
-    return f" `testbed run {part['folder']}/scenario.yaml --controller {part['own_controller']}` flies it again."
+    return (
+        f" `testbed run {part['folder']}/scenario.yaml --controller {part['own_controller']}` flies it again."
+    )
 
 
 def _bound(part: Summary) -> str:
