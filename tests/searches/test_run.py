@@ -10,7 +10,6 @@ from pathlib import Path
 
 import pytest
 import search_files
-import yaml
 from search_files import BETA, DESIGN, gusty, searched, written
 from sweep_files import journal_lines, script
 
@@ -159,14 +158,3 @@ def test_variants_meet_the_same_points_and_choices_are_searches_of_their_own(tmp
     total = sum(part["weight"] * part["probability"]["estimate"] for part in parts)
     assert [part["weight"] for part in parts] == [0.25, 0.75] and first == pytest.approx(total)
     assert json.loads((tmp_path / "out/summary.json").read_text()) == result.summary
-
-
-def test_settings_as_a_mapping_are_those_of_the_command_line(tmp_path: Path) -> None:
-    changes = {"goal": "probability", "method": "plain", "cov": 1, "budget": 60, "duration_s": 3}
-    result = testbed.search(
-        written(tmp_path), tmp_path / "out", fly=gusty, jobs=1, set=changes, seed=2, figures=False
-    )
-    assert result.probability is not None
-    written_out = yaml.safe_load((tmp_path / "out/search.yaml").read_text())
-    assert written_out["scenario"]["duration_s"] == 3
-    assert written_out["budget"] == 60 and written_out["method"] == "plain"

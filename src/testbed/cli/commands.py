@@ -236,10 +236,7 @@ def _add_sweep(command: argparse.ArgumentParser) -> None:
         help="with --only: fly only this one of the compared variants, into a run folder",
     )
     command.add_argument(
-        "--save-logs",
-        default="failed",
-        metavar="WHICH",
-        help="logs to keep: none, failed or all (default: %(default)s)",
+        "--save-logs", default="failed", metavar="WHICH", help="logs to keep: none, failed (default) or all"
     )
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
