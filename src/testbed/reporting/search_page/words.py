@@ -66,7 +66,9 @@ def _flown_again(part: Summary) -> str:
     """With what the scenario found flies again, where it does not by itself: a scenario cannot name a class."""
     if "own_controller" not in part:
         return ""
-    return f" `testbed run {part['folder']}/scenario.yaml --controller {part['own_controller']}` flies it again."
+    return (
+        f" `testbed run {part['folder']}/scenario.yaml --controller {part['own_controller']}` flies it again."
+    )
 
 
 def _bound(part: Summary) -> str:
@@ -97,7 +99,7 @@ def rounded(count: float | None) -> str:
 def _more_than_one(summary: Summary) -> Iterator[str]:
     """Which of the compared variants needs the bigger failure."""
     variants = [v for v in summary["variants"] if v["label"]]
-    if summary["goal"] != "smallest" or len(variants) < 2:
+    if summary["goal"] != "smallest" or len(variants) < 2 or not any(v["found"] for v in variants):
         return
     ranked = sorted(
         variants, key=lambda v: math.inf if v["distance"] is None else v["distance"], reverse=True
