@@ -22,7 +22,7 @@ def refused(file: Path, *settings: str) -> str:
 
 
 def test_shipped_searches_are_valid() -> None:
-    assert {file.stem for file in search_files()} == {"rare_gust", "smallest_gust"}
+    assert {file.stem for file in search_files()} == {"rare_gust", "smallest_gust", "smallest_turbulence"}
     for file in search_files():
         check(load_search(file).plan)
 

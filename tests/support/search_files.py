@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from sweep_flights import COLUMNS
 
-from testbed import searching
+from testbed import searching, simulation
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import Scenario
 from testbed.searches.folder import Store
@@ -68,6 +68,11 @@ def gusty(scenario: Scenario) -> Flight:
     }
     metrics = {"altitude_error_max_m": 1.0 - left, "detection_delay_s": math.nan}
     return Flight(scenario, Outcome.completed, scenario.duration_s, COLUMNS, data, (), metrics, (verdict,))
+
+
+def simulated(scenario: Scenario) -> Flight:
+    """A flight of the simulator."""
+    return simulation.fly(scenario)
 
 
 def slow(scenario: Scenario) -> Flight:

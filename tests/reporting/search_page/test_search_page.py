@@ -115,3 +115,20 @@ def test_settings_in_words() -> None:
         "a gust of 4.6 m/s at 7.0 s",
         f"initial.airspeed_m_s = {scenario.initial.airspeed_m_s:.3g} m/s",
     ]
+
+
+def test_turbulence_in_words_is_the_strongest_of_its_window() -> None:
+    """Without the steady wind, and all coefficients in one sentence; a flight without a log of the air has its values."""
+    scenario = load_scenario(
+        "scenarios/left_propeller_fail.yaml",
+        {"failures": [], "requirements": [], "atmosphere": {
+            "model": "dryden_8785c", "turbulence": "light", "wind_m_s": [1, 0, 0],
+            "noise": {"from_s": 1, "until_s": 2, "w": [0.5]}}},
+    )  # fmt: skip
+    columns = ("time_s", "wind_north_m_s", "wind_east_m_s", "wind_down_m_s")
+    rows = np.array([[0.0, 90, 0, 0], [1, 1, 0, 0], [1.5, 4, 4, 0], [2, 1, 2, 0], [3, 90, 0, 0]])
+    paths = ["atmosphere.noise.w.0", "atmosphere.noise.w.0"]
+    flown = Flight(scenario, Outcome.completed, 60.0, columns, rows)
+    assert settings_of(flown, paths) == ["turbulence of up to 5.0 m/s between 1 and 2 s"]
+    made_up = Flight(scenario, Outcome.completed, 60.0, (), np.zeros((0, 0)))
+    assert settings_of(made_up, paths) == ["atmosphere.noise.w.0 = 0.5"]

@@ -94,7 +94,8 @@ def _range(signals: list[np.ndarray], quantity: str) -> tuple[float, float]:
 def _title(comparison: Comparison) -> str:
     first = comparison.flights[0]
     starts = [e for e in first.events if e["kind"] == "injection" and e.get("active", True)]
-    if not starts:
+    differ = any(flight.scenario.failures != first.scenario.failures for flight in comparison.flights)
+    if not starts or differ:
         return first.scenario.name
     event = starts[0]
     if not event["actuator"] or event["type"] == "property":

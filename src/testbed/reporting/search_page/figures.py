@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from testbed.reporting.figures.page import Drawing, plain_text, save
 
@@ -43,14 +45,14 @@ def convergence(summary: Summary) -> Figure | None:
     figure = Drawing(figsize=(8.0, 4.0), layout="constrained")
     axes = figure.subplots()
     for i, part in enumerate(shown):
-        flights = [step["flights"] for step in part["path"]] + [part["flights"]]
+        flights = [step["flights"] for step in part["path"]]
+        flights.append(max(part["flights"], flights[-1]))  # points that were asked for twice are flown once
         distance = [step["distance"] for step in part["path"]]
         axes.step(flights, [*distance, distance[-1]], where="post", label=part["label"] or None, **_style(i))
     axes.set(xlabel="flights", ylabel="distance of the nearest failure")
-    axes.grid(alpha=0.3)
-    axes.set_ylim(bottom=0.0)
-    if any(part["label"] for part in shown):
-        axes.legend(fontsize=8)
+    _finish(axes, shown)
+    axes.set_ylim(0.0, 1.1 * max(part["path"][0]["distance"] for part in shown) or 1.0)
+    axes.set_xlim(left=0.0)
     return figure
 
 
@@ -74,7 +76,8 @@ def path(summary: Summary) -> Figure | None:
             )
         axes.set(ylabel="standard deviations", title=part["label"])
         axes.grid(alpha=0.3)
-        axes.legend(fontsize=7)
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+        axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
         if i == len(shown) - 1:
             axes.set_xlabel("nearer failures, in the order in which they were found")
     return figure
@@ -105,10 +108,15 @@ def levels(summary: Summary) -> Figure | None:
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.set(xlabel="robustness", ylabel="probability of at most this")
     axes.axvline(0.0, color="0.35", ls=":")
-    axes.grid(alpha=0.3)
-    if any(part["label"] for part in shown):
-        axes.legend(fontsize=8)
+    _finish(axes, shown)
     return figure
+
+
+def _finish(axes: Axes, shown: Sequence[Summary]) -> None:
+    """Grid, and a legend beside the panel if there is more than one line."""
+    axes.grid(alpha=0.3)
+    if len(shown) > 1:
+        axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
 
 
 def _style(i: int) -> dict[str, Any]:

@@ -144,6 +144,6 @@ def searches(summary: Summary) -> Iterator[str]:
     ]  # fmt: skip
     heads = ["search", "flights", "without a result", "distance", "breaks", "how it ended"]
     yield html.folded("The searches", html.table(heads, rows))
-    yield html.note(
-        "results.csv has every flight; found.yaml is the scenario found, and flies again as it is."
-    )
+    kept = "results.csv has every flight"
+    again = "; found.yaml is the scenario found, and flies again as it is" if summary["found"] else ""
+    yield html.note(f"{kept}{again}.")

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from testbed.air.config import COLUMNS
 from testbed.common.units import unit
 from testbed.flight.flight import Flight
 from testbed.reporting.failure_words import predicate
@@ -102,7 +103,7 @@ def rounded(count: float | None) -> str:
 def _more_than_one(summary: Summary) -> Iterator[str]:
     """Which of the compared variants needs the bigger failure."""
     variants = [v for v in summary["variants"] if v["label"]]
-    if summary["goal"] != "smallest" or len(variants) < 2:
+    if summary["goal"] != "smallest" or len(variants) < 2 or not any(v["found"] for v in variants):
         return
     ranked = sorted(
         variants, key=lambda v: math.inf if v["distance"] is None else v["distance"], reverse=True
@@ -142,7 +143,19 @@ def _weather(flight: Flight, parts: list[str]) -> str:
     if parts[:2] == ["atmosphere", "gusts"] and len(parts) > 2:
         gust = air.gusts[int(parts[2])]
         return f"a gust of {np.linalg.norm(gust.magnitude_m_s):.1f} m/s at {gust.at_s:.1f} s"
-    return ""
+    return _turbulence(flight) if parts[:2] == ["atmosphere", "noise"] else ""
+
+
+def _turbulence(flight: Flight) -> str:
+    """The fastest that the air moves in the window of the noise; empty for a flight without a log of the air."""
+    air, log = flight.scenario.atmosphere, dict(zip(flight.columns, flight.data.T, strict=True))
+    if air.noise is None or not set(COLUMNS) <= set(log):
+        return ""
+    until = flight.scenario.duration_s if air.noise.until_s is None else air.noise.until_s
+    inside = (log["time_s"] >= air.noise.from_s) & (log["time_s"] <= until)
+    moved = np.column_stack([log[name] for name in COLUMNS])[inside] - air.wind_m_s
+    most = np.linalg.norm(moved, axis=1).max(initial=0.0)
+    return f"turbulence of up to {most:.1f} m/s between {air.noise.from_s:g} and {until:g} s"
 
 
 def _from(north: float, east: float) -> str:

@@ -1,0 +1,161 @@
+"""How rare is rare in flight: plain sampling as the check of a failure of 1 in 1000, and one of 1 in 100 000 that it cannot check.
+
+    nice python benchmarks/rare_flights.py --out runs/rare_flights          # hours; may be stopped and run again
+    python benchmarks/rare_flights.py --out runs/rare_flights --page        # docs/results/rare_flights.md from what is there
+
+The case is `scenarios/searches/rare_gust.yaml`, with its limits and with wider ones. Flights are short, so that many can be made.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import testbed
+from testbed.searches.limit_state import failed
+from testbed.sweeps.folder.journal import records
+from testbed.sweeps.statistics import proportion
+
+PAGE = Path(__file__).parents[1] / "docs" / "results" / "rare_flights.md"
+CASE = "scenarios/searches/rare_gust.yaml"
+BUDGET, COV = 8000, 0.3
+PLAIN_SEED = 2
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a flight may be off by before it counts as broken."""
+
+    altitude_m: float
+    heading_deg: float
+
+    @property
+    def setting(self) -> str:
+        return (
+            f"scenario.requirements=[{{metric: altitude_error_max_m, at_most: {self.altitude_m:g}}}, "
+            f"{{metric: heading_error_max_deg, at_most: {self.heading_deg:g}}}]"
+        )
+
+    def __str__(self) -> str:
+        return f"{self.altitude_m:g} m, {self.heading_deg:g} deg"
+
+
+CHECKED, RARE = Limits(4, 9), Limits(5.25, 11)
+SEEDS = {CHECKED: (1, 2, 3, 4, 5), RARE: (1, 2, 3, 4, 5)}
+METHOD = "importance"
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    options = _parser().parse_args(arguments)
+    if options.page:
+        PAGE.write_text(page(options.out), encoding="utf-8")
+        return
+    for limits, seeds in SEEDS.items():
+        for seed in seeds:
+            search(
+                _folder(options.out, limits, METHOD, seed), options.jobs, limits, METHOD, seed, BUDGET, COV
+            )
+    plain = _folder(options.out, CHECKED, "plain", PLAIN_SEED)
+    search(plain, options.jobs, CHECKED, "plain", PLAIN_SEED, options.plain, 0.001)
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--out", type=Path, required=True, help="folder of the searches, kept as they come")
+    parser.add_argument("--plain", type=int, default=100_000, help="plain flights")
+    parser.add_argument("--jobs", type=int)
+    parser.add_argument("--page", action="store_true", help=f"write {PAGE.name}, without flying")
+    return parser
+
+
+def _folder(out: Path, limits: Limits, method: str, seed: int) -> Path:
+    return out / f"{method}-{limits.altitude_m:g}m-seed{seed}"
+
+
+def search(
+    folder: Path, jobs: int | None, limits: Limits, method: str, seed: int, budget: int, cov: float
+) -> None:
+    """Make a search, or what is missing of it."""
+    if (folder / "summary.json").is_file() and not _more(folder, budget):
+        return
+    settings = [limits.setting, f"method={method}", f"cov={cov:g}"]
+    found = testbed.search(
+        CASE, folder, budget=budget, seed=seed, settings=settings, jobs=jobs, resume=True, figures=False
+    )
+    print(f"{folder.name}: {found!r}".splitlines()[0], flush=True)
+
+
+def _more(folder: Path, budget: int) -> bool:
+    """Whether the budget is larger than that of the search in the folder."""
+    known: int = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["budget"]
+    return budget > known
+
+
+def plain(folder: Path) -> tuple[int, int]:
+    """Failures and flights of plain sampling, also of a search that is under way; without the flight at the origin."""
+    drawn = [record for _, record in records(folder / "journal.jsonl") if any(record.get("u", ()))]
+    return sum(map(failed, drawn)), len(drawn)
+
+
+def page(out: Path) -> str:
+    """The page of the documentation."""
+    failures, flights = plain(_folder(out, CHECKED, "plain", PLAIN_SEED))
+    known = proportion(failures, flights, method="exact")
+    rows = [_row(CHECKED, "plain", PLAIN_SEED, known.estimate, (known.low, known.high),
+                 math.sqrt((1 - known.estimate) / max(failures, 1)), flights)]  # fmt: skip
+    return _PAGE.format(case=CASE, checked=CHECKED, rare=RARE, failures=failures, flights=flights, budget=BUDGET,
+                        cov=COV, table="\n".join([*_HEAD, *rows, *_searched(out)]))  # fmt: skip
+
+
+def _searched(out: Path) -> Iterator[str]:
+    for limits, seeds in SEEDS.items():
+        for seed in seeds:
+            file = _folder(out, limits, METHOD, seed) / "summary.json"
+            if file.is_file():
+                said: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+                known = said["probability"]
+                ends = known["low"], known["high"]
+                yield _row(limits, METHOD, seed, known["estimate"], ends, known["coefficient_of_variation"],
+                           known["flights"], said["parts"][0]["reason"])  # fmt: skip
+
+
+def _row(limits: Limits, method: str, seed: int, estimate: float, ends: tuple[float, float], cov: float,
+         flights: int, reason: str = "") -> str:  # fmt: skip
+    needed = (1 - estimate) / (estimate * cov**2) if estimate and cov else math.nan
+    by = "subset" if reason.startswith("Not by") or "subset" in reason else method
+    cells = [str(limits), f"`{by}`", seed, f"{estimate:.2e}", f"{ends[0]:.1e} to {ends[1]:.1e}", f"{cov:.2f}",
+             flights, f"{needed:.2g}" if method != "plain" else ""]  # fmt: skip
+    return f"| {' | '.join(map(str, cells))} |"
+
+
+_HEAD = (
+    "| broken beyond | method | seed | probability | 95 % interval | c.o.v. | flights | plain sampling needs |",
+    "| --- | --- | --- | --- | --- | --- | --- | --- |",
+)
+_PAGE = """\
+# Rare failures in flight
+
+This page checks the probability of a rare failure, as a search finds it, against plain flights. The same methods
+[on limit states with known answers](rare_failures.md); [what they compute](../explanation/rare_failures.md).
+
+The case is `{case}`: INDI flies the v-tail at 18 m/s, the left propeller is lost, and two gusts come. Nine values are drawn:
+when the propeller fails, when each gust comes, and its velocity north, east and down. A flight of 6 s is broken when it
+misses the altitude or the heading by more than a limit: {checked} in the first rows, {rare} in the others. All searches
+may make {budget} flights, and end at a coefficient of variation (c.o.v.) of {cov:g}. Measured by
+`python benchmarks/rare_flights.py --out runs/rare_flights`.
+
+{table}
+
+Plain sampling had {failures} failures in {flights} flights. It cannot check the rarer case: that is what its last column says.
+"""
+
+
+if __name__ == "__main__":
+    main()
