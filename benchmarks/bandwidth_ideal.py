@@ -16,11 +16,17 @@ W, WITHIN = 4.0, 2.0
 """Frequency [rad/s] of the commands that move, and an epsilon within which all of them are."""
 
 
-def ideal_reading(lag: float, modelled: float, share: float) -> float:
-    """The estimate of r_0 (1 + share sin W t) within epsilon, once it has settled; `modelled` 0 is the plain law."""
+def ideal_reading(lag: float, modelled: float, share: float, limit: float = math.inf) -> float:
+    """The estimate of r_0 (1 + share sin W t) within epsilon, once it has settled.
+
+    Args:
+        modelled: lag of the model; 0 is the plain law.
+        limit: rate limit that no law knows, over the fastest r.
+    """
     dt = 0.005
-    loop = IdealLoop(IdealPlant(np.eye(4), lag=lag), Tuning(1.0, WITHIN, dt), 1.0)
-    loop._models["lag"][0] = modelled
+    rate = min(limit * 0.25 * share * W, UNLIMITED)
+    loop = IdealLoop(IdealPlant(np.eye(4), lag=lag, rate=rate), Tuning(1.0, WITHIN, dt), 1.0)
+    loop._models["lag"][0], loop._models["rate"][0] = modelled, UNLIMITED
     r = 0.25 * (1.0 + share * np.sin(W * dt * np.arange(round(600.0 / dt))))
     period = round(2.0 * math.pi / W / dt)
     return float(loop.fly(np.tile(r[:, None], (1, 4)), 1.0).lambda_hat[-8 * period :, 0].mean())
@@ -31,6 +37,12 @@ def ideal_extreme(gamma: float, lag: float) -> float:
     loop = IdealLoop(IdealPlant(np.eye(4), lag=lag, modelled=False), Tuning(gamma, 1e-6, 5e-4), 1.0)
     loop.start_at(np.ones(4))
     return float(loop.fly(np.ones((16000, 4)), REMAINS).lambda_hat.min())
+
+
+def ideal_sampled(gamma_dt: float) -> float:
+    """Lowest estimate after a loss to REMAINS, in steps of gamma dt."""
+    loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(gamma_dt / 0.02, 1e-6, 0.02), 1.0)
+    return float(loop.fly(np.ones((400, 4)), REMAINS).lambda_hat.min())
 
 
 def ideal_late(gamma: float, age: float) -> float:

@@ -12,6 +12,7 @@ import numpy as np
 from bandwidth_ideal import REMAINS, W
 from bandwidth_limits import ALTITUDE_M, HEADING_DEG, LIMITED, LOSS_S, OLDER, SLOWER
 from matplotlib.axes import Axes
+from prediction_errors import summary
 
 from testbed.theory import bandwidth
 
@@ -44,6 +45,16 @@ HEADS = {
 
 Mean of the estimate, true value 1, of altitude references that go up and down at w = {W:g} rad/s. Prediction:
 `offset_reading_within(F / F_m)`, with the share of the reference that moves as it was flown.""",
+    "limited": f"""\
+## A command that moves, behind a rate limit that the law does not know
+
+As before, at w = {W:g} rad/s. Prediction: `rate_limited_offset_reading`, by the describing function of a rate limit, with the share
+and the amplitude of the reference as they were flown. The limit acts from R / A w = 1 on. It makes the position late, and the
+more so the larger the command is; below 12 deg/s the pitch loop swings by itself, and there is no reading.""",
+    "sampled": f"""\
+## A loss, seen in large steps
+
+Lowest estimate after a loss to {REMAINS:g}, compensated law. Prediction: `sampled_extreme`.""",
     "lag": f"""\
 ## A loss behind a slow servo, plain
 
@@ -87,6 +98,14 @@ def page(
     lines = [INTRODUCTION]
     for group, head in HEADS.items():
         lines += ["", head, "", *table(rows[group])]
+    lines += [
+        "",
+        "## How far the predictions are off",
+        "",
+        "Flown beside the prediction; *same r* beside (13) with the flown r.",
+        "",
+    ]
+    lines += summary(pairs(rows))
     lines += ["", "## Stops, rate limits and late errors, on the ideal plant", ""]
     lines += ["| condition | predicted | measured | error |", "| --- | --- | --- | --- |"]
     lines += [f"| {what} | {p:.3f} | {m:.3f} | {relative(m, p)} |" for what, p, m in known]
@@ -104,6 +123,22 @@ def page(
         ]
         lines.append(f"| {name} | {' | '.join(words)} |")
     return "\n".join(lines) + "\n"
+
+
+NAMES = {
+    "moving": "reading behind a lag", "limited": "reading behind a rate limit", "sampled": "loss in large steps",
+    "lag": "loss behind a lag", "late": "loss seen late", "stops": "stop",
+}  # fmt: skip
+"""The groups for which a prediction is made, by its quantity."""
+
+
+def pairs(rows: Mapping[str, Sequence[Row]]) -> dict[str, list[tuple[float, float]]]:
+    found = {}
+    for group, name in NAMES.items():
+        found[f"{name}, ideal plant"] = [(row.predicted, row.ideal) for row in rows[group]]
+        found[f"{name}, flown"] = [(row.predicted, row.flown) for row in rows[group]]
+        found[f"{name}, flown, same r"] = [(row.same_r, row.flown) for row in rows[group]]
+    return found
 
 
 def withstanding() -> list[str]:
@@ -162,7 +197,7 @@ def draw(rows: Mapping[str, Sequence[Row]], file: Path) -> None:
     panels[2].plot(
         x, [bandwidth.late_extreme(1.0, REMAINS, v, 100) for v in x], color="0.3", label="predicted"
     )
-    for axes, group in zip(panels, HEADS, strict=False):
+    for axes, group in zip(panels, ("moving", "lag", "late"), strict=True):
         scatter(axes, rows[group], group == "moving")
     panels[0].set(xlabel="w tau [-]", ylabel="mean estimate, truth 1 [-]", xlim=(0.0, 1.0), ylim=(0.4, 1.1))
     panels[1].set(

@@ -162,7 +162,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = parser.parse_args(arguments)
     if options.tune:
         return tune(options.jobs)
-    calm, weather = margins(MARGINS, [1], options.jobs, CALM), margins(MARGINS, SEEDS[:2], options.jobs)
+    calm, weather = margins(MARGINS, [1], options.jobs, CALM), margins(MARGINS, SEEDS, options.jobs)
     found = {name: [*calm[name], *weather[name]] for name in MARGINS}
     flights = fly_all(BASE, list(recovery_flights()), options.jobs, "decoupling:fly_and_measure")
     recovered = dict(zip(MARGINS, flights, strict=True))

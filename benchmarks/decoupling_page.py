@@ -35,8 +35,8 @@ MARGIN_TEXT = f"""\
 ## Delay margin, and how fast the rates come back
 
 Margin: the hard route, both tails at {REMAINS:g} from {LOSS_S:g} s on, every actuator late from the start by
-{", ".join(f"{1000 * delay:g}" for delay in DELAYS)} ms. Calm: in calm air with ideal sensors. Weather: as above, seeds
-{SEEDS.start} and {SEEDS.start + 1}. The error is that of the pitch acceleration that was asked for, after the left tail's loss
+{", ".join(f"{1000 * delay:g}" for delay in DELAYS)} ms. Calm: in calm air with ideal sensors. Weather: as above, all
+{len(SEEDS)} seeds. The error is that of the pitch acceleration that was asked for, after the left tail's loss
 to {REMAINS:g} in calm air with ideal sensors. Where k or Gamma is not named it is the default of `l1_inversion`.
 Here the paper's law gives up the same axis as the others (`released: auto`); in the missions above it gives up none."""
 

@@ -16,8 +16,29 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from bandwidth_ideal import REMAINS, WITHIN, W, ideal_extreme, ideal_late, ideal_reading, limits
-from bandwidth_limits import ALL, BASE, LOSS_S, MODEL_LAG, RATES_ALONE, TAILS, Values, late, slow, withstood
+from bandwidth_ideal import (
+    REMAINS,
+    WITHIN,
+    W,
+    ideal_extreme,
+    ideal_late,
+    ideal_reading,
+    ideal_sampled,
+    limits,
+)
+from bandwidth_limits import (
+    ALL,
+    BASE,
+    LOSS_S,
+    MODEL_LAG,
+    RATES_ALONE,
+    TAILS,
+    Values,
+    late,
+    rate_limited,
+    slow,
+    withstood,
+)
 from bandwidth_page import Row, draw, page
 from flights import Record, fly_all
 
@@ -78,6 +99,10 @@ def stopped(stop_deg: float) -> Values:
 
 
 MOVING = [(lag, plain) for plain in (True, False) for lag in LAGS]
+LIMITED = [(rate, plain) for plain in (True, False) for rate in (25.0, 20.0, 18.0, 16.0, 14.0)]
+"""Rate limits of both tails that no law knows [deg/s]. With less these flights begin to swing by themselves, and are lost."""
+SAMPLED_HZ, SAMPLED = 50, (0.25, 0.5, 1.0, 1.5, 1.75)
+"""Control rate of the flights with values of gamma dt that sampling limits."""
 LOSSES = [(gamma, lag) for gamma in GAMMAS for lag in (30.0, 10.0, 5.0)]
 LATE = [(gamma, age) for gamma in GAMMAS for age in AGES]
 STOPS = [(stop_deg, plain) for plain in (True, False) for stop_deg in (2.5, 2.0, TRAVEL_DEG)]
@@ -87,6 +112,11 @@ STOPS = [(stop_deg, plain) for plain in (True, False) for stop_deg in (2.5, 2.0,
 def flights() -> Iterator[Values]:
     for lag, plain in MOVING:
         yield {**weaving(), "failures": slow(lag), "controller": law(3.0, WITHIN, plain)}
+    for rate, plain in LIMITED:
+        yield {**weaving(), "failures": rate_limited(rate), "controller": law(3.0, WITHIN, plain)}
+    for gamma_dt in SAMPLED:
+        controller = law(gamma_dt * SAMPLED_HZ, 0.05, False)
+        yield {"failures": [loss()], "rate_hz": SAMPLED_HZ, "controller": controller}
     for gamma, lag in LOSSES:
         yield {"failures": [*slow(lag), loss()], "controller": law(gamma, 0.05, True)}
     for sensors in (ALL, RATES_ALONE):
@@ -105,7 +135,8 @@ def fly_and_read(scenario: Scenario) -> Flight:
     alone = replay_of(scenario, r, log.log[f"{TAILS[0]}_effectiveness"])
     settled = slice(-8 * round(2.0 * math.pi / W * scenario.rate_hz), None)
     after = slice(round(LOSS_S * scenario.rate_hz), None)
-    found = {"share": float(math.sqrt(2.0) * r[settled].std() / abs(r[settled].mean()))}
+    amplitude = float(math.sqrt(2.0) * r[settled].std())
+    found = {"share": amplitude / float(abs(r[settled].mean())), "fastest": amplitude * W}
     for name, estimate in (("", log.log[f"{TAILS[0]}_effectiveness_estimate"]), ("_same_r", alone)):
         found[f"reading{name}"] = float(estimate[settled].mean())
         found[f"lowest{name}"] = float(estimate[after].min())
@@ -118,7 +149,9 @@ def replay_of(scenario: Scenario, r: np.ndarray, truth: np.ndarray) -> np.ndarra
     assert isinstance(chosen, AdaptiveInversionSettings)
     plain = "actuator_model" in chosen.ablate
     lag = min([MODEL_LAG, *(getattr(failure, "lag_rad_s", MODEL_LAG) for failure in scenario.failures)])
-    behind = Behind(lag, 0.0 if plain else MODEL_LAG, scenario.sensors.of("gyro").delay_s)
+    limits = [failure.value / SCALE_DEG for failure in scenario.failures if failure.type == "rate_limit"]
+    late_by = scenario.sensors.of("gyro").delay_s
+    behind = Behind(lag, 0.0 if plain else MODEL_LAG, late_by, min(limits, default=math.inf))
     return replay(r, truth, behind, chosen.gamma.servo, chosen.epsilon.servo, 1.0 / scenario.rate_hz)
 
 
@@ -138,6 +171,22 @@ def moving_row(lag: float, plain: bool, record: Record) -> Row:
         f"{'plain' if plain else 'compensated'}, servo {lag:g} rad/s (w tau {W / lag:.2g}), share {share:.1f}"
     )
     return Row(what, W / lag, predicted, ideal, found["reading_same_r"], found["reading"])
+
+
+def limited_row(rate: float, plain: bool, record: Record) -> Row:
+    found, modelled = record["metrics"], 1.0 if plain else servo(MODEL_LAG)
+    share, limit = found["share"], rate / SCALE_DEG / found["fastest"]
+    predicted = bandwidth.rate_limited_offset_reading(share, limit, servo(MODEL_LAG), modelled)
+    ideal = ideal_reading(MODEL_LAG, 0.0 if plain else MODEL_LAG, share, limit)
+    what = f"{'plain' if plain else 'compensated'}, {rate:g} deg/s (R / A w {limit:.2f}), share {share:.1f}"
+    return Row(what, limit, predicted, ideal, found["reading_same_r"], found["reading"])
+
+
+def sampled_row(gamma_dt: float, record: Record) -> Row:
+    found = record["metrics"]
+    what = f"gamma {gamma_dt * SAMPLED_HZ:g} /s at {SAMPLED_HZ} Hz (gamma dt {gamma_dt:g})"
+    predicted = bandwidth.sampled_extreme(1.0, REMAINS, gamma_dt)
+    return Row(what, gamma_dt, predicted, ideal_sampled(gamma_dt), found["lowest_same_r"], found["lowest"])
 
 
 def loss_row(gamma: float, lag: float, record: Record) -> Row:
@@ -171,6 +220,8 @@ def measured(jobs: int | None) -> dict[str, list[Row]]:
     flown = iter(fly_all(BASE, planned, jobs, "section4_bandwidth:fly_and_read"))
     return {
         "moving": [moving_row(*case, next(flown)) for case in MOVING],
+        "limited": [limited_row(*case, next(flown)) for case in LIMITED],
+        "sampled": [sampled_row(case, next(flown)) for case in SAMPLED],
         "lag": [loss_row(*case, next(flown)) for case in LOSSES],
         "late": [late_row(*case, next(flown)) for case in LATE],
         "mixed": [late_row(*case, next(flown)) for case in LATE],

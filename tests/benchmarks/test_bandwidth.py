@@ -54,7 +54,7 @@ def test_the_last_value_before_the_first_loss_counts() -> None:
 def test_the_page_has_the_errors() -> None:
     row = Row("a condition", 0.1, 0.8, 0.808, 0.79, 0.84)
     text = page(
-        {name: [row] for name in ("moving", "lag", "late", "mixed", "stops")},
+        {name: [row] for name in ("moving", "limited", "sampled", "lag", "late", "mixed", "stops")},
         [("b", -1.0, -1.1)],
         {"law": (math.nan, 4.0, 0.05)},
     )

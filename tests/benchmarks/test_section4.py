@@ -37,7 +37,7 @@ def test_the_remarks_agree_with_their_predictions() -> None:
 
 
 def test_the_fourth_remark_is_flown() -> None:
-    """A bias that takes the estimates just below the threshold flags healthy propellers in JSBSim, one just short of it does not."""
+    """A bias that takes the estimates just below the threshold flags healthy propellers in JSBSim; one short of it does not."""
     *_, short, beyond = section4_jacobian.remark_4()
     assert short.endswith("| not flagged | not flagged |")
     assert "| flagged | flagged at " in beyond

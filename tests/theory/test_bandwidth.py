@@ -112,8 +112,44 @@ def test_an_unmodelled_rate_limit_reads_twice_the_square_of_its_share() -> None:
     estimate = TRUTH * reading
     rate, kappa = pull(amplitude * estimate * SINE, estimate, 50.0, 2.0 / DT, rate=share * amplitude * W)
     assert abs(rate) <= 2.0 * math.pi / PERIOD / reading * kappa
-    with pytest.raises(ValueError, match="not a triangle"):
-        bandwidth.rate_limited_reading(0.6)
+
+
+@pytest.mark.parametrize("share", [0.2, 0.5, 0.55, 0.7, 0.9, 0.99, 1.0, 1.5])
+def test_a_rate_limit_has_its_describing_function(share: float) -> None:
+    """The fundamental of a rate-limited sine in small steps: triangle, sine with straight parts, sine."""
+    steps = 5000
+    phase = 2.0 * math.pi * np.arange(30 * steps) / steps
+    y, a, most = np.sin(phase), 0.0, share * 2.0 * math.pi / steps
+    found = np.empty_like(y)
+    for k, target in enumerate(y):
+        a += min(max(target - a, -most), most)
+        found[k] = a
+    last = slice(-steps, None)
+    measured = 2.0 * (found[last] * (np.sin(phase[last]) + 1j * np.cos(phase[last]))).mean()
+    predicted = bandwidth.rate_limited(share)
+    assert abs(measured - predicted) < 2e-3
+    assert bandwidth.rate_limited_reading(share) == predicted.real
+
+
+@pytest.mark.parametrize("modelled", [0.0, 12.0])
+@pytest.mark.parametrize("limit", [0.9, 0.7, 0.55])
+def test_an_unmodelled_rate_limit_about_an_offset(limit: float, modelled: float) -> None:
+    """The mean rate of (13) vanishes at the reading; without the limit, the reading of the lag alone is another."""
+    share, offset, lag = 1.4, 0.3, 12.0
+    f, f_m = bandwidth.lag(W, 1.0 / lag), bandwidth.lag(W, 1.0 / modelled) if modelled else 1.0
+    reading = bandwidth.rate_limited_offset_reading(share, limit, f, f_m)
+    r = TRUTH * offset * (1.0 + share * SINE)
+    rate, kappa = pull(r, TRUTH * reading, 50.0, lag, modelled, limit * share * offset * W)
+    assert abs(rate) <= 2e-3 * kappa
+    assert abs(reading - bandwidth.offset_reading_within(f / f_m, share * abs(f_m))) > 1e-3
+
+
+@pytest.mark.parametrize("gamma_dt", [0.5, 1.2, 1.8])
+def test_a_loss_in_large_steps_overshoots_from_gamma_dt_1_on(gamma_dt: float) -> None:
+    loop = IdealLoop(IdealPlant(np.eye(4)), Tuning(gamma_dt / DT, 1e-6, DT), 1.0)
+    lowest = float(loop.fly(np.ones((1000, 4)), 0.2).lambda_hat.min())
+    assert lowest == pytest.approx(bandwidth.sampled_extreme(1.0, 0.2, gamma_dt), rel=1e-9)
+    assert (lowest < 0.2 * (1.0 - 1e-6)) is (gamma_dt > 1.0)
 
 
 def test_below_the_trap_a_rate_limit_drives_the_estimate_to_zero() -> None:

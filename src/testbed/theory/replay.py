@@ -18,11 +18,13 @@ class Behind:
         lag: of the real servo [rad/s], 0 for none.
         modelled: lag of the model's servo [rad/s], 0 for the plain law.
         age: of the measured rates [s], unknown to the law.
+        rate: limit of the real servo's rate [scaled/s], unknown to the law.
     """
 
     lag: float = 0.0
     modelled: float = 0.0
     age: float = 0.0
+    rate: float = math.inf
 
 
 def replay(
@@ -45,11 +47,14 @@ def replay(
     Returns:
         [steps] estimates after each step.
     """
-    a, a_m, u_before, estimate = (r[0] / start,) * 3 + (start,)
+    a, lagged, a_m, u_before, estimate = (r[0] / start,) * 4 + (start,)
     late, estimates = [truth[0] * a] * round(behind.age / dt), np.empty(len(r))
     for step in range(len(r)):
         u = r[step] / estimate
-        a, a_m = (_servo(rate * dt, u, u_before, x) for rate, x in ((behind.lag, a), (behind.modelled, a_m)))
+        lagged, a_m = (
+            _servo(w * dt, u, u_before, x) for w, x in ((behind.lag, lagged), (behind.modelled, a_m))
+        )
+        a += min(max(lagged - a, -behind.rate * dt), behind.rate * dt)
         late.append(truth[step] * a)
         error = late.pop(0) - estimate * a_m
         estimate *= math.exp(dt * gamma * modified_inverse(a_m, epsilon) * error / estimate)
