@@ -65,7 +65,7 @@ def test_variances(air: np.ndarray) -> None:
 
 
 def load_span() -> float:
-    return Plant(load_aircraft("vtail"), RATE).span()
+    return Plant(load_aircraft("vtail"), RATE).span_m
 
 
 def test_spectra(air: np.ndarray) -> None:

@@ -56,32 +56,25 @@ def test_a_finished_search_is_reported_without_flying(here: Path, called: Called
 
 @pytest.mark.slow
 def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
-    found = run(
-        tmp_path, "search", written(tmp_path, REAL.replace("at_most: 1", "at_most: 0.38")), "--out", "found"
-    )
+    def search(at_most: float, out: str, *options: str) -> subprocess.CompletedProcess[str]:
+        file = written(tmp_path, REAL.replace("at_most: 1", f"at_most: {at_most}"))
+        return run(tmp_path, "search", file, "--out", out, *options)
+
+    found = search(0.38, "found")
     assert found.returncode == 1, found.stderr
-    assert (
-        "The smallest failure found: a steady wind of " in found.stdout
-        and "It breaks 'held'." in found.stdout
-    )
+    assert "The smallest failure found: a steady wind of " in found.stdout
+    assert "It breaks 'held'." in found.stdout
     again = run(tmp_path, "run", "found/found.yaml", "--out", "again", "--no-plots")
     assert again.returncode == 1
     assert (tmp_path / "again/log.csv").read_bytes() == (tmp_path / "found/found/log.csv").read_bytes()
-    none = run(
-        tmp_path, "search", written(tmp_path, REAL.replace("at_most: 1", "at_most: 500")), "--out", "none"
-    )
+    none = search(500, "none", "--no-plots")
     assert none.returncode == 0 and "Not found in 24 flights." in none.stdout
-    refused = run(
-        tmp_path, "search", written(tmp_path, REAL.replace("at_most: 1", "at_most: 0.1")), "--out", "refused"
-    )
+    refused = search(0.1, "refused")
     assert refused.returncode == 2 and "breaks 'held' already" in refused.stderr
     assert not (tmp_path / "refused").exists()
-    likely = run(tmp_path, "search", "gusty.yaml", "--goal", "probability", "--set", "method=plain", "--out", "likely",
-                 "--set", "requirements.0.at_most=0.38")  # fmt: skip
-    assert (
-        likely.returncode == 0
-        and "probability" in json.loads((tmp_path / "likely/summary.json").read_text())["goal"]
-    )
+    likely = search(0.38, "likely", "--no-plots", "--goal", "probability", "--set", "method=plain")
+    assert likely.returncode == 0
+    assert json.loads((tmp_path / "likely/summary.json").read_text())["goal"] == "probability"
 
 
 @pytest.mark.slow

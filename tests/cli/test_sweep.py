@@ -73,7 +73,7 @@ def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) 
 
 @pytest.mark.slow
 def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
-    testbed.sweep(written(tmp_path), tmp_path / "whole", jobs=1, figures=False)
+    testbed.sweep(written(tmp_path), tmp_path / "whole", runs=6, jobs=1, figures=False)
     reference = tmp_path / "whole"
     result = run(tmp_path, "sweep", reference / "sweep.yaml", "--only", 5, "--out", "one")
     assert result.returncode in (0, 1), result.stderr

@@ -57,7 +57,7 @@ class Turbulence:
         noise = white_noise(settings.noise, rate_hz, steps, seed)
         self._record = np.zeros(1, _RECORD).view(np.recarray)
         (record,) = self._record
-        record.w20, record.dt, record.span = w20, 1.0 / rate_hz, plant.span()
+        record.w20, record.dt, record.span = w20, 1.0 / rate_hz, plant.span_m
         record.exceeded = dryden.EXCEEDED_FT, dryden.EXCEEDED_FT_S[severity(w20)]
         record.factors, record.air_factors = plant.factors[: len(STATE)], plant.air_factors
         self._mean, self._air = record.wind, record.air

@@ -1,26 +1,25 @@
-"""`testbed search`, and `testbed report` of a search folder: the smallest failure, or how likely one is.
-
-When a search ends early, or by Ctrl-C, its finished flights are kept.
-"""
+"""`testbed search`, and `testbed report` of a search folder: the smallest failure, or how likely one is."""
 
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 from typing import Any
 
 from testbed import monte_carlo, searching
 from testbed.cli.interrupts import tidily
-from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET
+from testbed.cli.keeping import flying, writing
+from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
 from testbed.reporting.search_page.words import answer
 from testbed.searches.run import run_search
-from testbed.sweeps.run import Stopped
 
 
 def search(options: argparse.Namespace) -> int:
-    """Search, print the answer, and return the exit status; raises BadInput when nothing can be searched."""
+    """Search, print the answer, and return the exit status.
+
+    Raises BadInput when nothing can be searched, and Ended when it ends early.
+    """
     how = monte_carlo.options(options.jobs, options.cluster, "none")
     plan, folder = searching.prepare(
         options.search,
@@ -32,22 +31,11 @@ def search(options: argparse.Namespace) -> int:
         controllers=options.controller,
     )
     with tidily():
-        try:
+        with flying():
             found = run_search(plan, folder, how, resume=options.resume)
-        except Stopped as stopped:
-            print(stopped, file=sys.stderr)
-            return INTERRUPTED if isinstance(stopped.__context__, KeyboardInterrupt) else ENDED_EARLY
-        again = "every flight is kept; --resume writes the rest"
-        try:
-            with working("drawing and writing"):
-                job = how.job(plan.plan)
-                summary = searching.finish(plan, folder, found, job, figures=not options.no_plots)
-        except KeyboardInterrupt:
-            print(f"{folder}: interrupted; {again}", file=sys.stderr)
-            return INTERRUPTED
-        except OSError as error:
-            print(f"{folder}: cannot write: {error.strerror or error}; {again}", file=sys.stderr)
-            return ENDED_EARLY
+        with writing(folder, "--resume writes the rest"):
+            job = how.job(plan.plan)
+            summary = searching.finish(plan, folder, found, job, figures=not options.no_plots)
     _print(summary)
     print(f"wrote {folder}")
     return _status(summary)

@@ -10,3 +10,11 @@ ENDED_EARLY = 3
 """The command could not be carried out to its end, as on a full disk; what a sweep has flown is kept."""
 INTERRUPTED = 130
 """Ctrl-C: 128 and the number of the signal SIGINT, as shells have it."""
+
+
+class Ended(Exception):
+    """A command could not be carried out to its end: what to say on stderr, and the exit status."""
+
+    def __init__(self, words: str, status: int) -> None:
+        super().__init__(words)
+        self.status = status

@@ -1,31 +1,30 @@
-"""`testbed sweep`, and `testbed report` of a sweep folder: fly many variations, print how often they passed.
-
-When a sweep ends early, or by Ctrl-C, its finished flights are kept.
-"""
+"""`testbed sweep`, and `testbed report` of a sweep folder: fly many variations, print how often they passed."""
 
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 from typing import Any
 
 from testbed import monte_carlo
 from testbed.cli.flight import print_verdict
 from testbed.cli.interrupts import later, tidily
-from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET
+from testbed.cli.keeping import flying, writing
+from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
 from testbed.common.files import slug
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
 from testbed.reporting.sweep_page.answer import answer
-from testbed.sweeps.plan import Plan
-from testbed.sweeps.run import Options, Stopped, fly_sweep
+from testbed.sweeps.run import Options, fly_sweep
 
 
 def fly(options: argparse.Namespace) -> int:
-    """Fly a sweep, or one run of it, and return the exit status; raises BadInput when nothing can be flown."""
+    """Fly a sweep, or one run of it, print the answer, and return the exit status.
+
+    Raises BadInput when nothing can be flown, and Ended when it ends early.
+    """
     how = monte_carlo.options(options.jobs, options.cluster, options.save_logs)
     if options.only is None and options.variant is not None:
         raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
@@ -41,25 +40,10 @@ def fly(options: argparse.Namespace) -> int:
         controllers=options.controller,
     )
     with tidily():
-        return _flown(plan, folder, how, options)
-
-
-def _flown(plan: Plan, folder: Path, how: Options, options: argparse.Namespace) -> int:
-    try:
-        flights = fly_sweep(plan, folder, how, resume=options.resume)
-    except Stopped as stopped:
-        print(stopped, file=sys.stderr)
-        return INTERRUPTED if isinstance(stopped.__context__, KeyboardInterrupt) else ENDED_EARLY
-    rest = f"every flight is kept; `testbed report {folder}` writes the rest"
-    try:
-        with working("drawing and writing"):
+        with flying():
+            flights = fly_sweep(plan, folder, how, resume=options.resume)
+        with writing(folder, f"`testbed report {folder}` writes the rest"):
             summary = monte_carlo.finish(plan, folder, figures=not options.no_plots)
-    except KeyboardInterrupt:
-        print(f"{folder}: interrupted; {rest}", file=sys.stderr)
-        return INTERRUPTED
-    except OSError as error:
-        print(f"{folder}: cannot write: {error.strerror or error}; {rest}", file=sys.stderr)
-        return ENDED_EARLY
     print_answer(summary)
     print(flights if flights.count else "no flight was missing")
     print(f"wrote {folder}")

@@ -222,10 +222,6 @@ class Plant:
         `air_factors`. The model feels the rotation if the plant was made with `rotating_air`."""
         _exhaust(map(call, self._put_air, air))
 
-    def span(self) -> float:
-        """Span of the wing [m]."""
-        return self["metrics/bw-ft"] * METRES_PER_FOOT
-
     def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
         """Switch on Dryden turbulence, which builds up from zero.
 
