@@ -168,6 +168,7 @@ def parser() -> argparse.ArgumentParser:
         "make a small project: a scenario, a sweep, a controller, and schemas for editors",
     )
     command.add_argument("folder", type=Path, help="new or empty folder")
+    command.add_argument("--aircraft", metavar="AIRCRAFT", help="name or folder of the one that is flown")
 
     command = _command(commands, "completion", _completion, "print the completion script of a shell")
     command.add_argument("shell", choices=completion.SHELLS)
@@ -445,7 +446,7 @@ def _schema(options: argparse.Namespace) -> int:
 def _init(options: argparse.Namespace) -> int:
     from testbed.cli import project
 
-    project.make(options.folder)
+    project.make(options.folder, options.aircraft or project.USUAL)
     return MET
 
 
