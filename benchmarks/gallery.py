@@ -4,7 +4,7 @@
     python benchmarks/gallery.py FOLDER... --results runs/gallery --document docs/results/gallery.md
 
 A FOLDER is an aircraft's name or folder, as in a scenario; `testbed adopt` makes those of the jsbsim package. Flights that are
-in the results' folder already are not flown again.
+in the results' folder already are not flown again. `--seeds 3` flies each in three turbulences; calm air has one.
 
 The mission takes 90 s: a turn by 30 deg at 5 s, a climb by 20 m at 25 s, and the failure at 20 s, in the turn. A glider does not
 climb. An aircraft survives if it is flown to the end. It holds if altitude stays within half a second of flight of its
@@ -25,6 +25,7 @@ import yaml
 from testbed import fly
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.inputs.problems import BadInput
+from testbed.sweeps.statistics import proportion
 
 DURATION_S, TURN_S, FAILURE_S, CLIMB_S = 90.0, 5.0, 20.0, 25.0
 TURN_DEG, CLIMB_M = 30.0, 20.0
@@ -34,7 +35,11 @@ CONTROLLERS: Mapping[str, Mapping[str, Any]] = {
     "default": {"type": "adaptive_inversion"},
     "indi": {"type": "indi"},
 }
+SEED = 90001
+"""Of the first turbulence."""
 Row = dict[str, Any]
+Case = tuple[str, str, str, float, int]
+"""Controller, air, actuator that breaks, its effectiveness, seed."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -52,17 +57,24 @@ def rows_of(folder: str, options: argparse.Namespace) -> list[Row]:
     rows = [json.loads(line) for line in file.read_text().splitlines()] if file.is_file() else []
     if options.flown:
         return rows
-    done = {(row["controller"], row["air"], row["actuator"], row["value"]) for row in rows}
+    done = {(row["controller"], row["air"], row["actuator"], row["value"], row["seed"]) for row in rows}
+    for case in _cases(aircraft, options):
+        if case not in done:
+            row = flown(folder, aircraft, *case)
+            rows.append(row)
+            with file.open("a") as stream:
+                stream.write(json.dumps(row) + "\n")
+            print(_words(row), flush=True)
+    return rows
+
+
+def _cases(aircraft: Aircraft, options: argparse.Namespace) -> Iterator[Case]:
+    """What is flown with an aircraft."""
     for controller in options.controllers.split(","):
         for air in options.air.split(","):
-            for actuator, value in _failures(aircraft, options):
-                if (controller, air, actuator, value) not in done:
-                    row = flown(folder, aircraft, controller, air, actuator, value)
-                    rows.append(row)
-                    with file.open("a") as stream:
-                        stream.write(json.dumps(row) + "\n")
-                    print(_words(row), flush=True)
-    return rows
+            for seed in range(SEED, SEED + (options.seeds if W20_M_S[air] else 1)):
+                for actuator, value in _failures(aircraft, options):
+                    yield controller, air, actuator, value, seed
 
 
 def _failures(aircraft: Aircraft, options: argparse.Namespace) -> Iterator[tuple[str, float]]:
@@ -76,7 +88,7 @@ def _failures(aircraft: Aircraft, options: argparse.Namespace) -> Iterator[tuple
 
 
 def scenario(
-    folder: str, aircraft: Aircraft, controller: str, air: str, actuator: str, value: float
+    folder: str, aircraft: Aircraft, controller: str, air: str, actuator: str, value: float, seed: int
 ) -> dict[str, Any]:
     """One flight of the mission."""
     at, glider = aircraft.reference, not powered(aircraft)
@@ -84,7 +96,7 @@ def scenario(
     climb = [] if glider else [{"at_s": CLIMB_S, "altitude_m": at.altitude_m + CLIMB_M}]
     failure = {"type": "effectiveness", "actuator": actuator, "at_s": FAILURE_S, "value": value}
     return {
-        "name": f"gallery {aircraft.name}", "aircraft": folder, "duration_s": DURATION_S, "rate_hz": 200, "seed": 90001,
+        "name": f"gallery {aircraft.name}", "aircraft": folder, "duration_s": DURATION_S, "rate_hz": 200, "seed": seed,
         "initial": start, "controller": dict(CONTROLLERS[controller]),
         "commands": [{"at_s": 0, **start}, {"at_s": TURN_S, "heading_deg": 90.0 + TURN_DEG}, *climb],
         "failures": [failure] if actuator else [],
@@ -92,15 +104,18 @@ def scenario(
     }  # fmt: skip
 
 
-def flown(folder: str, aircraft: Aircraft, controller: str, air: str, actuator: str, value: float) -> Row:
+def flown(
+    folder: str, aircraft: Aircraft, controller: str, air: str, actuator: str, value: float, seed: int
+) -> Row:
     """Fly one and say what came of it."""
+    case = controller, air, actuator, value, seed
     with tempfile.TemporaryDirectory() as scratch:
         file = Path(scratch) / "gallery.yaml"
-        file.write_text(yaml.safe_dump(scenario(folder, aircraft, controller, air, actuator, value)))
+        file.write_text(yaml.safe_dump(scenario(folder, aircraft, *case)))
         try:
             flight = fly(file)
         except BadInput as error:  # such as a controller that has no design for this aircraft
-            return _row(aircraft, controller, air, actuator, value, refused=str(error.problems[0]))
+            return _row(aircraft, case, refused=str(error.problems[0]))
     since = flight.log[flight.log["time_s"] >= (FAILURE_S if actuator else 0.0)]
     altitude = (since["altitude_m"] - since["altitude_command_m"]).abs().max()
     heading = ((since["heading_deg"] - since["heading_command_deg"] + 180.0) % 360.0 - 180.0).abs().max()
@@ -109,19 +124,12 @@ def flown(folder: str, aircraft: Aircraft, controller: str, air: str, actuator: 
     within = not powered(aircraft) or altitude <= ALTITUDE_S * aircraft.reference.airspeed_m_s
     held = survived and bool(within) and bool(heading <= HEADING_DEG)
     errors = {"altitude_m": float(altitude), "heading_deg": float(heading)}
-    return _row(
-        aircraft, controller, air, actuator, value, survived=survived, held=held, end_s=end_s, **errors
-    )
+    return _row(aircraft, case, survived=survived, held=held, end_s=end_s, **errors)
 
 
-def _row(aircraft: Aircraft, controller: str, air: str, actuator: str, value: float, **result: Any) -> Row:
-    what = {
-        "aircraft": aircraft.name,
-        "controller": controller,
-        "air": air,
-        "actuator": actuator,
-        "value": value,
-    }
+def _row(aircraft: Aircraft, case: Case, **result: Any) -> Row:
+    what = {"aircraft": aircraft.name, "powered": powered(aircraft)}
+    names = "controller", "air", "actuator", "value", "seed"
     none = {
         "survived": False,
         "held": False,
@@ -130,7 +138,7 @@ def _row(aircraft: Aircraft, controller: str, air: str, actuator: str, value: fl
         "heading_deg": 0.0,
         "refused": "",
     }
-    return {**what, "powered": powered(aircraft), **none, **result}
+    return {**what, **dict(zip(names, case, strict=True)), **none, **result}
 
 
 def powered(aircraft: Aircraft) -> bool:
@@ -174,13 +182,23 @@ def page(rows: Sequence[Row]) -> Iterator[str]:
             + " |"
         )
     yield ""
-    yield "| lost | air | controller | held | survived | flown |"
-    yield "| --- | --- | --- | --- | --- | --- |"
-    counted = [row for row in rows if row["value"] == 0.0 or not row["actuator"]]
+    yield "Of powered aircraft, with the 95 % interval of Wilson:"
+    yield ""
+    yield "| lost | air | controller | aircraft | flown | held | survived |"
+    yield "| --- | --- | --- | --- | --- | --- | --- |"
+    counted = [row for row in rows if row["powered"] and (row["value"] == 0.0 or not row["actuator"])]
     for key in sorted({(_part(r), r["air"], r["controller"]) for r in counted}):
         these = [r for r in counted if (_part(r), r["air"], r["controller"]) == key]
-        counts = sum(r["held"] for r in these), sum(r["survived"] for r in these), len(these)
-        yield f"| {' | '.join(key)} | " + " | ".join(map(str, counts)) + " |"
+        kinds_flown = len({r["aircraft"] for r in these})
+        shares = (_share(these, "held"), _share(these, "survived"))
+        yield f"| {' | '.join(key)} | {kinds_flown} | {len(these)} | {' | '.join(shares)} |"
+
+
+def _share(rows: Sequence[Row], what: str) -> str:
+    """A count of flights, and the interval of their share."""
+    count = sum(row[what] for row in rows)
+    interval = proportion(count, len(rows))
+    return f"{count} ({100 * interval.low:.0f} to {100 * interval.high:.0f} %)"
 
 
 def _part(row: Row) -> str:
@@ -213,6 +231,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--controllers", default="default,indi")
     parser.add_argument("--air", default="calm,turbulent")
     parser.add_argument("--values", default="0.4,0", help="effectiveness of the broken actuator")
+    parser.add_argument("--seeds", type=int, default=1, help="turbulences in which each is flown")
     parser.add_argument(
         "--actuators", default="", help="words in the names of those to break; all by default"
     )

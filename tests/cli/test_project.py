@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
-from command_line import Called, testbed
+import yaml
+from command_line import ROOT, Called, testbed
 
 
 def test_the_project_is_valid(called: Called, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -17,6 +19,27 @@ def test_the_project_is_valid(called: Called, tmp_path: Path, monkeypatch: pytes
         Path("scenario.yaml").read_text().splitlines()[:1] + Path("sweep.yaml").read_text().splitlines()[:1]
     ):
         assert Path(line.partition("$schema=")[2]).is_file()
+
+
+def test_a_project_for_an_aircraft_of_ones_own(
+    called: Called, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It breaks the first actuator of that aircraft, and climbs from its own altitude."""
+    shutil.copytree(ROOT / "examples" / "minimal", tmp_path / "minimal")
+    monkeypatch.chdir(tmp_path)
+    assert called("init", "mine", "--aircraft", "./minimal")[0] == 0
+    monkeypatch.chdir("mine")
+    scenario = yaml.safe_load(Path("scenario.yaml").read_text())
+    assert scenario["aircraft"] == str(tmp_path / "minimal")
+    assert scenario["failures"][0]["actuator"] == "elevator"
+    assert scenario["commands"][0]["altitude_m"] == 310
+    assert called("validate", "scenario.yaml", "sweep.yaml")[0] == 0
+
+
+def test_no_project_for_an_aircraft_that_is_not_there(called: Called, tmp_path: Path) -> None:
+    status, _, err = called("init", str(tmp_path / "mine"), "--aircraft", "./nowhere")
+    assert status == 2 and "nowhere" in err
+    assert not (tmp_path / "mine").exists()
 
 
 def test_a_folder_with_something_in_it_is_left_alone(called: Called, tmp_path: Path) -> None:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import ROOT
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, ROWS, DesignModel, load_design_model
@@ -14,6 +17,11 @@ from testbed.inputs.problems import BadInput
 from testbed.plant.identification import identify, stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import accelerations, trim
+
+
+@pytest.fixture
+def minimal_copy(tmp_path: Path) -> Path:
+    return Path(shutil.copytree(ROOT / "examples" / "minimal", tmp_path / "minimal"))
 
 
 @pytest.fixture(scope="module")
@@ -87,3 +95,19 @@ def test_the_stall_is_where_the_lift_curve_bends(vtail: Aircraft) -> None:
     """The lift table of vtail.xml is straight up to 0.209 rad and at its highest at 0.236 rad."""
     kept = load_design_model(vtail.folder / DESIGN_MODEL)
     assert 0.209 < kept.stall_alpha_rad < 0.236
+
+
+def test_drag_by_the_size_of_sideslip_is_found(minimal_copy: Path) -> None:
+    """CD = 2 |beta| slows by 2 q S cos(alpha) / m; mass and wing are those of minimal.xml. Nothing else has such a term."""
+    xml = minimal_copy / "minimal.xml"
+    drag = '<axis name="DRAG"><function name="aero/sideslip"><product><property>aero/qbar-area</property><value>2</value>'
+    drag += "<abs><property>aero/beta-rad</property></abs></product></function>"
+    xml.write_text(xml.read_text().replace('<axis name="DRAG">', drag))
+    found = identify(load_aircraft(str(minimal_copy)))
+    slower = found.density_kg_m3 * found.airspeed_m_s**2 * 0.5 * math.cos(found.alpha_rad) / 4.0
+    assert found.sideslip[ROWS.index("u_dot")] == pytest.approx(-slower, rel=1e-3)
+    assert np.count_nonzero(found.sideslip) == 1
+
+
+def test_the_vtail_has_none(model: DesignModel) -> None:
+    assert not np.any(model.sideslip)

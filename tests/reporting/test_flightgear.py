@@ -13,16 +13,18 @@ import pytest
 from pymavlink.fgFDM import fgFDM
 from short_flights import scenario
 
+from testbed.aircraft.description import Aircraft
 from testbed.common.signals import STATE
 from testbed.inputs.problems import BadInput
+from testbed.plant.identification import stored
 from testbed.reporting.export.place import Origin
-from testbed.reporting.flightgear import LAYOUT, RATE_HZ, Viewer, address_of
+from testbed.reporting.flightgear import LAYOUT, RATE_HZ, Viewer, address_of, facts_of
 from testbed.simulation import fly
 
 ACTUATORS = {
-    "left_ruddervator": {"kind": "servo", "limits": (-25.0, 20.0)},
-    "right_ruddervator": {"kind": "servo", "limits": (-25.0, 20.0)},
-    "left_propeller": {"kind": "motor", "limits": (-1.0, 8.0)},
+    "left_ruddervator": {"kind": "servo", "limits": (-25.0, 20.0), "turning": (0.0, -40.0, -18.0)},
+    "right_ruddervator": {"kind": "servo", "limits": (-25.0, 20.0), "turning": (0.0, -40.0, 18.0)},
+    "left_propeller": {"kind": "motor", "limits": (-1.0, 8.0), "turning": (9.0, 9.0, 9.0)},
 }
 VALUES = {
     "north": 1000.0, "east": 500.0, "altitude": 310.0, "airspeed": 18.0, "climb_rate": 1.5,
@@ -104,6 +106,22 @@ def test_every_field_is_that_of_the_specification(receiver: socket.socket) -> No
         set(read.mapping.vars) - named
     ):  # engines' temperatures, fuel, wheels: nothing is known of them
         assert all(read.get(name, i) == 0 for i in range(read.mapping.vars[name].arraylength)), name
+
+
+def test_each_surface_is_shown_by_what_it_turns(vtail: Aircraft, receiver: socket.socket) -> None:
+    """Both tails up by half their travel: half an elevator up, no rudder. Left down and right up: nose to the left."""
+    facts = facts_of(vtail.actuators, stored(vtail))
+    show = Viewer(address_of(f"127.0.0.1:{receiver.getsockname()[1]}"), facts, Origin(0.0, 0.0))
+    stop = vtail.actuators["left_ruddervator"].limits[1]
+    wanted = {(-0.5, -0.5): (-0.5, 0.0, 0.0), (1.0, -1.0): (0.0, -1.0, 1.0)}
+    for i, ((left, right), (elevator, rudder, aileron)) in enumerate(wanted.items()):
+        state = row()[: len(STATE)]
+        show(0.1 * i, np.array([*state, left * stop, right * stop, 3.0, 3.0]))
+        read = fgFDM()
+        read.parse(receiver.recv(1000))
+        assert read.get("elevator") == pytest.approx(elevator, abs=1e-6)
+        assert read.get("rudder") == pytest.approx(rudder, abs=1e-6)
+        assert read.get("left_aileron") == pytest.approx(aileron, abs=1e-6) == -read.get("right_aileron")
 
 
 def test_packets_come_in_real_time(receiver: socket.socket) -> None:

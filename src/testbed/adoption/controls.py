@@ -44,7 +44,7 @@ class Surface:
     """One surface that can be controlled, or several that the model moves as one.
 
     Attributes:
-        name: of the actuator, such as `left_aileron`.
+        name: of the actuator.
         readings: what the aerodynamics read of it.
         travel: lowest and highest deflection [rad].
         stick: which of `wiring.STICKS` moves it most; None where none moved it on the bench.

@@ -72,7 +72,7 @@ class Actuator(Settings):
     kind: str
     """What kind of actuator it is."""
     prefix: Text
-    """Beginning of the names of its properties in the JSBSim model, such as `actuator/left-tail`."""
+    """Beginning of the names of its properties in the JSBSim model, such as `actuator/NAME`."""
     unit: Text
     """Unit of `limits`, `rate_limit`, `scale` and the log's columns: `deg` for a servo, `N` for a motor."""
     limits: tuple[Number, Number]

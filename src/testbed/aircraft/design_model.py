@@ -5,11 +5,11 @@ It never reads the truth in flight. A scenario may set an error of its coefficie
 
 The state function is made of the usual stability derivatives about one level trim (alpha_0, V_0):
 
-    x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta) + (V/V_0) (A_p p + A_q q + A_r r) + k(x) + B u
+    x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta + c |beta|) + (V/V_0) (A_p p + A_q q + A_r r) + k(x) + B u
 
 with s = (V/V_0)^2, the ratio of dynamic pressures, and k(x) the terms of gravity and of the rotation of the body axes. The
 rows are p_dot, q_dot, r_dot, u_dot (x_c, controlled), then v_dot, w_dot (x_u, not controlled). In B u, the columns of surfaces
-are multiplied by s.
+are multiplied by s. c is zero, but for models whose drag or moments go with the size of sideslip.
 """
 
 from __future__ import annotations
@@ -63,6 +63,7 @@ class DesignModel:
         identified_from: fingerprint of the aircraft's files.
         stall_alpha_rad: angle of attack at which the slope of the lift has fallen to half of that at the trim.
         span_m: wing span; None if it is not known.
+        sideslip: [6] c: rates per rad of |beta|, by `ROWS`.
     """
 
     airspeed_m_s: float
@@ -81,6 +82,7 @@ class DesignModel:
     identified_from: str = ""
     stall_alpha_rad: float = 0.6
     span_m: float | None = None
+    sideslip: tuple[float, ...] = (0.0,) * len(ROWS)
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cm_q`, and `Cn_NAME` of an actuator NAME."""
@@ -92,6 +94,7 @@ class DesignModel:
         `bias` is changed so that the reference trim is a trim of the new model too.
         """
         slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
+        beta = [factors.get(f"{_SYMBOLS[row]}_beta", 1.0) for row in ROWS]
         torques, offsets = np.array(self.torque_matrix), np.array(self.offset_matrix)
         for i, row in enumerate(ROWS):
             for j, name in enumerate(COLUMNS):
@@ -110,6 +113,7 @@ class DesignModel:
             torque_matrix=_rows(torques),
             offset_matrix=_rows(offsets),
             bias=tuple(map(float, bias)),
+            sideslip=tuple(map(float, np.multiply(self.sideslip, beta))),
         )
 
     def rates(self, x: Mapping[str, float | np.ndarray], u: Vector, effectiveness: Vector) -> np.ndarray:
@@ -120,20 +124,27 @@ class DesignModel:
             u: [..., n] actuator positions [rad or N].
             effectiveness: [n] of each actuator, 1 healthy, 0 lost.
         """
-        bias, a, inputs, offsets, servo = self._arrays
+        bias, a, inputs, offsets, sideslip, servo = self._arrays
         speed = np.asarray(x["airspeed"])[..., None] / self.airspeed_m_s
         pressure = speed * speed
         angles = np.stack([x["alpha"] - self.alpha_rad, x["beta"]], axis=-1)  # type: ignore[arg-type]
         turning = np.stack([x["p"], x["q"], x["r"]], axis=-1)  # type: ignore[arg-type]
-        aero = pressure * (bias + angles @ a[:, :2].T) + speed * (turning @ a[:, 2:].T)
+        even = np.abs(x["beta"])[..., None] * sideslip
+        aero = pressure * (bias + angles @ a[:, :2].T + even) + speed * (turning @ a[:, 2:].T)
         lam = np.asarray(effectiveness, dtype=float)
         acting = np.where(servo, pressure, 1.0) * lam * np.asarray(u)
         return aero + kinematics(x) + acting @ inputs.T + offsets @ lam
 
+    @property
+    def angle_slopes(self) -> np.ndarray:
+        """[6, 3] rates per rad of alpha, of beta and of |beta|, by `ROWS`."""
+        slopes = np.array(self.derivatives)[:, [COLUMNS.index("alpha"), COLUMNS.index("beta")]]
+        return np.column_stack([slopes, self.sideslip])
+
     @cached_property
     def _arrays(self) -> tuple[np.ndarray, ...]:
-        """bias, derivatives, input and offset matrix, and which actuators are servos, as arrays made once."""
-        fields = (self.bias, self.derivatives, self.input_matrix, self.offset_matrix)
+        """bias, derivatives, input and offset matrix, sideslip, and which actuators are servos, as arrays made once."""
+        fields = (self.bias, self.derivatives, self.input_matrix, self.offset_matrix, self.sideslip)
         return (*map(np.array, fields), np.array([kind == "servo" for kind in self.kinds]))
 
     def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
@@ -163,8 +174,9 @@ def _words(error: Exception) -> str:
 def _from_tree(data: dict[str, Any]) -> DesignModel:
     for key in ("derivatives", "input_matrix", "torque_matrix", "offset_matrix"):
         data[key] = tuple(map(tuple, data[key]))
-    for key in ("actuators", "kinds", "trim", "bias"):
-        data[key] = tuple(data[key])
+    for key in ("actuators", "kinds", "trim", "bias", "sideslip"):
+        if key in data:  # models of aircraft without it were stored before there was any
+            data[key] = tuple(data[key])
     data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
     model = DesignModel(**data)
     for wrong in _impossible(model):
@@ -176,7 +188,7 @@ def _impossible(model: DesignModel) -> Iterator[str]:
     """What no identification writes: numbers that are not finite, and arrays of another shape than the actuators ask for."""
     n = len(model.actuators)
     shapes = {
-        "trim": (n,), "bias": (len(ROWS),), "derivatives": (len(ROWS), len(COLUMNS)),
+        "trim": (n,), "bias": (len(ROWS),), "sideslip": (len(ROWS),), "derivatives": (len(ROWS), len(COLUMNS)),
         "input_matrix": (len(ROWS), n), "torque_matrix": (len(ROWS), n), "offset_matrix": (len(ROWS), n),
         "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (),
     }  # fmt: skip

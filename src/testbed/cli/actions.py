@@ -111,7 +111,7 @@ def schema(options: argparse.Namespace) -> int:
 def init(options: argparse.Namespace) -> int:
     from testbed.cli import project
 
-    project.make(options.folder)
+    project.make(options.folder, options.aircraft or project.USUAL)
     return MET
 
 

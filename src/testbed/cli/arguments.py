@@ -32,7 +32,9 @@ def of_sweep(command: ArgumentParser) -> None:
     runs = "number of runs; with --resume, a larger number adds runs"
     command.add_argument("--runs", type=whole_number, metavar="N", help=runs)
     _many_flights(command)
-    command.add_argument("--only", type=whole_number, metavar="I", help="fly run I alone and keep its whole log")
+    command.add_argument(
+        "--only", type=whole_number, metavar="I", help="fly run I alone and keep its whole log"
+    )
     variant = "with --only: fly only this one of the compared variants, into a run folder"
     command.add_argument("--variant", metavar="LABEL", help=variant)
     logs = "logs to keep: none, failed (default) or all"
@@ -117,6 +119,7 @@ def of_schema(command: ArgumentParser) -> None:
 
 def of_init(command: ArgumentParser) -> None:
     command.add_argument("folder", type=Path, help="new or empty folder")
+    command.add_argument("--aircraft", metavar="AIRCRAFT", help="name or folder of the one that is flown")
 
 
 def of_completion(command: ArgumentParser) -> None:

@@ -79,13 +79,13 @@ def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) 
     if address is None or scenario is None:
         return None
     from testbed.aircraft.changes import chosen
+    from testbed.plant.identification import stored
     from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
-    from testbed.reporting.flightgear import Viewer, address_of
+    from testbed.reporting.flightgear import Viewer, address_of, facts_of
 
     place = DEFAULT_ORIGIN if origin is None else parse_origin(origin)
-    actuators = chosen(scenario.aircraft).actuators
-    facts = {name: actuator.model_dump(include={"kind", "limits"}) for name, actuator in actuators.items()}
-    return Viewer(address_of(address), facts, place)
+    aircraft = chosen(scenario.aircraft)
+    return Viewer(address_of(address), facts_of(aircraft.actuators, stored(aircraft)), place)
 
 
 def write(flight: Flight, out: Path | None, add: Callable[[Path], object]) -> Path:

@@ -4,26 +4,49 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.shipped import data_root
 from testbed.cli.schema import TABLE, text_of
 from testbed.inputs.problems import BadInput, Problem
 
 TEMPLATES = Path(__file__).parent / "template"
 """The files that a new project begins with, beside the example of a controller."""
+EXAMPLE = Path("examples/my_controller.py")
+USUAL = "vtail"
+"""The aircraft of a project for which none is chosen."""
+_CLIMB_M = 10
 
 
-def make(folder: Path) -> None:
-    """Fill a new or empty folder; raises BadInput if it holds something already, or cannot be written."""
+def make(folder: Path, choice: str = USUAL) -> None:
+    """Fill a new or empty folder; raises BadInput if it holds something already, or cannot be written.
+
+    Args:
+        choice: name or folder of the aircraft that is flown; raises BadInput if there is none.
+    """
+    aircraft = load_aircraft(choice)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
             raise BadInput([Problem("is not empty", str(folder), expected="a new or empty folder")])
-        for file in [*sorted(TEMPLATES.iterdir()), data_root() / "examples" / "my_controller.py"]:
-            if file.is_file():
-                (folder / file.name).write_bytes(file.read_bytes())
+        for file in sorted(each for each in TEMPLATES.iterdir() if each.is_file()):
+            text = _filled(file.read_text(encoding="utf-8"), choice, aircraft)
+            (folder / file.name).write_text(text, encoding="utf-8")
+        (folder / EXAMPLE.name).write_bytes((data_root() / EXAMPLE).read_bytes())
         (folder / "schemas").mkdir()
         for kind in TABLE:
             (folder / "schemas" / f"{kind}.json").write_text(text_of(kind), encoding="utf-8")
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
     print(f"wrote {folder}: README.md says what to run")
+
+
+def _filled(text: str, choice: str, aircraft: Aircraft) -> str:
+    """A template with the aircraft's own facts; one that is given by its folder is named by the whole path."""
+    facts = {
+        "AIRCRAFT": str(Path(choice).resolve()) if Path(choice).is_dir() else choice,
+        "ACTUATOR": next(iter(aircraft.actuators)),
+        "ALTITUDE": f"{aircraft.reference.altitude_m + _CLIMB_M:g}",
+    }
+    for word, fact in facts.items():
+        text = text.replace(word, fact)
+    return text

@@ -63,6 +63,7 @@ MODEL = (
     Field("bias", (4,), "x_c", "f_m at the reference condition, gravity apart; it includes `offset`", "(2)"),
     Field("offset", (4,), "x_c", "effect of the part of propeller torque that does not vary with thrust"),
     Field("A", (4, len(COLUMNS)), "x_c per rad, rad/s", "derivatives of f_m, columns D_ALPHA to D_R", "(2)"),
+    Field("sideslip", (4,), "x_c per rad", "effect of the size of sideslip, beta of either sign"),
     Field("B", (4, _N), "x_c per scaled unit", "B_m, input matrix with rotors at steady speed", "(2)"),
     Field("B_inv", (_N, 4), "scaled units per x_c", "B_m^-1 (pseudo-inverse)", "(6)"),
     Field("B_torque", (4, _N), "x_c per N m", "effect of torque beyond `torque_slope` times thrust"),

@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import linprog
 
 from testbed.aircraft.control_design import Axis
-from testbed.aircraft.design_model import COLUMNS, DesignModel
+from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 
@@ -61,8 +61,7 @@ def gust_disturbance(model: DesignModel) -> np.ndarray:
     A gust w changes alpha by w/V, a gust v changes beta by v/V, and a gust u the dynamic pressure by 2 u/V.
     """
     angle = GUST_STD_M_S / model.airspeed_m_s
-    slopes = np.array(model.derivatives)[:4]
-    columns = [slopes[:, COLUMNS.index("alpha")], slopes[:, COLUMNS.index("beta")]]
+    columns = model.angle_slopes[:4].T
     surfaces = [kind == "servo" for kind in model.kinds]
     aerodynamic = np.array(model.bias)[:4] + np.array(model.input_matrix)[:4] @ np.multiply(
         surfaces, model.trim

@@ -19,7 +19,7 @@ from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.records import D_ALPHA, D_BETA, D_P, U_DOT
+from testbed.controllers.records import D_P, U_DOT
 from testbed.controllers.released_axes import authorities
 from testbed.inputs.base import Settings
 
@@ -106,7 +106,7 @@ def gust_density(model: DesignModel) -> np.ndarray:
     """[4] disturbance of each rate by gusts, as `GustDensity`: gusts change the angles by gust velocity over airspeed, and roll the
     aircraft by their change along its span."""
     slopes = np.array(model.derivatives)[:4]
-    angles = slopes[:, [D_ALPHA, D_BETA]] / model.airspeed_m_s
+    angles = model.angle_slopes[:4] / model.airspeed_m_s
     rolling = _ROLLING_GUST / model.span_m * slopes[:, D_P] if model.span_m else np.zeros(4)
     gust = GUST_M_S * math.sqrt(model.airspeed_m_s / _GUST_SPEED_M_S)
     aerodynamic = gust * np.sqrt(np.sum(np.square(angles), axis=1) + np.square(rolling))
@@ -115,7 +115,7 @@ def gust_density(model: DesignModel) -> np.ndarray:
 
 def model_error_std(model: DesignModel) -> np.ndarray:
     """[4] error of the design model in each rate at its own trim, as `TrimModelError`."""
-    error = _MODEL_ANGLE * np.linalg.norm(np.array(model.derivatives)[:4, [D_ALPHA, D_BETA]], axis=1)
+    error = _MODEL_ANGLE * np.linalg.norm(model.angle_slopes[:4], axis=1)
     error[U_DOT] = _MODEL_U_DOT
     return np.maximum(error, 1e-3)
 

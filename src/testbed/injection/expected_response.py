@@ -1,7 +1,7 @@
 """The response that an actuator should have to the properties of its block in the JSBSim model, computed in Python.
 
 `testbed.injection.receipt` compares the plant with this response. An actuator's block is all properties under its prefix,
-such as `actuator/left-tail/`. The aircraft's XML must implement the response that the classes here describe.
+such as `actuator/NAME/`. The aircraft's XML must implement the response that the classes here describe.
 """
 
 from __future__ import annotations

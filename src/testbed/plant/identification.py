@@ -72,6 +72,7 @@ def identify(aircraft: Aircraft) -> DesignModel:
         identified_from=aircraft.fingerprint(),
         stall_alpha_rad=_stall_angle(plant, level),
         span_m=plant.span_m or None,
+        sideslip=_sideslip(plant, level, slopes),
     )
 
 
@@ -124,6 +125,25 @@ def _stall_angle(plant: Plant, level: Trim) -> float:
     slopes = np.diff(rates)
     (stalled,) = np.nonzero(slopes / slopes[0] < 0.5)
     return float(alphas[stalled[0]]) if len(stalled) else _ALPHA_MAX
+
+
+def _sideslip(plant: Plant, level: Trim, slopes: np.ndarray) -> tuple[float, ...]:
+    """[6] rates per rad of |beta|, in the rows where that outweighs the slopes by alpha and beta together, else zero.
+
+    Some models have drag or moments that go with |beta|, and so have a kink where the other derivatives are taken. The even part
+    of a rate is a |beta| + b beta^2 about zero sideslip; its values at two steps give a. Where a matters less, as where a table
+    has a point at zero, the linear model is the better one at larger angles.
+    """
+
+    def rates(beta: float) -> np.ndarray:
+        state = {**_with_rates(level.state), "beta": level.state["beta"] + beta}
+        return _rates(plant, state, level.commands) - kinematics(state)
+
+    middle = rates(0.0)
+    near, far = (0.5 * (rates(h) + rates(-h)) - middle for h in (_ANGLE_STEP, 2.0 * _ANGLE_STEP))
+    kinks = (4.0 * near - far) / (2.0 * _ANGLE_STEP)
+    linear = np.hypot(slopes[:, COLUMNS.index("alpha")], slopes[:, COLUMNS.index("beta")])
+    return tuple(map(float, np.where(np.abs(kinks) > linear, kinks, 0.0)))
 
 
 def input_matrix(plant: Plant, level: Trim) -> np.ndarray:

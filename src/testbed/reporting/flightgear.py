@@ -2,6 +2,10 @@
 
 A packet is the struct FGNetFDM of FlightGear's src/Network/net_fdm.hxx, version 24: 408 bytes in network byte order. Angles are
 in rad, lengths in m, but speeds in ft/s and the calibrated airspeed in kt, as there. What a flight does not know is 0.
+
+FlightGear's aircraft has an elevator, ailerons and a rudder, whatever surfaces the aircraft here has. They show how much of the
+greatest pitching, rolling and yawing moment the surfaces give: an elevator down turns the nose down, a left aileron down rolls to
+the right, and FlightGear's rudder is positive to the right.
 """
 
 from __future__ import annotations
@@ -16,6 +20,8 @@ from typing import Any
 
 import numpy as np
 
+from testbed.aircraft.description import AnyActuator
+from testbed.aircraft.design_model import DesignModel
 from testbed.common.frames import body_from_ned
 from testbed.common.signals import STATE
 from testbed.common.units import GRAVITY_M_S2, METRES_PER_FOOT, METRES_PER_SECOND_PER_KNOT
@@ -40,15 +46,17 @@ RATE_HZ = 60.0
 _RUNNING, _MOST_ENGINES = 2, 4
 _RPM = 6000.0  # of a propeller at full thrust: only its picture turns
 _VISIBILITY_M = 30000.0
-_SURFACES = {
-    "elevator": {"elevator": 1.0, "left_ruddervator": 0.5, "right_ruddervator": 0.5},
-    "left_aileron": {"left_aileron": 1.0, "aileron": 1.0},
-    "right_aileron": {"right_aileron": 1.0, "aileron": -1.0},
-    "rudder": {"rudder": 1.0, "left_ruddervator": -0.5, "right_ruddervator": 0.5},
-}
-"""What each of FlightGear's surfaces is made of: shares of the actuators' travel. A v-tail's pair is an elevator and a rudder."""
-
 Facts = Mapping[str, Mapping[str, Any]]
+
+
+def facts_of(actuators: Mapping[str, AnyActuator], model: DesignModel) -> Facts:
+    """What a packet needs of each actuator: its kind, its limits, and p_dot, q_dot and r_dot by half its travel."""
+    facts = {}
+    for i, (name, actuator) in enumerate(actuators.items()):
+        half = 0.5 * (actuator.limits[1] - actuator.limits[0])
+        turning = tuple(half * row[i] for row in model.input_matrix[:3])
+        facts[name] = {"kind": actuator.kind, "limits": actuator.limits, "turning": turning}
+    return facts
 
 
 def address_of(text: str) -> tuple[str, int]:
@@ -115,7 +123,7 @@ def packet(truth: np.ndarray, velocity: np.ndarray, actuators: Facts, origin: Or
     Args:
         truth: [17 + 2 n] `signals.STATE` in SI and radians, then the position of each of n actuators in its unit.
         velocity: [3] over the ground, north, east, down [m/s].
-        actuators: kind, unit and limits of each, in the order of `truth`.
+        actuators: `facts_of` each, in the order of `truth`.
         origin: where the flight starts; its altitude is not used here: sea level stays sea level.
     """
     s = dict(zip(STATE, truth.tolist(), strict=False))
@@ -127,10 +135,7 @@ def packet(truth: np.ndarray, velocity: np.ndarray, actuators: Facts, origin: Or
     turning = [abs(share[name]) for name, facts in actuators.items() if facts.get("kind") != "servo"]
     engines = turning[:_MOST_ENGINES] + [0.0] * (_MOST_ENGINES - len(turning))
     count = min(len(turning), _MOST_ENGINES)
-    surfaces = {
-        name: sum(part * share[of] for of, part in parts.items() if of in share)
-        for name, parts in _SURFACES.items()
-    }
+    roll, pitch, yaw = _moments(share, actuators)
     return LAYOUT.pack(
         VERSION,
         *(math.radians(longitude[0]), math.radians(latitude[0]), s["altitude"]),
@@ -148,8 +153,8 @@ def packet(truth: np.ndarray, velocity: np.ndarray, actuators: Facts, origin: Or
         *(0, *[0.0] * 4),
         *(0, *[0] * 3, *[0.0] * 9),
         *(0, 0, _VISIBILITY_M),
-        *(surfaces["elevator"], 0.0, 0.0, 0.0, surfaces["left_aileron"], surfaces["right_aileron"]),
-        *(surfaces["rudder"], 0.0, 0.0, 0.0),
+        *(-pitch, 0.0, 0.0, 0.0, roll, -roll),
+        *(yaw, 0.0, 0.0, 0.0),
     )
 
 
@@ -158,6 +163,17 @@ def _euler_rates(s: Mapping[str, float]) -> tuple[float, float, float]:
     sine, cosine = math.sin(s["roll"]), math.cos(s["roll"])
     turn = (s["q"] * sine + s["r"] * cosine) / max(math.cos(s["pitch"]), 1e-6)
     return s["p"] + turn * math.sin(s["pitch"]), s["q"] * cosine - s["r"] * sine, turn
+
+
+def _moments(share: Mapping[str, float], actuators: Facts) -> list[float]:
+    """[3] rolling, pitching and yawing moment of the surfaces, as shares of the greatest that they can give, -1 to 1."""
+    surfaces = [name for name, facts in actuators.items() if facts["kind"] == "servo"]
+    moments = []
+    for axis in range(3):
+        parts = [(actuators[name]["turning"][axis], share[name]) for name in surfaces]
+        greatest = sum(abs(turning) for turning, _ in parts)
+        moments.append(sum(turning * part for turning, part in parts) / greatest if greatest > 0.0 else 0.0)
+    return moments
 
 
 def _share(position: float, facts: Mapping[str, Any]) -> float:

@@ -47,7 +47,7 @@ class Progress:
 
     @property
     def words(self) -> str:
-        """`left_ruddervator: nearest failure at distance 2.31; 12 failures`."""
+        """`ACTUATOR: nearest failure at distance 2.31; 12 failures`."""
         if self._part is None:
             return ""
         label, nearest = self._plan.label(self._part), self._nearest.get(self._part.number)

@@ -6,6 +6,7 @@ The equations on the paper's ideal plant are in tests/theory/test_equations.py.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -54,6 +55,19 @@ def test_f_and_phi_are_the_design_models_rates(seed: int) -> None:
     offsets = np.array(MODEL.offset_matrix)[:4]
     share = pressure_ratio_of(y, m) * offsets.sum(axis=1) - offsets @ effectiveness
     assert w.f + w.phi @ effectiveness - share == pytest.approx(wanted, rel=1e-9, abs=1e-9)
+
+
+def test_f_has_the_effect_of_the_size_of_sideslip() -> None:
+    """c |beta| times the ratio of dynamic pressures, for sideslip to either side."""
+    sideslip = (1.0, -2.0, 3.0, -40.0, 0.0, 0.0)
+    with_it = replace(SETUP, model=replace(MODEL, sideslip=sideslip))
+    for beta in (-0.1, 0.1):
+        found = []
+        for setup in (SETUP, with_it):
+            y, (m, *_, w) = trim_state(MODEL, airspeed=36.0, beta=beta), records_of(setup)
+            state_function(y, m, w.f)
+            found.append(w.f.copy())
+        assert found[1] - found[0] == pytest.approx(np.multiply(0.4, sideslip[:4]))
 
 
 def test_a_jammed_actuator_has_the_column_of_one_unit() -> None:

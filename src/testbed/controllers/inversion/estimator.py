@@ -37,7 +37,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
     speed = y.airspeed / m.airspeed
     for i in range(4):
         alpha = pressure_ratio * m.A[i, D_ALPHA] * (y.alpha - m.alpha)
-        beta = pressure_ratio * m.A[i, D_BETA] * y.beta
+        beta = pressure_ratio * (m.A[i, D_BETA] * y.beta + m.sideslip[i] * abs(y.beta))
         p, q, r = speed * m.A[i, D_P] * y.p, speed * m.A[i, D_Q] * y.q, speed * m.A[i, D_R] * y.r
         squares = alpha * alpha + beta * beta + p * p + q * q + r * r
         for j in range(len(s.lambda_hat)):

@@ -30,6 +30,7 @@ def state_function(y, m, f):
     pressure_ratio = speed * speed
     for i in range(4):
         angles = m.bias[i] + m.A[i, D_ALPHA] * (y.alpha - m.alpha) + m.A[i, D_BETA] * y.beta
+        angles += m.sideslip[i] * abs(y.beta)
         rates = m.A[i, D_P] * y.p + m.A[i, D_Q] * y.q + m.A[i, D_R] * y.r
         f[i] = pressure_ratio * angles + speed * rates
     v = y.airspeed * math.sin(y.beta)
