@@ -26,6 +26,7 @@ from testbed.sweeps.load import load_sweep
 from testbed.sweeps.plan import Plan
 from testbed.sweeps.run import Options, fly_only, fly_sweep
 from testbed.sweeps.workers.flying import SAVE_LOGS, Fly, fly_task
+from testbed.sweeps.workers.pool import MOST_JOBS
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -89,8 +90,9 @@ def written(changes: Mapping[str, Any]) -> list[str]:
 def options(jobs: int | None, cluster: str | None, save_logs: str, fly: Fly | None = None) -> Options:
     """The checked options of `fly_sweep`; raises BadInput when one is out of range."""
     problems = []
-    if jobs is not None and jobs < 1:
-        problems.append(Problem(f"is {jobs}", "--jobs", expected="at least 1"))
+    if jobs is not None and not 1 <= jobs <= MOST_JOBS:
+        limit = "at least 1" if jobs < 1 else f"at most {MOST_JOBS}"
+        problems.append(Problem(f"is {jobs}", "--jobs", expected=limit))
     if save_logs not in SAVE_LOGS:
         problems.append(Problem(f"is {save_logs!r}", "--save-logs", expected="none, failed or all"))
     if problems:

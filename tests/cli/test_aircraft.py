@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from command_line import testbed
+from command_line import Called, testbed
 
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
@@ -32,3 +32,26 @@ def test_identify_writes_what_it_then_agrees_with(tmp_path: Path) -> None:
     assert damaged.returncode == 2
     assert damaged.stderr.startswith(f"{model}: is no design model: ")
     assert testbed(tmp_path, "identify", "vtial").returncode == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["", "--out", "new"], "no model is given, expected a model of the jsbsim package"),
+        (
+            ["c172"],
+            "no model 'c172', expected a model of the jsbsim package or the folder of a model, did you mean c172",
+        ),
+        (["c172p", "--out", "file"], "file: exists already, expected --out with a new folder"),
+        (["c172p", "--out", "file/below"], "file/below: cannot be written: Not a directory"),
+        (["c172p", "--out", "x" * 300], "x: cannot be written: File name too long"),
+        (["c172p", "--out", "a\x1b[31mb"], "has control characters in its name"),
+    ],
+)
+def test_what_cannot_be_adopted_is_refused_at_once(
+    here: Path, called: Called, arguments: list[str], words: str
+) -> None:
+    (here / "file").touch()
+    status, out, err = called("adopt", *arguments)
+    assert (status, out) == (2, "") and words in err, err
+    assert [path.name for path in here.iterdir()] == ["file"]

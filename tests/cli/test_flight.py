@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from command_line import ROOT, testbed
+from command_line import ROOT, Called, testbed
 from handmade import make_flight
 
 from testbed.cli.flight import write
@@ -77,3 +77,9 @@ def test_a_first_flight_says_that_it_compiles(tmp_path: Path) -> None:
         "left-tail-failure",
         "left-tail-failure-2",
     ]
+
+
+def test_an_origin_without_a_viewer_is_refused(here: Path, called: Called) -> None:
+    status, out, err = called("run", "scenarios/left_tail_fail.yaml", "--origin", "1,2")
+    assert (status, out) == (2, "")
+    assert err == "--origin: is for FlightGear, expected --flightgear HOST:PORT beside it\n"

@@ -38,6 +38,7 @@ def test_a_bad_sweep_is_refused_and_leaves_nothing(here: Path, called: Called, a
     ("arguments", "words"),
     [
         (["--jobs", "0"], "--jobs: is 0, expected at least 1"),
+        (["--jobs", "100000"], "--jobs: is 100000, expected at most 1000"),
         (["--runs", "0"], "--runs: is 0, expected at least 1"),
         (["--save-logs", "some"], "--save-logs: is 'some', expected none, failed or all"),
         (["--only", "12"], "--only: there is no run 12, expected 0 to 11"),

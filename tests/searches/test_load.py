@@ -93,6 +93,8 @@ def test_a_sweeps_file_is_searched_with_a_goal(tmp_path: Path) -> None:
         "failures.0.at_s", "failures.0.value", "controller.model_error.Cm_alpha",
     ]  # fmt: skip
     assert "is a sweep, expected a search" in refused(sweep_written(tmp_path))
+    with pytest.raises(BadInput, match="is a scenario, expected a search; `testbed run` takes this file"):
+        load_search("scenarios/left_tail_fail.yaml", goal="smallest")
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [

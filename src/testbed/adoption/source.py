@@ -40,6 +40,9 @@ class Source:
         return self.folder / f"{self.name}.xml"
 
 
+_MODEL = "a model of the jsbsim package or the folder of a model"
+
+
 def package_root() -> Path:
     """JSBSim's root folder: that of the jsbsim package, with `aircraft`, `engine` and `systems`."""
     found = importlib.util.find_spec("jsbsim")
@@ -54,6 +57,8 @@ def find_source(model: str, root: Path) -> Source:
     Args:
         root: the folder of the jsbsim package, with `aircraft`, `engine` and `systems`.
     """
+    if not model:
+        raise BadInput([Problem("no model is given", expected=_MODEL)])
     packaged = root / "aircraft" / model
     folder = packaged if "/" not in model and packaged.is_dir() else Path(model).resolve()
     source = Source(folder.name, folder, root)
@@ -62,8 +67,7 @@ def find_source(model: str, root: Path) -> Source:
     if folder.is_dir():
         raise BadInput([Problem(f"has no {folder.name}.xml, which JSBSim would load", str(folder))])
     names = [each.name for each in (root / "aircraft").iterdir() if each.is_dir()]
-    expected = "a model of the jsbsim package or the folder of a model"
-    raise BadInput([Problem(f"no model {model!r}", expected=expected, suggestion=did_you_mean(model, names))])
+    raise BadInput([Problem(f"no model {model!r}", expected=_MODEL, suggestion=did_you_mean(model, names))])
 
 
 def read_whole(source: Source) -> ET.Element:

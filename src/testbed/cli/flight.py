@@ -75,7 +75,11 @@ def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
 
 
 def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) -> Viewer | None:
-    """What shows the flight in FlightGear at `HOST:PORT`; None for None."""
+    """What shows the flight in FlightGear at `HOST:PORT`; None for None. Raises BadInput for an origin that nothing would use."""
+    if address is None and origin is not None:
+        raise BadInput(
+            [Problem("is for FlightGear", "--origin", expected="--flightgear HOST:PORT beside it")]
+        )
     if address is None or scenario is None:
         return None
     from testbed.aircraft.changes import chosen

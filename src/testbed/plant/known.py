@@ -12,7 +12,7 @@ import json
 import os
 import tempfile
 import time
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
@@ -77,7 +77,10 @@ def _file_of(digest: str) -> Path | None:
 
 @lru_cache(1)
 def _rules() -> str:
-    """Digest of what a first load depends on besides the aircraft: JSBSim, and the modules that check and load."""
+    """Digest of what a first load depends on besides the aircraft: JSBSim, and the modules that check and load.
+
+    A module is taken to be as it was while its time and size are, as Python itself does to know whether compiled code is stale.
+    """
     found = importlib.util.find_spec(
         "jsbsim"
     )  # not its version, which takes longer to find than all else here
@@ -85,6 +88,15 @@ def _rules() -> str:
     text = hashlib.sha256(str(installed).encode())
     plant = Path(__file__).parent
     checks = plant.parent / "aircraft" / "model_files"
-    for file in (*sorted(checks.glob("*.py")), *sorted(plant.glob("*.py"))):
-        text.update(file.read_bytes())
+    for folder in (checks, plant):
+        text.update(repr(sorted(_modules(folder))).encode())
     return text.hexdigest()[:16]
+
+
+def _modules(folder: Path) -> Iterator[tuple[str, int, int]]:
+    """Name, time and size of each module of a package."""
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.name.endswith(".py"):
+                seen = entry.stat()
+                yield entry.name, seen.st_mtime_ns, seen.st_size

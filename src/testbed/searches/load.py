@@ -44,9 +44,10 @@ def load_search(
     With `goal` it may be a sweep's file: of its keys, those are used that a search has too.
     """
     source = yamlfile.read(find_scenario(path))
+    if goal is None or not is_sweep(source.tree):
+        refuse_other(source, "search")
     if goal is not None:
         _become(source, goal)
-    refuse_other(source, "search")
     search, builder = study_of(Search, source, settings, own)
     _choose_requirement(search, source, builder.base)
     plan = Plan(_sweep(search), name_of(search, path), builder, _DRAWS)

@@ -14,6 +14,10 @@ from testbed.sweeps.workers.worker import Child
 Done = tuple[Task, Flown]
 
 
+MOST_JOBS = 1000
+"""Most processes of one machine: each takes 200 MB and a thread of the parent's."""
+
+
 def default_jobs() -> int:
     """Number of cores that this process may run on."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
