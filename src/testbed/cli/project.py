@@ -45,7 +45,7 @@ def _filled(text: str, choice: str, aircraft: Aircraft) -> str:
     facts = {
         "AIRCRAFT": str(Path(choice).resolve()) if Path(choice).is_dir() else choice,
         "ACTUATOR": next(iter(aircraft.actuators)),
-        "ALTITUDE": f"{aircraft.reference.altitude_m + _CLIMB_M:g}",
+        "altitude_m: 310": f"altitude_m: {aircraft.reference.altitude_m + _CLIMB_M:g}",
     }
     for word, fact in facts.items():
         text = text.replace(word, fact)
