@@ -50,6 +50,11 @@ def test_a_finished_search_is_reported_without_flying(here: Path, called: Called
     status, out, err = called("report", "out")
     assert (status, err) == (1, "") and out.startswith("The smallest failure found: a steady wind of ")
     assert {"report.html", "figures"} <= {path.name for path in (here / "out").iterdir()}
+    (here / "out/summary.json").write_text("{")
+    status, out, err = called("report", "out")
+    assert (status, out) == (2, "") and err.startswith(
+        "out/summary.json: cannot be read, expected `testbed search --resume`"
+    )
     (here / "out/results.parquet").unlink()
     assert called("report", "out")[0] == 2
 

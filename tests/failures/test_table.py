@@ -184,7 +184,7 @@ OUT_OF_RANGE = [
     ("intermittent", "left_propeller", {"on_s": 0.001}, "on_s", "shorter than a control step"),
     ("intermittent", "left_propeller", {"value": 2}, "value", "less than or equal to 1"),
     ("decay", "left_propeller", {"shape": "exponentail"}, "shape", "did you mean exponential?"),
-    ("motor_stop", "left_propeller", {"braked": 1}, "braked", "boolean"),
+    ("motor_stop", "left_propeller", {"braked": 1}, "braked", "true or false"),
     ("surface_lost", "left_ruddervator", {"until_s": 1.0}, "until_s", "cannot be undone"),
 ]
 

@@ -45,9 +45,9 @@ CASES = [
     ({"zzz": 1}, ("zzz",), "unknown key", "one of shapes, by_name, corner, colour, copies, names", ""),
     ({"colour": "gren"}, ("colour",), "'gren' is not known", "", "green"),
     ({"colour": 3}, ("colour",), "3 is not known", "one of red, green", ""),
-    ({"copies": 1.5}, ("copies",), "is 1.5", "a valid integer", ""),
+    ({"copies": 1.5}, ("copies",), "is 1.5", "a whole number", ""),
     ({"copies": -1}, ("copies",), "is -1", "greater than or equal to 0", ""),
-    ({"copies": None}, ("copies",), "is empty", "a valid integer", ""),
+    ({"copies": None}, ("copies",), "is empty", "a whole number", ""),
     ({"corner": 3}, ("corner",), "is 3", "a list", ""),
     ({"corner": [1]}, ("corner", 1), "is missing", "", ""),
     ({"names": []}, ("names",), "has 0 entries", "at least 1", ""),
@@ -56,6 +56,7 @@ CASES = [
     ({"shapes": [{"kind": "square", "sid": 1}]}, ("shapes", 0, "sid"), "unknown key", "", "side"),
     ({"shapes": [{"kind": "sqare"}]}, ("shapes", 0, "kind"), "unknown kind 'sqare'", "", "square"),
     ({"shapes": [{"radius": 1}]}, ("shapes", 0, "kind"), "is missing", "", ""),
+    ({"shapes": [{"knid": "square"}]}, ("shapes", 0, "kind"), "is missing", "", "it by 'knid'"),
     ({"shapes": [3]}, ("shapes", 0), "is 3", "a mapping", ""),
     (
         {"by_name": {"a": {"kind": "square", "side": -1}}},
@@ -68,7 +69,7 @@ CASES = [
         {"by_name": {"a": {"kind": "circle", "radius": "1"}}},
         ("by_name", "a", "radius"),
         "is '1'",
-        "a valid number",
+        "a number",
         "",
     ),
 ]

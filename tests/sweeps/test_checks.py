@@ -38,7 +38,7 @@ REFUSED: list[tuple[str, str, list[str]]] = [
      [":11: vary.failures.0.value: choice is empty, expected a list of values"]),
     (VALUE, "failures.0.value: {uniform: [-0.5, 1]}",
      [":11: failures.0.value: is -0.5, expected greater than or equal to 0"]),
-    (VALUE, "failures.0.value: {choice: [0.5, much]}", [":11: failures.0.value: is 'much', expected a valid number"]),
+    (VALUE, "failures.0.value: {choice: [0.5, much]}", [":11: failures.0.value: is 'much', expected a number"]),
     (VALUE, "failures.0.value: 3", [":11: vary.failures.0.value: is 3, expected a distribution, as {uniform: [0, 1]}"]),
     ("weights: [1, 3]", "weights: [1]",
      [":12: vary.failures.0.actuator: has 1 weights for 2 choices, expected one weight each"]),
@@ -82,7 +82,7 @@ def test_what_every_draw_has_wrong_is_said_once(tmp_path: Path) -> None:
     with pytest.raises(BadInput) as refused:
         check(load_sweep(written(tmp_path, text)))
     (problem,) = refused.value.problems
-    assert problem.path == "rate_hz" and problem.expected == "a valid integer"
+    assert problem.path == "rate_hz" and problem.expected == "a whole number"
 
 
 def test_a_scenario_that_cannot_be_read_is_refused_where_it_is_named(tmp_path: Path) -> None:

@@ -9,8 +9,18 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel, Tag
 from pydantic_core import ErrorDetails
 
-from testbed.inputs.problems import Issue, TreePath, unknown
+from testbed.inputs.problems import Issue, TreePath, did_you_mean, unknown
 from testbed.inputs.yaml_source import describe
+
+_WORDS = {
+    "valid dictionary": "mapping",
+    "valid tuple": "list",
+    "a valid boolean": "true or false",
+    "a valid integer": "a whole number",
+    "a valid number": "a number",
+    "a valid string": "text",
+}
+"""What pydantic expects, in words that need no Python."""
 
 
 def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
@@ -24,7 +34,8 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
     if kind.startswith("union_tag"):
         here = (*path, str(context["discriminator"]).strip("'"))
         if kind == "union_tag_not_found":
-            return Issue(here, "is missing")
+            typo = did_you_mean(here[-1], map(str, given))
+            return Issue(here, "is missing", "", f"it by {typo!r}" if typo else "")
         names = [name.strip("' ") for name in context["expected_tags"].split(",")]
         return unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names)
     if kind == "literal_error" and get_origin(annotation) is Literal:
@@ -42,8 +53,10 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
 def _expected(message: str) -> str:
     """pydantic's "Input should be a valid dictionary or instance of X" as "a mapping"."""
     message = re.sub(r"^(Input|String|Value) should (be |have )?", "", message)
-    message = re.sub(r" or (instance|(an )?object).*", "", message).replace("valid dictionary", "mapping")
-    return message.replace("valid tuple", "list")
+    message = re.sub(r" or (instance|(an )?object).*", "", message)
+    for pydantics, ours in _WORDS.items():
+        message = message.replace(pydantics, ours)
+    return message
 
 
 def _user_path(model: type[BaseModel], tree: Any, error: ErrorDetails) -> tuple[TreePath, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import shutil
 from pathlib import Path
 
@@ -39,10 +40,26 @@ def test_a_sweep_goes_on_after_a_full_disk(tmp_path: Path) -> None:
     whole = fly_here(plan, tmp_path / "whole", FLY, save_logs="all")
     size = max(file.stat().st_size for file in whole.rglob("*") if file.is_file())
     for limit in [*range(0, size, STRIDE), size - 1]:
-        folder = tmp_path / "out"
-        with largest_file(limit), pytest.raises(OSError, match="File too large"):
-            flown(plan, folder)
-        assert not list(folder.rglob("*.partial")), limit
+        goes_on(plan, whole, tmp_path / "out", limit)
+
+
+@pytest.mark.slow
+def test_a_sweep_goes_on_where_the_disk_was_full_at_the_end_of_a_record(tmp_path: Path) -> None:
+    """The last byte of a line of the journal is the one that is lacking, or the first of the next; every third line is tried."""
+    plan = load_sweep(written(tmp_path))
+    whole = fly_here(plan, tmp_path / "whole", FLY, save_logs="all")
+    lines = (whole / "journal.jsonl").read_bytes().splitlines(keepends=True)
+    assert len(lines) == 1 + plan.size
+    for end in list(itertools.accumulate(map(len, lines)))[::3]:
+        for limit in (end - 1, end):
+            goes_on(plan, whole, tmp_path / "out", limit)
+
+
+def goes_on(plan: Plan, whole: Path, folder: Path, limit: int) -> None:
+    """The sweep fails when a file has reached the limit [bytes], and is then finished like the whole one."""
+    with largest_file(limit), pytest.raises(OSError, match="File too large"):
         flown(plan, folder)
-        same_rows(whole, folder)
-        shutil.rmtree(folder)
+    assert not list(folder.rglob("*.partial")), limit
+    flown(plan, folder)
+    same_rows(whole, folder)
+    shutil.rmtree(folder)
