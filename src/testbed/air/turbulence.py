@@ -53,7 +53,7 @@ class Turbulence:
     """
 
     def __init__(self, settings: Atmosphere, plant: Sampled, rate_hz: int, steps: int, seed: int) -> None:
-        self._plant = plant
+        self._plant, self._blow = plant, plant.blow
         w20 = settings.turbulence_w20_m_s
         noise = white_noise(settings.noise, rate_hz, steps, seed)
         self._record = np.zeros(1, _RECORD).view(np.recarray)
@@ -78,7 +78,7 @@ class Turbulence:
     def step(self, k: int) -> None:
         """Set the air of control step k."""
         self._fill(k, self._arrays)
-        self._plant.blow(self._values)
+        self._blow(self._values)
 
 
 @compiled
