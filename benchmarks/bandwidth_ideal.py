@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from testbed.theory import bandwidth
+from testbed.theory import bandwidth, rate_limits
 from testbed.theory.ideal import UNLIMITED, IdealLoop, IdealPlant, Tuning
 
 REMAINS = 0.2
@@ -69,7 +69,7 @@ def limits() -> Iterator[tuple[str, float, float]]:
         )
     for share in (0.2, 0.35, 0.5):
         what = f"rate limit R = {share:g} A w, within epsilon: reading"
-        yield what, bandwidth.rate_limited_reading(share), rate_limited(share)
+        yield what, rate_limits.rate_limited_reading(share), rate_limited(share)
     for steps in (0, 1, 2, 5):
         what = f"error late by {steps} steps: largest stable gamma kappa dt"
         yield what, bandwidth.delay_limits(steps)[1], largest_stable(steps)

@@ -47,7 +47,7 @@ from testbed.flight.flight import Flight
 from testbed.metrics import readings
 from testbed.scenario.model import Scenario
 from testbed.simulation import fly
-from testbed.theory import bandwidth
+from testbed.theory import bandwidth, rate_limits
 from testbed.theory.replay import Behind, replay
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -176,7 +176,7 @@ def moving_row(lag: float, plain: bool, record: Record) -> Row:
 def limited_row(rate: float, plain: bool, record: Record) -> Row:
     found, modelled = record["metrics"], 1.0 if plain else servo(MODEL_LAG)
     share, limit = found["share"], rate / SCALE_DEG / found["fastest"]
-    predicted = bandwidth.rate_limited_offset_reading(share, limit, servo(MODEL_LAG), modelled)
+    predicted = rate_limits.rate_limited_offset_reading(share, limit, servo(MODEL_LAG), modelled)
     ideal = ideal_reading(MODEL_LAG, 0.0 if plain else MODEL_LAG, share, limit)
     what = f"{'plain' if plain else 'compensated'}, {rate:g} deg/s (R / A w {limit:.2f}), share {share:.1f}"
     return Row(what, limit, predicted, ideal, found["reading_same_r"], found["reading"])

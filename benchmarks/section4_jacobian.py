@@ -40,22 +40,20 @@ def jacobian() -> Iterator[str]:
         "error",
         "rms difference over rms",
     )
-    for name, (rate, state) in WRONG.items():
+    for name, (rate, _) in WRONG.items():
         for factor in FACTORS:
-            predicted, flown = _changes_of_e(_flown(name, factor), name, rate, state, factor)
-            sizes = [float(np.sqrt(np.square(x).mean())) for x in (predicted, flown)]
-            apart = float(np.sqrt(np.square(flown - predicted).mean())) / sizes[0]
+            predicted, measured = changes_of_e(flown(name, factor), name, factor)
+            sizes = [float(np.sqrt(np.square(x).mean())) for x in (predicted, measured)]
+            apart = float(np.sqrt(np.square(measured - predicted).mean())) / sizes[0]
             yield row(name, factor, rate, *sizes, error(sizes[1], sizes[0]), f"{100.0 * apart:.1f} %")
 
 
-def _flown(name: str, factor: float) -> Flight:
+def flown(name: str, factor: float) -> Flight:
     controller = {"type": "fixed_inversion", "released": [], "model_error": {name: factor}}
     return fly(with_values({"controller": controller, "commands": STEPS, **SLOWLY}))
 
 
-def _changes_of_e(
-    flight: Flight, name: str, rate: str, state: str, factor: float
-) -> tuple[np.ndarray, np.ndarray]:
+def changes_of_e(flight: Flight, name: str, factor: float) -> tuple[np.ndarray, np.ndarray]:
     """[k] the integral of the last term of (38) along the flight, and the change of e (10) in it; both averaged alike."""
     level = with_values({"controller": {"type": "adaptive_inversion", "preset": "paper"}})
     correct = law_of(level).setup.model
@@ -65,6 +63,7 @@ def _changes_of_e(
     x["airspeed"] = log.airspeed_m_s.to_numpy()
     kinds = zip(NAMES, correct.kinds, strict=True)
     units = [np.radians(log[f"{n}_position"]) if k == "servo" else log[f"{n}_position"] for n, k in kinds]
+    rate, state = WRONG[name]
     i, j = ROWS.index(rate), STATES.index(state)
     positions = np.column_stack(units)
     model = correct.with_error({name: factor})

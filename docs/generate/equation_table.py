@@ -28,6 +28,7 @@ _NOISE, _MATRIX, _LAW = (
     "theory/test_input_matrix.py",
     "controllers/inversion/test_law.py",
 )
+_FLOWN = "benchmarks/test_section4.py::test_eq_38_flown_the_jacobian_of_a_wrong_model"
 _PLANT = f"{_DEFINITIONS}::test_eq_1_7_8_the_plant_is_f_plus_b_lambda_u"
 _MODEL = f"{_DEFINITIONS}::test_eq_2_4_the_design_model_is_f_m_plus_b_m_r_and_its_first_rows_are_controlled"
 _ERROR = f"{_DEFINITIONS}::test_eq_9_10_11_error_of_a_plant_that_is_not_the_model"
@@ -174,7 +175,7 @@ TABLE: tuple[Equation, ...] = (
         (35, 38),
         "system, error, estimates and error dynamics with an error of the state function",
         "",
-        [f"{_NOISE}::test_eq_35_36_37_38_error_of_the_state_function"],
+        [f"{_NOISE}::test_eq_35_36_37_38_error_of_the_state_function", f"{_FLOWN}_is_what_e_changes_by"],
     ),
     Equation(
         (39, 40),

@@ -43,6 +43,19 @@ def test_the_fourth_remark_is_flown() -> None:
     assert "| flagged | flagged at " in beyond
 
 
+def test_eq_38_flown_the_jacobian_of_a_wrong_model_is_what_e_changes_by() -> None:
+    """(38) with estimates at the truth: its last term, integrated with the rolling of the flight, is e within 10 %.
+
+    With the model as it is the term is zero, and e a fifth of that.
+    """
+    predicted, flown = section4_jacobian.changes_of_e(section4_jacobian.flown("Cl_p", 0.5), "Cl_p", 0.5)
+    size = np.sqrt(np.square(predicted).mean())
+    assert np.sqrt(np.square(flown).mean()) == pytest.approx(size, rel=0.1)
+    assert np.sqrt(np.square(flown - predicted).mean()) < 0.15 * size
+    nothing, left = section4_jacobian.changes_of_e(section4_jacobian.flown("Cl_p", 1.0), "Cl_p", 1.0)
+    assert not nothing.any() and np.sqrt(np.square(left).mean()) < 0.25 * size
+
+
 def test_errors_are_relative_to_the_prediction() -> None:
     pairs = [(2.0, 1.0), (1.0, 1.1), (1.0, float("inf")), (float("nan"), 1.0)]
     assert prediction_errors.relative_errors(pairs) == pytest.approx([-0.5, 0.1])

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete, lfilter
 
-from testbed.theory import bandwidth
+from testbed.theory import bandwidth, rate_limits
 from testbed.theory.ideal import UNLIMITED, IdealLoop, IdealPlant, Tuning
 
 DT, TRUTH = 0.005, 0.7
@@ -107,7 +107,7 @@ def test_any_waveform_reads_the_mean_of_g_a_over_the_mean_of_kappa() -> None:
 def test_an_unmodelled_rate_limit_reads_twice_the_square_of_its_share() -> None:
     """A lag of one step makes the position late by half a step, a phase of pi / PERIOD: its effect is below that."""
     share = 0.4
-    reading = bandwidth.rate_limited_reading(share)
+    reading = rate_limits.rate_limited_reading(share)
     amplitude = 1.0
     estimate = TRUTH * reading
     rate, kappa = pull(amplitude * estimate * SINE, estimate, 50.0, 2.0 / DT, rate=share * amplitude * W)
@@ -126,9 +126,9 @@ def test_a_rate_limit_has_its_describing_function(share: float) -> None:
         found[k] = a
     last = slice(-steps, None)
     measured = 2.0 * (found[last] * (np.sin(phase[last]) + 1j * np.cos(phase[last]))).mean()
-    predicted = bandwidth.rate_limited(share)
+    predicted = rate_limits.rate_limited(share)
     assert abs(measured - predicted) < 2e-3
-    assert bandwidth.rate_limited_reading(share) == predicted.real
+    assert rate_limits.rate_limited_reading(share) == predicted.real
 
 
 @pytest.mark.parametrize("modelled", [0.0, 12.0])
@@ -137,7 +137,7 @@ def test_an_unmodelled_rate_limit_about_an_offset(limit: float, modelled: float)
     """The mean rate of (13) vanishes at the reading; without the limit, the reading of the lag alone is another."""
     share, offset, lag = 1.4, 0.3, 12.0
     f, f_m = bandwidth.lag(W, 1.0 / lag), bandwidth.lag(W, 1.0 / modelled) if modelled else 1.0
-    reading = bandwidth.rate_limited_offset_reading(share, limit, f, f_m)
+    reading = rate_limits.rate_limited_offset_reading(share, limit, f, f_m)
     r = TRUTH * offset * (1.0 + share * SINE)
     rate, kappa = pull(r, TRUTH * reading, 50.0, lag, modelled, limit * share * offset * W)
     assert abs(rate) <= 2e-3 * kappa
@@ -155,7 +155,7 @@ def test_a_loss_in_large_steps_overshoots_from_gamma_dt_1_on(gamma_dt: float) ->
 def test_below_the_trap_a_rate_limit_drives_the_estimate_to_zero() -> None:
     """The equilibrium of the reading does not hold: the estimate moves away from it on both sides."""
     limit = 0.5
-    trap = bandwidth.rate_limit_trap(amplitude := 0.4 * 2.0 * TRUTH * limit / W, W, limit, TRUTH)
+    trap = rate_limits.rate_limit_trap(amplitude := 0.4 * 2.0 * TRUTH * limit / W, W, limit, TRUTH)
     assert 0.2 < trap < 0.3
     below, above = (
         pull(amplitude * SINE, trap * factor, 50.0, 2.0 / DT, rate=limit)[0] for factor in (0.9, 1.1)

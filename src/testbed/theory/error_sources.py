@@ -136,8 +136,7 @@ def _rolling(air: Atmosphere, height_m: float, span: float, airspeed: float) -> 
 
     MIL-F-8785C, 3.7.5, for Dryden's turbulence; for JSBSim's MIL-STD-1797A, table VI: sigma_p = 1.9 sigma_w / sqrt(L_w b), time
     constant sqrt(L_w b) / (2.6 V). JSBSim turns its rotary gusts from the ground's axes to the body's, so this is felt whole
-    only on a northerly or southerly heading: flown there the deviation is 0.98 of it, heading east 0.84, with half of the slow
-    part.
+    only heading north or south: flown there the deviation is 0.98 of it, and 0.84 heading east, with half of the slow part.
     """
     exceeded = np.array([EXCEEDED_FT, EXCEEDED_FT_S[severity(air.turbulence_w20_m_s)]])
     _, sigma_w, _, length_w = intensities_and_lengths(height_m, air.turbulence_w20_m_s, exceeded)

@@ -30,7 +30,7 @@ from testbed.simulation import start_and_setup
 from testbed.theory.gain_candidates import Errors
 from testbed.theory.gain_choice import Chosen, Tolerance, choose
 from testbed.theory.gain_verdict import ActuatorDesign, advice, shortcomings
-from testbed.theory.loss_flights import Found, found_after_loss
+from testbed.theory.loss_flights import convergence_s, detection
 from testbed.theory.moving_law import MovingLaw
 from testbed.theory.noise import convergence_time
 from testbed.theory.trimmed_law import TrimmedLaw
@@ -127,8 +127,7 @@ def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
     chosen = choose(law, errors, tolerance, MovingLaw.of(law, scenario) if gusts else None)
     settings = {key: value for key, value in chosen.settings.items() if key not in ("type", "preset")}
     actuators = tuple(
-        _actuator(i, law, errors, chosen, found_after_loss(scenario, settings, name))
-        for i, name in enumerate(law.setup.model.actuators)
+        _actuator(i, law, errors, chosen, scenario, settings) for i in range(len(law.setup.actuators))
     )
     intensity = sum((source.intensity(law.setup.dt_s) for source in errors.sources), np.zeros((4, 4)))
     return Design(
@@ -143,21 +142,25 @@ def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
     )
 
 
-def _actuator(i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen, found: Found) -> ActuatorDesign:
-    kind = law.setup.model.kinds[i]
+def _actuator(
+    i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen, scenario: Scenario, settings: Mapping[str, Any]
+) -> ActuatorDesign:
+    kind, name = law.setup.model.kinds[i], law.setup.model.actuators[i]
+    flagged = detection(scenario, settings, name)
+    rate = float(chosen.rates[i])
     parts = chosen.parts[:, i]
     order = np.argsort(-parts)
     return ActuatorDesign(
-        name=law.setup.model.actuators[i],
+        name=name,
         kind=kind,
         position=float(law.positions[i]),
         noise=float(chosen.noise[i]),
         offset=float(chosen.offset[i]),
         bias=float(chosen.bias[i]),
-        convergence_s=convergence_time(float(chosen.rates[i])) if law.newton else found.convergence_s,
-        detection_s=found.detection_s,
-        soonest_s=found.soonest_s,
-        latest_s=found.latest_s,
+        convergence_s=convergence_time(rate) if law.newton else convergence_s(scenario, settings, name),
+        detection_s=flagged.median_s,
+        soonest_s=flagged.soonest_s,
+        latest_s=flagged.latest_s,
         met=bool(chosen.met[i]),
         shares=tuple((errors.sources[k].name, float(parts[k])) for k in order if parts[k] > 0.0),
     )

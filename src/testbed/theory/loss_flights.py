@@ -26,31 +26,33 @@ _HALF = 0.5
 
 
 @dataclass(frozen=True)
-class Found:
-    """How soon the loss of one actuator is found.
+class Detection:
+    """How soon the total loss of one actuator is flagged, infinite for never.
 
     Attributes:
-        convergence_s: three times the time in which 63 % of a loss of half are found, median of the flights; infinite if they are
-            not found in half of them.
-        detection_s: from a total loss to its flag, the same.
-        soonest_s, latest_s: the least and the largest time to the flag among the flights.
+        median_s: from the loss to its flag.
+        soonest_s, latest_s: the least and the largest among the flights.
     """
 
-    convergence_s: float
-    detection_s: float
+    median_s: float
     soonest_s: float
     latest_s: float
 
 
-def found_after_loss(scenario: Scenario, controller: Mapping[str, Any], actuator: str) -> Found:
-    """Fly the loss of half of an actuator, and its total loss, from the scenario's initial flight.
+def detection(scenario: Scenario, controller: Mapping[str, Any], actuator: str) -> Detection:
+    """Fly the total loss of an actuator from the scenario's initial flight.
 
     Args:
         controller: changed settings of the scenario's `controller`.
     """
-    halves = [_convergence_s(flight, actuator) for flight in _flights(scenario, controller, actuator, _HALF)]
-    losses = [_detection_s(flight, actuator) for flight in _flights(scenario, controller, actuator, 0.0)]
-    return Found(float(np.median(halves)), float(np.median(losses)), min(losses), max(losses))
+    times = [_detection_s(flight, actuator) for flight in _flights(scenario, controller, actuator, 0.0)]
+    return Detection(float(np.median(times)), min(times), max(times))
+
+
+def convergence_s(scenario: Scenario, controller: Mapping[str, Any], actuator: str) -> float:
+    """Three times the time in which 63 % of a loss of half are found: median of flights as in `detection`, infinite for never."""
+    halves = _flights(scenario, controller, actuator, _HALF)
+    return float(np.median([_convergence_s(flight, actuator) for flight in halves]))
 
 
 def level_flight(scenario: Scenario) -> dict[str, Any]:
