@@ -47,7 +47,6 @@ def test_it_turns_and_climbs() -> None:
         {"type": "hardover", "to": "max"},
         {"type": "float"},
         {"type": "bias", "value": 1},
-        {"type": "rate_limit", "value": 10},
     ],
     ids=lambda failure: failure["type"],
 )
