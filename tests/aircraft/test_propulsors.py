@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, EngineMap
+from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, EngineMap, Propulsor
 
 THROTTLES = tuple(np.linspace(0.0, 1.0, ENGINE_THROTTLES))
 SPEEDS = tuple(np.linspace(30.0, 70.0, ENGINE_SPEEDS))
@@ -55,6 +56,20 @@ def test_a_curved_map_has_no_cliff() -> None:
 
 def test_the_least_thrust_follows_airspeed() -> None:
     assert LINEAR.least_thrust(np.array([30.0, 50.0]), 1.2) == pytest.approx([-60.0, -100.0])
+
+
+def test_the_most_thrust_is_that_of_full_throttle() -> None:
+    assert LINEAR.most_thrust(np.array([30.0, 50.0]), 1.2) == pytest.approx([940.0, 900.0])
+
+
+def test_the_most_thrust_of_a_propeller_is_where_the_motor_drives_no_faster() -> None:
+    """C_T = 0.1 - 0.1 J and C_Q = 0.01: n^2 rho D^5 C_Q is the motor's torque at its full voltage, quadratic in n."""
+    motor = Propulsor((0.0, 1.0), (0.1, 0.0), (0.01, 0.01), 0.5, 1e-4, 20.0, 4.0, 0.04, 0.2, 0.5)
+    load, back, stall = 1.2 * 0.5**5 * 0.01, 0.04 / (4.0 * 0.2), 0.04 * (20.0 / 0.2 - 0.5)
+    n = (-back + math.sqrt(back * back + 4.0 * load * stall)) / (2.0 * load)
+    speeds = np.array([0.0, 0.4 * n * 0.5])
+    expected = 1.2 * n * n * 0.5**4 * np.array([0.1, 0.06])
+    assert motor.most_thrust(speeds, 1.2) == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_rate_limit_makes_small_changes_slower() -> None:

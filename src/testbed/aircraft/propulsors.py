@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +15,7 @@ PROPELLER_POINTS = 41
 ENGINE_THROTTLES, ENGINE_SPEEDS = 17, 5
 """Number of throttles and of airspeeds in the map of an engine."""
 _CLIFF = 3.0
+_BISECTIONS = 40  # to the last digits of a rotor speed
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,19 @@ class Propulsor:
         diameters_per_s = axial_m_s / self.advance[1]
         return density_kg_m3 * diameters_per_s**2 * self.diameter_m**2 * self.thrust[-1]
 
+    def most_thrust(self, axial_m_s: np.ndarray, density_kg_m3: float) -> np.ndarray:
+        """Steady thrust [N] at full throttle, by bisection for the rotor speed at which the motor's torque is the propeller's."""
+        top = self.max_volts * self.velocity_constant_rps_v
+        low = np.minimum(axial_m_s / (self.diameter_m * self.advance[1]), top)
+        high = np.full(low.shape, top)
+        for _ in range(_BISECTIONS):
+            n = 0.5 * (low + high)
+            current = (self.max_volts - n / self.velocity_constant_rps_v) / self.resistance_ohm
+            torque = self.torque_constant_n_m_a * (current - self.no_load_current_a)
+            quickens = torque > self._loads(n, axial_m_s, density_kg_m3)[1]
+            low, high = np.where(quickens, n, low), np.where(quickens, high, n)
+        return self._loads(low, axial_m_s, density_kg_m3)[0]
+
     def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
         """Steady torque [N m] at a thrust and axial airspeed, and its derivative by thrust, dQ/dT [m], at this airspeed."""
         n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
@@ -66,12 +81,15 @@ class Propulsor:
             raise BadInput([Problem(what, expected="a table of thrust whose values are not all 0")])
         return q, (q1 - q0) / (t1 - t0)
 
-    def _loads(self, n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
+    def _loads(
+        self, n: float | np.ndarray, axial_m_s: float | np.ndarray, density_kg_m3: float
+    ) -> tuple[Any, Any]:
+        """Thrust [N] and torque [N m] at rotor speeds [rev/s] and axial airspeeds; numbers for numbers, arrays for arrays."""
         pressure = density_kg_m3 * n * n * self.diameter_m**4
         j = axial_m_s / (n * self.diameter_m)
         grid = np.linspace(*self.advance, len(self.thrust))
         thrust, torque = np.interp(j, grid, self.thrust), np.interp(j, grid, self.torque)
-        return float(pressure * thrust), float(pressure * self.diameter_m * torque)
+        return pressure * thrust, pressure * self.diameter_m * torque
 
 
 @dataclass(frozen=True)
@@ -118,6 +136,10 @@ class EngineMap:
     def least_thrust(self, axial_m_s: float | np.ndarray, density_kg_m3: float) -> float | np.ndarray:
         """Thrust at the lowest throttle that is used at an airspeed [N]."""
         return np.interp(axial_m_s, self.speeds, self.rising[:, 0])
+
+    def most_thrust(self, axial_m_s: np.ndarray, density_kg_m3: float) -> np.ndarray:
+        """Thrust at full throttle at an airspeed [N]."""
+        return np.interp(axial_m_s, self.speeds, self.rising[:, -1])
 
     @cached_property
     def least_useful_n(self) -> float:

@@ -247,7 +247,7 @@ MEMORY = (
     Field(
         "designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"
     ),
-    Field("jammed_at", (_N,), "scaled", "position at which the actuator was taken for jammed"),
+    Field("jammed_at", (_N,), "scaled", "position from which a jammed actuator may turn out to be reversed"),
     Field("reversed", (_N,), "flag", "the force of the actuator follows minus its command"),
     Field(
         "at_stop",

@@ -13,10 +13,14 @@ from testbed.controllers.inversion.jam_detection import (
     RECENT_FLAG_S,
     REDESIGN_AFTER,
     REVERSAL_S,
+    REVERSED_S,
+    REVERSED_SIGMA,
     detect_jam,
+    filtered_position,
     likeliest_jam,
     take_for_jammed,
 )
+from testbed.controllers.records import D_ALPHA, Q_DOT
 
 SETUP = vtail_setup(WEATHER)
 N = 4
@@ -77,7 +81,8 @@ def test_white_residuals_flag_nothing() -> None:
 
 def test_a_negative_estimate_that_is_certain_is_a_reversal() -> None:
     m, c, _, s, _ = records()
-    s.lambda_hat[1], s.position[1] = -0.9, 0.5
+    s.lambda_hat[1] = -0.9
+    s.filtered_phi[1, :, 1] = 0.5 * m.B[:, 1]
     steps = round(c.persistence / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps))
     assert detect_jam(np.zeros(4), 1.0, m, c, s) == 0 and s.jammed[1] == 1
@@ -86,10 +91,34 @@ def test_a_negative_estimate_that_is_certain_is_a_reversal() -> None:
     assert s.lambda_hat[1] == pytest.approx(-0.45), "from now on its position"
 
 
+def test_the_position_of_a_jam_is_that_of_the_filtered_regression() -> None:
+    """The command runs to a stop when an actuator jams, so its modelled position is far ahead of what the estimate belongs to."""
+    m, c, _, s, _ = records()
+    s.lambda_hat[1], s.position[1] = -0.8, 2.0
+    s.filtered_phi[1, :, 1] = 1.3 * m.B[:, 1] * 1.2
+    assert filtered_position(1, 1.2, m, c, s) == pytest.approx(1.3)
+    c.filter_rate = 0.0
+    assert filtered_position(1, 1.2, m, c, s) == 2.0
+
+
 def test_an_uncertain_negative_estimate_is_none() -> None:
     m, c, _, s, _ = records()
     s.lambda_hat[1], s.P[1, 1] = -0.9, 1.1 * c.flag_std_max**2
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(400))
+
+
+@pytest.mark.parametrize(
+    ("sigmas", "flagged"), [(1.05 * REVERSED_SIGMA, True), (0.95 * REVERSED_SIGMA, False)]
+)
+def test_an_aircraft_unstable_in_pitch_does_not_wait_for_a_small_deviation(
+    sigmas: float, flagged: bool
+) -> None:
+    m, c, _, s, _ = records()
+    m.A[Q_DOT, D_ALPHA] = 5.0
+    s.lambda_hat[1], s.P[1, 1] = -0.9, (0.9 / sigmas) ** 2
+    for _ in range(round(REVERSED_S / c.dt) + 1):
+        detect_jam(np.zeros(4), 1.0, m, c, s)
+    assert bool(s.jammed[1]) == flagged
 
 
 def test_the_mode_is_designed_again_when_the_jammed_actuator_moves() -> None:
@@ -138,6 +167,15 @@ def test_an_actuator_whose_force_goes_to_minus_its_trim_position_is_reversed() -
     for _ in range(2 * round(c.persistence / c.dt)):
         assert detect_jam(np.zeros(4), 1.0, m, c, s) == 0
     assert not s.jammed[1], "gusts drive the estimate of a surface at its trim position to its limits"
+
+
+def test_a_reversed_actuator_flagged_on_its_way_is_judged_from_the_farthest() -> None:
+    """It is flagged before its command is at the stop: the force goes on for a moment, and then comes back."""
+    m, c, _, s, _ = taken_at(-0.9)
+    for estimate, changed in ((-1.1, 0), (-1.5, 1), (-0.6, 1)):
+        s.lambda_hat[1] = estimate
+        assert detect_jam(np.zeros(4), 1.0, m, c, s) == changed
+    assert s.reversed[1] and not s.jammed[1]
 
 
 @pytest.mark.parametrize(("position", "estimate"), [(-2.0, -1.5), (-2.0, -2.2), (-0.9, -0.5), (2.0, 1.3)])

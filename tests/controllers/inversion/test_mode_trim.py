@@ -80,6 +80,23 @@ def test_margins_are_to_the_nearest_stop_or_angle() -> None:
     assert margin(alpha=MODEL.stall_alpha_rad - 0.02) == pytest.approx(0.2)
     assert margin(beta=-0.41) == pytest.approx(-0.1) == margin(beta=0.41)
     assert margin(position=0.0, airspeed=0.6 * V) < margin(position=0.0), "a slow propeller brakes less"
+    assert margin(position=top - 0.3, airspeed=0.9 * V) == pytest.approx(0.27), (
+        "a slow surface has less to oppose a gust"
+    )
+
+
+def test_a_newton_of_thrust_is_worth_less_when_fast_and_no_more_when_slow() -> None:
+    left = remaining(0)
+    flight, _ = steady_flight(left, LOOPS, "")
+
+    def margin(airspeed: float) -> float:
+        state, positions = flight.state.copy(), flight.positions.copy()
+        state[AIRSPEED], positions[3] = airspeed, left.limits[3, 1] - 0.4
+        return float(margins(left, SteadyFlight(state[None], positions[None]))[0])
+
+    assert margin(1.1 * V) == pytest.approx(0.4 / 1.1)
+    assert margin(V) == pytest.approx(0.4) == margin(0.9 * V)
+    assert margin(1.5 * V) < 0.0, "full throttle gives less than this"
 
 
 JAMS = [(i, share) for i in range(4) for share in (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0)]

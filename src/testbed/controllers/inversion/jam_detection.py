@@ -10,11 +10,17 @@ pressure_ratio is (V/V_0)^2.
 
 from __future__ import annotations
 
+import math
+
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE, reset_covariance
+from testbed.controllers.records import D_ALPHA, Q_DOT
 
 REVERSED_BELOW = -0.5
 """An estimate below this with a small standard deviation means that the actuator is reversed, not that it lost effectiveness."""
+REVERSED_SIGMA, REVERSED_S = 3.0, 0.02
+"""Standard deviations below zero that are enough on an aircraft that is unstable in pitch, and for how long [s]: it is beyond the
+stall before the standard deviation is small."""
 RECENT_FLAG_S = 2.0
 """Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
 NEVER = 1e9
@@ -36,21 +42,22 @@ def detect_jam(e, pressure_ratio, m, c, s):
     """Look for jammed actuators in the error e [4]; returns 1 when the mode's regulator must be designed, or designed again.
 
     An actuator is taken for jammed when it has been the `likeliest_jam` for `jam_time`. The timer runs down while it is not.
-    It is also taken for jammed when, for `persistence`, its estimate has been below `REVERSED_BELOW` with a standard deviation of
-    at most `flag_std_max`, or it `has_force_of_its_own`.
+    It is also taken for jammed when for `persistence` it `acts_reversed` or `has_force_of_its_own`; on an aircraft that is unstable
+    in pitch `REVERSED_S` is enough of the former.
     """
     for row in range(4):
         s.residual[row] += c.dt / c.residual_time * (e[row] - s.residual[row])
     likeliest, offset = likeliest_jam(pressure_ratio, m, c, s)
     changed = 0
     for i in range(len(s.lambda_hat)):
-        certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
-        acts_reversed = s.lambda_hat[i] < REVERSED_BELOW and certain and not (s.jammed[i] or s.reversed[i])
-        no_loss = acts_reversed or has_force_of_its_own(i, c, s)
+        backwards = acts_reversed(i, m, c, s)
+        time = REVERSED_S if backwards and unstable(m) else c.persistence
+        no_loss = backwards or has_force_of_its_own(i, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if no_loss else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
-        if s.jam_timer[i] > c.jam_time or s.reversal_timer[i] > c.persistence + 1e-9:
-            position = s.lambda_hat[i] * s.position[i] + (offset if i == likeliest else 0.0)
+        if s.jam_timer[i] > c.jam_time or s.reversal_timer[i] > time + 1e-9:
+            position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)
+            position += offset if i == likeliest else 0.0
             take_for_jammed(i, position, pressure_ratio, m, s)
         elif s.jammed[i] and turns_out_reversed(i, m, c, s):
             take_for_reversed(i, pressure_ratio, m, s)
@@ -61,12 +68,44 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
 
 @compiled
+def filtered_position(i, pressure_ratio, m, c, s):
+    """Modelled position of an actuator [scaled] through the lags of the regression, by its column of Phi: the one that its estimate
+    belongs to. A servo moves by a scaled unit within that time."""
+    if c.filter_rate == 0.0:
+        return s.position[i]
+    projection, square = 0.0, 0.0
+    for row in range(4):
+        b = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
+        projection += b * s.filtered_phi[1, row, i]
+        square += b * b
+    return projection / square
+
+
+@compiled
+def acts_reversed(i, m, c, s):
+    """Whether the estimate of an actuator that is not known to be jammed or reversed is below zero beyond doubt."""
+    sigma = math.sqrt(max(s.P[i, i], 0.0))
+    sure = sigma <= c.flag_std_max or (unstable(m) and s.lambda_hat[i] < -REVERSED_SIGMA * sigma)
+    return s.lambda_hat[i] < REVERSED_BELOW and sure and not (s.jammed[i] or s.reversed[i])
+
+
+@compiled
+def unstable(m):
+    """Whether the aircraft is statically unstable in pitch: what drives it away is doubled within a fraction of a second."""
+    return m.A[Q_DOT, D_ALPHA] > 0.0
+
+
+@compiled
 def turns_out_reversed(i, m, c, s):
     """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes: to minus its trim position.
 
     At the moment of detection the two cannot be told apart. The command has run away from the aircraft's motion, and is often at a
     stop, so a reversed actuator stands as still as a jammed one."""
     s.since_flag[i] += c.dt
+    if s.since_flag[i] < REVERSAL_S and abs(m.trim_position[i] + s.lambda_hat[i]) > abs(
+        m.trim_position[i] + s.jammed_at[i]
+    ):
+        s.jammed_at[i] = s.lambda_hat[i]  # the command was still on its way when the jam was flagged
     way = -m.trim_position[i] - s.jammed_at[i]
     gone = s.lambda_hat[i] - s.jammed_at[i]
     return c.weighted and s.since_flag[i] < REVERSAL_S and abs(way) > REVERSED_FROM and gone / way > RETURNED

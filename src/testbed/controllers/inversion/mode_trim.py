@@ -188,13 +188,19 @@ def _roomiest(left: Remaining, wanted: float) -> Preference:
 def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:
     """[m] scaled distance to the nearest stop, or to the largest plausible angle, of each of m flights; negative beyond it.
 
+    A stop is as far as the gusts that may be balanced before it: their moments grow with airspeed, those of surfaces with its
+    square, and thrust does not. So a distance of thrust counts less above the reference airspeed, and one of a surface below it.
+
     Args:
         stop_factor: the stops are multiplied by this.
     """
     used, state = left.used, flights.state
     low = np.maximum(stop_factor * left.limits[:, 0], left.least_positions(state[:, AIRSPEED]))[:, used]
-    positions, high = flights.positions[:, used], stop_factor * left.limits[used, 1]
-    to_stops = np.minimum(positions - low, high - positions).min(axis=1, initial=np.inf)
+    high = np.minimum(stop_factor * left.limits[:, 1], left.most_positions(state[:, AIRSPEED]))[:, used]
+    positions = flights.positions[:, used]
+    faster = state[:, [AIRSPEED]] / left.model.airspeed_m_s
+    worth = np.minimum(np.where(left.servos[used], faster, 1.0 / faster), 1.0)
+    to_stops = (worth * np.minimum(positions - low, high - positions)).min(axis=1, initial=np.inf)
     to_stall = (left.model.stall_alpha_rad - state[:, ALPHA]) / _ANGLE
     to_sideslip = (_BETA_MAX - np.abs(state[:, BETA])) / _ANGLE
     return np.minimum(np.minimum(to_stops, to_stall), to_sideslip) + 1e-9

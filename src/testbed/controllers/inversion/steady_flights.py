@@ -63,6 +63,11 @@ class Remaining:
         return np.flatnonzero(self.available)
 
     @property
+    def servos(self) -> np.ndarray:
+        """[n] which actuators move a surface."""
+        return np.array([kind == "servo" for kind in self.model.kinds])
+
+    @property
     def unused(self) -> list[int]:
         """Indices of the others."""
         return np.flatnonzero(self.available == 0.0).tolist()
@@ -80,6 +85,15 @@ class Remaining:
             if propulsor is not None:
                 least[:, i] = propulsor.least_thrust(airspeeds, self.model.density_kg_m3) / self.scale[i]
         return least
+
+    def most_positions(self, airspeeds: np.ndarray) -> np.ndarray:
+        """[m, n] most scaled position that the model knows at each of m airspeeds: at full throttle a propeller gives the less
+        thrust the faster it flies; of other actuators infinity."""
+        most = np.full((len(airspeeds), len(self.scale)), np.inf)
+        for i, propulsor in enumerate(self.model.propulsors):
+            if propulsor is not None:
+                most[:, i] = propulsor.most_thrust(airspeeds, self.model.density_kg_m3) / self.scale[i]
+        return most
 
     def motion(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
         """[..., 10] derivatives of the state x [..., 10] with actuators at scaled positions a [..., n]."""
