@@ -317,3 +317,10 @@ def test_any_spoiled_scenario_is_refused_in_words_or_flies(tmp_path: Path, tree:
         assert paths and len(set(paths)) == len(paths)
     else:
         again_as_it_is(scenario, tmp_path)
+
+
+def test_a_problem_with_the_aircraft_is_the_only_one(tmp_path: Path) -> None:
+    """Where the flight begins would follow from the aircraft; that it is missing is not a second mistake."""
+    file = tmp_path / "x.yaml"
+    file.write_text("{name: a, aircraft: {name: vtail, coefficients: {CL_alhpa: 1.1}}, duration_s: 1}")
+    assert [p.path for p in problems_of(file)] == ["aircraft.coefficients.CL_alhpa"]

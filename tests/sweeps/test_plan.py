@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
+from command_line import ROOT
 from sweep_files import written
 
 from testbed.sweeps.load import load_sweep
@@ -45,3 +47,18 @@ def test_a_grid_has_every_combination(tmp_path: Path) -> None:
     drawn = [tuple(plan.draw(i).values()) for i in range(plan.runs)]
     actuators = ["left_ruddervator", "right_ruddervator"]
     assert drawn == [(value, actuator) for value in (0.0, 0.5, 1.0) for actuator in actuators]
+
+
+def test_an_aircraft_beside_the_scenario_is_found_from_anywhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A sweep in another folder than the scenario, whose aircraft is the folder that the scenario is in."""
+    folder = Path(shutil.copytree(ROOT / "examples" / "minimal", tmp_path / "project" / "minimal"))
+    (folder / "scenario.yaml").write_text("{name: here, aircraft: ., duration_s: 1}")
+    sweep = tmp_path / "sweep.yaml"
+    varied = "vary: {aircraft.mass_kg: {uniform: [3.9, 4.1]}}"
+    sweep.write_text(f"{{name: a, scenario: project/minimal/scenario.yaml, runs: 1, {varied}}}")
+    monkeypatch.chdir(tmp_path)
+    plan = load_sweep(sweep)
+    assert plan.aircraft_names == [str(folder)]
+    assert plan.builder.scenario(plan.task(0)).aircraft.name == str(folder)

@@ -63,6 +63,10 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
     tree = source.tree
     if aircraft is not None and (tree.get("initial") is None or isinstance(tree["initial"], dict)):
         tree["initial"] = {**aircraft.reference.model_dump(), **(tree.get("initial") or {})}
+    elif problems:
+        tree.setdefault(
+            "initial", _somewhere(None)
+        )  # what is wrong with the aircraft is the only problem then
     stand_ins = {
         "name": "?",
         "aircraft": "?",
@@ -88,13 +92,19 @@ def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
     name = holder.get(key)
     if not isinstance(name, str) or not name:
         return None, []
-    if is_folder_name(name):
-        beside = Path(source.file).parent / name
-        holder[key] = os.path.realpath(beside if os.path.isdir(beside) else name)
+    holder[key] = placed_name(name, source.file)
     try:
         return chosen(_choice(source.tree["aircraft"])), []
     except BadInput as error:
         return None, [_placed(source, problem) for problem in error.problems]
+
+
+def placed_name(name: str, file: str | Path) -> str:
+    """An aircraft's name as a file says it: of a folder the absolute path, beside that file or else in the present folder."""
+    if not is_folder_name(name):
+        return name
+    beside = Path(file).parent / name
+    return os.path.realpath(beside if os.path.isdir(beside) else name)
 
 
 def _choice(said: str | dict[str, Any]) -> str | ChangedAircraft:

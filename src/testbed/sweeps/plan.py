@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.changes import name_in
+from testbed.scenario.load import placed_name
 from testbed.sweeps.drawing import sampling
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
 from testbed.sweeps.model import Sweep
@@ -49,7 +50,7 @@ class Plan:
             found += self.sweep.compare.get(path, [])
             found += self.sweep.vary[path].bounds if path in self.sweep.vary else []
             found += [case[path] for case in self.cases or () if path in case]
-        return list(dict.fromkeys(map(name_in, found)))
+        return list(dict.fromkeys(placed_name(name_in(said), self.builder.base.file) for said in found))
 
     @property
     def extendable(self) -> bool:

@@ -26,6 +26,7 @@ from typing import Any
 from testbed.aircraft.changes import name_in
 from testbed.aircraft.description import load_aircraft
 from testbed.inputs.problems import BadInput, Problem
+from testbed.scenario.load import placed_name
 from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.workers.flying import Flown, Job
 from testbed.sweeps.workers.worker import Child
@@ -66,7 +67,8 @@ class PackedJob:
 
 def pack(job: Job) -> PackedJob:
     """Pack a job with every file of its aircraft's folder, and the code of the user's controllers."""
-    folder = load_aircraft(name_in(job.builder.base.tree["aircraft"])).folder
+    base = job.builder.base
+    folder = load_aircraft(placed_name(name_in(base.tree["aircraft"]), base.file)).folder
     files = sorted(f for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
     contents = {
         str(Path(_OWN, name, file)): code for name, own in job.builder.own.items() for file, code in own.code
