@@ -13,6 +13,7 @@ import pytest
 from command_line import Called
 from search_files import REAL, SEARCH, searched, written
 from sweep_files import command, journal_lines, run
+from sweep_files import written as sweep_written
 
 from testbed.aircraft.shipped import data_root
 from testbed.aircraft.shipped import search_files as shipped
@@ -57,6 +58,21 @@ def test_a_finished_search_is_reported_without_flying(here: Path, called: Called
     )
     (here / "out/results.parquet").unlink()
     assert called("report", "out")[0] == 2
+
+
+def test_a_search_and_a_sweep_do_not_go_on_in_each_others_folder(here: Path, called: Called) -> None:
+    search, sweep = written(here).name, sweep_written(here).name
+    for name, words, kind in (
+        ("search.yaml", ["sweep", sweep], "sweep"),
+        ("sweep.yaml", ["search", search], "search"),
+    ):
+        folder = here / kind
+        folder.mkdir()
+        (folder / name).write_text("a: 1")
+        (folder / "journal.jsonl").write_text("")
+        status, _, err = called(*words, "--out", kind, "--resume")
+        assert status == 2 and f"{kind}: is not the folder of a {kind}" in err, err
+        assert sorted(path.name for path in folder.iterdir()) == ["journal.jsonl", name]
 
 
 @pytest.mark.slow

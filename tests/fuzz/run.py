@@ -21,7 +21,7 @@ import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -37,34 +37,43 @@ _BUSY = 60
 """On the clock, at most this many times as long: a busy machine gives it a small share."""
 _ROUND = 200
 """Mutants that are drawn with one seed."""
-_COMPILE_S = 300.0
+_COMPILE_S = 1800.0
 """On the clock, the longest start of the process that looks at mutants."""
 BAD = ("DEFECT", "HANG", "DIED")
 """Outcomes that must not be."""
 
 
 class Examiner:
-    """A process of `examine`, whose forks look at mutants. It is started at the first one."""
+    """A process of `examine`, whose forks look at mutants."""
 
     def __init__(self, cache: str) -> None:
+        """Start the process; raises TimeoutError when it is not ready in time, RuntimeError when it ends instead."""
         # Its own folder for records, because each mutant of an aircraft leaves one; compiled code is that of other flights.
-        self._environment = {
+        environment = {
             **os.environ,
             "PYTHONPATH": str(ROOT / "src"),
             "OPENBLAS_NUM_THREADS": "1",
             "XDG_CACHE_HOME": cache,
         }
         if jit._FOLDER is not None:
-            self._environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER)
-        self._process: subprocess.Popen[bytes] | None = None
-        self._fork = 0
+            environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER)
+        command = [sys.executable, str(Path(__file__).with_name("examine.py"))]
+        self._process = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+            env=environment, bufsize=0,
+        )  # fmt: skip
+        assert self._process.stdin is not None and self._process.stdout is not None
+        self._requests, self._answers = self._process.stdin, self._process.stdout
+        try:
+            self._fork = self._next_fork()
+        except BaseException:
+            self._process.kill()
+            raise
 
     def examine(self, request: dict[str, Any], longest_s: float = LONGEST_S) -> dict[str, str]:
         """The outcome of a mutant; see `examine`. Besides, HANG and DIED, and `ended JSBSim`, which a first load reports."""
-        process = self._running()
-        assert process.stdin is not None
-        process.stdin.write(json.dumps(request).encode() + b"\n")
-        process.stdin.flush()
+        self._requests.write(json.dumps(request).encode() + b"\n")
+        self._requests.flush()
         stage, begun, used = "starting", time.monotonic(), _cpu_s(self._fork)
         while True:
             answer = self._answer(_LOOK_S)
@@ -72,51 +81,37 @@ class Examiner:
                 used_s, waited_s = _cpu_s(self._fork) - used, time.monotonic() - begun
                 if used_s < longest_s and waited_s < _BUSY * longest_s:
                     continue
-                os.kill(self._fork, signal.SIGKILL)
-                self._next_fork()
+                with suppress(ProcessLookupError):
+                    os.kill(self._fork, signal.SIGKILL)
+                self._fork = self._next_fork()
                 return {"outcome": "HANG", "words": f"no answer after {used_s:.0f} s of {stage}"}
             if "outcome" in answer:
                 return answer
             if "ended" in answer:
-                self._next_fork()
+                self._fork = self._next_fork()
                 outcome = "ended JSBSim" if stage == "loading" else "DIED"
                 return {"outcome": outcome, "words": f"exit status {answer['ended']} while {stage}"}
             stage = answer["stage"]
 
     def close(self) -> None:
         """End the process."""
-        process, self._process = self._process, None
-        if process is not None:
-            assert process.stdin is not None and process.stdout is not None
-            process.stdin.close()
-            process.stdout.close()
-            process.wait()
+        self._requests.close()
+        self._answers.close()
+        self._process.wait()
 
-    def _running(self) -> subprocess.Popen[bytes]:
-        if self._process is None:
-            command = [sys.executable, str(Path(__file__).with_name("examine.py"))]
-            self._process = subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                env=self._environment, bufsize=0,
-            )  # fmt: skip
-            self._next_fork()
-        return self._process
-
-    def _next_fork(self) -> None:
-        """Wait for the next fork; raises TimeoutError when there is none."""
+    def _next_fork(self) -> int:
+        """Wait for the next fork, and return its process; raises TimeoutError when there is none."""
         until = time.monotonic() + _COMPILE_S
         while (answer := self._answer(max(until - time.monotonic(), 0.0))) is not None:
             if "pid" in answer:
-                self._fork = answer["pid"]
-                return
+                return int(answer["pid"])
         raise TimeoutError("the process that looks at mutants does not start")
 
     def _answer(self, longest_s: float) -> dict[str, Any] | None:
         """The next answer; None if there is none for so long. Raises RuntimeError when the process itself has ended."""
-        assert self._process is not None and self._process.stdout is not None
-        if not select.select([self._process.stdout], [], [], longest_s)[0]:
+        if not select.select([self._answers], [], [], longest_s)[0]:
             return None
-        line = self._process.stdout.readline()
+        line = self._answers.readline()
         if not line:
             raise RuntimeError(f"the process that looks at mutants ended: exit status {self._process.wait()}")
         answer: dict[str, Any] = json.loads(line)

@@ -96,7 +96,7 @@ def _refuse_other(folder: Path, plan: SearchPlan, resume: bool) -> None:
         raise FolderExists([Problem("exists already", str(folder), expected=what)])
     file = folder / SEARCH
     if not file.is_file():
-        if not (folder / JOURNAL).is_file():
+        if not (folder / JOURNAL).is_file() or os.path.lexists(folder / "sweep.yaml"):
             raise BadInput([Problem("is not the folder of a search", str(folder))])
         return  # the process was killed before it wrote search.yaml
     before, now = yamlfile.read(file).tree, yamlfile.parse(yamlfile.dump(plan.tree)).tree

@@ -56,7 +56,7 @@ def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
         what = "a new folder, or --resume to go on with this one"
         raise FolderExists([Problem("exists already", str(folder), expected=what)])
     if not file.is_file():
-        if not journal.is_file():
+        if not journal.is_file() or os.path.lexists(folder / "search.yaml"):
             raise BadInput([Problem("is not the folder of a sweep", str(folder))])
         return  # the process was killed before it wrote sweep.yaml
     source = yamlfile.read(file)
