@@ -74,13 +74,13 @@ def own_force(i, e, pressure_ratio, m, c, s):
     """Force of actuator i as a position [scaled]: that of its estimate, and what explains the innovation e - b beyond it.
 
     Returns:
-        The force, and the standard deviation of its mean over `FORCE_TIME_S` by gusts and model error.
+        The force, and the standard deviation of its mean over `FORCE_TIME_S` by gusts and what is unknown of b.
     """
     projection, information = 0.0, 0.0
     for row in range(4):
         b = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
         gusts = 0.5 * c.noise[row] * c.noise[row] / FORCE_TIME_S
-        weight = 1.0 / (gusts + s.model_error_variance[row])
+        weight = 1.0 / (gusts + s.P[len(s.lambda_hat) + row, len(s.lambda_hat) + row])
         projection += b * weight * (e[row] - s.b[row])
         information += b * weight * b
     estimated = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)
