@@ -249,6 +249,23 @@ MEMORY = (
     ),
     Field("jammed_at", (_N,), "scaled", "position from which a jammed actuator may turn out to be reversed"),
     Field("reversed", (_N,), "flag", "the force of the actuator follows minus its command"),
+    Field("own_force", (_N,), "scaled", "mean force of a given-up actuator, as a position"),
+    Field("extreme", (_N,), "scaled", "largest or smallest `own_force` since it turned"),
+    Field("last_extreme", (_N,), "scaled", "the one before `extreme`"),
+    Field("rising", (_N,), "flag", "`own_force` came from a minimum"),
+    Field(
+        "turns", (_N,), "1", "how often `own_force` has turned, within the time of one swing each; -1 before"
+    ),
+    Field("since_turn", (_N,), "s", "time since it turned"),
+    Field("swing", (_N,), "scaled", "half of the way between the last two extremes"),
+    Field("swing_sigmas", (_N,), "1", "`swing` in standard deviations of the mean force"),
+    Field("half_period", (_N,), "s", "time between its last two turns"),
+    Field(
+        "swing_noise",
+        (_N,),
+        "scaled2/s",
+        "process noise of the model error along the column of B of an actuator that swings; 0 for others",
+    ),
     Field(
         "at_stop",
         (_N,),

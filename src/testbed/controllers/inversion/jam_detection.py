@@ -50,6 +50,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
     likeliest, offset = likeliest_jam(pressure_ratio, m, c, s)
     changed = 0
     for i in range(len(s.lambda_hat)):
+        if s.swing_noise[i] > 0.0:  # its force is not that of its command, and it is no jam
+            continue
         backwards = acts_reversed(i, m, c, s)
         time = REVERSED_S if backwards and unstable(m) else c.persistence
         no_loss = backwards or has_force_of_its_own(i, c, s)

@@ -67,6 +67,7 @@ class ModeSwitch:
         failed = tuple(int(i) for i in np.flatnonzero(s.failed))
         jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i]}
         self._note_jams(step, jammed)
+        self._note_swings(step)
         mode = self._modes.get(failed)
         if mode is None:
             return self._report(step, f"{len(failed)} actuators failed: nothing left to control with")
@@ -102,6 +103,13 @@ class ModeSwitch:
             name = self._setup.model.actuators[i]
             what = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
             self._report(step, f"{name}: {what}")
+
+    def _note_swings(self, step: int) -> None:
+        for i in np.flatnonzero(self._memory[0].swing_noise):
+            name = self._setup.model.actuators[i]
+            self._report(
+                step, f"{name}: its force swings while its command stands still: not lost, used again"
+            )
 
     def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
         """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed without them."""

@@ -23,6 +23,7 @@ from testbed.controllers.inversion.law import (
     state_function,
     take_for_ideal,
 )
+from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
 from testbed.controllers.outer_loops import pid_loops, regulate
 
 
@@ -76,12 +77,17 @@ def estimate(y, m, c, s, w):
     if c.weighted:
         estimate_lateness(e, c, s)
         expect_change(e, phi, c, s)
+        expect_swings(pressure_ratio, m, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)
     if c.monitors and monitor(c, s):
         return 1
-    return detect_jam(e, pressure_ratio, m, c, s) if c.tests_jams else 0
+    if not c.tests_jams:
+        return 0
+    if c.weighted and detect_swings(e, pressure_ratio, m, c, s):
+        return 1
+    return detect_jam(e, pressure_ratio, m, c, s)
 
 
 @compiled
