@@ -15,6 +15,8 @@ SURVEYED, KRIGED = 0.15, 0.4
 """Shares of the budget for each survey, and for the first kriging."""
 MOST_KRIGED = 300
 """Evaluations chosen by kriging at a time: beyond them the searches do better."""
+FARTHEST = 5.0
+"""Radius to look within before the first failure, in few dimensions: a probability of 3e-7 on one side."""
 MOST_DIMENSIONS = 6
 """In more, some hundred points are too far apart for kriging to know anything between them."""
 
@@ -35,7 +37,7 @@ class Exploration:
     @property
     def outer(self) -> float:
         """Radius to look within before the first failure."""
-        return 2 + math.sqrt(self.search.asked.dimensions)
+        return max(FARTHEST, 2 + math.sqrt(self.search.asked.dimensions))
 
     def begin(self) -> None:
         """Survey and krige with their shares of the budget."""
@@ -50,5 +52,6 @@ class Exploration:
         self.search.begin(int(SURVEYED * budget))
         survey(self.search, self.directions, self.outer, self.random)
         if self.search.asked.dimensions <= MOST_DIMENSIONS:
-            self.search.begin(min(MOST_KRIGED, int(kriged * budget)))
+            share = kriged if self.search.path else kriged / 2  # the searches have to find the first failure
+            self.search.begin(min(MOST_KRIGED, int(share * budget)))
             krige(self.search, self.outer, self.scale, self.random)

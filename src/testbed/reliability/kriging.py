@@ -20,6 +20,8 @@ MOST_POINTS = 500
 CANDIDATES = 1500
 LENGTHS = (0.25, 0.5, 1.0, 2.0)
 """Correlation lengths, in standard deviations, of which the likeliest is taken."""
+HOPELESS = 1e-9
+"""Expected improvement, as a share of the distance to be improved, below which nothing is asked."""
 NUGGET = 1e-5
 """Variance that is added to each point's, as a share of the whole: the limit state may jump."""
 
@@ -67,7 +69,8 @@ def _distances(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 def krige(search: Search, outer: float, scale: float, random: np.random.Generator) -> None:
     """Ask where a nearer failure is expected, in batches, until the evaluations are spent.
 
-    `outer` is the radius before the first failure. Nothing is asked while fewer than three values are known.
+    `outer` is the radius before the first failure. Nothing is asked while fewer than three values are known, or where no failure
+    is to be expected at all.
     """
     while search.left:
         points, values = _known(search, scale)
@@ -76,7 +79,10 @@ def krige(search: Search, outer: float, scale: float, random: np.random.Generato
         kriging = Kriging(points, values)
         reach = min(outer, search.nearest)
         candidates = _candidates(search, reach, random)
-        search(_best(kriging, candidates, reach, min(BATCH, search.left)))
+        chosen = _best(kriging, candidates, reach, min(BATCH, search.left))
+        if not len(chosen):
+            return
+        search(chosen)
 
 
 def _known(search: Search, scale: float) -> tuple[np.ndarray, np.ndarray]:
@@ -102,12 +108,12 @@ def _candidates(search: Search, reach: float, random: np.random.Generator) -> np
 
 
 def _best(kriging: Kriging, candidates: np.ndarray, reach: float, n: int) -> np.ndarray:
-    """The n candidates with the largest expected improvement, which falls near each that has been chosen."""
+    """At most n candidates with the largest expected improvement, which falls near each that has been chosen."""
     mean, deviation = kriging(candidates)
     gain = ndtr(-mean / deviation) * (reach - np.linalg.norm(candidates, axis=1))
-    chosen = []
-    for _ in range(n):
+    chosen: list[np.ndarray] = []
+    while len(chosen) < n and gain.max() > HOPELESS * reach:
         chosen.append(candidates[int(np.argmax(gain))])
         alike = _matern(_distances(candidates, chosen[-1][None])[:, 0] / kriging.fit.length)
         gain = gain * (1 - alike**2)
-    return np.array(chosen)
+    return np.array(chosen).reshape(-1, candidates.shape[1])
