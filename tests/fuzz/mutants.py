@@ -40,8 +40,9 @@ def scenario_bases() -> list[dict[str, Any]]:
 def _squeezed(tree: dict[str, Any]) -> dict[str, Any]:
     factor = _SECONDS / tree["duration_s"]
     tree["duration_s"] = _SECONDS
-    gusts = tree.get("atmosphere", {}).get("gusts", [])
-    for entry in [*gusts, *(entry for kind in _TIMED for entry in tree.get(kind, []))]:
+    air = tree.get("atmosphere", {})
+    timed = [*air.get("gusts", []), *([air["noise"]] if "noise" in air else [])]
+    for entry in [*timed, *(entry for kind in _TIMED for entry in tree.get(kind, []))]:
         for key in ("at_s", "until_s", "from_s", "duration_s", "hold_s"):
             if key in entry:
                 entry[key] = round(entry[key] * factor, 2)
@@ -59,7 +60,7 @@ def search_bases() -> list[dict[str, Any]]:
             if path.endswith(".at_s"):
                 ends = distribution["uniform"]
                 distribution["uniform"] = [round(end * factor, 2) for end in ends]
-    further = copy.deepcopy(bases[-1])
+    further = copy.deepcopy(next(tree for tree in bases if "failures.0.actuator" in tree["vary"]))
     further |= {
         "goal": "probability", "method": "importance", "cov": 0.5, "starts": 1, "time_limit_s": 9,
         "requirement": "altitude", "nominal": {"failures.0.value": 1},

@@ -46,6 +46,28 @@ def test_it_is_within_a_twentieth_of_the_nearest(name: str) -> None:
         assert case.limit_state(found.design_point[None])[0] == found.limit_state <= 0
 
 
+NARROW = {
+    "one dimension, two sides": limit_states.two_sided(1, 2.0, 2.2),
+    "two sides": limit_states.two_sided(3, 2.35, 2.5),
+    "four branches": limit_states.four_branch(2),
+    "a jump off the gradient": Case(
+        lambda u: np.where(u @ [0.6, -0.64, 0.48] > 2.4, -0.2, 0.8 - 0.1 * u[:, 0]), 3, math.nan, 2.4
+    ),
+    "a nearer region that is a jump": Case(
+        lambda u: np.where(u[:, 1] - u[:, 2] > 1.5 * math.sqrt(2), -0.1, 2 - u[:, 0]), 3, math.nan, 1.5
+    ),
+    "in parallel": limit_states.parallel(3, 2, 1.6),
+}
+
+
+@pytest.mark.parametrize("name", NARROW)
+def test_300_evaluations_are_enough_in_few_dimensions(name: str) -> None:
+    case = NARROW[name]
+    for seed in range(3):
+        found = smallest_failure(case.limit_state, case.dimensions, seed=seed, budget=300, starts=2)
+        assert case.distance * (1 - 1e-9) <= found.distance <= 1.05 * case.distance
+
+
 def test_every_step_of_the_path_fails_and_is_nearer() -> None:
     case = KNOWN["curved"]
     path = smallest_failure(case.limit_state, case.dimensions, budget=800).path

@@ -12,6 +12,7 @@ from testbed.common.random_streams import generator
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reliability import arguments
 from testbed.reliability.evolution import evolve
+from testbed.reliability.exploration import Exploration
 from testbed.reliability.limit_state import Asked, LimitState
 from testbed.reliability.results import SmallestFailure, Step
 from testbed.reliability.surface import Search, around, plane, section, toward_plane
@@ -24,7 +25,7 @@ DRAWS = 0.1
 SEARCHED = 0.75
 """Share of the budget after which a search that found nothing gives up: the rest are independent draws, for the bound."""
 EXPLORED = 0.45
-"""Share of the budget for the starts, after which the nearest failure of all is refined."""
+"""Share of the budget until the end of the starts, after which the nearest failure of all is refined."""
 SPREAD, CLOSE = 0.5, 0.08
 """Standard deviations of CMA-ES's first points around a start, and around a failure to be refined."""
 BATCH = 64
@@ -37,8 +38,9 @@ def smallest_failure(
 ) -> SmallestFailure:
     """The failure of `limit_state` (at or below 0) that is nearest to the origin, by `starts` searches within `budget`.
 
-    Each start minimises distance + weight max(limit state, 0) by CMA-ES (Hansen 2016, arXiv:1604.00772), looks for a nearer
-    failure between the best one and the origin, and then moves it along the limit surface until that no longer helps.
+    Directions are surveyed and, in few dimensions, points chosen by kriging, for every region that fails. Each start minimises
+    distance + weight max(limit state, 0) by CMA-ES (Hansen 2016, arXiv:1604.00772), looks for a nearer failure between the best
+    one and the origin, and then moves it along the limit surface until that no longer helps.
     Without a failure the rest of the budget is spent on independent draws, whose number bounds the probability.
 
     Raises BadInput for arguments that cannot be used, for a limit state that returns anything but [n] numbers, and if it
@@ -57,18 +59,24 @@ def smallest_failure(
 
 
 def _all_starts(search: Search, starts: int, scale: float, random: np.random.Generator) -> tuple[int, int]:
-    """Draw, search from every start, refine the nearest failure; how many points were independent, and failed."""
+    """Draw, explore, search from every start, refine and explore; how many points were independent, and failed."""
     asked = search.asked
     draws = random.standard_normal((min(max(8, int(DRAWS * asked.budget)), asked.left), asked.dimensions))
     values = search(draws)
     n, failures = len(draws), int(np.sum(values <= 0))
+    exploration = Exploration(search, scale, random)
+    exploration.begin()
     for start, point in enumerate(_starts(draws, values, starts)):
         whole = (EXPLORED if search.path else SEARCHED) * asked.budget
         search.begin(int((whole - asked.evaluations) / (starts - start)))
         _search(search, point, SPREAD, scale, random)
     if not search.path:
         n, failures = _more_draws(search, random, n, failures)
-    _refine(search, scale, random)
+    before = math.inf
+    while search.nearest < before:
+        _refine(search, scale, random)
+        before = search.nearest
+        exploration.go_on()
     return n, failures
 
 
@@ -139,7 +147,7 @@ def _refine(search: Search, scale: float, random: np.random.Generator) -> None:
     before = math.inf
     while search.path and search.path[-1].distance < before * (1 - SETTLED) and search.asked.left:
         before = search.path[-1].distance
-        search.begin(max(search.asked.left // 2, 100))
+        search.begin(max(search.asked.left // 2, search.asked.budget // 8))
         search.best = search.path[-1].point
         _search(search, search.best, CLOSE, scale, random)
 

@@ -31,6 +31,11 @@ class Search:
         return math.inf if self.best is None else float(np.linalg.norm(self.best))
 
     @property
+    def nearest(self) -> float:
+        """Distance of the nearest failure of all starts; infinite without one."""
+        return self.path[-1].distance if self.path else math.inf
+
+    @property
     def left(self) -> int:
         """Evaluations that this start still has."""
         return max(0, self.limit - self.asked.evaluations)

@@ -1,0 +1,119 @@
+"""Kriging of the limit state from the points asked so far, to choose the next where a nearer failure is to be expected.
+
+As in active learning by kriging (Echard, Gayton and Lemaire 2011, Structural Safety 33:145), here with the expected improvement
+of the nearest failure's distance (Jones, Schonlau and Welch 1998, Journal of Global Optimization 13:455).
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.linalg import cho_factor, cho_solve, solve_triangular
+from scipy.special import ndtr
+
+from testbed.reliability.surface import Search
+
+BATCH = 8
+MOST_POINTS = 500
+"""The nearest points to the origin that are used: the work grows with their number's cube."""
+CANDIDATES = 1500
+LENGTHS = (0.25, 0.5, 1.0, 2.0)
+"""Correlation lengths, in standard deviations, of which the likeliest is taken."""
+HOPELESS = 1e-9
+"""Expected improvement, as a share of the distance to be improved, below which nothing is asked."""
+NUGGET = 1e-5
+"""Variance that is added to each point's, as a share of the whole: the limit state may jump."""
+
+
+class Kriging:
+    """Mean and standard deviation of the limit state between points [n, d] with values [n], Matern 3/2."""
+
+    def __init__(self, points: np.ndarray, values: np.ndarray) -> None:
+        self.points, self.mean = points, float(np.mean(values))
+        apart = _distances(points, points)
+        fits = [_Fit(apart, values - self.mean, length) for length in LENGTHS]
+        self.fit = max(fits, key=lambda fit: fit.likelihood)
+
+    def __call__(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Mean [m] and standard deviation [m] at points [m, d]."""
+        near = _matern(_distances(at, self.points) / self.fit.length)
+        known = solve_triangular(self.fit.factor[0], near.T, lower=True)
+        share = np.maximum(1.0 - np.sum(known**2, axis=0), 1e-9)
+        return self.mean + near @ self.fit.weights, np.sqrt(self.fit.variance * share)
+
+
+class _Fit:
+    """Weights and log likelihood for one correlation length."""
+
+    def __init__(self, apart: np.ndarray, values: np.ndarray, length: float) -> None:
+        self.length = length
+        self.factor = cho_factor(_matern(apart / length) + NUGGET * np.eye(len(values)), lower=True)
+        self.weights = cho_solve(self.factor, values)
+        self.variance = max(float(values @ self.weights) / len(values), 1e-12)
+        self.likelihood = -len(values) / 2 * math.log(self.variance) - float(
+            np.sum(np.log(np.diag(self.factor[0])))
+        )
+
+
+def _matern(scaled: np.ndarray) -> np.ndarray:
+    root = math.sqrt(3) * scaled
+    return (1 + root) * np.exp(-root)
+
+
+def _distances(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    squares = np.sum(a**2, axis=1)[:, None] + np.sum(b**2, axis=1) - 2 * a @ b.T
+    return np.sqrt(np.maximum(squares, 0.0))
+
+
+def krige(search: Search, outer: float, scale: float, random: np.random.Generator) -> None:
+    """Ask where a nearer failure is expected, in batches, until the evaluations are spent.
+
+    `outer` is the radius before the first failure. Nothing is asked while fewer than three values are known, or where no failure
+    is to be expected at all.
+    """
+    while search.left:
+        points, values = _known(search, scale)
+        if len(values) < 3:
+            return
+        kriging = Kriging(points, values)
+        reach = min(outer, search.nearest)
+        candidates = _candidates(search, reach, random)
+        chosen = _best(kriging, candidates, reach, min(BATCH, search.left))
+        if not len(chosen):
+            return
+        search(chosen)
+
+
+def _known(search: Search, scale: float) -> tuple[np.ndarray, np.ndarray]:
+    """The nearest points, and their values squeezed between -1 and 1, so that a loss is not a cliff."""
+    points, values = np.concatenate(search.points), np.concatenate(search.values)
+    known = np.isfinite(values)
+    points, values = points[known], values[known]
+    order = np.argsort(np.linalg.norm(points, axis=1), kind="stable")[:MOST_POINTS]
+    return points[order], values[order] / (np.abs(values[order]) + 0.5 * scale)
+
+
+def _candidates(search: Search, reach: float, random: np.random.Generator) -> np.ndarray:
+    """Points nearer than `reach`: in all directions, and around the nearest failures."""
+    dimensions = search.asked.dimensions
+    everywhere = random.standard_normal((CANDIDATES, dimensions))
+    if search.path:
+        centres = np.array([step.point for step in search.path[-4:]])
+        turned = centres[random.integers(len(centres), size=CANDIDATES // 2)]
+        spread = 10 ** random.uniform(-2, -0.3, (len(turned), 1))
+        everywhere = np.vstack([everywhere, turned + reach * spread * random.standard_normal(turned.shape)])
+    lengths = reach * random.uniform(0.5, 1.0, (len(everywhere), 1)) ** 0.3
+    return lengths * everywhere / np.linalg.norm(everywhere, axis=1, keepdims=True)
+
+
+def _best(kriging: Kriging, candidates: np.ndarray, reach: float, n: int) -> np.ndarray:
+    """At most n candidates with the largest expected improvement, which falls near each that has been chosen."""
+    mean, deviation = kriging(candidates)
+    gain = ndtr(-mean / deviation) * (reach - np.linalg.norm(candidates, axis=1))
+    chosen: list[np.ndarray] = []
+    while len(chosen) < n and gain.max() > HOPELESS * reach:
+        chosen.append(candidates[int(np.argmax(gain))])
+        alike = _matern(_distances(candidates, chosen[-1][None])[:, 0] / kriging.fit.length)
+        gain = gain * (1 - alike**2)
+    return np.array(chosen).reshape(-1, candidates.shape[1])

@@ -1,0 +1,79 @@
+"""A survey of all directions from the origin, just nearer than the nearest failure known: other regions that fail."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from testbed.reliability.surface import Search
+
+BATCH = 16
+NEARER = 0.97
+"""Radius of the survey, as a share of the nearest failure's distance."""
+DENSE = 0.12
+"""Angle, rad, to a direction surveyed before, below which a new one tells nothing."""
+MOST_DIMENSIONS = 4
+"""In more, no number of random directions that can be asked is dense, and only the axes are surveyed."""
+CANDIDATES = 400
+"""Random directions among which the next one is chosen."""
+CLOSING = 4
+"""Halvings of the interval in which the nearest of several failing directions begins to fail."""
+
+
+class Directions:
+    """Unit vectors as far apart as can be: first both ways along every axis, if `axes`, then among random ones."""
+
+    def __init__(self, dimensions: int, axes: bool) -> None:
+        both = np.vstack([np.eye(dimensions), -np.eye(dimensions)])
+        self.waiting = both if axes else both[:0]
+        self.chosen = both[:0]
+        self.candidates = CANDIDATES if dimensions <= MOST_DIMENSIONS else 0
+
+    def next(self, n: int, random: np.random.Generator) -> np.ndarray:
+        """At most n more [k, d]; fewer, or none, once all are dense."""
+        first, self.waiting = self.waiting[:n], self.waiting[n:]
+        known = np.vstack([self.chosen, first])
+        self.chosen = np.vstack([known, self._between(known, n - len(first), random)])
+        return self.chosen[len(known) - len(first) :]
+
+    def _between(self, known: np.ndarray, n: int, random: np.random.Generator) -> np.ndarray:
+        """The candidates farthest from all that are known and from each other [k, d]."""
+        candidates = random.standard_normal((self.candidates if n else 0, known.shape[1]))
+        candidates /= np.linalg.norm(candidates, axis=1, keepdims=True)
+        closest = np.max(candidates @ known.T, axis=1, initial=-1.0)
+        found: list[np.ndarray] = []
+        while len(found) < min(n, len(candidates)) and closest.min() < math.cos(DENSE):
+            found.append(candidates[int(np.argmin(closest))])
+            closest = np.maximum(closest, candidates @ found[-1])
+        return np.array(found).reshape(-1, known.shape[1])
+
+
+def survey(search: Search, directions: Directions, outer: float, random: np.random.Generator) -> None:
+    """Ask in further directions until the evaluations are spent or the directions dense, nearer after every failure found.
+
+    The radius is `outer` before the first failure.
+    """
+    while search.left:
+        chosen = directions.next(min(BATCH, search.left), random)
+        if not len(chosen):
+            return
+        radius = min(outer, NEARER * min(search.nearest, search.distance))
+        failing = chosen[search(radius * chosen) <= 0]
+        if len(failing):
+            close_in(search, failing, radius)
+
+
+def close_in(search: Search, failing: np.ndarray, radius: float) -> None:
+    """Find which of several directions that fail at `radius` does so nearest to the origin, by bisection of all at once.
+
+    A direction is left as soon as it passes at a distance where another one fails.
+    """
+    low, high = 0.4, 1.0
+    for _ in range(CLOSING):
+        middle = (low + high) / 2
+        still = search(middle * radius * failing) <= 0
+        if still.any():
+            failing, high = failing[still], middle
+        else:
+            low = middle
