@@ -38,7 +38,8 @@ def smallest_failure(
 ) -> SmallestFailure:
     """The failure of `limit_state` (at or below 0) that is nearest to the origin, by `starts` searches within `budget`.
 
-    Directions are surveyed and, in few dimensions, points chosen by kriging, for every region that fails. Each start minimises
+    Directions are surveyed, and in few dimensions further points are chosen by kriging, to find other regions that fail. After
+    that, each start minimises
     distance + weight max(limit state, 0) by CMA-ES (Hansen 2016, arXiv:1604.00772), looks for a nearer failure between the best
     one and the origin, and then moves it along the limit surface until that no longer helps.
     Without a failure the rest of the budget is spent on independent draws, whose number bounds the probability.

@@ -58,7 +58,7 @@ def survey(search: Search, directions: Directions, outer: float, random: np.rand
         chosen = directions.next(min(BATCH, search.left), random)
         if not len(chosen):
             return
-        radius = min(outer, NEARER * min(search.nearest, search.distance))
+        radius = min(outer, NEARER * search.nearest)
         failing = chosen[search(radius * chosen) <= 0]
         if len(failing):
             close_in(search, failing, radius)

@@ -149,3 +149,11 @@ def reset_covariance(j, variance, s):
     for i in range(len(s.P)):
         s.P[j, i], s.P[i, j] = 0.0, 0.0
     s.P[j, j] = variance
+
+
+@compiled
+def forget_model_error(s):
+    """Begin the estimate of the model error b again, at 0."""
+    for row in range(4):
+        s.b[row] = 0.0
+        reset_covariance(len(s.lambda_hat) + row, s.model_error_variance[row], s)

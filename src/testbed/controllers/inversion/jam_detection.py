@@ -13,7 +13,12 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE, reset_covariance
+from testbed.controllers.inversion.estimator import (
+    HEALTHY_VARIANCE,
+    JAM_VARIANCE,
+    forget_model_error,
+    reset_covariance,
+)
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
 REVERSED_BELOW = -0.5
@@ -84,6 +89,14 @@ def filtered_position(i, pressure_ratio, m, c, s):
 
 
 @compiled
+def settle_regression(i, position, pressure_ratio, m, s):
+    """Set the filtered column of Phi of an actuator to what it is after a long time at this position [scaled]."""
+    for row in range(4):
+        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0) * position
+        s.filtered_phi[0, row, i], s.filtered_phi[1, row, i] = column, column
+
+
+@compiled
 def acts_reversed(i, m, c, s):
     """Whether the estimate of an actuator that is not known to be jammed or reversed is below zero beyond doubt."""
     sigma = math.sqrt(max(s.P[i, i], 0.0))
@@ -119,9 +132,7 @@ def take_for_reversed(i, pressure_ratio, m, s):
     s.jammed[i], s.reversed[i] = 0, 1
     s.lambda_hat[i] = -1.0
     reset_covariance(i, HEALTHY_VARIANCE, s)
-    for row in range(4):
-        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0) * m.trim_position[i]
-        s.filtered_phi[0, row, i], s.filtered_phi[1, row, i] = column, column
+    settle_regression(i, m.trim_position[i], pressure_ratio, m, s)
 
 
 @compiled
@@ -164,10 +175,9 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
     Until now its force has biased the estimates of the other actuators. So the estimates of those that are not flagged start
     again at 1, and flags raised less than `RECENT_FLAG_S` ago are removed.
     """
-    n = len(s.failed)
     s.jammed[i], s.failed[i] = 1, 1
     s.jam_timer[i], s.reversal_timer[i] = 0.0, 0.0
-    for j in range(n):
+    for j in range(len(s.failed)):
         if not s.jammed[j] and s.since_flag[j] < RECENT_FLAG_S:
             s.failed[j] = 0
         if not s.failed[j]:
@@ -177,9 +187,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
     s.jammed_at[i], s.since_flag[i], s.reversed[i] = s.lambda_hat[i], 0.0, 0
     s.designed_position[i] = NEVER
     reset_covariance(i, JAM_VARIANCE, s)
+    settle_regression(i, 1.0, pressure_ratio, m, s)  # its column of Phi is from now on the effect of one unit
+    forget_model_error(s)
     for row in range(4):
-        # Its column of Phi is now the effect of one unit, and has been so all along: the filters' states are those of a constant.
-        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
-        s.filtered_phi[0, row, i], s.filtered_phi[1, row, i] = column, column
-        s.residual[row], s.b[row] = 0.0, 0.0
-        reset_covariance(n + row, s.model_error_variance[row], s)
+        s.residual[row] = 0.0

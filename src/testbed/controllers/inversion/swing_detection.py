@@ -14,8 +14,8 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, reset_covariance
-from testbed.controllers.inversion.jam_detection import filtered_position
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, forget_model_error, reset_covariance
+from testbed.controllers.inversion.jam_detection import filtered_position, settle_regression
 
 FORCE_TIME_S = 0.15
 """Time constant of the mean of a given-up actuator's force: gusts at 25 ft/s leave .02 scaled units of a ruddervator."""
@@ -103,9 +103,7 @@ def use_again(i, pressure_ratio, m, s):
             s.failed[j], s.jammed[j] = 0, 0
         if not s.failed[j]:
             start_again(j, pressure_ratio, m, s)
-    for row in range(4):
-        s.b[row] = 0.0
-        reset_covariance(len(s.failed) + row, s.model_error_variance[row], s)
+    forget_model_error(s)
 
 
 @compiled
@@ -113,9 +111,7 @@ def start_again(j, pressure_ratio, m, s):
     """Begin the estimate of an actuator's effectiveness as for a healthy one, at its present position."""
     s.lambda_hat[j], s.flag_timer[j], s.jam_timer[j], s.reversal_timer[j] = 1.0, 0.0, 0.0, 0.0
     reset_covariance(j, HEALTHY_VARIANCE, s)
-    for row in range(4):
-        column = m.B[row, j] * (pressure_ratio if m.servo[j] else 1.0) * s.position[j]
-        s.filtered_phi[0, row, j], s.filtered_phi[1, row, j] = column, column
+    settle_regression(j, s.position[j], pressure_ratio, m, s)
 
 
 @compiled
