@@ -57,6 +57,16 @@ def test_the_worst_error_and_when_it_settled() -> None:
     assert "Worst: 2.50 m of altitude, 0.00 deg of heading. Settled within 0.1 m by 4 s." in text
 
 
+def test_a_lasting_difference_of_airspeed_is_said_as_the_mean_it_is() -> None:
+    log = lost(2.0)
+    log["airspeed_m_s"] -= np.where(log["time_s"] > 2, 0.5 * (log["time_s"] - 2.0), 0.0)
+    text = told(log, injection(2.0))
+    end_s = float(log["time_s"][-1])
+    last_s = 0.25 * (end_s - 2.0)
+    mean = 0.5 * (end_s - 2.0 - 0.5 * last_s)
+    assert f"On average it flew {mean:.1f} m/s slower than its reference in the last {last_s:.1f} s." in text
+
+
 def test_drift_of_what_did_not_settle() -> None:
     log = lost(2.0)
     log["heading_deg"] = np.mod(350.0 + 4.0 * np.maximum(log["time_s"] - 2.0, 0.0), 360.0)

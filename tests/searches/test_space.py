@@ -73,3 +73,29 @@ def test_points_become_values_by_path() -> None:
     assert len(space) == 2
     assert space.values(np.zeros((2, 2))) == [{"a": 0.5, "b": 5}] * 2
     assert likelihoods({"a": -1.0}) == {"a": pytest.approx(stats.norm.sf(1.0))}
+
+
+@pytest.mark.parametrize("origin", ["low", "high"])
+@pytest.mark.parametrize("value", [0.1, 0.5, 0.88])
+def test_what_is_worse_than_a_value_measured_from_its_end(origin: Origin, value: float) -> None:
+    """88 % of the flights lose more than a surface that keeps 0.88 of its effect, where that is uniform from 0 to 1."""
+    severity = Space((coordinate({"uniform": [0, 1]}, origin),))
+    for sign in (1.0, -1.0):
+        u = np.array([sign * stats.norm.isf(0.5 * value)])
+        assert severity.beyond(u) == pytest.approx(value, rel=1e-6)
+    assert (
+        severity.coordinates[0].distance(-0.3) == 0.3
+        and coordinate({"normal": [0, 1]}).distance(-0.3) == -0.3
+    )
+
+
+@pytest.mark.parametrize("u", [(1.2, -0.7, 0.4), (-0.5, 2.0, 0.0), (2.0, 0.1, -1.0), (0.2, 0.3, 1.8)])
+def test_what_is_worse_beyond_a_flat_limit_is_as_often_drawn(u: tuple[float, ...]) -> None:
+    at = np.array(u)
+    draws = np.random.default_rng(11).standard_normal((400_000, 3))
+    for origins in (("median",) * 3, ("high", "median", "median"), ("high", "low", "median")):
+        space = Space(tuple(coordinate({"uniform": [0, 1]}, origin) for origin in origins))
+        ends = [origin != "median" for origin in origins]
+        worse = np.where(ends, np.abs(draws), draws) @ np.where(ends, np.abs(at), at) > at @ at
+        assert space.beyond(at) == pytest.approx(worse.mean(), rel=0.06)
+    assert Space((coordinate({"normal": [0, 1]}),)).beyond(np.array([-3.0])) == stats.norm.sf(3.0)

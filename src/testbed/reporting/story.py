@@ -202,11 +202,13 @@ def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:
 
 
 def _speed(view: Readings, first: int) -> Iterator[str]:
-    """A lasting difference of airspeed from its reference."""
+    """A lasting difference of airspeed from its reference: a mean, since in turbulence the last row alone says little."""
     error = view.error("airspeed")[_tail(slice(first, len(view.time_s)))]
     mean = float(error.mean()) if len(error) else 0.0
     if abs(mean) >= max(0.5, float(error.std())):
-        yield f"It ended {abs(mean):.1f} m/s {'faster' if mean > 0 else 'slower'} than its reference."
+        side = "faster" if mean > 0 else "slower"
+        last = len(error) * view.step_s
+        yield f"On average it flew {abs(mean):.1f} m/s {side} than its reference in the last {last:.1f} s."
 
 
 def _end(flight: Flight) -> Iterator[str]:

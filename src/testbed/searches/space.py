@@ -8,17 +8,21 @@ u = 0 is that end.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
+from scipy.integrate import quad
 from scipy.special import ndtr, ndtri
 
 from testbed.sweeps.drawing.distributions import Distribution
 
 Origin = Literal["median", "low", "high"]
 """Where in the range of a value its coordinate is 0."""
+_TAIL = 9.0
+"""Standard deviations after which the density of a normal number is taken for zero."""
 
 
 @dataclass(frozen=True)
@@ -37,6 +41,10 @@ class Coordinate:
     def nominal(self) -> Any:
         """The value at the origin."""
         return self.values(np.zeros(1))[0]
+
+    def distance(self, u: float) -> float:
+        """The coordinate, without its sign where the value is measured from an end: u and -u are the same value there."""
+        return u if self.origin == "median" else abs(u)
 
 
 def _from_end(u: np.ndarray, origin: Origin) -> np.ndarray:
@@ -60,6 +68,29 @@ class Space:
         columns = [each.values(u[:, j]) for j, each in enumerate(self.coordinates)]
         paths = [each.path for each in self.coordinates]
         return [dict(zip(paths, row, strict=True)) for row in zip(*columns, strict=True)]
+
+    def beyond(self, u: np.ndarray) -> float:
+        """Probability of what lies beyond a limit that is flat at the point u [dimensions]: P(n z > |u|), with n = u / |u|.
+
+        Where a value is measured from an end, z and -z are the same value, so z there is the size of a normal number: with m such
+        coordinates the probability is 2^m P(n z > |u|, all m positive), which is 2 P(z > u) if u is one of them alone. Given
+        n z = r, the coordinate i has the mean n_i r and the variance 1 - n_i^2. Between two of them its correlation is neglected.
+        """
+        distance = float(np.linalg.norm(u))
+        ends = [j for j, each in enumerate(self.coordinates) if each.origin != "median"]
+        if distance == 0.0 or not ends:
+            return float(ndtr(-distance))
+        n = np.abs(u[ends]) / distance
+        slope = n / np.sqrt(np.maximum(1.0 - n * n, np.finfo(float).tiny))
+
+        def density(past: float) -> float:
+            """That of n z at |u| + past, as a share of the normal density at |u|."""
+            return math.exp(-past * (distance + 0.5 * past)) * float(
+                np.prod(2.0 * ndtr(slope * (distance + past)))
+            )
+
+        normal = math.exp(-0.5 * distance * distance) / math.sqrt(2.0 * math.pi)
+        return min(1.0, normal * quad(density, 0.0, _TAIL)[0])
 
 
 def origin_at(distribution: Distribution, nominal: float) -> Origin | None:

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from scipy.special import ndtr
 
 from testbed.common.files import plain
 from testbed.reliability import FailureProbability, SmallestFailure, Step
@@ -75,7 +74,7 @@ def _part(plan: SearchPlan, found: Found) -> Summary:
             "outcome": record["outcome"],
             "robustness": record.get("robustness"),
             "broken": broken_names(plan, record),
-            "beyond": float(ndtr(-answer.distance)),
+            "beyond": part.space.beyond(np.asarray(record["u"])),
             "point": _point(part, np.asarray(record["u"])),
         }
         own = plan.plan.builder.own_controller(Task(0, part.variant, 0, {}))
@@ -95,8 +94,12 @@ def _part(plan: SearchPlan, found: Found) -> Summary:
 
 
 def _step(part: Part, step: Step) -> Summary:
-    coordinates = {each.path: float(x) for each, x in zip(part.space.coordinates, step.point, strict=True)}
+    coordinates = _coordinates(part, step.point)
     return {"flights": step.evaluations, "distance": step.distance, "coordinates": coordinates}
+
+
+def _coordinates(part: Part, u: np.ndarray) -> dict[str, float]:
+    return {each.path: each.distance(float(x)) for each, x in zip(part.space.coordinates, u, strict=True)}
 
 
 def _at(part: Part, point: np.ndarray) -> dict[str, Any]:
@@ -105,7 +108,7 @@ def _at(part: Part, point: np.ndarray) -> dict[str, Any]:
 
 def _point(part: Part, u: np.ndarray) -> dict[str, Summary]:
     """The design point: value, coordinate, share of the squared distance, and how likely a value at least this far is."""
-    coordinates = {each.path: float(x) for each, x in zip(part.space.coordinates, u, strict=True)}
+    coordinates = _coordinates(part, u)
     total, values, beyond = float(u @ u), _at(part, u), likelihoods(coordinates)
     return {
         each.path: {
