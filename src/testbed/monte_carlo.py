@@ -87,6 +87,11 @@ def written(changes: Mapping[str, Any]) -> list[str]:
     return [f"{path}={json.dumps(value)}" for path, value in changes.items()]
 
 
+def own_options(**given: int | None) -> list[Option]:
+    """Keys of a file that have an option of their own, each KEY=VALUE; without those that are None."""
+    return [Option(f"{name}={value}") for name, value in given.items() if value is not None]
+
+
 def options(jobs: int | None, cluster: str | None, save_logs: str, fly: Fly | None = None) -> Options:
     """The checked options of `fly_sweep`; raises BadInput when one is out of range."""
     problems = []
@@ -116,15 +121,13 @@ def prepare(
     """
     if runs is not None and runs < 1:
         raise BadInput([Problem(f"is {runs}", "--runs", expected="at least 1")])
-    given = [
-        Option(f"{name}={value}") for name, value in (("runs", runs), ("seed", seed)) if value is not None
-    ]
+    given = own_options(runs=runs, seed=seed)
     own = own_controllers(controllers)
     plan = load_sweep(file, [*settings, *given], own)
     folder = Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="sweep")
     before = runs_of(folder) if resume and runs is None else None
     if before is not None and before > plan.runs:
-        plan = load_sweep(file, [*settings, *given, Option(f"runs={before}")], own)
+        plan = load_sweep(file, [*settings, *given, *own_options(runs=before)], own)
     check(plan)
     return plan, folder
 

@@ -15,9 +15,8 @@ import numpy as np
 from testbed.common.files import slug
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
-from testbed.inputs.overrides import Option
 from testbed.inputs.problems import BadInput, Problem
-from testbed.monte_carlo import options, written
+from testbed.monte_carlo import options, own_options, written
 from testbed.reporting.attempt import attempt
 from testbed.reporting.present import present
 from testbed.reporting.search_page.words import settings_of
@@ -131,8 +130,7 @@ def prepare(
     """Read and check a search; returns the plan and the search folder. Raises BadInput with every problem found."""
     if goal is not None and goal not in GOALS:
         raise BadInput([Problem(f"is {goal!r}", "--goal", expected=" or ".join(GOALS))])
-    numbers = (("budget", budget), ("seed", seed))
-    given = [Option(f"{name}={value}") for name, value in numbers if value is not None]
+    given = own_options(budget=budget, seed=seed)
     plan = load_search(file, [*settings, *given], own_controllers(controllers), goal)
     check(plan.plan)
     return plan, Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="search")

@@ -22,6 +22,7 @@ import os
 import shutil
 import sys
 import tempfile
+import time
 import traceback
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
@@ -227,8 +228,16 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     return _scenario(fly, begin)
 
 
+def _endless(fly: bool, begin: Callable[[str], None]) -> str:
+    """Of no mutant: the negative control, a request that is never answered."""
+    begin("waiting")
+    while True:
+        time.sleep(1.0)
+
+
 TABLE: dict[str, Callable[[bool, Callable[[str], None]], str]] = {
     "scenario": _scenario, "sweep": _sweep, "search": _search, "aircraft": _aircraft, "xml": _aircraft,
+    "endless": _endless,
 }  # fmt: skip
 
 

@@ -108,6 +108,14 @@ def test_what_was_given_up_for_a_false_alarm_is_not_told_of_the_failure() -> Non
     assert "It wrongly flagged the fan, first at 4.0 s and gave up roll acceleration." in text
 
 
+def test_a_failure_that_ends_is_told_with_its_end_and_a_flag_after_it_is_no_detection() -> None:
+    false = {"time_s": 4.5, "kind": "false_alarm", "actuator": "elevon"}
+    text = told(lost(2.0, 4.0), injection(2.0), injection(4.0, active=False), false)
+    assert "At 2.0 s the elevon was lost completely, until 4.0 s." in text
+    assert "flagged nothing while it was broken. It wrongly flagged the elevon, first at 4.5 s." in text
+    assert "flagged nothing as failed" not in text
+
+
 def test_nothing_broken() -> None:
     assert story(flight_of(level_log()))[0] == "Nothing was broken."
 

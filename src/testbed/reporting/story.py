@@ -78,20 +78,26 @@ def title(name: str) -> str:
 
 
 def _starts(events: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    return [e for e in events if e["kind"] == "injection" and e.get("active", True)]
+    return [e for e in events if e["kind"] == "injection" and _begins(e)]
+
+
+def _begins(injection: Mapping[str, Any]) -> bool:
+    return bool(injection.get("active", True))
 
 
 def _failures(flight: Flight) -> Iterator[str]:
     starts = _starts(flight.events)
     if not starts:
         yield "Nothing was broken."
+    ends = {e["failure"]: e["time_s"] for e in flight.events if e["kind"] == "injection" and not _begins(e)}
     for event in starts[:_MOST]:
         what = predicate(
             flight.scenario.failures[event["failure"]], flight.actuators.get(event["actuator"], {})
         )
         who = f" the {title(event['actuator'])}" if event["actuator"] and event["type"] != "property" else ""
         late = " This had no effect on the aircraft." if event.get("verified") is False else ""
-        yield f"At {event['time_s']:.1f} s{who} {what}.{late}"
+        until = f", until {ends[event['failure']]:.1f} s" if event["failure"] in ends else ""
+        yield f"At {event['time_s']:.1f} s{who} {what}{until}.{late}"
     if len(starts) > _MOST:
         yield f"{len(starts) - _MOST} more failures followed, the last at {starts[-1]['time_s']:.1f} s."
 
@@ -109,11 +115,7 @@ def _controller(view: Readings) -> Iterator[str]:
     false = [e for e in view.events if e["kind"] == "false_alarm"]
     estimates = has_estimates(view.log, view.actuators)
     if view.failure_times_s() and not notices:
-        yield (
-            "The controller flagged nothing as failed."
-            if estimates or false
-            else "The controller does not look for failures, and kept flying as before."
-        )
+        yield _unnoticed(estimates, bool(false))
     for stretch in stretches_of(view):
         yield from _noticed(view, stretch, notices)
     if estimates:
@@ -123,6 +125,15 @@ def _controller(view: Readings) -> Iterator[str]:
         gave_up = _gave_up([axis for event in false for axis in _released(view, event)])
         first = f"{who}, first at {false[0]['time_s']:.1f} s"
         yield f"It wrongly flagged {_and([first, *gave_up])}."
+
+
+def _unnoticed(estimates: bool, false_alarms: bool) -> str:
+    """Why there is no detection."""
+    if false_alarms:
+        return "The controller flagged nothing while it was broken."
+    if estimates:
+        return "The controller flagged nothing as failed."
+    return "The controller does not look for failures, and kept flying as before."
 
 
 def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, Any]]) -> Iterator[str]:

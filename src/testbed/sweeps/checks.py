@@ -41,7 +41,10 @@ def check(plan: Plan) -> None:
 
 def _once(problems: Iterable[Problem]) -> list[Problem]:
     """Of the problems that differ in the drawn value alone, the first."""
-    return list({(p.file, p.line, p.path, p.expected): p for p in reversed(list(problems))}.values())[::-1]
+    found: dict[tuple[object, ...], Problem] = {}
+    for problem in problems:
+        found.setdefault((problem.file, problem.line, problem.path, problem.expected), problem)
+    return list(found.values())
 
 
 class _Checker:

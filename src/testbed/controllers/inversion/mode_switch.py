@@ -148,11 +148,8 @@ class ModeSwitch:
     def _choose_airspeed(self, regulator: Regulator, failed: tuple[int, ...]) -> None:
         """How the mode's airspeed follows from its reference, and what is done above the airspeeds at which it can be flown."""
         k, s, setup = self.record[0], self._memory[0], self._setup
-        loops, jammed, forces = (
-            setup.control.loops,
-            bool(s.jammed.any()),
-            s.jammed * s.lambda_hat * setup.scale,
-        )
+        loops, jammed = setup.control.loops, bool(s.jammed.any())
+        forces = s.jammed * s.lambda_hat * setup.scale
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast = regulator.airspeeds
         beyond = float(regulator.x_trim[AIRSPEED]) - setup.model.airspeed_m_s
         if not jammed:

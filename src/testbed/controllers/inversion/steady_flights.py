@@ -87,8 +87,8 @@ class Remaining:
         return least
 
     def most_positions(self, airspeeds: np.ndarray) -> np.ndarray:
-        """[m, n] most scaled position that the model knows at each of m airspeeds: at full throttle a propeller gives the less
-        thrust the faster it flies; of other actuators infinity."""
+        """[m, n] largest scaled positions at m airspeeds [m/s]: of motors and engines the thrust at full throttle, which falls with
+        airspeed; of servos infinity."""
         most = np.full((len(airspeeds), len(self.scale)), np.inf)
         for i, propulsor in enumerate(self.model.propulsors):
             if propulsor is not None:
