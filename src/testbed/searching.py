@@ -186,7 +186,7 @@ def _flown_again(plan: SearchPlan, found: Found, point: Sequence[float], job: Jo
 
 def write_report(folder: Path) -> None:
     """Draw the figures and write the page of a search folder, from its files."""
-    from testbed.reporting.search_page import write_search_page
+    from testbed.reporting.search_page.page import write_search_page
 
     attempt("the report", lambda: write_search_page(folder))
 

@@ -79,7 +79,7 @@ def test_a_search_and_a_sweep_do_not_go_on_in_each_others_folder(here: Path, cal
 def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
     def search(at_most: float, out: str, *options: str) -> subprocess.CompletedProcess[str]:
         file = written(tmp_path, REAL.replace("at_most: 1", f"at_most: {at_most}"))
-        return run(tmp_path, "search", file, "--out", out, *options)
+        return run(tmp_path, "search", file, "--out", out, "--no-plots", "--jobs", 1, *options)
 
     found = search(0.38, "found")
     assert found.returncode == 1, found.stderr
@@ -88,12 +88,12 @@ def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
     again = run(tmp_path, "run", "found/found.yaml", "--out", "again", "--no-plots")
     assert again.returncode == 1
     assert (tmp_path / "again/log.csv").read_bytes() == (tmp_path / "found/found/log.csv").read_bytes()
-    none = search(500, "none", "--no-plots")
+    none = search(500, "none")
     assert none.returncode == 0 and "Not found in 24 flights." in none.stdout
     refused = search(0.1, "refused")
     assert refused.returncode == 2 and "breaks 'held' already" in refused.stderr
     assert not (tmp_path / "refused").exists()
-    likely = search(0.38, "likely", "--no-plots", "--goal", "probability", "--set", "method=plain")
+    likely = search(0.38, "likely", "--goal", "probability", "--set", "method=plain")
     assert likely.returncode == 0
     assert json.loads((tmp_path / "likely/summary.json").read_text())["goal"] == "probability"
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -12,26 +13,29 @@ from run import Examiner, examiners, fuzz
 from testbed.cli.checked import _valid
 
 
+@pytest.fixture(scope="module")
+def examiner() -> Iterator[Examiner]:
+    with examiners() as one:
+        yield one
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-def test_every_mutant_ends_in_words_or_in_a_flight(kind: str) -> None:
-    with examiners() as examiner:
-        found = fuzz(kind, 40, 1, examiner, fly_every=5)
+def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner) -> None:
+    found = fuzz(kind, 40, 1, examiner, fly_every=5)
     assert not found.bad, found.bad[:3]
     assert sum(found.outcomes.values()) == 40 and found.outcomes["refused"] > 8
 
 
 @pytest.mark.slow
-def test_a_defect_a_hang_and_a_dead_process_are_noticed(tmp_path: Path) -> None:
+def test_a_defect_a_hang_and_a_dead_process_are_noticed(examiner: Examiner) -> None:
     """The negative control: requests that the process cannot answer."""
-    examiner = Examiner(str(tmp_path))
     good = {"kind": "scenario", "files": {"s.yaml": "a: 1"}, "fly": False}
     assert examiner.examine(good)["outcome"] == "refused"
     assert examiner.examine({**good, "kind": "nothing"})["outcome"] == "DEFECT"
     assert examiner.examine({**good, "kind": "endless"}, 0.05)["outcome"] == "HANG"
     assert examiner.examine({**good, "files": None})["outcome"] == "DIED"
     assert examiner.examine(good)["outcome"] == "refused"  # in a new process
-    examiner.close()
 
 
 def test_the_unspoilt_bases_are_valid(tmp_path: Path) -> None:

@@ -113,12 +113,12 @@ def test_an_index_without_its_half_width_says_so(summary: dict[str, Any], tmp_pa
 
 @pytest.mark.slow
 def test_it_names_commands_that_work(tmp_path: Path) -> None:
-    monte_carlo.sweep(written(tmp_path), tmp_path / "out", runs=4, save_logs="none", figures=False)
+    monte_carlo.sweep(written(tmp_path), tmp_path / "out", runs=4, jobs=1, save_logs="none", figures=False)
     write_sweep_report(tmp_path / "out")
     text = (tmp_path / "out/report.html").read_text(encoding="utf-8")
     commands = re.findall(r"<code>python -m testbed (.*?)</code>", text)
     assert commands
-    result = run(tmp_path, *commands[0].split(), "--out", "again", "--no-plots")
+    result = run(tmp_path, *commands[0].split(), "--out", "again", "--no-plots", "--jobs", "1")
     assert result.returncode == 1, result.stderr
     rows = (tmp_path / "again/results.csv").read_text().splitlines()[1:]
     assert set(rows) <= set((tmp_path / "out/results.csv").read_text().splitlines())

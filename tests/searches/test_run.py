@@ -61,14 +61,14 @@ def test_two_workers_and_a_search_that_went_on_give_the_same_bytes(tmp_path: Pat
 
 @pytest.mark.slow
 def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
-    file = written(tmp_path, SEARCH.replace("budget: 300", "budget: 150"))
+    file = written(tmp_path, SEARCH.replace("budget: 300", "budget: 60"))
     testbed.search(file, tmp_path / "whole", fly=search_files.slow, jobs=2, figures=False)
     call = (
         f"{str(file)!r}, {str(tmp_path / 'out')!r}, jobs=2, resume=True, figures=False, fly=search_files.slow"
     )
     arguments = script(f"import search_files\ntestbed.search({call})")
     instants, before = random.Random(4), 0
-    for _ in range(3):
+    for _ in range(2):
         process = subprocess.Popen(arguments, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         while process.poll() is None and journal_lines(tmp_path / "out") <= before:
             time.sleep(0.01)
@@ -76,7 +76,7 @@ def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
         process.kill()
         process.communicate()
         before = journal_lines(tmp_path / "out")
-    assert 1 < before < 151
+    assert 1 < before < 61
     done = subprocess.run(arguments, cwd=tmp_path, capture_output=True, check=False)
     assert done.returncode == 0, done.stderr
     same_bytes(tmp_path / "whole", tmp_path / "out")

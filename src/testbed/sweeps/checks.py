@@ -8,7 +8,7 @@ from typing import Any
 
 from testbed.aircraft.changes import chosen
 from testbed.aircraft.description import Aircraft
-from testbed.controllers.user.adapter import undeclared
+from testbed.controllers.user.loader import undeclared
 from testbed.controllers.user.own import not_given, unused_parameters
 from testbed.flight.columns import all_columns
 from testbed.inputs.problems import BadInput, Problem

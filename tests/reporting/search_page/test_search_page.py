@@ -12,7 +12,7 @@ from html_page import Page
 from search_files import searched, written
 
 from testbed.flight.flight import Flight, Outcome
-from testbed.reporting.search_page import write_search_page
+from testbed.reporting.search_page.page import write_search_page
 from testbed.reporting.search_page.words import answer, settings_of
 from testbed.scenario.load import load_scenario
 from testbed.searching import SearchResult

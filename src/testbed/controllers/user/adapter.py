@@ -17,7 +17,7 @@ An error in the class is reported as bad input with the user's file and line, an
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -27,8 +27,8 @@ from testbed.controllers import Controller
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.initial_records import model_record, trimmed_memory
 from testbed.controllers.setup import Setup
-from testbed.controllers.user.loader import Factory, place_of, raised
-from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
+from testbed.controllers.user.loader import Factory, place_of, raised, undeclared
+from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 _UPDATE = "update(time_s, state, reference) -> commands"
 
@@ -159,18 +159,3 @@ def adapted(factory: Factory, setup: Setup) -> Controller:
         problem = f"{type(made).__name__} has no method update"
         raise BadInput([Problem(problem, name, expected=_UPDATE, suggestion=did_you_mean("update", known))])
     return CustomController(setup, made, name)
-
-
-def undeclared(factory: Factory, given: Mapping[str, Any]) -> list[Problem]:
-    """A problem for each parameter given that the class does not declare in its attribute `parameters`."""
-    declared = getattr(factory, "parameters", {})
-    return [
-        Problem(
-            f"{place_of(factory)} declares no parameter {key}",
-            path=f"controller.parameters.{key}",
-            expected=one_of(declared) if declared else "a class with an attribute `parameters`",
-            suggestion=did_you_mean(key, declared),
-        )
-        for key in given
-        if key not in declared
-    ]

@@ -6,15 +6,17 @@ import importlib.util
 import os
 import sys
 import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
 
-Factory = Callable[[Setup], Any]
+if TYPE_CHECKING:  # a sweep's parent loads classes and makes none of them; what makes them is slow to import
+    from testbed.controllers.setup import Setup
+
+Factory = Callable[["Setup"], Any]
 
 
 _PREFIX = "testbed_user_"
@@ -34,6 +36,21 @@ def place_of(factory: Factory) -> str:
     """The file that the class was loaded from, as the user gave it; `name_of` if it was not loaded from a file."""
     module = sys.modules.get(getattr(factory, "__module__", "") or "")
     return getattr(module, _PLACE, "") or name_of(factory)
+
+
+def undeclared(factory: Factory, given: Mapping[str, Any]) -> list[Problem]:
+    """A problem for each parameter given that the class does not declare in its attribute `parameters`."""
+    declared = getattr(factory, "parameters", {})
+    return [
+        Problem(
+            f"{place_of(factory)} declares no parameter {key}",
+            path=f"controller.parameters.{key}",
+            expected=one_of(declared) if declared else "a class with an attribute `parameters`",
+            suggestion=did_you_mean(key, declared),
+        )
+        for key in given
+        if key not in declared
+    ]
 
 
 def load_controller(reference: str) -> Factory:
