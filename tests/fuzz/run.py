@@ -125,7 +125,7 @@ def _cpu_s(pid: int) -> float:
     """Computing time of a process [s]: on a busy machine the time on the clock says little."""
     try:
         fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-    except FileNotFoundError:  # it has ended, which its last answer says
+    except (FileNotFoundError, ProcessLookupError):  # it has ended, which its last answer says
         return 0.0
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
