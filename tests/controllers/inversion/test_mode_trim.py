@@ -135,6 +135,16 @@ def test_a_jam_that_level_flight_meets_only_in_a_stall_is_not_flown_level() -> N
     assert held == ("airspeed", "heading") and flight.state[ALPHA] < 0.15
 
 
+@pytest.mark.parametrize("jammed", [2, 3])
+def test_full_throttle_is_flown_level_also_on_a_model_20_percent_off(jammed: int) -> None:
+    """With too much thrust and too little drag: there is more drag at a higher airspeed."""
+    model = MODEL.with_error({"CX_left_propeller": 1.2, "CX_right_propeller": 1.2, "CX_alpha": 0.8})
+    left = remaining(jammed, jammed={jammed: SETUP.limits[jammed, 1]}, setup=replace(SETUP, model=model))
+    flight, held = steady_flight(left, LOOPS, "")
+    assert held == ("airspeed", "altitude", "heading")
+    assert_steady(left, flight)
+
+
 def test_mirrored_failures_have_mirrored_trims() -> None:
     left, _ = steady_flight(remaining(2), LOOPS, "")
     right, _ = steady_flight(remaining(3), LOOPS, "")

@@ -31,7 +31,9 @@ _BETA_MAX = 0.4
 """Sideslip [rad] beyond which a solution is no plausible trim: the design model is linear there, the aircraft is not."""
 _ANGLE = 0.1
 """Angle of attack [rad] below the stall that is as good a margin as one scaled unit of an actuator. Gusts take both."""
-_AIRSPEEDS = np.linspace(0.55, 1.5, 39)  # searched after a jam, in units of the reference airspeed
+_AIRSPEEDS = np.linspace(0.55, 1.8, 51)
+"""Searched after a jam, in units of the reference airspeed. Drag balances a propeller at full throttle at 1.4 of it, and at up to
+1.8 on a model with errors of 20 %."""
 _PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if level flight has too little margin
 _MARGIN_OF_LEVEL_FLIGHT = 0.15
 """Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one."""
