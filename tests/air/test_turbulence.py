@@ -16,6 +16,7 @@ from testbed.air.turbulence import Turbulence
 from testbed.aircraft.description import load_aircraft
 from testbed.plant.jsbsim import Plant
 from testbed.scenario.load import Scenario, load_scenario
+from testbed.simulation import assemble
 
 W20 = 7.62  # 25 ft/s
 FT = 0.3048
@@ -166,3 +167,17 @@ def test_flights_are_distributed_as_with_jsbsims_turbulence() -> None:
     for i in (2, 3):
         assert ks_2samp(ours[:, i], theirs[:, i]).pvalue < 1e-3  # the test can tell the two apart
     assert 1.0 < np.mean(theirs[:, 4]) / np.mean(ours[:, 4]) < 1.25
+
+
+@pytest.mark.parametrize("gusts", ["[]", "[{at_s: 0.4, duration_s: 0.2, magnitude_m_s: [2, 1, -1]}]"])
+def test_the_wind_that_is_logged_is_that_which_jsbsim_flies_in(gusts: str) -> None:
+    """It is not read back from JSBSim, which turns it about the Earth and back: equal but for rounding."""
+    parts = assemble(
+        scenario(f"atmosphere.gusts={gusts}", "atmosphere.wind_m_s=[3, -2, 0.5]", "duration_s=1")
+    )
+    for k in range(100):
+        flown_in = parts.plant.total_wind()
+        parts.weather.apply(k)
+        assert parts.weather.wind[k] == pytest.approx(flown_in, abs=1e-12)
+        parts.plant.step()
+    assert np.ptp(parts.weather.wind[:100], axis=0).min() > 0.1

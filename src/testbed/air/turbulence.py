@@ -27,7 +27,7 @@ _RECORD = np.dtype(
         ("factors", float, len(STATE)),  # of the plant
         ("air_factors", float, 6),
         ("states", float, 8),  # of the filters
-        ("wind", float, 3),  # wind without turbulence [m/s, north, east, down]
+        ("mean_wind", float, 3),  # wind without turbulence [m/s, north, east, down]
         ("air", float, 6),  # what the plant is told
     ]
 )
@@ -50,6 +50,10 @@ class Turbulence:
     """Gusts of one flight, which build up from zero.
 
     u is along the heading, v to its right, w down: horizontal axes, as MIL-F-8785C has them at low altitude.
+
+    Attributes:
+        wind: [steps, 3] velocity of the air at the beginning of each step, which was set in the step before
+            [m/s, north, east, down].
     """
 
     def __init__(self, settings: Atmosphere, plant: Sampled, rate_hz: int, steps: int, seed: int) -> None:
@@ -61,15 +65,17 @@ class Turbulence:
         record.w20, record.dt, record.span = w20, 1.0 / rate_hz, plant.span_m
         record.exceeded = dryden.EXCEEDED_FT, dryden.EXCEEDED_FT_S[severity(w20)]
         record.factors, record.air_factors = plant.factors[: len(STATE)], plant.air_factors
-        self._mean, self._air = record.wind, record.air
+        self._mean, self._air = record.mean_wind, record.air
+        self.wind = np.zeros((steps, 3))
         self._values = memoryview(self._air)  # its items are floats, which numpy's are not
-        self._arrays = (plant.raw, noise, self._record)
+        self._arrays = (plant.raw, noise, self._record, self.wind)
         self._fill = bound(blow, 0, self._arrays)
 
     def begin(self, mean_m_s: np.ndarray) -> None:
         """Sample the plant that was placed, on whose state the first gust depends; then as `over`."""
         self._plant.sample()
         self.over(mean_m_s)
+        self.wind[:1] = mean_m_s
 
     def over(self, mean_m_s: np.ndarray) -> None:
         """Take a new mean wind, on which the turbulence is added [m/s, north, east, down]."""
@@ -87,10 +93,10 @@ def blow(k, arrays):
 
     Args:
         k: the control step.
-        arrays: raw of the plant; noise [steps, 4]; and the record [1] of `_RECORD`, of which `states` are updated and `air` is
-            filled.
+        arrays: raw of the plant; noise [steps, 4]; the record [1] of `_RECORD`, of which `states` are updated and `air` is
+            filled; and wind [steps, 3], of which row k + 1 is filled.
     """
-    raw, noise, records = arrays
+    raw, noise, records, wind = arrays
     of = records[0]
     sigma_u, sigma_w, length_u, length_w = intensities_and_lengths(
         raw[_ALTITUDE] * of.factors[_ALTITUDE], of.w20, of.exceeded
@@ -105,11 +111,13 @@ def blow(k, arrays):
     heading = raw[_HEADING] * of.factors[_HEADING]
     cos, sin = math.cos(heading), math.sin(heading)
     air = of.air
-    air[0] = of.wind[0] + cos * u - sin * v
-    air[1] = of.wind[1] + sin * u + cos * v
-    air[2] = of.wind[2] + w
+    air[0] = of.mean_wind[0] + cos * u - sin * v
+    air[1] = of.mean_wind[1] + sin * u + cos * v
+    air[2] = of.mean_wind[2] + w
     air[3] = sigma_p * along(flown / length_q, noise[k, 3], states[5:6])
     air[4] = -slope(flown / length_q, length_q, w, states[6:7])
     air[5] = slope(flown / length_r, length_r, v, states[7:8])
+    if k + 1 < len(wind):
+        wind[k + 1] = air[:3]
     for i in range(len(air)):
         air[i] *= of.air_factors[i]

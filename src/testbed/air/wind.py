@@ -7,6 +7,7 @@ that of the flight. It is switched on after the aircraft has been placed.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Protocol
 
 import numpy as np
@@ -35,6 +36,7 @@ class Weather:
 
     Attributes:
         next_step: next control step at which there is something to do; infinite in calm air.
+        apply: logs the wind of a step, and sets the wind of the next.
         wind: [steps, 3] velocity of the air in each step, with gusts and turbulence [m/s, north, east, down]; empty in calm air.
     """
 
@@ -45,8 +47,11 @@ class Weather:
         self._steady = np.array(settings.wind_m_s)
         self._gusty = False
         self._turbulence = None
+        self.apply: Callable[[int], None] = self._apply_jsbsims
         if settings.is_own_turbulence:
             self._turbulence = Turbulence(settings, plant, rate_hz, steps, seed)
+            self.wind = self._turbulence.wind
+            self.apply = self._apply_own if settings.gusts else self._turbulence.step
         self._starts = [first_step_at(gust.at_s, rate_hz) for gust in settings.gusts]
         self._gusts: list[tuple[float, float, np.ndarray] | None] = [None] * len(settings.gusts)
         if not settings.is_calm:
@@ -60,13 +65,16 @@ class Weather:
         elif w20 > 0.0:
             self.plant.set_turbulence(w20, severity(w20), engine_seed(self.seed, "turbulence"))
 
-    def apply(self, step: int) -> None:
-        """Log the wind of this step, and set the wind of the next."""
+    def _apply_jsbsims(self, step: int) -> None:
         self.wind[step] = self.plant.total_wind()
         if self._starts:
             self._put_gusts(step)
-        if self._turbulence is not None:
-            self._turbulence.step(step)
+
+    def _apply_own(self, step: int) -> None:
+        """With gusts and own turbulence, which knows the wind without asking the plant."""
+        assert self._turbulence is not None
+        self._put_gusts(step)
+        self._turbulence.step(step)
 
     def _put_gusts(self, step: int) -> None:
         gusty = self._blowing(step)
