@@ -1,4 +1,4 @@
-"""The package as it is imported: nine names, quickly, each from its own module when it is first used."""
+"""The package as it is imported: ten names, quickly, each from its own module when it is first used."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def run(program: str) -> str:
 
 def test_its_names_are_shown_and_there() -> None:
     raised = ["BadInput", "Stopped"]
-    called = ["compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
+    called = ["adopt", "compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
     assert dir(testbed) == [*raised, "__version__", *called]
     assert all(callable(getattr(testbed, name)) for name in called)
     assert all(issubclass(getattr(testbed, name), Exception) for name in raised)

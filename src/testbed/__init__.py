@@ -6,6 +6,7 @@ TYPE_CHECKING = False  # as `typing` has it; importing that takes longer than al
 if TYPE_CHECKING:
     from typing import Any
 
+    from testbed.adoption.entry import adopt as adopt
     from testbed.inputs.problems import BadInput as BadInput
     from testbed.loading import load as load
     from testbed.monte_carlo import sweep as sweep
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 _MODULES = {
     "BadInput": "testbed.inputs.problems",
     "Stopped": "testbed.sweeps.run",
+    "adopt": "testbed.adoption.entry",
     "compare": "testbed.reporting.comparison",
     "design": "testbed.theory.gain_design",
     "failure_probability": "testbed.reliability.probability",
@@ -34,6 +36,7 @@ __all__ = [
     "BadInput",
     "Stopped",
     "__version__",
+    "adopt",
     "compare",
     "design",
     "failure_probability",

@@ -24,6 +24,7 @@ from sweep_flights import quick
 
 import testbed
 from testbed.sweeps.load import load_sweep
+from testbed.sweeps.run import Options, fly_sweep
 
 
 @pytest.fixture(scope="module")
@@ -104,6 +105,21 @@ except Stopped as stopped:
     testbed.sweep(sweep, tmp_path / "out", runs=100, resume=True, fly=quick, figures=False, save_logs="none")
     testbed.sweep(sweep, tmp_path / "whole", runs=100, fly=quick, figures=False, save_logs="none")
     same_rows(tmp_path / "out", tmp_path / "whole")
+
+
+def test_a_sweep_without_a_flight_leaves_no_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    plan, out = load_sweep(written(tmp_path)), tmp_path / "out"
+    quick_ones = Options(jobs=1, fly=quick)
+    monkeypatch.setattr("sys.executable", "/bin/false")
+    with pytest.raises(
+        testbed.Stopped, match=r"does not start: .*; no flight had finished, and nothing is kept"
+    ):
+        fly_sweep(plan, out, quick_ones)
+    assert not out.exists()
+    out.mkdir()
+    with pytest.raises(testbed.Stopped, match="0 of 24 flights are kept, --resume flies the rest"):
+        fly_sweep(plan, out, quick_ones)
+    assert (out / "journal.jsonl").is_file(), "a folder that was there before stays"
 
 
 def test_limits_are_still_those_of_the_system() -> None:

@@ -23,9 +23,9 @@ from testbed.plant.first_load import trust
 from testbed.plant.identification import identify
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import settle_at
+from testbed.plant.stand import stand_physics_hz
 from testbed.plant.trim import NoTrim, Trim, command_range, trim
 
-_HZ = 200.0
 _USE_MAX = 0.7  # of an actuator's travel to either side, in the reference trim
 _THROTTLE_MIN, _THROTTLE_MAX = 0.05, 0.92
 _STEADY = 1e-4  # of engines, while a condition is sought
@@ -55,7 +55,7 @@ def adopt(source: Source, folder: Path) -> Adopted:
         write_folder(draft, place, folder.name, version)
         write_first_flight(draft, place, folder.name)
         aircraft, found = _condition(draft, place, version)
-        model = identify(aircraft)
+        model = identify(aircraft, near=found)
         model.save(place / DESIGN_MODEL)
         kept = losses(aircraft, found)
         folder.parent.mkdir(parents=True, exist_ok=True)
@@ -68,19 +68,21 @@ def _condition(draft: Draft, folder: Path, version: str) -> tuple[Aircraft, Trim
     why = ""
     for condition in _conditions(draft):
         write_yaml(draft, folder, folder.name, condition, version)
-        plant = Plant(_loaded(folder), _HZ)
+        aircraft = _loaded(folder)
+        plant = Plant(aircraft, stand_physics_hz(aircraft))
         try:
             found = trim(plant, condition.airspeed_m_s, condition.altitude_m)
         except NoTrim:
             why = why or "no steady flight was found at any airspeed from 1.25 to 3.4 times its stall's"
             continue
-        used = _use(plant.aircraft, found)
+        used = _use(aircraft, found)
         if used is None:
             measured = Condition(condition.airspeed_m_s, condition.altitude_m, _thrusts(plant, found))
             write_yaml(draft, folder, folder.name, measured, version)
             return _loaded(folder), found
         why = used
-    raise refused(draft.source, why)
+    weak = f"its engines' {draft.start.thrust_n:.0f} N at full throttle do not hold it in level flight"
+    raise refused(draft.source, why or weak)
 
 
 def _loaded(folder: Path) -> Aircraft:
@@ -96,7 +98,7 @@ def _loaded(folder: Path) -> Aircraft:
 def _conditions(draft: Draft) -> Iterator[Condition]:
     size = draft.size
     guess = tuple((0.0, draft.start.thrust_n / len(draft.propulsors)) for _ in draft.propulsors)
-    for speed in draft.speeds_m_s:
+    for speed in draft.speeds_m_s():
         yield Condition(speed, size.altitude_m, guess)
 
 

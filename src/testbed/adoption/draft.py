@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from testbed.adoption.bench import Bench, one_line, write
@@ -61,8 +62,9 @@ class Draft:
     rockets: bool
     size: Size
     start: Start
-    speeds_m_s: tuple[float, ...]
-    """Airspeeds to try for the reference, the usual one first; the engines' thrust is more than the drag at each."""
+    speeds_m_s: Callable[[], Iterator[float]]
+    """Airspeeds to try for the reference, the usual one first; the engines' thrust is more than the drag at each. To find out takes
+    as long as to start the engines, so each is looked at when it is its turn."""
 
 
 def make_draft(source: Source, folder: Path) -> Draft:
@@ -93,12 +95,8 @@ def make_draft(source: Source, folder: Path) -> Draft:
     if propulsors and start.thrust_n < LEAST_THRUST * size.weight_n:
         weak = f"{start.thrust_n:.3g} N at full throttle, for a weight of {size.weight_n:.4g} N"
         raise refused(source, f"no known way to start its engines gives thrust to fly with: {weak}")
-    speeds = _flyable(loader, size, propulsors, start)
-    if not speeds:
-        raise refused(
-            source, f"its engines' {start.thrust_n:.0f} N at full throttle do not hold it in level flight"
-        )
     rockets = len(tree.findall("propulsion/engine")) > len(propulsors)
+    speeds = partial(_flyable, loader, size, propulsors, start)
     return Draft(source, adopted, servos, tuple(propulsors), rockets, size, start, speeds)
 
 
@@ -136,12 +134,10 @@ def _in_flight(loader: _Loader, size: Size, airspeed_m_s: float | None = None) -
     return bench
 
 
-def _flyable(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start) -> tuple[float, ...]:
+def _flyable(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start) -> Iterator[float]:
     """The airspeeds to try at which full thrust is more than the drag with it."""
     speeds = [float(f"{speed * size.stall_m_s:.4g}") for speed in SPEEDS]
-    return tuple(
-        speed for speed in speeds if not propulsors or _holds(loader, size, propulsors, start, speed)
-    )
+    return (speed for speed in speeds if not propulsors or _holds(loader, size, propulsors, start, speed))
 
 
 def _holds(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start, speed: float) -> bool:

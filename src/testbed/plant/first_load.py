@@ -6,21 +6,18 @@ known aircraft costs one look for a file in a new process, and nothing but its d
 
 from __future__ import annotations
 
-import contextlib
 import json
-import os
 import re
-import signal
 import subprocess
 import sys
 import tempfile
-from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.model_files.check import model_files, model_problems
 from testbed.aircraft.model_files.used import model_file
 from testbed.common.cache import Cache
+from testbed.common.processes import answers, environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant import known
 
@@ -79,17 +76,17 @@ def _answer(aircraft: Aircraft) -> known.Record:
         with tempfile.TemporaryDirectory() as empty:
             done = subprocess.run(
                 command, input=json.dumps(request), capture_output=True, text=True, errors="replace",
-                timeout=LONGEST_S, cwd=empty, env=_environment(), check=False,
+                timeout=LONGEST_S, cwd=empty, env=environment(), check=False,
             )  # fmt: skip
     except subprocess.TimeoutExpired:
         what = f"JSBSim does not finish loading and starting it within {LONGEST_S:g} s"
         raise BadInput([_of_model(aircraft, what)]) from None
     except OSError as error:  # there may be no folder for temporary files either
         raise BadInput([Problem(f"no process can be started to load the model: {error.strerror}")]) from None
-    answers = _lines(done.stdout)
-    if done.returncode == 0 and answers and "properties" in answers[-1]:
-        return answers[-1]
-    raise BadInput(_said(answers) or _dead(aircraft, _last_words(done)))
+    found = answers(done.stdout)
+    if done.returncode == 0 and found and "properties" in found[-1]:
+        return found[-1]
+    raise BadInput(_said(found) or _dead(aircraft, _last_words(done)))
 
 
 def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
@@ -100,18 +97,9 @@ def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
     return [element.problem(words) for element in named] or [_of_model(aircraft, words)]
 
 
-def _lines(text: str) -> list[dict[str, Any]]:
-    """The JSON objects among the lines of a process's output."""
-    found = []
-    for line in text.splitlines():
-        with contextlib.suppress(ValueError):
-            found.append(json.loads(line))
-    return [line for line in found if isinstance(line, dict)]
-
-
-def _said(answers: list[dict[str, Any]]) -> list[Problem]:
+def _said(found: list[dict[str, Any]]) -> list[Problem]:
     """The problems that the process found itself, those of its last answer."""
-    return [Problem(**problem) for problem in answers[-1].get("problems", [])] if answers else []
+    return [Problem(**problem) for problem in found[-1].get("problems", [])] if found else []
 
 
 def _last_words(done: subprocess.CompletedProcess[str]) -> str:
@@ -123,24 +111,10 @@ def _last_words(done: subprocess.CompletedProcess[str]) -> str:
         .strip()
     )
     if done.returncode < 0:
-        ended = f"it ended the process ({_signal(-done.returncode)})"
+        ended = f"it ended the process ({signal_name(-done.returncode)})"
         return f"JSBSim says {words[-_WORDS:]}; {ended}" if words else f"JSBSim says nothing; {ended}"
     return f"JSBSim says {words[-_WORDS:] or f'nothing; exit status {done.returncode}'}"
 
 
-def _signal(number: int) -> str:
-    try:
-        return signal.Signals(number).name
-    except ValueError:
-        return f"signal {number}"
-
-
 def _of_model(aircraft: Aircraft, what: str) -> Problem:
     return Problem(what, str(model_file(aircraft.folder, aircraft.model)))
-
-
-def _environment() -> dict[str, str]:
-    """The environment of the process: this package first, and one thread, because numpy would start one for each core."""
-    package = str(Path(__file__).resolve().parents[2])
-    path = os.pathsep.join([package, *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))])
-    return {**os.environ, "PYTHONPATH": path, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}

@@ -26,7 +26,7 @@ from testbed.common.units import NEWTON_METRES_PER_FOOT_POUND
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import accelerations
 from testbed.plant.stand import air_density, changed, propulsors_of, stand_physics_hz
-from testbed.plant.trim import Trim, command_range, trim
+from testbed.plant.trim import Search, Trim, command_range, trim
 
 _ANGLE_STEP, _RATE_STEP = 0.005, 0.01  # of the central differences [rad, rad/s]
 _COMMAND_STEPS = {"servo": 0.005, "motor": 0.01, "engine": 0.05}  # [rad or throttle]
@@ -34,11 +34,12 @@ _STALL_STEP, _ALPHA_MAX = 0.01, 0.6  # of the search for the stall [rad]
 _ROW_ORDER = [3, 4, 5, 0, 1, 2]  # accelerations come as u v w p q r; the model's rows are p q r u v w
 
 
-def identify(aircraft: Aircraft) -> DesignModel:
+def identify(aircraft: Aircraft, near: Trim | None = None) -> DesignModel:
     """Identify f_m and B_m of equation (2) at the aircraft's reference condition; raises NoTrim if there is no
-    level flight at it."""
+    level flight at it. `near` is a trim at which the search for that flight begins."""
     plant = Plant(aircraft, stand_physics_hz(aircraft))
-    level = trim(plant, aircraft.reference.airspeed_m_s, aircraft.reference.altitude_m)
+    at = aircraft.reference
+    level = trim(plant, at.airspeed_m_s, at.altitude_m, search=Search(near))
     kinds = tuple(a.kind for a in aircraft.actuators.values())
     positions = [math.radians(p) if k == "servo" else p for p, k in zip(level.positions, kinds, strict=True)]
     density = air_density(plant)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from testbed.aircraft.description import Aircraft, Engine
+from testbed.aircraft.description import Aircraft, Engine, Servo
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import Plant
 from testbed.plant.properties import ACCELERATIONS
@@ -35,6 +35,24 @@ def settle_s(aircraft: Aircraft) -> float:
     return math.ceil(10.0 * _TIME_CONSTANTS / min(lag for lag in lags if lag)) / 10.0 if lags else 0.5
 
 
+def servos_settle_s(aircraft: Aircraft, steady: float) -> float:
+    """Time in which the servos of an aircraft with engines become as steady as its engines are asked to be [s].
+
+    A servo that crosses half its travel at its rate limit, and then approaches its command by its lag, is within a hundredth of
+    `steady` of it.
+    """
+    settled = settle_s(aircraft)
+    crossing = max(
+        (_half_travel_s(a) for a in aircraft.actuators.values() if isinstance(a, Servo)), default=0.0
+    )
+    return min(settled, crossing + settled * math.log(100.0 / steady) / _TIME_CONSTANTS)
+
+
+def _half_travel_s(servo: Servo) -> float:
+    low, high = servo.limits
+    return 0.5 * (high - low) / servo.rate_limit
+
+
 def settle_at(
     plant: Plant,
     state: Mapping[str, float],
@@ -53,21 +71,28 @@ def settle_at(
     """
     plant.command(commands)
     plant.place(state)
+    if for_s is None and plant.aircraft.has_engines:
+        return wait_for_engines(plant, steady, at_least_s=servos_settle_s(plant.aircraft, steady))
     time_s = settle_s(plant.aircraft) if for_s is None else for_s
     plant.settle(round(time_s * plant.physics_hz))
-    if for_s is None and plant.aircraft.has_engines:
-        time_s += wait_for_engines(plant, steady)
     return time_s
 
 
-def wait_for_engines(plant: Plant, steady: float) -> float:
-    """Run until the thrust of each engine is steady, or for `_ENGINES_WITHIN_S`; returns for how long [s]."""
+def wait_for_engines(plant: Plant, steady: float, at_least_s: float = 0.0) -> float:
+    """Run until the thrust of each engine is steady, or for `_ENGINES_WITHIN_S`; returns for how long [s].
+
+    Args:
+        steady: as in `settle_at`.
+        at_least_s: time that servos need, in which the engines settle too [s].
+    """
     steps = round(_ENGINE_WINDOW_S * plant.physics_hz)
     thrusts = [_thrusts(plant)]
     for count in range(1, round(_ENGINES_WITHIN_S / _ENGINE_WINDOW_S)):
         plant.settle(steps)
         thrusts.append(_thrusts(plant))
-        if count > 2 and np.all(_left_to_change(*thrusts[-3:]) <= steady):
+        if count < max(3.0, at_least_s / _ENGINE_WINDOW_S):
+            continue
+        if np.all(_left_to_change(*thrusts[-3:]) <= steady):
             break
     return count * steps * plant.dt_s
 

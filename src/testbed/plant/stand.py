@@ -33,6 +33,8 @@ _ENGINE_SPEEDS = np.linspace(0.6, 1.4, ENGINE_SPEEDS)  # fractions of the refere
 _MAP_STEADY, _RESPONSE_STEADY = 1e-4, 1e-2  # what steady means on the stand, as `settling.STEADY`
 _SAMPLE_HZ, _RESPONSE_S, _STEP = 20, 15.0, 0.1
 """Rate at which the response to a step of throttle is sampled, its longest duration, the smaller step [of the range]."""
+_ENGINES_HZ, _MOTORS_HZ = 120.0, 200.0
+"""Least physics steps per second on the stand, of an aircraft with engines and of any other."""
 FASTEST_RAD_S, FASTEST_1_S = 30.0, 10.0
 """Lag and rate of an engine whose thrust follows its throttle at once."""
 
@@ -221,5 +223,9 @@ def _responses(plant: Plant, level: Trim, engines: dict[int, Engine]) -> Respons
 
 
 def stand_physics_hz(aircraft: Aircraft) -> float:
-    """Physics steps per second with which an aircraft is identified: four in a time constant of the fastest actuator."""
-    return max(200.0, math.ceil(4.0 * max(a.lag_rad_s or 0.0 for a in aircraft.actuators.values())))
+    """Physics steps per second with which an aircraft is identified: four in a time constant of the fastest actuator.
+
+    Engines are waited for, a minute at a time, and what is found is steady: they need no more than JSBSim's usual rate.
+    """
+    least = _ENGINES_HZ if aircraft.has_engines else _MOTORS_HZ
+    return max(least, math.ceil(4.0 * max(a.lag_rad_s or 0.0 for a in aircraft.actuators.values())))

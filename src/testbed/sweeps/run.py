@@ -59,7 +59,8 @@ class Options:
 def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
     """Fly the flights that a folder does not have yet, and write its table; returns what was flown.
 
-    Raises BadInput when it cannot begin, Stopped when it ended early: Ctrl-C, disk full, cluster gone.
+    Raises BadInput when it cannot begin, Stopped when it ended early: Ctrl-C, disk full, cluster gone. If no flight had finished
+    then, a new folder is removed.
     """
     job = options.job(plan)
     if options.cluster is not None:
@@ -78,6 +79,7 @@ def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = Fals
     finally:
         with suppress(OSError):  # a full disk has been reported above
             store.close()
+        store.remove_if_empty()
 
 
 def _store(folder: Path, plan: Plan, job: Job, resume: bool) -> Store:
@@ -89,6 +91,9 @@ def _store(folder: Path, plan: Plan, job: Job, resume: bool) -> Store:
 
 
 def _kept(store: Store, why: str) -> str:
+    """Why a sweep ended early, and what is there of it."""
+    if store.is_for_nothing:
+        return f"{store.folder}: {why}; no flight had finished, and nothing is kept"
     return (
         f"{store.folder}: {why}; {len(store)} of {store.plan.size} flights are kept, --resume flies the rest"
     )

@@ -10,6 +10,7 @@ logs/            whole logs of the flights that --save-logs chooses, such as run
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -31,7 +32,7 @@ class Store:
 
     def __init__(self, folder: Path, plan: Plan, fly: str, *, resume: bool) -> None:
         """Make the folder, or open it to resume. Raises BadInput when it has another sweep, or exists without `resume`."""
-        self.folder, self.plan = folder, plan
+        self.folder, self.plan, self._new = folder, plan, not os.path.lexists(folder)
         refuse_other(folder, plan, resume)
         folder.mkdir(parents=True, exist_ok=True)
         self.journal = Journal(folder / "journal.jsonl")
@@ -45,6 +46,8 @@ class Store:
                     self._offsets[k] = offset
         except BaseException:
             self.journal.close()
+            if self._new:
+                shutil.rmtree(folder, ignore_errors=True)
             raise
 
     def __contains__(self, k: int) -> bool:
@@ -83,6 +86,16 @@ class Store:
             self._histories.close()
         finally:
             self.journal.close()
+
+    @property
+    def is_for_nothing(self) -> bool:
+        """Whether the folder was made by this process, and no flight has finished."""
+        return self._new and not len(self)
+
+    def remove_if_empty(self) -> None:
+        """Remove a closed folder that was made for nothing; one that was there before stays."""
+        if self.is_for_nothing:
+            shutil.rmtree(self.folder, ignore_errors=True)
 
     def _index(self, record: Mapping[str, Any]) -> int | None:
         if "run" not in record or record["run"] >= self.plan.runs:

@@ -16,9 +16,9 @@ import sys
 import tempfile
 import threading
 from multiprocessing.connection import Connection
-from pathlib import Path
 from typing import IO
 
+from testbed.common.processes import environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.workers.flying import Flown, Job, fly_task, not_flown
@@ -118,7 +118,7 @@ class Child:
         with _scratch_file() as words:
             self._process = subprocess.Popen(
                 command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,
-                pass_fds=(theirs_in, theirs_out), env=_environment(self._job), close_fds=True,
+                pass_fds=(theirs_in, theirs_out), env=environment(), close_fds=True,
             )  # fmt: skip
             os.close(theirs_in)
             os.close(theirs_out)
@@ -144,22 +144,8 @@ def _scratch_file() -> IO[bytes]:
 def _cause(status: int) -> str:
     if status >= 0:
         return f"exit status {status}"
-    try:
-        return f"signal {-status} ({signal.Signals(-status).name})"
-    except ValueError:
-        return f"signal {-status}"
-
-
-def _environment(job: Job) -> dict[str, str]:
-    """The environment of the process: one thread for each library, because several would compete for the cores."""
-    single = dict.fromkeys(
-        ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "NUMBA_NUM_THREADS"), "1"
-    )
-    package = str(Path(__file__).resolve().parents[3])
-    path = os.pathsep.join(
-        dict.fromkeys([package, *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))])
-    )
-    return {**os.environ, **single, "PYTHONPATH": path}
+    name = signal_name(-status)
+    return name if name == f"signal {-status}" else f"signal {-status} ({name})"
 
 
 def main(read: int, write: int) -> None:
