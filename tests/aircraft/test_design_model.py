@@ -192,7 +192,7 @@ def test_what_is_saved_is_loaded(model: DesignModel, tmp_path: Path) -> None:
     assert load_design_model(tmp_path / "m.json") == model
 
 
-@pytest.mark.parametrize("text", ["", "[]", "3", "{}", '{"bias": 3}', "\udcff"])
+@pytest.mark.parametrize("text", ["", "[]", "3", "{}", '{"bias": 3}', "\udcff", "[" * 100_000])
 def test_anything_else_is_refused(text: str, tmp_path: Path) -> None:
     file = tmp_path / "m.json"
     file.write_bytes(text.encode(errors="surrogateescape"))

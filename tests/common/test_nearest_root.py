@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
@@ -50,6 +52,13 @@ def test_where_there_is_none_the_function_is_not_small() -> None:
     """x^2 + 1 has no root; and x = 3 is beyond the bounds."""
     assert root_of(lambda x: x @ x + 1.0, 1) @ np.ones(1) == pytest.approx(0.0, abs=0.1)
     assert root_of(lambda x: x - 3.0, 1, high=2.0) == pytest.approx([2.0], abs=1e-5)
+
+
+@pytest.mark.parametrize("beyond", [math.nan, math.inf])
+def test_a_search_ends_where_the_function_is_not_finite(beyond: float) -> None:
+    """The function is not finite at the guess and below it, so no step from there is known to lead to a root."""
+    found = root_of(lambda x: [x[0] + 1.0 if x[0] > 0.5 else beyond], 1)
+    assert found == pytest.approx([0.5])
 
 
 def test_most_of_a_search_is_made_with_the_coarse_function() -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from command_line import ROOT
+from hostile_models import MODEL, replaced, vtail_at
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, ROWS, DesignModel, load_design_model
@@ -35,6 +36,15 @@ def test_the_stored_design_model_is_of_this_aircraft(vtail: Aircraft, model: Des
     assert kept.identified_from == vtail.fingerprint(), "run `testbed identify vtail`"
     assert model.agrees_with(kept)
     assert stored(vtail) == kept
+
+
+def test_an_actuator_that_does_not_move_is_named(tmp_path: Path) -> None:
+    """The tail's block reads the command of the other one, which the identification holds still."""
+    folder = vtail_at(tmp_path)
+    command = "<product><property>fcs/left-ruddervator/command-rad"
+    replaced(MODEL, command, command.replace("left", "right"))(folder)
+    with pytest.raises(BadInput, match=r"vtail\.yaml:\d+: actuators\.left_ruddervator: .* does not follow its command"):
+        identify(load_aircraft(str(folder)))
 
 
 def test_it_predicts_what_the_aircraft_does(vtail: Aircraft, model: DesignModel) -> None:

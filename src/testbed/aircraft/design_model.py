@@ -161,7 +161,7 @@ def load_design_model(path: Path) -> DesignModel:
     """Read a file that `DesignModel.save` wrote; raises BadInput when it is anything else."""
     try:
         return _from_tree(json.loads(path.read_text(encoding="utf-8")))
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         what = f"is no design model: {_words(error)}"
         raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
 

@@ -53,6 +53,8 @@ class NearestRoot:
         Args:
             tolerance: largest element of the function at a root.
             thorough: whether to search on by least squares where Newton's method ends without a root.
+
+        Where the function or its Jacobian is not finite, the search ends.
         """
         return self._search(np.clip(guess, self.low, self.high), tolerance, thorough)[0]
 
@@ -65,7 +67,7 @@ class NearestRoot:
             if np.max(np.abs(f)) >= enough:
                 return x, f, jacobian
         x, f, jacobian = self._newton(x, jacobian)
-        if thorough and np.max(np.abs(f)) >= tolerance:
+        if thorough and np.max(np.abs(f)) >= tolerance and np.isfinite(jacobian).all():
             x, f, jacobian = self._newton(self._least_squares(x))
         return x, f, jacobian
 
@@ -74,6 +76,8 @@ class NearestRoot:
         f, fresh = self.function(x), jacobian is None
         jacobian = self._jacobian(x, f) if jacobian is None else jacobian
         for _ in range(_ITERATIONS):
+            if not np.isfinite(jacobian).all():
+                break
             step = self._step(x, f, jacobian)
             x_next, f_next = self._shortened(x, f, step)
             if x_next is None or f_next is None:

@@ -20,9 +20,11 @@ from testbed.aircraft.design_model import (
     kinematics,
     load_design_model,
 )
+from testbed.aircraft.model_files.check import in_yaml
 from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.cache import Cache
 from testbed.common.units import NEWTON_METRES_PER_FOOT_POUND
+from testbed.inputs.problems import BadInput, Issue
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import accelerations
 from testbed.plant.stand import air_density, changed, propulsors_of, stand_physics_hz
@@ -35,8 +37,15 @@ _ROW_ORDER = [3, 4, 5, 0, 1, 2]  # accelerations come as u v w p q r; the model'
 
 
 def identify(aircraft: Aircraft, near: Trim | None = None) -> DesignModel:
-    """Identify f_m and B_m of equation (2) at the aircraft's reference condition; raises NoTrim if there is no
-    level flight at it. `near` is a trim at which the search for that flight begins."""
+    """Identify f_m and B_m of equation (2) at the aircraft's reference condition.
+
+    Args:
+        near: a trim at which the search for that flight begins.
+
+    Raises:
+        NoTrim: there is no level flight at it.
+        BadInput: an actuator's position does not follow its command.
+    """
     plant = Plant(aircraft, stand_physics_hz(aircraft))
     at = aircraft.reference
     level = trim(plant, at.airspeed_m_s, at.altitude_m, search=Search(near))
@@ -84,8 +93,7 @@ def stored(aircraft: Aircraft) -> DesignModel:
     """The design model stored beside the aircraft; identified again if there is none, or if the aircraft's files have changed.
 
     Raises:
-        BadInput: there is a file, but it is not a design model.
-        NoTrim: a model has to be identified, and no level flight was found at the aircraft's reference.
+        BadInput: there is a file, but it is not a design model; or a model has to be identified, and cannot be.
     """
     file = aircraft.folder / DESIGN_MODEL
     text = file.read_bytes() if file.is_file() else None
@@ -158,6 +166,10 @@ def _input_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
     for step in _command_steps(list(plant.aircraft.actuators.values())[i], level.commands[i]):
         rates.append(_rates(plant, level.state, changed(level.commands, i, step)))
         positions.append(plant.position(i))
+    if positions[0] == positions[1]:
+        what = "its position in the model does not follow its command"
+        path = ("actuators", list(plant.aircraft.actuators)[i])
+        raise BadInput(in_yaml(plant.aircraft, [Issue(path, what)]))
     return (rates[0] - rates[1]) / (positions[0] - positions[1])
 
 
