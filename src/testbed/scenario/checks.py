@@ -12,6 +12,11 @@ from testbed.failures import Failure, overlaps, same_property
 from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
 from testbed.scenario.model import Scenario
 
+MAX_STEPS = 20_000_000
+"""Most control steps of a flight; the log of more would not fit into memory."""
+MAX_PHYSICS_STEPS = 100_000_000
+"""Most physics steps of a flight: some ten minutes of computing at 6 us each."""
+
 
 def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
     """Issues that can be found without the simulator; with `aircraft` None, only those of times."""
@@ -124,14 +129,6 @@ def _before(end: float) -> str:
     return f"less than duration_s {end:g}"
 
 
-MAX_STEPS = 20_000_000
-"""Control steps in a flight; the log of more would not fit into memory."""
-
-
-MAX_PHYSICS_STEPS = 100_000_000
-"""Physics steps in a flight: some ten minutes of computing at 6 us each."""
-
-
 def _steps(scenario: Scenario) -> Iterator[Issue]:
     steps = scenario.duration_s * scenario.rate_hz
     physics_steps = scenario.duration_s * scenario.physics_hz
@@ -181,9 +178,8 @@ def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
 def _coefficients(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     """Coefficients in `model_error` that the design model does not have."""
     if scenario.controller.model_error:
-        from testbed.aircraft.design_model import (
-            coefficient_names,  # imported here, because scipy is slow to import and few scenarios need it
-        )
+        # Imported here, because scipy is slow to import and few scenarios need it.
+        from testbed.aircraft.design_model import coefficient_names
 
         known = coefficient_names(aircraft.actuators)
         for name in scenario.controller.model_error:
