@@ -89,40 +89,48 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
     """Times after the end of the flight. What is asked for there would never happen, and nobody would notice."""
     end = scenario.duration_s
     known_rate = scenario.rate_hz > 1 and end * scenario.rate_hz <= MAX_STEPS
-    starts: list[tuple[TreePath, float | None]] = []
-    ends: list[tuple[TreePath, float | None]] = []
-    for i, failure in enumerate(scenario.failures):
-        starts.append((("failures", i, "at_s"), failure.at_s))
-        ends.append((("failures", i, "until_s"), failure.until_s))
-    for i, fault in enumerate(scenario.sensors.faults):
-        starts.append((("sensors", "faults", i, "at_s"), fault.at_s))
-        ends.append((("sensors", "faults", i, "until_s"), fault.until_s))
-    for i, gust in enumerate(scenario.atmosphere.gusts):
-        starts.append((("atmosphere", "gusts", i, "at_s"), gust.at_s))
-    if (noise := scenario.atmosphere.noise) is not None:
-        starts.append((("atmosphere", "noise", "from_s"), noise.from_s))
-        ends.append((("atmosphere", "noise", "until_s"), noise.until_s))
-    for i, requirement in enumerate(scenario.requirements):
-        starts.append((("requirements", i, "from_s"), requirement.from_s))
-        starts.append((("requirements", i, "settles_by_s"), requirement.settles_by_s))
-        starts.append((("requirements", i, "never_for_longer_than_s"), requirement.never_for_longer_than_s))
-        ends.append((("requirements", i, "until_s"), requirement.until_s))
-    last = len(scenario.commands) - 1
     if scenario.commands and scenario.commands[-1].at_s >= end:
-        yield Issue(
-            ("commands",), f"the last of {last + 1} is at {scenario.commands[-1].at_s:g} s", _before(end)
-        )
-    for path, time in starts:
-        if time is None:
-            continue
+        what = f"the last of {len(scenario.commands)} is at {scenario.commands[-1].at_s:g} s"
+        yield Issue(("commands",), what, _before(end))
+    for path, time in _starts(scenario):
         if time >= end:
             yield Issue(path, f"{time:g} s is not within the flight", _before(end))
         elif known_rate and first_step_at(time, scenario.rate_hz) >= scenario.steps:
             last_s = (scenario.steps - 1) / scenario.rate_hz
             yield Issue(path, f"{time:g} s is after the last control step", f"at most {last_s:g}")
-    for path, time in ends:
-        if time is not None and time > end:
+    for path, time in _ends(scenario):
+        if time > end:
             yield Issue(path, f"{time:g} s is after the flight's end", f"at most duration_s {end:g}")
+
+
+def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
+    """Path and time [s] of everything that begins in the flight; durations that it must be longer than are among them."""
+    air = scenario.atmosphere
+    yield from _given(("failures",), scenario.failures, "at_s")
+    yield from _given(("sensors", "faults"), scenario.sensors.faults, "at_s")
+    yield from _given(("atmosphere", "gusts"), air.gusts, "at_s")
+    if air.noise is not None:
+        yield ("atmosphere", "noise", "from_s"), air.noise.from_s
+    keys = ("from_s", "settles_by_s", "never_for_longer_than_s")
+    yield from _given(("requirements",), scenario.requirements, *keys)
+
+
+def _ends(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
+    """Path and time [s] of everything that ends in the flight."""
+    noise = scenario.atmosphere.noise
+    yield from _given(("failures",), scenario.failures, "until_s")
+    yield from _given(("sensors", "faults"), scenario.sensors.faults, "until_s")
+    if noise is not None and noise.until_s is not None:
+        yield ("atmosphere", "noise", "until_s"), noise.until_s
+    yield from _given(("requirements",), scenario.requirements, "until_s")
+
+
+def _given(path: TreePath, each: Iterable[object], *keys: str) -> Iterator[tuple[TreePath, float]]:
+    """Path and value of those keys that are given, of each entry of a list."""
+    for i, entry in enumerate(each):
+        for key in keys:
+            if (time := getattr(entry, key)) is not None:
+                yield (*path, i, key), time
 
 
 def _before(end: float) -> str:
