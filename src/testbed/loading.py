@@ -25,9 +25,7 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
     aircraft. Raises BadInput when the folder is none of these, or the search has not finished.
     """
     if names_kept_log(folder):
-        from testbed.sweeps.folder import kept
-
-        return kept.load(folder)
+        return _kept_flight(folder)
     if is_search_folder(folder):
         import pandas as pd
 
@@ -37,9 +35,7 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
         from testbed.sweeps.folder import reading
 
         return table_of(reading.load(folder))
-    from testbed.flight import folder as run_folder
-
-    return run_folder.load(folder)
+    return _flown_alone(folder)
 
 
 def is_search_folder(folder: str | Path) -> bool:
@@ -79,13 +75,24 @@ def names_kept_log(path: str | Path) -> bool:
 
 def load_flight(path: str | Path) -> Flight:
     """Read a run folder or a kept log of a sweep; raises BadInput when it is a sweep, a search, or neither."""
-    if not names_kept_log(path):
-        if os.path.isfile(Path(path) / "search.yaml"):
-            expected = "the folder of a flight in it, such as SEARCH/found"
-            raise BadInput([Problem("is a search folder", str(path), expected=expected)])
-        if is_sweep_folder(path):
-            expected = "a run folder, or a flight of the sweep such as SWEEP/17"
-            raise BadInput([Problem("is a sweep folder", str(path), expected=expected)])
-    flight = load(path)
-    assert not hasattr(flight, "groupby")  # a sweep and a search were refused above
-    return flight  # type: ignore[return-value]
+    if names_kept_log(path):
+        return _kept_flight(path)
+    if os.path.isfile(Path(path) / "search.yaml"):
+        expected = "the folder of a flight in it, such as SEARCH/found"
+        raise BadInput([Problem("is a search folder", str(path), expected=expected)])
+    if is_sweep_folder(path):
+        expected = "a run folder, or a flight of the sweep such as SWEEP/17"
+        raise BadInput([Problem("is a sweep folder", str(path), expected=expected)])
+    return _flown_alone(path)
+
+
+def _kept_flight(path: str | Path) -> Flight:
+    from testbed.sweeps.folder import kept
+
+    return kept.load(path)
+
+
+def _flown_alone(folder: str | Path) -> Flight:
+    from testbed.flight import folder as run_folder
+
+    return run_folder.load(folder)

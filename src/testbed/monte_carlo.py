@@ -155,9 +155,7 @@ def _write_worst_pages(plan: Plan, found: dict[str, Any], folder: Path) -> None:
         for worst in variant["worst"][:WORST_PAGES]:
             log = folder / "logs" / f"{flight_label(plan, worst['run'] * len(plan.variants) + i)}.parquet"
             flight = kept.read(log) if log.is_file() else None
-            if (
-                flight is not None and flight.actuators
-            ):  # made up by a function of the user's, it may have none
+            if flight is not None and flight.actuators:  # one made by a function of the user's may have none
                 write_kept_page(flight, log)
 
 
@@ -189,11 +187,8 @@ def fly_run(
     records = [flown.record for _, flown in done]
     flights: dict[int, Flight] = {}
     for task, flown in done:
-        if flown.record["outcome"] not in (
-            "timeout",
-            "crashed",
-        ):  # in this process, it could hang or end it too
-            # Fly again, because the worker has sent a record and not the whole log.
+        # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.
+        if flown.record["outcome"] not in ("timeout", "crashed"):
             fly_task(how.job(plan), task, keep=partial(flights.__setitem__, task.variant))
     if variant is None:
         folder.mkdir(parents=True)

@@ -15,6 +15,7 @@ from command_line import ROOT
 from pydantic import Field
 
 from testbed.aircraft.description import Aircraft
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.failures import TABLE as FAILURES
 from testbed.inputs.base import Number, Positive, Settings
 from testbed.metrics import TABLE as METRICS
@@ -54,11 +55,11 @@ def test_a_models_keys_have_type_default_range_and_meaning() -> None:
     assert "| `depth_m` | number, at least 1 and below 3 | `2` | How deep. |" in model_tables.table(Inner)
 
 
-@pytest.mark.parametrize("model", [Scenario, Sweep, Search, Aircraft])
+@pytest.mark.parametrize("model", [Scenario, Sweep, Search, Aircraft, *CONTROLLERS.values()])
 def test_every_key_is_explained_by_the_code(model: type[Settings]) -> None:
     """By a docstring below it, or by that of the mapping that it holds."""
     said = model_tables.meanings(model)
-    assert not [name for name in model.model_fields if not said.get(name)]
+    assert not [name for name in model.model_fields if name != "type" and not said.get(name)]
 
 
 def test_every_command_and_option_is_there() -> None:

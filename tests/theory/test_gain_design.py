@@ -203,7 +203,7 @@ def test_what_cannot_be_had_is_said_with_what_would_help() -> None:
     assert [sentence for sentence in slow.impossible if "within 2 s" in sentence]
     one = slow.actuators[2]
     needed = math.sqrt(one.convergence_s / 2.0) * one.position
-    assert any(f"position at the trim of {needed:.2g} scaled units" in sentence for sentence in slow.advice)
+    assert any(f"position at the trim of {needed:.3g} scaled units" in sentence for sentence in slow.advice)
     gusts = design(scenario(atmosphere={"turbulence_w20_m_s": 15.0}))
     assert any("no gain" in sentence for sentence in gusts.impossible)
     assert any("air data" in sentence for sentence in gusts.advice)

@@ -41,7 +41,7 @@ class Size:
 
 
 def drag_n(bench: Bench, alpha_rad: float) -> float:
-    """Drag in the present state of a bench."""
+    """Drag in the present state of a bench [N]."""
     x, z = bench["forces/fbx-aero-lbs"], bench["forces/fbz-aero-lbs"]
     return -(x * math.cos(alpha_rad) + z * math.sin(alpha_rad)) * NEWTONS_PER_POUND
 

@@ -124,9 +124,8 @@ def _surface(tree: ET.Element, sweep: StickSweep, base: str, group: list[str], s
     unlimited = high - low < MOVED
     if unlimited:
         low, high = -_NOMINAL_RAD, _NOMINAL_RAD
-    alive = [
-        name for name in group if stick is None or sweep.spread(name) > MOVED
-    ]  # what nobody writes stays as it is
+    # What nobody writes stays as it is.
+    alive = [name for name in group if stick is None or sweep.spread(name) > MOVED]
     readings = tuple(_reading(sweep, name, primary, per_rad, stick, (low, high)) for name in alive)
     dynamics = dynamics_of(tree, primary, (low, high))
     return Surface(

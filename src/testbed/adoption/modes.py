@@ -10,15 +10,9 @@ import numpy as np
 from testbed.aircraft.design_model import DesignModel
 
 _STEPS = {
-    "u": 0.1,
-    "v": 0.1,
-    "w": 0.1,
-    "p": 0.01,
-    "q": 0.01,
-    "r": 0.01,
-    "roll": 0.01,
-    "pitch": 0.01,
-}  # m/s, rad/s, rad
+    "u": 0.1, "v": 0.1, "w": 0.1, "p": 0.01, "q": 0.01, "r": 0.01, "roll": 0.01, "pitch": 0.01,
+}  # fmt: skip
+"""Of the differences by each state [m/s, rad/s, rad]."""
 _LONGITUDINAL, _LATERAL = ("u", "w", "q", "pitch"), ("v", "p", "r", "roll")
 _NO_MOTION = 1e-9
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from testbed.adoption.source import Source
+from testbed.common.units import METRES_PER_FOOT
 from testbed.inputs.problems import BadInput, Problem
 
 PISTON, TURBOPROP, TURBINE = "piston_engine", "turboprop_engine", "turbine_engine"
@@ -17,7 +18,7 @@ ELECTRIC = ("electric_engine", "brushless_dc_motor")
 ADOPTED = (PISTON, TURBOPROP, TURBINE, *ELECTRIC)
 """Kinds of engine, by the first tag of their files, that become actuators. A rocket stays off."""
 
-_METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "KM": 1000.0}
+_METRES = {"M": 1.0, "FT": METRES_PER_FOOT, "IN": 0.0254, "CM": 0.01, "KM": 1000.0}
 
 
 @dataclass(frozen=True)

@@ -73,9 +73,10 @@ class Propulsor:
     def torque_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> tuple[float, float]:
         """Steady torque [N m] at a thrust and axial airspeed, and its derivative by thrust, dQ/dT [m], at this airspeed."""
         n = self.speed_at(thrust_n, axial_m_s, density_kg_m3)
+        # The step is wide enough to average over the corners of the piecewise linear tables.
         (t0, q0), (_, q), (t1, q1) = (
             self._loads(n * factor, axial_m_s, density_kg_m3) for factor in (0.98, 1.0, 1.02)
-        )  # a step wide enough to average over the corners of the piecewise linear tables
+        )
         if t1 == t0:
             what = f"the propeller's thrust does not change with its speed at {axial_m_s:.3g} m/s"
             raise BadInput([Problem(what, expected="a table of thrust whose values are not all 0")])

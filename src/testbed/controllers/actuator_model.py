@@ -16,6 +16,7 @@ import math
 from testbed.common.jit import compiled
 
 NEWTON_STEPS = 4
+"""Steps of `throttle_for`. Few are enough, because it begins at the rotor's present speed."""
 
 
 @compiled

@@ -174,7 +174,7 @@ class PidSettings(ControllerSettings):
     """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
     With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`).
-    Gains are [1/s] unless the docstring says otherwise. The defaults were found by a search (CMA-ES, rounded) on healthy flights
+    Gains are in 1/s unless another unit is given. The defaults were found by a search (CMA-ES, rounded) on healthy flights
     of an aircraft of 5 kg only: the routes hard, slow and fast of the missions, in calm air and at W20 = 25 ft/s, seeds 1 to 5.
     The search kept the inner loops at 20 rad/s (60 deg of phase margin with the servos' lag), and pitch and altitude below a third
     of the loop inside them.
@@ -182,27 +182,35 @@ class PidSettings(ControllerSettings):
 
     type: Literal["pid"] = "pid"
     airspeed_kp: NonNegative = 1.9
+    """Acceleration for an error of airspeed."""
     airspeed_ki: NonNegative = 0.013
-    """[1/s2]"""
+    """Acceleration for the integral of that error [1/s2]."""
     u_dot_max: Positive = 6.0
     """Largest acceleration that airspeed may ask for [m/s2]. With 0.7, airspeed is lost in a climb through sinking air."""
     altitude_kp: NonNegative = 2.2
+    """Climb rate for an error of altitude."""
     altitude_ki: NonNegative = 0.035
-    """[rad/(m s)]"""
+    """Pitch for the integral of that error [rad/(m s)]."""
     climb_max: Positive = 3.3
     """Largest climb rate that altitude may ask for [m/s]."""
     pitch_kp: NonNegative = 6.6
+    """Pitch rate for an error of pitch."""
     q_kp: NonNegative = 20.0
+    """Pitch acceleration for an error of pitch rate."""
     heading_kp: NonNegative = 2.2
+    """Turn rate for an error of heading."""
     heading_ki: NonNegative = 0.4
-    """[1/s2]"""
+    """Turn rate for the integral of that error [1/s2]."""
     roll_kp: NonNegative = 2.1
     """Yaw rate for an error of bank: yawing causes sideslip, and with dihedral sideslip causes roll."""
     bank_kp: NonNegative = 2.0
     """Roll rate for an error of bank."""
     p_kp: NonNegative = 8.0
+    """Roll acceleration for an error of roll rate."""
     roll_max_deg: Positive = 30.0
+    """Largest bank that heading may ask for [deg]."""
     r_kp: NonNegative = 20.0
+    """Yaw acceleration for an error of yaw rate."""
 
 
 class IndiSettings(ControllerSettings):

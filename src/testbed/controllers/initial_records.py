@@ -20,15 +20,19 @@ _JAM_SIGMA = 4.0
 """Size of the fitted jam, in its standard deviations, beyond which an actuator counts as jammed. Lost effectiveness with
 20 % of model error stays above 2.6 for less than a second; an offset of 5 deg stays at 4.2 or above."""
 _JAM_TIME_S = 1.0
+"""[s] How long it must stay beyond that."""
 _JAM_PROCESS_NOISE = 0.2
 """[scaled/sqrt(s)] A jammed surface stays where it is, and the thrust of a stuck propeller changes with airspeed only. With
 1.0, gusts at 25 ft/s moved the estimated thrust by 2 units within a second."""
 _RESIDUAL_TIME_S = 1.0
-_LATE_NOISE = 0.1  # 1/sqrt(s)
+"""[s] Time constant of what the jam test compares: the means of the residual and of the model-error variance."""
+_LATE_NOISE = 0.1
+"""[1/sqrt(s)] Process noise of an actuator's lateness (`lateness.estimate_lateness`)."""
 _GIVE_UP_TIME_S = 2.0
 """[s] Little of a gust passes, and airspeed is lost more slowly than this."""
 _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD = 0.3, 2.5, 1.3
-"""When a change of one effectiveness is seen (`estimator.expect_change`)."""
+"""When a change of one effectiveness is expected (`estimator.expect_change`): the time over which innovations are averaged [s],
+the size of the change in its standard deviations, and how many times better than the next one it explains the average."""
 
 
 def model_record(setup: Setup) -> np.ndarray:

@@ -38,6 +38,9 @@ from testbed.controllers.records import (
 STALL_GAIN = 4.0
 """Nose-down acceleration of `regulate` for each radian beyond the stall, in units of the pitch loop's stiffness pitch_kp q_kp."""
 
+TURN_RATE_INTEGRAL_MAX = 0.5
+"""Limit of the paper's integrals of heading and of sideslip, each as a turn rate [rad/s]."""
+
 wrap = compiled(angles.wrap)
 
 
@@ -71,13 +74,13 @@ def pid_loops(y, ref, c, s, f, nu):
     s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q)
 
     # heading through p_dot: turn rate, then bank, then roll rate
-    s.heading_integral = clip(s.heading_integral + c.heading_ki * e_heading * dt, 0.5)  # rad/s
+    s.heading_integral = clip(s.heading_integral + c.heading_ki * e_heading * dt, TURN_RATE_INTEGRAL_MAX)
     turn_rate = c.heading_kp * e_heading + ref.heading_rate + s.heading_integral
     bank = clip(math.atan(v / GRAVITY_M_S2 * turn_rate), c.roll_max)
     s.x_dc_dot[P_DOT] = c.p_kp * (c.roll_kp * (bank - y.roll) - y.p)
 
     # sideslip through r_dot: the yaw rate of a coordinated turn, and a yaw rate towards the relative wind
-    s.sideslip_integral = clip(s.sideslip_integral + c.sideslip_ki * y.beta * dt, 0.5)  # rad/s
+    s.sideslip_integral = clip(s.sideslip_integral + c.sideslip_ki * y.beta * dt, TURN_RATE_INTEGRAL_MAX)
     coordinated = GRAVITY_M_S2 / v * math.sin(y.roll) * math.cos(y.pitch)
     r = coordinated + c.sideslip_kp * y.beta + s.sideslip_integral
     s.x_dc_dot[R_DOT] = c.r_kp * (r - y.r)

@@ -141,9 +141,8 @@ class Flight:
         least = float(np.min(found, initial=math.inf))
         if self.outcome is Outcome.completed:
             return least
-        flown_s = (
-            self.end_time_s - 1.0 / self.scenario.rate_hz
-        )  # it ended in the last step, which was not flown to its end
+        # The last step, in which it ended, was not flown to its end.
+        flown_s = self.end_time_s - 1.0 / self.scenario.rate_hz
         return min(least, 0.0) + flown_s / self.scenario.duration_s - 1.0
 
     @property

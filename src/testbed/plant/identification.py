@@ -60,7 +60,7 @@ def identify(aircraft: Aircraft, near: Trim | None = None) -> DesignModel:
     slopes = np.column_stack([_state_column(plant, level, name) for name in COLUMNS])
     at_trim = _rates(plant, level.state, level.commands)
     propulsors = propulsors_of(plant, level)
-    offsets = _torque_offsets(inputs, torques, propulsors, positions, level, density)
+    offsets = _torque_offsets(torques, propulsors, positions, level, density)
     for i, kind in enumerate(kinds):
         if kind == "engine":
             offsets[:, i] = _engine_offset(plant, level, i, inputs[:, i] * positions[i])
@@ -194,7 +194,6 @@ def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
 
 
 def _torque_offsets(
-    inputs: np.ndarray,
     torques: np.ndarray,
     propulsors: Sequence[Propulsor | EngineMap | None],
     positions: Sequence[float],

@@ -81,9 +81,7 @@ def _rules() -> str:
 
     A module is taken to be as it was while its time and size are, as Python itself does to know whether compiled code is stale.
     """
-    found = importlib.util.find_spec(
-        "jsbsim"
-    )  # not its version, which takes longer to find than all else here
+    found = importlib.util.find_spec("jsbsim")  # its version would take longer to find than all else here
     installed = Path(found.origin).parent.stat().st_mtime_ns if found and found.origin else 0
     text = hashlib.sha256(str(installed).encode())
     plant = Path(__file__).parent

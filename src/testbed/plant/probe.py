@@ -46,7 +46,8 @@ def main() -> int:
     try:
         catalog = _started(aircraft)
     except BadInput as error:
-        return _refuse(list(error.problems))
+        _say_problems(list(error.problems))
+        return 1
     _say({"properties": catalog})
     return 0
 
@@ -59,9 +60,7 @@ def _started(aircraft: Aircraft) -> dict[str, bool]:
     if missing:
         raise BadInput(in_yaml(aircraft, missing))
     suspects = list(_missing_references(aircraft, manager, fdm))
-    _say(
-        {"problems": [asdict(problem) for problem in suspects]}
-    )  # the last words if JSBSim ends the process now
+    _say_problems(suspects)  # the last words if JSBSim ends the process now
     try:
         plant = Plant(aircraft, _PHYSICS_HZ)
         _run(plant)
@@ -156,9 +155,8 @@ def _say(answer: dict[str, Any]) -> None:
     print(json.dumps(answer), flush=True)
 
 
-def _refuse(problems: list[Problem]) -> int:
+def _say_problems(problems: list[Problem]) -> None:
     _say({"problems": [asdict(problem) for problem in problems]})
-    return 1
 
 
 def _of_model(aircraft: Aircraft, what: str, expected: str = "") -> Problem:

@@ -151,9 +151,8 @@ class TrimProblem:
 
     def _root(self) -> NearestRoot:
         ranges, angles = np.array([command_range(a) for a in self._free]).reshape(-1, 2), len(self.angles)
-        far = np.maximum(
-            _FARTHEST, 2.0 * np.abs(self.first_guess()[:angles])
-        )  # a fast aircraft's airspeed is far
+        # The scaled airspeed of a fast aircraft may be beyond `_FARTHEST` at the first guess already.
+        far = np.maximum(_FARTHEST, 2.0 * np.abs(self.first_guess()[:angles]))
         low, high = (
             np.concatenate([far * s, ranges[:, k] / self.sizes[angles:]]) for s, k in ((-1, 0), (1, 1))
         )

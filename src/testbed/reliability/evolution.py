@@ -17,7 +17,7 @@ def evolve(
     dimensions = len(start)
     if dimensions == 1:  # CMA-ES needs two; the second coordinate is not used
         start = np.append(start, 0.0)
-    strategy = cma.CMAEvolutionStrategy(start, spread, _options(search, random, dimensions))
+    strategy = cma.CMAEvolutionStrategy(start, spread, _options(random, dimensions))
     boost = 2.0
     while search.left >= strategy.popsize and not strategy.stop():
         candidates = strategy.ask()
@@ -32,8 +32,8 @@ def evolve(
         strategy.tell(candidates, list(merits))
 
 
-def _options(search: Search, random: np.random.Generator, dimensions: int) -> dict[str, object]:
-    """Silent, with random numbers of its own stream, and settled at a thousandth of a standard deviation."""
+def _options(random: np.random.Generator, dimensions: int) -> dict[str, object]:
+    """Silent, with random numbers of its own stream, and settled at a hundredth of a standard deviation (`tolx`)."""
     return {
         "verbose": -9,
         "seed": math.nan,

@@ -39,9 +39,8 @@ def smallest_failure(
     """The failure of `limit_state` (at or below 0) that is nearest to the origin, by `starts` searches within `budget`.
 
     Directions are surveyed, and in few dimensions further points are chosen by kriging, to find other regions that fail. After
-    that, each start minimises
-    distance + weight max(limit state, 0) by CMA-ES (Hansen 2016, arXiv:1604.00772), looks for a nearer failure between the best
-    one and the origin, and then moves it along the limit surface until that no longer helps.
+    that, each start minimises distance + weight max(limit state, 0) by CMA-ES (Hansen 2016, arXiv:1604.00772). It looks for a
+    nearer failure between the best one and the origin, and then moves that along the limit surface until it comes no nearer.
     Without a failure the rest of the budget is spent on independent draws, whose number bounds the probability.
 
     Raises BadInput for arguments that cannot be used, for a limit state that returns anything but [n] numbers, and if it

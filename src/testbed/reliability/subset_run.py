@@ -88,7 +88,7 @@ def run_levels(asked: Asked, size: int, random: np.random.Generator) -> Run:
         threshold = _threshold(people.values, size // LENGTH)
         inside = people.values <= threshold
         run.levels.append(_level(people, inside, threshold))
-        run.end = _end(run, people, inside, asked)
+        run.end = _end(run, inside, asked)
         if not run.end:
             people = _next(asked, run, people, inside, spread, random)
     failing = people.values <= 0
@@ -131,7 +131,7 @@ def _level(people: Population, inside: np.ndarray, threshold: float) -> Level:
     return Level(threshold, share, float(np.sqrt(np.sum(sums**2)) / inside.sum()), people.evaluations)
 
 
-def _end(run: Run, people: Population, inside: np.ndarray, asked: Asked) -> str:
+def _end(run: Run, inside: np.ndarray, asked: Asked) -> str:
     """Why the run ends with this level, "" if it does not."""
     if run.taken < STUCK:
         return "stuck"

@@ -12,6 +12,11 @@ from testbed.failures import Failure, overlaps, same_property
 from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
 from testbed.scenario.model import Scenario
 
+MAX_STEPS = 20_000_000
+"""Most control steps of a flight; the log of more would not fit into memory."""
+MAX_PHYSICS_STEPS = 100_000_000
+"""Most physics steps of a flight: some ten minutes of computing at 6 us each."""
+
 
 def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
     """Issues that can be found without the simulator; with `aircraft` None, only those of times."""
@@ -84,52 +89,52 @@ def _times(scenario: Scenario) -> Iterator[Issue]:
     """Times after the end of the flight. What is asked for there would never happen, and nobody would notice."""
     end = scenario.duration_s
     known_rate = scenario.rate_hz > 1 and end * scenario.rate_hz <= MAX_STEPS
-    starts: list[tuple[TreePath, float | None]] = []
-    ends: list[tuple[TreePath, float | None]] = []
-    for i, failure in enumerate(scenario.failures):
-        starts.append((("failures", i, "at_s"), failure.at_s))
-        ends.append((("failures", i, "until_s"), failure.until_s))
-    for i, fault in enumerate(scenario.sensors.faults):
-        starts.append((("sensors", "faults", i, "at_s"), fault.at_s))
-        ends.append((("sensors", "faults", i, "until_s"), fault.until_s))
-    for i, gust in enumerate(scenario.atmosphere.gusts):
-        starts.append((("atmosphere", "gusts", i, "at_s"), gust.at_s))
-    if (noise := scenario.atmosphere.noise) is not None:
-        starts.append((("atmosphere", "noise", "from_s"), noise.from_s))
-        ends.append((("atmosphere", "noise", "until_s"), noise.until_s))
-    for i, requirement in enumerate(scenario.requirements):
-        starts.append((("requirements", i, "from_s"), requirement.from_s))
-        starts.append((("requirements", i, "settles_by_s"), requirement.settles_by_s))
-        starts.append((("requirements", i, "never_for_longer_than_s"), requirement.never_for_longer_than_s))
-        ends.append((("requirements", i, "until_s"), requirement.until_s))
-    last = len(scenario.commands) - 1
     if scenario.commands and scenario.commands[-1].at_s >= end:
-        yield Issue(
-            ("commands",), f"the last of {last + 1} is at {scenario.commands[-1].at_s:g} s", _before(end)
-        )
-    for path, time in starts:
-        if time is None:
-            continue
+        what = f"the last of {len(scenario.commands)} is at {scenario.commands[-1].at_s:g} s"
+        yield Issue(("commands",), what, _before(end))
+    for path, time in _starts(scenario):
         if time >= end:
             yield Issue(path, f"{time:g} s is not within the flight", _before(end))
         elif known_rate and first_step_at(time, scenario.rate_hz) >= scenario.steps:
             last_s = (scenario.steps - 1) / scenario.rate_hz
             yield Issue(path, f"{time:g} s is after the last control step", f"at most {last_s:g}")
-    for path, time in ends:
-        if time is not None and time > end:
+    for path, time in _ends(scenario):
+        if time > end:
             yield Issue(path, f"{time:g} s is after the flight's end", f"at most duration_s {end:g}")
+
+
+def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
+    """Path and time [s] of everything that begins in the flight; durations that it must be longer than are among them."""
+    air = scenario.atmosphere
+    yield from _given(("failures",), scenario.failures, "at_s")
+    yield from _given(("sensors", "faults"), scenario.sensors.faults, "at_s")
+    yield from _given(("atmosphere", "gusts"), air.gusts, "at_s")
+    if air.noise is not None:
+        yield ("atmosphere", "noise", "from_s"), air.noise.from_s
+    keys = ("from_s", "settles_by_s", "never_for_longer_than_s")
+    yield from _given(("requirements",), scenario.requirements, *keys)
+
+
+def _ends(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
+    """Path and time [s] of everything that ends in the flight."""
+    noise = scenario.atmosphere.noise
+    yield from _given(("failures",), scenario.failures, "until_s")
+    yield from _given(("sensors", "faults"), scenario.sensors.faults, "until_s")
+    if noise is not None and noise.until_s is not None:
+        yield ("atmosphere", "noise", "until_s"), noise.until_s
+    yield from _given(("requirements",), scenario.requirements, "until_s")
+
+
+def _given(path: TreePath, each: Iterable[object], *keys: str) -> Iterator[tuple[TreePath, float]]:
+    """Path and value of those keys that are given, of each entry of a list."""
+    for i, entry in enumerate(each):
+        for key in keys:
+            if (time := getattr(entry, key)) is not None:
+                yield (*path, i, key), time
 
 
 def _before(end: float) -> str:
     return f"less than duration_s {end:g}"
-
-
-MAX_STEPS = 20_000_000
-"""Control steps in a flight; the log of more would not fit into memory."""
-
-
-MAX_PHYSICS_STEPS = 100_000_000
-"""Physics steps in a flight: some ten minutes of computing at 6 us each."""
 
 
 def _steps(scenario: Scenario) -> Iterator[Issue]:
@@ -181,9 +186,8 @@ def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
 def _coefficients(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     """Coefficients in `model_error` that the design model does not have."""
     if scenario.controller.model_error:
-        from testbed.aircraft.design_model import (
-            coefficient_names,  # imported here, because scipy is slow to import and few scenarios need it
-        )
+        # Imported here, because scipy is slow to import and few scenarios need it.
+        from testbed.aircraft.design_model import coefficient_names
 
         known = coefficient_names(aircraft.actuators)
         for name in scenario.controller.model_error:

@@ -63,10 +63,8 @@ def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
     tree = source.tree
     if aircraft is not None and (tree.get("initial") is None or isinstance(tree["initial"], dict)):
         tree["initial"] = {**aircraft.reference.model_dump(), **(tree.get("initial") or {})}
-    elif problems:
-        tree.setdefault(
-            "initial", _somewhere(None)
-        )  # what is wrong with the aircraft is the only problem then
+    elif problems:  # of the aircraft: a missing initial condition is no problem of its own then
+        tree.setdefault("initial", _somewhere(None))
     stand_ins = {
         "name": "?",
         "aircraft": "?",

@@ -72,7 +72,7 @@ def _together(sentences: Iterable[tuple[str, str]]) -> list[str]:
 def _shortcomings(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
     if one.offset > tolerance.deviation:
         yield (
-            f"errors that last move the estimate by {one.offset:.2g} (1 sigma) whatever the gains; tolerated are "
+            f"errors that last move the estimate by {one.offset:.3g} (1 sigma) whatever the gains; tolerated are "
             f"{tolerance.deviation:g}"
         )
     if one.lowest <= 0.0:
@@ -95,13 +95,13 @@ def _advice(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
     if factor <= 1.0:
         return
     yield (
-        f"a position at the trim of {factor * one.position:.2g} scaled units instead of {one.position:.2g}, by another airspeed "
+        f"a position at the trim of {factor * one.position:.3g} scaled units instead of {one.position:.3g}, by another airspeed "
         "or centre of gravity"
     )
     if one.shares:
         name, share = one.shares[0]
         better = "air data that know it" if name == ROLLING else f"less {name}"
-        yield f"{better}, which makes {share:.2g} of the deviation of {one.deviation:.2g}"
+        yield f"{better}, which makes {share:.3g} of the deviation of {one.deviation:.3g}"
     if abs(one.bias) > tolerance.deviation:
         yield f"a design model of this trim: the present one moves the estimate by {one.bias:+.2g}"
 

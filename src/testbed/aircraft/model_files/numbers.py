@@ -51,7 +51,6 @@ _NUMERIC = frozenset(
     ]
 )
 """Elements that hold one number and nothing else."""
-_AXES = ("x", "y", "z")
 
 
 def finite(text: str) -> float | None:

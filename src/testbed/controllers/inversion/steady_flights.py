@@ -63,14 +63,14 @@ class Remaining:
         return np.flatnonzero(self.available)
 
     @property
+    def unused(self) -> list[int]:
+        """Indices of the actuators that are not available."""
+        return np.flatnonzero(self.available == 0.0).tolist()
+
+    @property
     def servos(self) -> np.ndarray:
         """[n] which actuators move a surface."""
         return np.array([kind == "servo" for kind in self.model.kinds])
-
-    @property
-    def unused(self) -> list[int]:
-        """Indices of the others."""
-        return np.flatnonzero(self.available == 0.0).tolist()
 
     @property
     def jammed(self) -> bool:

@@ -30,10 +30,8 @@ _WIDTH = 10.0  # inches, as all sizes here
 _TOP, _BOTTOM, _GAP, _LEFT, _RIGHT = 0.72, 0.55, 0.16, 1.1, 0.25
 _LANE_ROW = 0.19
 _LABEL = 0.58  # from the axis to its label, with room for the numbers
-_ZOOM, _BETWEEN = (
-    2.3,
-    0.5,
-)  # width of the panels around the failure, and the gap before them, with room for numbers
+_ZOOM, _BETWEEN = 2.3, 0.5
+"""Width of the panels around the failure, and the gap before them, with room for numbers."""
 
 TRUTH: dict[str, Any] = {"color": "black", "linestyle": "-", "linewidth": 1.3}
 """True values."""

@@ -17,10 +17,8 @@ MOST_ROWS = 5500
 """Rows that are kept, at 110 s of flight 50 each second."""
 _DENSE = 2.0  # a column is dense if thinning it takes away more than this factor of its total variation
 _NONE = 65535  # stands for no value
-_LEVELS, _FEWER = (
-    65534,
-    4094,
-)  # largest number that stands for a value; in a noisy column, whose last bits are incompressible
+_LEVELS, _FEWER = 65534, 4094
+"""Largest number that stands for a value; the same in a noisy column, whose last bits cannot be compressed."""
 _NOISY_BYTES = 6000  # size of a deflated column from which on it counts as noisy
 
 

@@ -41,9 +41,8 @@ def rows(plan: Plan, records: Iterable[Mapping[str, Any]]) -> Iterator[dict[str,
 def _requirements(record: Mapping[str, Any]) -> dict[str, Any]:
     flat: dict[str, Any] = {}
     for j, verdict in enumerate(record.get("requirements", ())):
-        for name, value in zip(
-            ("passed", "value", "robustness"), verdict, strict=False
-        ):  # older records have two
+        names = ("passed", "value", "robustness")
+        for name, value in zip(names, verdict, strict=False):  # records of older versions have no robustness
             flat[f"requirements.{j}.{name}"] = value
     return flat
 

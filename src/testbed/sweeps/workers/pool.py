@@ -12,10 +12,10 @@ from testbed.sweeps.workers.flying import Flown, Job
 from testbed.sweeps.workers.worker import Child
 
 Done = tuple[Task, Flown]
-
+"""A task, and what is kept of its flight."""
 
 MOST_JOBS = 1000
-"""Most processes of one machine: each takes 200 MB and a thread of the parent's."""
+"""Most processes of one machine: each takes 250 MB and a thread of the parent's."""
 
 
 def default_jobs() -> int:
