@@ -27,7 +27,7 @@ from testbed.reliability import FailureProbability, failure_probability, smalles
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "rare_failures.md"
 BUDGET = 4000
-METHODS = ("importance", "subset")
+METHODS = ("importance", "adaptive", "subset")
 CASES: Mapping[str, Case] = {
     "half space, d = 2": linear(2, 1e-5),
     "half space, d = 20": linear(20, 1e-5),
@@ -67,7 +67,7 @@ evaluations and an asked coefficient of variation of 0.3.
 *Within 2*: share of the seeds whose estimate is between half and twice the known probability. *Covers*: share whose
 95 % interval contains it. *Width*: median ratio of the interval's ends. *Evaluations*: mean, and the most of any seed.
 *Converged*: share of the seeds that say that they know it as well as asked. *Left to subset simulation*: share of the
-seeds in which the method `importance`, which is the default, did not trust its weights, or had no need of them.
+seeds in which the method `importance`, which is the default, or `adaptive` did not trust its weights, or had no need of them.
 
 {probabilities}
 
@@ -139,7 +139,7 @@ def measured(found: Sequence[FailureProbability], case: Case, method: str) -> tu
     covers = [one.interval[0] <= case.probability <= one.interval[1] for one in found]
     widths = [one.interval[1] / max(one.interval[0], 1e-300) for one in found]
     evaluations = [one.evaluations for one in found]
-    left = share([one.method == "subset" for one in found]) if method == "importance" else ""
+    left = share([one.method == "subset" for one in found]) if method != "subset" else ""
     return (
         share((ratios > 0.5) & (ratios < 2)),
         share(covers),

@@ -46,8 +46,13 @@ class Limits:
 
 
 CHECKED, RARE = Limits(4, 9), Limits(5.75, 12.5)
-SEEDS = {CHECKED: (1, 2, 3, 4, 5), RARE: (1, 2, 3, 4, 5)}
-METHOD = "subset"
+SEARCHES = [
+    (limits, method, seed)
+    for method, seeds in (("adaptive", (1, 2, 3, 4, 5)), ("subset", (1,)))
+    for limits in (RARE, CHECKED)
+    for seed in seeds
+]
+"""In the order in which they are made: the rarer case, which plain sampling cannot check, first."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -55,11 +60,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     if options.page:
         PAGE.write_text(page(options.out), encoding="utf-8")
         return
-    for limits, seeds in SEEDS.items():
-        for seed in seeds:
-            search(
-                _folder(options.out, limits, METHOD, seed), options.jobs, limits, METHOD, seed, BUDGET, COV
-            )
+    for limits, method, seed in SEARCHES:
+        folder = _folder(options.out, limits, method, seed)
+        search(folder, options.jobs, limits, method, seed, BUDGET, COV)
     plain = _folder(options.out, CHECKED, "plain", PLAIN_SEED)
     search(plain, options.jobs, CHECKED, "plain", PLAIN_SEED, options.plain, 0.001)
 
@@ -115,15 +118,14 @@ def page(out: Path) -> str:
 
 
 def _searched(out: Path) -> Iterator[str]:
-    for limits, seeds in SEEDS.items():
-        for seed in seeds:
-            file = _folder(out, limits, METHOD, seed) / "summary.json"
-            if file.is_file():
-                said: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
-                known = said["probability"]
-                ends = known["low"], known["high"]
-                cov = known["coefficient_of_variation"]
-                yield _row(limits, METHOD, seed, known["estimate"], ends, cov, known["flights"])
+    for limits, method, seed in sorted(SEARCHES, key=lambda one: one[0] is RARE):
+        file = _folder(out, limits, method, seed) / "summary.json"
+        if file.is_file():
+            said: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+            known = said["probability"]
+            ends = known["low"], known["high"]
+            cov = known["coefficient_of_variation"]
+            yield _row(limits, method, seed, known["estimate"], ends, cov, known["flights"])
 
 
 def _row(limits: Limits, method: str, seed: int, estimate: float, ends: tuple[float, float], cov: float,

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import rare_flights
-from rare_flights import CHECKED, METHOD, RARE
+from rare_flights import CHECKED, RARE
 
 from testbed.searches.load import load_search
 from testbed.sweeps.checks import check
@@ -29,7 +29,7 @@ def out(tmp_path: Path) -> Path:
             record["passed"] = True
         journal.append(record)
     journal.close()
-    made = tmp_path / f"{METHOD}-4m-seed1"
+    made = tmp_path / "adaptive-4m-seed1"
     made.mkdir()
     known = {"estimate": 0.01, "low": 0.005, "high": 0.02, "coefficient_of_variation": 0.3, "flights": 700}
     (made / "summary.json").write_text(json.dumps({"probability": known}))
@@ -42,7 +42,7 @@ def test_plain_flights_are_counted_without_the_one_at_the_origin(out: Path) -> N
 
 def test_the_page_has_a_row_for_each_search_that_was_made(out: Path) -> None:
     rows = [line for line in rare_flights.page(out).splitlines() if line.startswith("| 4 m")]
-    assert [row.split(" | ")[1:3] for row in rows] == [["`plain`", "2"], [f"`{METHOD}`", "1"]]
+    assert [row.split(" | ")[1:3] for row in rows] == [["`plain`", "2"], ["`adaptive`", "1"]]
     assert "1.25e-01 | 3.2e-03 to 5.3e-01" in rows[0]  # Clopper and Pearson's interval of 1 in 8
     assert rows[1].endswith("| 1.00e-02 | 5.0e-03 to 2.0e-02 | 0.30 | 700 | 1.1e+03 |")
 

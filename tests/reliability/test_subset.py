@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from testbed.reliability import failure_probability
 from testbed.reliability.results import FailureProbability
 
-BOTH = ["subset", "importance"]
+METHODS = ["subset", "importance", "adaptive"]
 KNOWN = {
     "linear, 20 dimensions": limit_states.linear(20, 1e-5),
     "four branches": limit_states.four_branch(),
@@ -34,7 +34,7 @@ def results(case: limit_states.Case, seeds: int, **given: object) -> list[Failur
     ]
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", KNOWN)
 def test_the_interval_covers_and_the_estimate_is_near(name: str, method: str) -> None:
     case, seeds = KNOWN[name], 20
@@ -113,7 +113,7 @@ def noise(u: np.ndarray) -> np.ndarray:
     return 4.0 + np.array([np.random.default_rng(zlib.crc32(row.tobytes())).standard_normal() for row in u])
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 def test_a_flat_limit_state_is_sampled_plainly(method: str) -> None:
     found = failure_probability(lambda u: np.where(u[:, 0] > 3.0, -1.0, 1.0), 3, method=method)
     assert found.interval[0] < 0.00135 < found.interval[1] and "flat" in found.reason
@@ -123,35 +123,35 @@ def test_a_flat_limit_state_is_sampled_plainly(method: str) -> None:
     assert never.design_point is None and math.isinf(never.distance)
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 def test_a_saturated_limit_state_is_followed_below_its_flat_part(method: str) -> None:
     found = failure_probability(lambda u: np.minimum(3.5 - u[:, 0], 1.6), 3, method=method)
     assert len(found.levels) > 1 and found.levels[0].threshold < 1.6
     assert found.interval[0] < 2.33e-4 < found.interval[1]
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 def test_a_plateau_above_the_failures_gives_an_upper_end_only(method: str) -> None:
     found = failure_probability(lambda u: np.maximum(2.0 - u[:, 0], 0.5), 3, method=method)
     assert "flat" in found.reason and not found.converged
     assert found.interval[0] == 0 and 0.0668 <= found.interval[1] < 0.3  # P(u > 1.5) = .0668
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 def test_a_limit_state_that_is_noise_is_not_followed(method: str) -> None:
     found = failure_probability(noise, 3, method=method)
     assert "hardly move" in found.reason and not found.converged
     assert found.interval[0] == 0 and found.interval[1] > 3.2e-5 and math.isinf(found.cov)
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 def test_a_slope_that_ends_before_the_failures_gives_an_upper_end_only(method: str) -> None:
     found = failure_probability(lambda u: np.exp(-u[:, 0]), 2, budget=2000, method=method)
     assert found.interval[0] == 0 and not found.converged and "budget" in found.reason
     assert found.interval[1] < 0.01
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 def test_what_is_not_a_number_widens_the_interval(method: str) -> None:
     def limit_state(u: np.ndarray) -> np.ndarray:
         return np.where(u[:, 1] > 2.5, np.nan, 3.5 - u[:, 0])
@@ -163,7 +163,7 @@ def test_what_is_not_a_number_widens_the_interval(method: str) -> None:
     assert not nothing.converged and nothing.interval[1] > 0.99
 
 
-@pytest.mark.parametrize("method", BOTH)
+@pytest.mark.parametrize("method", METHODS)
 def test_failing_more_often_than_not(method: str) -> None:
     found = failure_probability(lambda u: u[:, 0] - 0.5, 3, method=method)
     assert found.converged and found.interval[0] < 0.6915 < found.interval[1]

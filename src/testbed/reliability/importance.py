@@ -16,7 +16,7 @@ from threadpoolctl import threadpool_limits
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.smallest import search_from
-from testbed.reliability.subset import first_run, go_on, log_normal, missing_evaluations
+from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
 from testbed.reliability.surface import Search
 from testbed.sweeps.statistics import CONFIDENCE
@@ -102,11 +102,11 @@ def importance(asked: Asked, random: np.random.Generator, cov: float) -> Failure
     with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so the points
         mixture = _mixture(asked, run, random)
         if mixture is None:
-            return _instead(asked, random, cov, run, "the failures are not in a few regions")
+            return instead(asked, random, cov, run, "the failures are not in a few regions")
         drawn = _draw(asked, mixture, random, cov)
     doubt = _doubt(drawn, run, asked) or _missing(mixture, run)
     if doubt:
-        return _instead(asked, random, cov, run, doubt)
+        return instead(asked, random, cov, run, doubt)
     return _result(asked, run, drawn, cov, len(mixture.shares))
 
 
@@ -172,15 +172,6 @@ def _missing(mixture: Mixture, run: Run) -> str:
     if alone <= SINGLE * len(pairs):
         return ""
     return f"{alone} of {len(pairs)} independent lines are alone in their region, and others may be missing"
-
-
-def _instead(
-    asked: Asked, random: np.random.Generator, cov: float, run: Run, doubt: str
-) -> FailureProbability:
-    """Subset simulation with what is left of the budget."""
-    known = go_on(asked, random, cov, [run])
-    words = f"Not by importance sampling, as {doubt}. {known.reason}"
-    return FailureProbability(**{**vars(known), "reason": words})
 
 
 def _result(asked: Asked, run: Run, drawn: Weighed, cov: float, regions: int) -> FailureProbability:

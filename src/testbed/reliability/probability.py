@@ -9,6 +9,7 @@ import numpy as np
 from testbed.common.random_streams import generator
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reliability import arguments
+from testbed.reliability.adaptive import adaptive
 from testbed.reliability.importance import importance
 from testbed.reliability.limit_state import Asked, LimitState
 from testbed.reliability.plain import plain
@@ -17,7 +18,12 @@ from testbed.reliability.subset import subset
 
 Method = Callable[[Asked, np.random.Generator, float], FailureProbability]
 
-TABLE: dict[str, Method] = {"subset": subset, "importance": importance, "plain": plain}
+TABLE: dict[str, Method] = {
+    "subset": subset,
+    "importance": importance,
+    "adaptive": adaptive,
+    "plain": plain,
+}
 
 MOST_DIMENSIONS = 10_000
 
@@ -34,7 +40,8 @@ def failure_probability(
     """Probability that `limit_state` is at or below 0 when its inputs are independent standard normals.
 
     `method` is `importance` (subset simulation to find the failures, then importance sampling about the nearest of them
-    where that can be trusted), `subset` (subset simulation alone) or `plain` (independent draws).
+    where that can be trusted), `adaptive` (the same about all failures, from mixtures fitted to them), `subset` (subset
+    simulation alone) or `plain` (independent draws).
 
     `limit_state` takes an array [n, dimensions] and returns [n] values. It is called until the coefficient of variation of
     the estimate is at most `cov`, or `budget` evaluations are spent. The result says which, and has a 95 % interval. The

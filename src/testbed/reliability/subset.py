@@ -55,6 +55,15 @@ def go_on(asked: Asked, random: np.random.Generator, cov: float, runs: list[Run]
     return _known(asked, runs, cov) if runs[-1].end == "reached" else _unknown(asked, runs)
 
 
+def instead(
+    asked: Asked, random: np.random.Generator, cov: float, run: Run, doubt: str
+) -> FailureProbability:
+    """Subset simulation with what is left of the budget, because of a doubt about importance sampling."""
+    known = go_on(asked, random, cov, [run])
+    words = f"Not by importance sampling, as {doubt}. {known.reason}"
+    return FailureProbability(**{**vars(known), "reason": words})
+
+
 def _next_size(asked: Asked, runs: Sequence[Run], cov: float) -> int:
     """Points a level that are missing for `cov`, or that are left in the budget, with a reserve for one more level in three."""
     return _whole(min(1.1 * _missing(runs, cov) + LEAST, asked.left / (_cost(runs) + 0.3)))

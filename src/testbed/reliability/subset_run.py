@@ -32,7 +32,8 @@ STUCK = 0.1
 class Run:
     """Levels so far, and the failures [n, d] in the last one, each with the independent draw that it descends from.
 
-    `end` is reached, budget, flat or stuck. `unknown` are the upper ends of the share of points without a number.
+    `populations` are the points of the last three levels, each inside the threshold of the level before it. `end` is
+    reached, budget, flat or stuck. `unknown` are the upper ends of the share of points without a number.
     """
 
     size: int
@@ -44,6 +45,7 @@ class Run:
     shared: float = math.inf
     failures: np.ndarray = field(default_factory=lambda: np.empty((0, 0)))
     draws: np.ndarray = field(default_factory=lambda: np.empty(0, dtype=int))
+    populations: list[np.ndarray] = field(default_factory=list)
 
     @property
     def probability(self) -> float:
@@ -85,6 +87,7 @@ def run_levels(asked: Asked, size: int, random: np.random.Generator) -> Run:
     run, spread = Run(size), Spread()
     people = _draw(asked, run, random)
     while not run.end:
+        run.populations = [*run.populations[-2:], people.points]
         threshold = _threshold(people.values, size // LENGTH)
         inside = people.values <= threshold
         run.levels.append(_level(people, inside, threshold))

@@ -24,8 +24,9 @@ class Search(Study):
     """Most flights of each search. Every variant, and every option of a `choice`, is a search of its own."""
     cov: Annotated[Number, Field(gt=0, le=1)] = 0.3
     """For a probability: the coefficient of variation at which the search ends."""
-    method: Literal["subset", "importance", "plain"] = "subset"
-    """For a probability: subset simulation, importance sampling about the design point, or plain sampling as the check of both."""
+    method: Literal["subset", "importance", "adaptive", "plain"] = "subset"
+    """For a probability: subset simulation, importance sampling about the design points or about all failures, or plain
+    sampling as the check of them."""
     starts: Annotated[int, Field(strict=True, ge=1, le=100)] = 3
     """For the smallest failure: number of independent starts, of which the nearest failure counts."""
     nominal: dict[str, Number] = {}  # noqa: RUF012
