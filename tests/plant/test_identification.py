@@ -43,7 +43,9 @@ def test_an_actuator_that_does_not_move_is_named(tmp_path: Path) -> None:
     folder = vtail_at(tmp_path)
     command = "<product><property>fcs/left-ruddervator/command-rad"
     replaced(MODEL, command, command.replace("left", "right"))(folder)
-    with pytest.raises(BadInput, match=r"vtail\.yaml:\d+: actuators\.left_ruddervator: .* does not follow its command"):
+    with pytest.raises(
+        BadInput, match=r"vtail\.yaml:\d+: actuators\.left_ruddervator: .* does not follow its command"
+    ):
         identify(load_aircraft(str(folder)))
 
 
