@@ -142,7 +142,16 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
 
 
 def lockstep(parts: Assembly, watch: Watch | None = None) -> tuple[Outcome, Recorded]:
-    """The loop, until the last control step or until the flight ends early; returns how it ended, and what was recorded.
+    """Fly until the last control step or until the flight ends early; returns how it ended, and what was recorded.
+
+    Raises BadInput when JSBSim cannot go on, or the user's controller.
+    """
+    with parts.plant.in_words():
+        return _loop(parts, watch)
+
+
+def _loop(parts: Assembly, watch: Watch | None) -> tuple[Outcome, Recorded]:
+    """Step by step.
 
     In each control step k, at time k / rate: inject failures, set the wind, read and log the truth, measure, command, stop if
     the flight has ended, advance the plant.

@@ -51,6 +51,8 @@ def test_an_unknown_aircraft(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
         "./hevy": r"there is no folder './hevy', .* did you mean \./heavy\?",
         "./empty": r"'./empty' has no empty\.yaml",
         "./heavy/heavy.yaml": r"is a file, expected an aircraft's folder, did you mean \./heavy\?",
+        "/": "'/' has no ",
+        "./": r"\./' has no .*",
         "heavy": r"no aircraft 'heavy', .* did you mean \./heavy\?",
     }.items():
         with pytest.raises(BadInput, match=problem):

@@ -53,6 +53,11 @@ def test_different_properties_may_be_held_at_once() -> None:
     assert list(overlaps(both, AIRCRAFT)) == []
 
 
+def test_of_many_that_meet_each_later_one_is_named_once() -> None:
+    """Not each of the pairs, of which a thousand failures have half a million."""
+    assert list(overlaps([failure(**LEFT, at_s=1)] * 4, AIRCRAFT)) == [(0, i, PROPERTY) for i in (1, 2, 3)]
+
+
 def test_two_spellings_are_one_property() -> None:
     assert same_property("a[0]/b[1]") == same_property("a/b[1]") != same_property("a/b")
     spelled = [{"propulsion/engine[0]/x": 1.0}, {"propulsion/engine/x": 1.0}]

@@ -27,6 +27,12 @@ REFUSED = [
     ("? [1, 2]\n: 3\n", 1, "", "not text"),
     ("a: 2020-13-45\n", 1, "a", "cannot be read"),
     ("a: !!python/object:os.system x\n", 1, "a", "cannot be read"),
+    ("a: !!bool x\n", 1, "a", "'x' cannot be read: no bool"),
+    ("a: !!int ''\n", 1, "a", "'' cannot be read: no int"),
+    ("a: !!float ''\n", 1, "a", "cannot be read: no float"),
+    ("a: !!timestamp x\n", 1, "a", "cannot be read: no timestamp"),
+    (f"a: 0x{'f' * 5000}\n", 1, "a", "too large a number"),
+    (f"a: 1{':59' * 3000}\n", 1, "a", "too large a number"),
 ]
 
 

@@ -20,6 +20,8 @@ Spoil = Callable[[Path], None]
 MODEL, YAML = "vtail.xml", "vtail.yaml"
 MOTOR, PROPELLER = "Engines/vtail_motor.xml", "Engines/vtail_prop.xml"
 TAIL = "fcs/left-ruddervator"
+LATER = "<lt><property>simulation/sim-time-sec</property><value>0.5</value></lt>"
+"""1 at first, and 0 half a second later: what a first load does not see."""
 
 
 class Hostile(NamedTuple):
@@ -105,6 +107,11 @@ def channel(component: str) -> Spoil:
     return inserted("flight_control", f'<channel name="x">{component}</channel>')
 
 
+def function(operation: str) -> Spoil:
+    """Adds a function `aero/x` to the aerodynamics."""
+    return inserted("aerodynamics", f"<function name='aero/x'>{operation}</function>")
+
+
 def without(section: str) -> Spoil:
     return replaced(MODEL, rf"<{section}\b.*</{section}>", "")
 
@@ -149,6 +156,62 @@ HOSTILE: dict[str, Hostile] = {
         inserted("flight_control", '<property value="1">simulation/write-state-file</property>'),
         MODEL,
         "steers the simulation",
+    ),
+    "written by a function": Hostile(
+        inserted(
+            "aerodynamics",
+            "<function name='aero/x' copyto='simulation/write-state-file'><value>1</value></function>",
+        ),
+        MODEL,
+        "steers the simulation",
+    ),
+    "engines started in flight": Hostile(
+        inserted(
+            "aerodynamics",
+            "<function name='aero/x' copyto='propulsion/set-running'><value>1</value></function>",
+        ),
+        MODEL,
+        "steers the simulation",
+    ),
+    # What would end the process or change the flight later than a first load looks
+    "remainder": Hostile(
+        function(f"<mod><value>1</value>{LATER}</mod>"),
+        MODEL,
+        "divide by zero.*a divisor <value> of 1 or more",
+    ),
+    "remainder of a whole number": Hostile(
+        function("<mod><value>1</value><value>0.5</value></mod>"), MODEL, "divide by zero"
+    ),
+    "switch in a function": Hostile(
+        function(f"<switch>{LATER}<value>1</value></switch>"), MODEL, "ends the process.*<ifthen>"
+    ),
+    "seed of the clock": Hostile(function("<random seed='time_now'/>"), MODEL, "seed='time_now'"),
+    "function that reads itself": Hostile(
+        function(f"<ifthen>{LATER}<value>1</value><property>aero/x[0]</property></ifthen>"),
+        MODEL,
+        "reads its own value, aero/x",
+    ),
+    "missing property in a later branch": Hostile(
+        function(f"<ifthen>{LATER}<value>1</value><property>aero/alhpa-rad</property></ifthen>"),
+        MODEL,
+        "aero/alhpa-rad.*did you mean aero/alpha-rad",
+    ),
+    "endless delay": Hostile(
+        channel(
+            "<actuator name='fcs/x'><input>fcs/left-ruddervator/command-rad</input>"
+            "<delay type='frames'>1000000000</delay></actuator>"
+        ),
+        MODEL,
+        "JSBSim says",
+    ),
+    "functions that read each other": Hostile(
+        inserted(
+            "aerodynamics",
+            "<function name='aero/x'><property>aero/y</property></function>"
+            "<function name='aero/y'><property>-aero/x</property></function>",
+        ),
+        MODEL,
+        "reads its own value, aero/x through aero/y",
     ),
     # Files
     "no model": Hostile(removed(MODEL), MODEL, "there is no such file"),

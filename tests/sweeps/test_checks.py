@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 
 import pytest
 from sweep_files import SWEEP, written
 
 from testbed.inputs.problems import BadInput
+from testbed.sweeps import checks
 from testbed.sweeps.checks import check
 from testbed.sweeps.load import load_sweep
 
@@ -110,6 +112,25 @@ def test_bad_cases_are_refused_by_line(tmp_path: Path) -> None:
     with pytest.raises(BadInput) as refused:
         check(load_sweep(written(tmp_path, text)))
     assert "failures.0.value: is 7 (run 1), expected less than or equal to 1.5" in str(refused.value)
+
+
+def test_of_many_options_and_cases_the_first_are_checked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each takes a millisecond or so, and a table may have a million."""
+    monkeypatch.setattr(checks, "_MOST_CHECKED", 10)
+    head = SWEEP[: SWEEP.index("vary:")]
+    options = "vary: {failures.0.value: {choice: [" + "0.5, " * 9 + "%s, %s]}}\n"
+    check(load_sweep(written(tmp_path, head + options % (0.5, 7))))
+    with pytest.raises(BadInput, match=r"failures\.0\.value: is 7"):
+        check(load_sweep(written(tmp_path, head + options % (7, 0.5))))
+    text = head.replace("runs: 12\n", "") + "cases: table.csv\n"
+    for row, refused in ((11, False), (10, True)):
+        cases = ["0.5"] * 11
+        cases[row - 1] = "7"
+        (tmp_path / "table.csv").write_text("\n".join(["failures.0.value", *cases]))
+        with pytest.raises(BadInput, match=r"is 7") if refused else nullcontext():
+            check(load_sweep(written(tmp_path, text)))
 
 
 def test_the_parent_of_a_sweep_loads_no_model(tmp_path: Path) -> None:

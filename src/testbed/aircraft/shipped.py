@@ -69,8 +69,10 @@ def _no_folder(name: str, folder: Path) -> Problem:
     if os.path.isfile(folder):
         beside = _folder_name(Path(name).parent) if _is_aircraft(folder.parent) else ""
         return Problem(f"{name!r} is a file", expected="an aircraft's folder", suggestion=beside)
-    near = [_folder_name(Path(name).with_name(each)) for each in _names_in(folder.parent)
-            if _is_aircraft(folder.with_name(each))]  # fmt: skip
+    above = Path(name).parent if Path(name).name not in ("", "..") else Path(name) / ".."  # `.` has no name
+    near = [
+        _folder_name(above / each) for each in _names_in(folder.parent) if _is_aircraft(folder.parent / each)
+    ]
     what = f"{name!r} has no {folder.name}.yaml" if os.path.isdir(folder) else f"there is no folder {name!r}"
     return Problem(
         what, expected="a folder with a YAML file of its name", suggestion=did_you_mean(name, near)

@@ -14,7 +14,7 @@ def same_property(name: str) -> str:
 
 
 def overlaps(failures: Sequence[Failure], aircraft: Aircraft) -> Iterator[tuple[int, int, str]]:
-    """Pairs of failures that would hold one property at one time: (first index, second index, property).
+    """Failures that would hold a property which an earlier one holds at that time: (first such index, index, property).
 
     Two failures may hold the same property only if their windows [at_s, until_s) do not overlap. There is one exception,
     for a failure that gets worse in steps: if two are of one type, both have `at_s` and neither has `until_s`, then the
@@ -27,6 +27,7 @@ def overlaps(failures: Sequence[Failure], aircraft: Aircraft) -> Iterator[tuple[
             shared = held[i] & held[j]
             if shared and _meet(earlier, later) and not _replaces(earlier, later):
                 yield i, j, min(shared)
+                break
 
 
 def _meet(one: Failure, other: Failure) -> bool:

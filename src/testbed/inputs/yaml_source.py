@@ -22,6 +22,9 @@ MAX_NODES = 100_000
 """Most keys and values in one file, and most values with aliases expanded: these can expand a small file to any size."""
 _TOO_MANY = f"more than {MAX_NODES} values"
 
+_MOST_BITS = 4096
+"""Longest whole number, some 1200 digits."""
+
 _FORBIDDEN = re.compile("[\0\ud800-\udfff]")
 _FORBIDDEN_WORDS = "a NUL character or half a surrogate pair, which text cannot have"
 _FLOAT = re.compile(r"([-+]?)([0-9_]*)(\.[0-9_]*)?(?:[eE]([-+]?)([0-9]+))?$")
@@ -185,9 +188,16 @@ class _Reader:
     def _scalar(self, node: yaml.ScalarNode, path: TreePath) -> Any:
         try:
             value = self._scalars.construct_object(node)
-        except (yaml.YAMLError, ValueError, OverflowError) as error:
-            what = getattr(error, "problem", None) or str(error)
-            self._complain(node, path, f"{node.value!r} cannot be read: {what}")
+        except (yaml.YAMLError, ValueError, OverflowError, LookupError, AttributeError) as error:
+            # PyYAML looks at the value of an explicit tag, such as `!!bool x`, as if it were one.
+            odd = isinstance(error, LookupError | AttributeError)
+            what = (
+                f"no {node.tag.rpartition(':')[2]}" if odd else getattr(error, "problem", None) or str(error)
+            )
+            self._complain(node, path, f"{describe(node.value)} cannot be read: {what}")
+            return None
+        if isinstance(value, int) and value.bit_length() > _MOST_BITS:  # Python would not print it
+            self._complain(node, path, f"{describe(node.value)} is too large a number")
             return None
         if isinstance(value, str) and _FORBIDDEN.search(value):
             self._complain(node, path, f"has {_FORBIDDEN_WORDS}")

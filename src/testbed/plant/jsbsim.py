@@ -162,6 +162,14 @@ class Plant:
         self.air_factors = np.array([1.0 / METRES_PER_FOOT] * 3 + [1.0] * 3)
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
 
+    @contextmanager
+    def in_words(self) -> Iterator[None]:
+        """Within it, what JSBSim raises while it runs is BadInput, with the model's file."""
+        try:
+            yield
+        except jsbsim.BaseError as error:
+            raise _broken_model(self.aircraft, str(error)) from None
+
     def getter(self, name: str) -> Callable[[], float]:
         """Function that reads a property, in JSBSim's unit; raises NoProperty if there is none (JSBSim itself would create it)."""
         return self._node(name).get_double_value

@@ -22,7 +22,7 @@ from testbed.aircraft.model_files.safe_xml import Element
 from testbed.aircraft.model_files.used import model_file
 from testbed.inputs.problems import BadInput, Issue, Problem, did_you_mean
 from testbed.plant.first_load import trust
-from testbed.plant.jsbsim import Plant, loaded
+from testbed.plant.jsbsim import NoProperty, Plant, loaded
 from testbed.plant.properties import command_property, position_property
 
 _PHYSICS_HZ = 200.0
@@ -30,8 +30,11 @@ _STEPS = 20
 """Steps that the model is run for: late references of functions are looked up in the first."""
 _NAME = re.compile(r"[A-Za-z_][\w\[\]/.:-]*$")
 _MASSES = ("inertia/mass-slugs", "inertia/ixx-slugs_ft2", "inertia/iyy-slugs_ft2", "inertia/izz-slugs_ft2")
+_CHANNEL = "channel"
 _WORDS = 300
 """Longest text of JSBSim's that is repeated [characters]."""
+_MEMORY_BYTES = 4_000_000_000
+"""Most memory of this process; a delay of a thousand million steps would take all that there is."""
 _CPU_S = 20
 """Longest computing time of this process [s]; its parent stops waiting before."""
 
@@ -67,7 +70,7 @@ def _started(aircraft: Aircraft) -> dict[str, bool]:
     except Exception as error:
         what = f"JSBSim says {str(error).strip() or type(error).__name__}"
         raise BadInput(suspects or [_of_model(aircraft, what[:_WORDS])]) from None
-    impossible = list(_impossible(plant))
+    impossible = [*_impossible(plant), *_missing_later(plant)]
     if impossible:
         raise BadInput(impossible)
     return plant.catalog()
@@ -111,6 +114,22 @@ def _missing_references(aircraft: Aircraft, manager: Any, fdm: Any) -> Iterator[
                 )
 
 
+def _missing_later(plant: Plant) -> Iterator[Problem]:
+    """Properties that the model has not been asked for yet, in a branch that was not taken, and does not have.
+
+    Outside the flight control JSBSim ends the process when it comes to such a branch; inside it raises an error.
+    """
+    for element in model_files(plant.aircraft).elements():
+        if _CHANNEL in element.path.split("/"):
+            continue
+        for name in _read_by(element):
+            try:
+                plant.getter(name)
+            except NoProperty:
+                near = did_you_mean(name, plant.catalog())
+                yield element.problem(f"no part of the model has a property {name}", suggestion=near)
+
+
 def _read_by(element: Element) -> Iterator[str]:
     """Names of properties that an element reads; those with `#`, which stands for an engine's number, are left out."""
     if element.tag in ("property", "p", "independentVar", "input") and "value" not in element.attributes:
@@ -147,7 +166,12 @@ def _hold_back() -> None:
         import resource
     except ImportError:  # not on this system
         return
-    for what, most in ((resource.RLIMIT_FSIZE, 0), (resource.RLIMIT_CORE, 0), (resource.RLIMIT_CPU, _CPU_S)):
+    limits = {
+        resource.RLIMIT_FSIZE: 0, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: _CPU_S, resource.RLIMIT_AS: _MEMORY_BYTES,
+    }  # fmt: skip
+    for what, most in limits.items():
+        _, hard = resource.getrlimit(what)
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
         resource.setrlimit(what, (most, most))
 
 

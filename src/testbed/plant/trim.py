@@ -207,10 +207,12 @@ def trim(
 
     Raises:
         NoTrim: no trim was found.
+        BadInput: JSBSim cannot go on with the model.
     """
     given = {"airspeed": airspeed_m_s, "altitude": altitude_m, "heading": heading_rad}
     angles = tuple(free) or _free_angles(plant.aircraft, held or {})
-    found = TrimProblem(plant, given, angles, held or {}, search or Search()).solution()
+    with plant.in_words():
+        found = TrimProblem(plant, given, angles, held or {}, search or Search()).solution()
     if found is None:
         what = (
             f"no steady flight of {plant.aircraft.name} was found at {airspeed_m_s:g} m/s, {altitude_m:g} m"

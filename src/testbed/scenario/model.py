@@ -20,6 +20,8 @@ from testbed.scenario.requirement import Requirement
 from testbed.sensors.settings import Sensors
 
 _TURN_DEG_S, _TURN_BANK = 4.0, math.radians(20.0)
+MOST_FAILURES = 1000
+"""Each is compared with those before it."""
 MAX_RATE_HZ = 10_000
 """Highest rate of control and physics steps [Hz]: with it, to find a trim takes some seconds of computing."""
 MAX_NAME = 120
@@ -94,7 +96,7 @@ class Scenario(Settings):
     """The controller, by its `type`, and its settings."""
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
     command_rates: CommandRates = Field(default=CommandRates(), validate_default=True)
-    failures: tuple[AnyFailure, ...] = ()
+    failures: tuple[AnyFailure, ...] = Field(default=(), max_length=MOST_FAILURES)
     """The failures: what breaks, when, and how."""
     sensors: Sensors = Sensors()
     atmosphere: Atmosphere = Atmosphere()

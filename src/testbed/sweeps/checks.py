@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from itertools import islice
 from typing import Any
 
 from testbed.aircraft.changes import chosen
@@ -21,6 +22,8 @@ _DRAWS = 16
 """Number of runs whose scenarios are checked before the sweep; the others are checked when they are flown."""
 _COMPANIONS = 3
 """The end of a range is refused if it is invalid with each of this many draws of the other values."""
+_MOST_CHECKED = 2000
+"""Most scenarios that are checked for each of the two, ends and draws: some seconds of computing."""
 _MOST = 20
 """Number of problems after which no further draws are checked."""
 
@@ -53,10 +56,12 @@ class _Checker:
         self._catalogs: dict[str, Mapping[str, bool]] = {}
 
     def draws(self) -> Iterator[Problem]:
-        """Problems of the first runs; with a table of cases, of all runs."""
+        """Problems of the first runs; with a table of cases, of all runs up to _MOST_CHECKED scenarios."""
         plan, found = self._plan, 0
-        for run in range(plan.runs if plan.cases is not None else min(plan.runs, _DRAWS)):
-            for variant in range(len(plan.variants)):
+        variants = range(min(len(plan.variants), _MOST_CHECKED))
+        most = max(_MOST_CHECKED // len(variants), 1)
+        for run in range(min(plan.runs, most if plan.cases is not None else min(most, _DRAWS))):
+            for variant in variants:
                 problems = self.problems(plan.task(run * len(plan.variants) + variant))
                 for problem in problems:
                     yield (
@@ -71,10 +76,14 @@ class _Checker:
     def ends(self) -> Iterator[Problem]:
         """Problems of the lowest and highest value of every bounded range, and of every option of every choice."""
         plan = self._plan
-        for path, distribution in plan.sweep.vary.items():
-            for value in distribution.bounds:
-                for variant in range(len(plan.variants)):
-                    yield from self._always(path, value, variant)
+        ends = (
+            (path, value, variant)
+            for path, distribution in plan.sweep.vary.items()
+            for value in distribution.bounds
+            for variant in range(len(plan.variants))
+        )
+        for end in islice(ends, _MOST_CHECKED):
+            yield from self._always(*end)
 
     def _always(self, path: str, value: Any, variant: int) -> list[Problem]:
         """Problems of a value that occur with each of the first _COMPANIONS draws of the others; none if one draw is valid."""

@@ -9,7 +9,7 @@ import pytest
 from hostile_models import HOSTILE, MODEL, inserted, replaced, vtail_at
 
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.model_files import effects, mass, numbers, sections, used
+from testbed.aircraft.model_files import effects, functions, mass, numbers, sections, used
 from testbed.aircraft.model_files.check import model_problems
 
 STOCK = Path(jsbsim.__file__).parent / "aircraft"
@@ -25,7 +25,13 @@ def test_of_jsbsims_own_models_only_what_adoption_changes_is_refused(name: str) 
     """Their `output` and `input`, entities, and files in JSBSim's shared folders; `blank` is no model of today's format."""
     files = used.read_model(STOCK / name, name)
     problems = [*files.problems]
-    for rule in (effects.forbidden, sections.incomplete, numbers.not_numbers, mass.unphysical):
+    for rule in (
+        effects.forbidden,
+        sections.incomplete,
+        numbers.not_numbers,
+        mass.unphysical,
+        functions.dangerous,
+    ):
         problems += rule(files)
     others = [str(problem) for problem in problems if not any(words in str(problem) for words in _ADOPTED)]
     assert others == [] or name == "blank", others

@@ -27,6 +27,8 @@ def test_cells_are_yaml_and_an_empty_one_is_left_out(tmp_path: Path) -> None:
     ("text", "words"),
     [
         ("", "has no runs, expected a header of dotted paths and a row for each run"),
+        ("\n\n", "has no runs"),
+        ("a,b\n\n,\n", "has no runs"),
         ("a,a\n1,2\n", "column a is there twice"),
         ("a,\n1,2\n", "column 2 has no name"),
         ("a\n1,2\n", "has 2 cells, expected 1, as the header"),

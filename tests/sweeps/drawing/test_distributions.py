@@ -9,7 +9,7 @@ import pytest
 from pydantic import ValidationError
 from scipy import stats
 
-from testbed.sweeps.drawing.distributions import Distribution
+from testbed.sweeps.drawing.distributions import Distribution, distribution_names
 from testbed.sweeps.drawing.sampling import batch as block
 
 DRAWS: list[tuple[dict[str, object], Any]] = [
@@ -44,6 +44,21 @@ def test_discrete_draws_have_their_weights() -> None:
 def test_extreme_draws_are_finite() -> None:
     values = Distribution.model_validate({"normal": [0, 1]}).quantiles(np.array([0.0, 1.0]))
     assert values[0] < -8 and values[1] > 8 and np.isfinite(values).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "parameters"),
+    [
+        ("levy_stable", [0.001, 1]),
+        ("studentized_range", [3, 10]),
+        ("ksone", [1_000_000]),
+        ("zipf", [1.0000001]),
+    ],
+)
+def test_what_takes_hours_to_draw_is_refused(name: str, parameters: list[float]) -> None:
+    with pytest.raises(ValidationError, match=f"{name} takes too long to draw from"):
+        Distribution.model_validate({name: parameters})
+    assert name not in distribution_names()
 
 
 @pytest.mark.parametrize("name", ["halfnorm", "foldnorm", "expon", "rayleigh"])

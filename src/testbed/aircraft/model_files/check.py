@@ -7,6 +7,7 @@ import contextlib
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.model_files.agreement import disagreements
 from testbed.aircraft.model_files.effects import forbidden
+from testbed.aircraft.model_files.functions import dangerous
 from testbed.aircraft.model_files.mass import unphysical
 from testbed.aircraft.model_files.numbers import not_numbers
 from testbed.aircraft.model_files.sections import incomplete
@@ -19,7 +20,7 @@ def model_problems(aircraft: Aircraft) -> list[Problem]:
     """Everything wrong with the JSBSim files of an aircraft, and with what its YAML says of them; none if they may be loaded."""
     files = read_model(aircraft.folder, aircraft.model)
     problems = list(files.problems)
-    for rule in (forbidden, incomplete, not_numbers, unphysical):
+    for rule in (forbidden, incomplete, not_numbers, unphysical, dangerous):
         problems += rule(files)
     if files.root is not None and not problems:
         problems += in_yaml(aircraft, list(disagreements(aircraft, files)))

@@ -17,7 +17,7 @@ _REFUSED_SECTIONS = {
 }
 _SOCKET = ("port", "protocol")
 _STEERING = re.compile(
-    r"simulation/(do_simple_trim|do_linearization|reset|terminate|pause|write-state-file|force-output|output"
+    r"propulsion/set-running\b|simulation/(do_simple_trim|do_linearization|reset|terminate|pause|write-state-file|force-output|output"
     r"|jsbsim-debug|disperse|randomseed|frame|trim-completed|notify-time-trigger|frozen)\b"
 )
 """Properties that make JSBSim act when they are written. Models of ships and gliders do write `simulation/integrator`."""
@@ -26,7 +26,7 @@ _COMPONENTS_OF = "channel"
 
 def steers(name: str) -> bool:
     """Whether writing a property of this name makes JSBSim trim, stop, reset, write or seed."""
-    plain = posixpath.normpath("/" + name.strip().replace("[0]", "")).lstrip("/")
+    plain = posixpath.normpath("/" + re.sub(r"\[0+\]", "", name.strip())).lstrip("/")
     return _STEERING.match(plain) is not None
 
 
@@ -58,6 +58,8 @@ def _written(element: Element) -> Iterator[str]:
     parent = element.parent.tag if element.parent is not None else ""
     if element.tag == "output" and element.text:
         yield element.text
+    if "copyto" in element.attributes:  # of a function: its value, each time that it is worked out
+        yield element.attributes["copyto"]
     if element.tag == "property" and "value" in element.attributes:
         yield element.text
     if "name" in element.attributes and (parent == _COMPONENTS_OF or element.tag in ("function", "table")):

@@ -36,13 +36,13 @@ def read_cases(file: Path, missing: Problem) -> Cases:
         for j, name in enumerate(header)
         if not name or name in header[:j]
     ]
-    if len(rows) < 2:
-        problems.append(
-            Problem("has no runs", str(file), expected="a header of dotted paths and a row for each run")
-        )
     cases = [
         _case(header, row, str(file), line, problems) for line, row in enumerate(rows[1:], 2) if any(row)
     ]
+    if not cases:
+        problems.append(
+            Problem("has no runs", str(file), expected="a header of dotted paths and a row for each run")
+        )
     if problems:
         raise BadInput(problems)
     return cases, text, {name: str(file) for name in header}

@@ -19,6 +19,9 @@ _OPEN = 2.0**-53
 _LARGEST_WHOLE = 2**53
 """Whole numbers beyond it have no exact value as floating point numbers, by which they are drawn."""
 
+_SLOW = ("ksone", "kstwo", "levy_stable", "studentized_range", "yulesimon", "zipf")
+"""Distributions of scipy.stats whose inverse takes seconds to hours: integrals, many terms, or a search in steps of ten."""
+
 _OWN = {
     "uniform": ("[low, high]", 2),
     "normal": ("[mean, standard deviation]", 2),
@@ -221,6 +224,10 @@ class Distribution(Settings):
                 "" if close else "uniform, normal, choice, integers, log_uniform or a name of scipy.stats",
                 close,
             )
+        if self.name in _SLOW:
+            raise refuse(
+                f"{self.name} takes too long to draw from", "another distribution, or a table of cases"
+            )
         shapes = [s.strip() for s in family.shapes.split(",")] if family.shapes else []
         wanted = [*shapes, "loc", *(["scale"] if isinstance(family, stats.rv_continuous) else [])]
         given = self.parameters
@@ -241,7 +248,8 @@ class Distribution(Settings):
 def distribution_names() -> list[str]:
     """The names of all distributions that `vary` accepts."""
     kinds = (stats.rv_continuous, stats.rv_discrete)
-    return [*_OWN, "choice", *(name for name in dir(stats) if isinstance(getattr(stats, name), kinds))]
+    usable = [name for name in dir(stats) if isinstance(getattr(stats, name), kinds) and name not in _SLOW]
+    return [*_OWN, "choice", *usable]
 
 
 def _numbers(values: Any, count: int) -> bool:
