@@ -1,7 +1,8 @@
 """The control design that suits an aircraft's speed, size and engines, where its YAML does not say otherwise.
 
 Lengths and speeds of the design are times and fractions of the reference airspeed V, so that paths are similar: a climb limited
-to V/9 is one of 6.4 deg at any speed. An integral of altitude acts on pitch, so it is divided by V. An aircraft whose actuators
+to V/9 is one of 6.4 deg at any speed. At 18 m/s they are round numbers, those of the v-tail: 2 m/s of climb, V/12 is 1.5 m of
+altitude, V/3.6 is 5 m. An integral of altitude acts on pitch, so it is divided by V. An aircraft whose actuators
 cannot give the accelerations that the loops ask for has slower loops: all gains of a cascade are those of another unit of time.
 What gusts and the model's own errors do to the rates follows from the design model's derivatives.
 """
@@ -52,8 +53,13 @@ _CASCADES = {
     "p_dot": ("heading_kp", "heading_ki", "roll_kp", "p_kp"),
     "r_dot": ("sideslip_kp", "sideslip_ki", "r_kp"),
 }
-_DEMANDS = {"q_dot": 24.0 * 0.11, "p_dot": 6.0 * math.radians(25.0), "r_dot": 4.0 * 0.15}
-"""Acceleration that each cascade asks for at once [rad/s2]: a climb at its limit, a bank at its limit, 0.15 rad of sideslip."""
+_DEMANDS = {
+    "q_dot": _LOOPS["pitch_kp"] * _LOOPS["q_kp"] * 0.11,
+    "p_dot": _LOOPS["roll_kp"] * _LOOPS["p_kp"] * math.radians(25.0),
+    "r_dot": _LOOPS["sideslip_kp"] * _LOOPS["r_kp"] * 0.15,
+}
+"""Acceleration that each cascade asks for at once [rad/s2]: for a climb at its limit (0.11 rad of path), a bank at its limit, and
+0.15 rad of sideslip."""
 _AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
 """Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
 _AIRSPEED_SHARE = 1.0 / 18.0  # deviation of airspeed that is acceptable to a regulator

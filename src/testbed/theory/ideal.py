@@ -114,6 +114,26 @@ def move(dt, m, s):
 
 
 @compiled
+def invert_for(r, pressure_ratio, m, k, s, w):
+    """(5) and (6): the desired rates that belong to a reference r [n], less f_m, and their inversion, which gives r again."""
+    for i in range(4):
+        x_dc_dot = w.f[i]
+        for j in range(len(r)):
+            x_dc_dot += m.B[i, j] * pressure_ratio * r[j]
+        w.nu[i] = x_dc_dot - w.f[i]
+    invert(w.nu, pressure_ratio, m, k, s)
+
+
+@compiled
+def plant_rates(effectiveness, disturbance, pressure_ratio, plant, p, f, x_c_dot):
+    """(7), with a disturbance [4] as in (30), into x_c_dot [4]: f and B are the plant's, and so are the positions in p."""
+    for i in range(4):
+        x_c_dot[i] = f[i] + disturbance[i]
+        for j in range(len(effectiveness)):
+            x_c_dot[i] += plant.B[i, j] * pressure_ratio * effectiveness[j] * p.position[j]
+
+
+@compiled
 def ideal_loop(
     r,
     effectiveness,
@@ -143,12 +163,7 @@ def ideal_loop(
     for step in range(len(r)):
         state_function(y, m, f_m)
         state_function(y, plant, f)
-        for i in range(4):  # (5): the desired rates that belong to this r, so that (6) gives r again
-            x_dc_dot = f_m[i]
-            for j in range(n):
-                x_dc_dot += m.B[i, j] * pressure_ratio * r[step, j]
-            w.nu[i] = x_dc_dot - f_m[i]
-        invert(w.nu, pressure_ratio, m, k, s)
+        invert_for(r[step], pressure_ratio, m, k, s, w)
         compensate(m, c, k, s)
         for j in range(n):
             lambda_hat[step, j] = s.lambda_hat[j]
@@ -156,10 +171,8 @@ def ideal_loop(
             p.command[j] = s.command[j]
         move(c.dt, m, s)
         move(c.dt, plant, p)
+        plant_rates(effectiveness[step], disturbance[step], pressure_ratio, plant, p, f, x_c_dot)
         for i in range(4):
-            x_c_dot[i] = f[i] + disturbance[step, i]
-            for j in range(n):
-                x_c_dot[i] += plant.B[i, j] * pressure_ratio * effectiveness[step, j] * p.position[j]
             w.z[i] = x_c_dot[i] - f_m[i]
         regressor(pressure_ratio, m, s, w.phi)
         measured_error(w.z, w.phi, s, w.e)
