@@ -112,7 +112,7 @@ def test_a_flying_wing_does_not_give_up_roll_for_a_little_pitch() -> None:
     )
     limits = np.array([(-0.0172, 0.0172)] * 2 + [(0.0, 2500.0)])
     pitch = authorities(model, limits, ("q_dot", "u_dot", "p_dot"), range(3))[0]
-    assert 0.9 < pitch.ratio < 1.0 < authorities(model, limits, ("q_dot", "u_dot"), range(3))[0].ratio
+    assert 0.95 < pitch.ratio < 1.0 < authorities(model, limits, ("q_dot", "u_dot"), range(3))[0].ratio
     assert axes_to_release(model, limits, range(3), PRIORITIES) == ("r_dot",)
 
 

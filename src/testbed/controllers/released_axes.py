@@ -30,7 +30,7 @@ MARGIN = {"p_dot": 3.0, "q_dot": 3.0, "r_dot": 3.0, "u_dot": 1.0}
 a moment; attitude may not."""
 
 
-_NEARLY = 0.9
+_NEARLY = 0.95
 """Ratio of authority to need with which no axis more is given up than has to be: its loss would cost more than is missing."""
 
 
