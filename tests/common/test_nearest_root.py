@@ -83,3 +83,16 @@ def test_most_of_a_search_is_made_with_the_coarse_function() -> None:
     NearestRoot(exact, *bounds).find(guess, 1e-9)
     assert found == pytest.approx([1.0, 1.0], abs=1e-10)
     assert 5 * with_coarse < len(exact_at) - with_coarse
+
+
+def test_a_way_that_leaves_the_roots_for_good_ends_at_the_last_one() -> None:
+    """y^2 + (x - 1) / 20 beyond x = 1 has no root there, but is small on the way to the preferred (8, 0)."""
+    problem = NearestRoot(
+        lambda x: np.array([x[1] ** 2 + 0.05 * max(x[0] - 1.0, 0.0)]),
+        np.full(2, -FAR),
+        np.full(2, FAR),
+        np.ones(2),
+        lambda x: np.array([8.0, 0.0]),
+    )
+    found = problem.find(np.zeros(2), 1e-9, thorough=False)
+    assert abs(problem.function(found)[0]) < 1e-9 and found[0] <= 1.0 + 1e-6

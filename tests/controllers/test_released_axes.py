@@ -96,6 +96,26 @@ def test_with_an_actuator_too_few_the_axis_without_one_is_given_up(missing: int,
     assert axes_to_release(model, limits, left, PRIORITIES) == (released,)
 
 
+def test_a_flying_wing_does_not_give_up_roll_for_a_little_pitch() -> None:
+    """Its two elevons give 0.98 of the pitch that gusts ask for, and all of it with roll given up: that would be a bad bargain."""
+    model, _ = conventional()
+    inputs, derivatives = np.zeros((6, 3)), np.array(model.derivatives)
+    inputs[:4] = [[28.7, -28.7, 0.0], [-19.6, -19.6, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0 / 1043.0]]
+    derivatives[0, 1] = -10.0
+    model = replace(
+        model,
+        actuators=("left_elevon", "right_elevon", "engine"),
+        kinds=("servo", "servo", "motor"),
+        trim=(0.0005, -0.0005, 930.0),
+        derivatives=tuple(map(tuple, derivatives)),
+        input_matrix=tuple(map(tuple, inputs)),
+    )
+    limits = np.array([(-0.0172, 0.0172)] * 2 + [(0.0, 2500.0)])
+    pitch = authorities(model, limits, ("q_dot", "u_dot", "p_dot"), range(3))[0]
+    assert 0.95 < pitch.ratio < 1.0 < authorities(model, limits, ("q_dot", "u_dot"), range(3))[0].ratio
+    assert axes_to_release(model, limits, range(3), PRIORITIES) == ("r_dot",)
+
+
 def test_never_more_axes_are_kept_than_actuators_are_left() -> None:
     for left in ([0], [1, 2], [0, 1, 3], [2, 3]):
         kept = 4 - len(axes_to_release(VTAIL, VTAIL_STOPS, left, PRIORITIES))

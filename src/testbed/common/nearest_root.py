@@ -66,18 +66,25 @@ class NearestRoot:
             x, f, jacobian = near._search(x, enough, thorough)
             if np.max(np.abs(f)) >= enough:
                 return x, f, jacobian
-        x, f, jacobian = self._newton(x, jacobian)
+        x, f, jacobian = self._newton(x, tolerance, jacobian)
         if thorough and np.max(np.abs(f)) >= tolerance and np.isfinite(jacobian).all():
-            x, f, jacobian = self._newton(self._least_squares(x))
+            x, f, jacobian = self._newton(self._least_squares(x), tolerance)
         return x, f, jacobian
 
-    def _newton(self, x: Vector, jacobian: Vector | None = None) -> tuple[Vector, Vector, Vector]:
-        """The x that was found, the function and the Jacobian there; begins with a Jacobian that is known."""
-        f, fresh = self.function(x), jacobian is None
+    def _newton(
+        self, x: Vector, tolerance: float, jacobian: Vector | None = None
+    ) -> tuple[Vector, Vector, Vector]:
+        """The x that was found, the function and the Jacobian there; begins with a Jacobian that is known.
+
+        The way to the nearest root may lead away from another, and lose itself: then the last root on the way is returned.
+        """
+        f, fresh, root = self.function(x), jacobian is None, None
         jacobian = self._jacobian(x, f) if jacobian is None else jacobian
         for _ in range(_ITERATIONS):
             if not np.isfinite(jacobian).all():
                 break
+            if np.max(np.abs(f)) < tolerance:
+                root = x, f, jacobian
             step = self._step(x, f, jacobian)
             x_next, f_next = self._shortened(x, f, step)
             if x_next is None or f_next is None:
@@ -92,7 +99,7 @@ class NearestRoot:
             x, f, fresh = x_next, f_next, False
             if np.max(np.abs(f)) + np.max(np.abs(moved)) < self.enough:
                 break
-        return x, f, jacobian
+        return root if root is not None and np.max(np.abs(f)) >= tolerance else (x, f, jacobian)
 
     def _jacobian(self, x: Vector, f: Vector) -> Vector:
         columns = []

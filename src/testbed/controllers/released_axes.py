@@ -30,6 +30,10 @@ MARGIN = {"p_dot": 3.0, "q_dot": 3.0, "r_dot": 3.0, "u_dot": 1.0}
 a moment; attitude may not."""
 
 
+_NEARLY = 0.95
+"""Ratio of authority to need with which no axis more is given up than has to be: its loss would cost more than is missing."""
+
+
 @dataclass(frozen=True)
 class AxisAuthority:
     """What the actuators can do about one axis.
@@ -111,8 +115,8 @@ def axes_to_release(
 ) -> tuple[str, ...]:
     """The fewest axes to give up so that each kept one has the authority it needs, lowest priority first.
 
-    Never more axes are kept than actuators are left. Where giving up one axis more than that does not suffice either, the axes
-    are kept whose worst ratio of authority to need is largest.
+    Never more axes are kept than actuators are left. One axis more than that is given up only where `_NEARLY` of the need is not
+    met without. Where that does not suffice either, the axes are kept whose worst ratio of authority to need is largest.
 
     Args:
         limits: [n, 2] stops [rad or N].
@@ -122,6 +126,8 @@ def axes_to_release(
     fewest = max(len(priorities) - len(available), 0)
     best, largest = tuple(reversed(priorities))[:fewest], -math.inf
     for released in _candidates(priorities, fewest):
+        if len(released) > fewest and largest >= _NEARLY:
+            break
         kept = [axis for axis in priorities if axis not in released]
         each = authorities(model, limits, kept, available)
         if all(one.suffices for one in each):
