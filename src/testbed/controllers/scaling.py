@@ -37,7 +37,8 @@ corner of its spectrum, pi V / 4 b (after MIL-F-8785C, 3.7.5). Below the corner 
 _LOUD_RAD_S, _ESTIMATES_RAD_S = 7.1, 1.0
 """Corner at which a rotation of the air counts as above it, and frequency at which effectiveness is estimated. The rotation is not
 measured, as the velocity is by alpha, beta and airspeed: it counts with its density at the latter, and with the margin that the
-v-tail's settings have over the density that was measured in its flights, whose corner this is."""
+v-tail's settings have over the density that was measured in its flights, whose corner this is. Rolling counts with its density
+above the corner: with more, the flag of a lost aileron comes too late for light aircraft."""
 _MODEL_ANGLE = 0.005
 """Error of the design model at its own trim, as an angle of attack and of sideslip [rad]."""
 _MODEL_U_DOT = 0.1  # m/s2
@@ -132,7 +133,8 @@ def _rotations(model: DesignModel) -> dict[int, float]:
         return {}
     corner = math.pi * model.airspeed_m_s / (4.0 * model.span_m)
     louder = _LOUD_RAD_S / math.hypot(corner, _ESTIMATES_RAD_S)
-    return {column: share * louder / model.span_m for column, share in _ROTARY_GUSTS.items()}
+    above = {column: share / model.span_m for column, share in _ROTARY_GUSTS.items()}
+    return {D_P: above[D_P], D_Q: louder * above[D_Q], D_R: louder * above[D_R]}
 
 
 def gusts_at(altitude_m: float) -> float:
