@@ -120,7 +120,8 @@ def test_of_many_options_and_cases_the_first_are_checked(
     """Each takes a millisecond or so, and a table may have a million."""
     monkeypatch.setattr(checks, "_MOST_CHECKED", 10)
     head = SWEEP[: SWEEP.index("vary:")]
-    options = "vary: {failures.0.value: {choice: [" + "0.5, " * 9 + "%s, %s]}}\n"
+    never_drawn = ", weights: [" + "1, " * 10 + "0]}}\n"
+    options = "vary: {failures.0.value: {choice: [" + "0.5, " * 9 + "%s, %s]" + never_drawn
     check(load_sweep(written(tmp_path, head + options % (0.5, 7))))
     with pytest.raises(BadInput, match=r"failures\.0\.value: is 7"):
         check(load_sweep(written(tmp_path, head + options % (7, 0.5))))

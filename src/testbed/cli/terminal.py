@@ -71,5 +71,6 @@ def give_up_stdout() -> None:
 
     The remedy is that of the notes on SIGPIPE in Python's `signal` module: the flush at exit then succeeds.
     """
-    with contextlib.suppress(OSError, ValueError):  # ValueError: it has no file descriptor, as in a test
+    # ValueError: it has no file descriptor, as in a test. AttributeError: a controller of the user's has set it to None.
+    with contextlib.suppress(OSError, ValueError, AttributeError):
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

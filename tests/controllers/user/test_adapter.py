@@ -79,6 +79,11 @@ def test_what_it_says_of_its_actuators_is_logged(tmp_path: Path) -> None:
 
 
 OWN = "class Own:\n    def __init__(self, setup): {init}\n    def {update}(self, time_s, state, reference): {body}\n"
+STEP = (
+    "class Own:\n    def __init__(self, setup): pass\n    def bind(self, *channels): {bind}\n"
+    "    def step(self, k): return {step}\n"
+)
+NO_TEXT = "class NoText:\n    def __repr__(self): raise ValueError\n    __array__ = __repr__\n"
 FAULTY = {
     "import nothing_of_this_name": "own.py:1: raised while being read: ModuleNotFoundError",
     "class Own(:": "own.py:1: is not Python",
@@ -98,6 +103,17 @@ FAULTY = {
     OWN.format(
         init="0", update="update", body="return [0, 0, 0.4, 0.4] if time_s < 0.5 else time_s.no"
     ): "own.py:3: raised at 0.500 s: AttributeError: 'float' object has no attribute 'no'",
+    "raise SystemExit(0)": "own.py:1: raised while being read: SystemExit: 0",
+    OWN.format(init="exit(4)", update="update", body="0"): "own.py:2: raised while being made: SystemExit: 4",
+    OWN.format(
+        init="0", update="update", body="raise SystemExit(5)"
+    ): "own.py:3: raised at 0.000 s: SystemExit: 5",
+    f"{NO_TEXT}{OWN.format(init='0', update='update', body='return NoText()')}": "own.py: at 0.000 s commands are of type NoText",
+    "class Own:\n    parameters = 3\n": "own.py: the attribute `parameters` is 3, expected a mapping",
+    STEP.format(bind="1/0", step="0"): "own.py:3: raised while being bound: ZeroDivisionError",
+    STEP.format(bind="0", step="k/0"): "own.py:4: raised at 0.000 s: ZeroDivisionError",
+    STEP.format(bind="0", step="[0.0]"): "own.py: at 0.000 s commands are [0.0], expected 4 numbers",
+    STEP.format(bind="0", step="[0.0] * 4") + "    reasons = 5\n": "own.py: raised in its reasons: TypeError",
 }
 
 

@@ -27,7 +27,7 @@ from testbed.controllers import Controller
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.initial_records import model_record, trimmed_memory
 from testbed.controllers.setup import Setup
-from testbed.controllers.user.loader import Factory, place_of, raised, undeclared
+from testbed.controllers.user.loader import Factory, in_words, place_of, raised, shown, undeclared
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 _UPDATE = "update(time_s, state, reference) -> commands"
@@ -75,14 +75,33 @@ class Reference(NamedTuple):
 class AsItIs:
     """A user's class with `bind` and `step`, and with `reasons` if it gives any."""
 
-    def __init__(self, flown: Any) -> None:
-        self._flown = flown
-        self.bind, self.step = flown.bind, flown.step
+    def __init__(self, setup: Setup, flown: Any, name: str) -> None:
+        self._dt, self._n, self._name = setup.dt_s, len(setup.actuators), name
+        self._flown, self._step = flown, flown.step
+
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """See `Controller.bind`; raises BadInput when the user's code fails."""
+        with in_words(self._name, "while being bound"):
+            self._flown.bind(states, setpoints, telemetry)
+
+    def step(self, step: int) -> np.ndarray:
+        """See `Controller.step`; raises BadInput, with the time, when the user's code fails."""
+        try:
+            commands: np.ndarray = self._step(step)
+            if len(commands) == self._n:
+                return commands
+        except (KeyboardInterrupt, BadInput):
+            raise
+        except BaseException as error:
+            raise BadInput([raised(error, self._name, f"at {step * self._dt:.3f} s")]) from error
+        what = f"at {step * self._dt:.3f} s commands are {shown(commands)}"
+        raise BadInput([Problem(what, self._name, expected=f"{self._n} numbers")])
 
     @property
     def reasons(self) -> Sequence[tuple[int, str]]:
         """See `Controller.reasons`; none if the user's class has no such attribute."""
-        return getattr(self._flown, "reasons", ())
+        with in_words(self._name, "in its reasons"):
+            return [(int(step), str(why)) for step, why in getattr(self._flown, "reasons", ())]
 
 
 class CustomController:
@@ -109,7 +128,9 @@ class CustomController:
         reference = Reference._make(self._setpoints[step].tolist())
         try:
             answer = self._update(time_s, state, reference)
-        except Exception as error:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:  # `sys.exit` too, which would end the command in silence
             raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
         commands = self._checked(answer, "commands", time_s)
         self._write_telemetry(step, commands, time_s)
@@ -120,11 +141,10 @@ class CustomController:
         expected = f"{self._n} finite numbers: {', '.join(self._names)}"
         try:
             values = np.asarray(answer, dtype=float)
-        except (TypeError, ValueError):
+        except (Exception, SystemExit):  # whatever its `__array__` raises
             values = np.full(0, math.nan)
         if values.shape != (self._n,) or not np.isfinite(values).all():
-            text = repr(answer)
-            problem = f"at {time_s:.3f} s {what} are {text if len(text) < 80 else text[:77] + '...'}"
+            problem = f"at {time_s:.3f} s {what} are {shown(answer)}"
             raise BadInput([Problem(problem, self._name, expected=expected)])
         return values
 
@@ -142,18 +162,18 @@ class CustomController:
 def adapted(factory: Factory, setup: Setup) -> Controller:
     """The controller that a user's class makes of a set-up; raises BadInput when the class fails or makes no controller."""
     name = place_of(factory)
+    with in_words(name, "while being made"):
+        return _made(factory, setup, name)
+
+
+def _made(factory: Factory, setup: Setup, name: str) -> Controller:
     given = setup.settings.parameters
     if problems := undeclared(factory, given):
         raise BadInput(problems)
     setup = replace(setup, parameters={**getattr(factory, "parameters", {}), **given})
-    try:
-        made = factory(setup)
-    except BadInput:
-        raise  # from a controller of the testbed, which refuses the aircraft
-    except Exception as error:
-        raise BadInput([raised(error, name, "while being made")]) from error
+    made = factory(setup)
     if callable(getattr(made, "bind", None)) and callable(getattr(made, "step", None)):
-        return AsItIs(made)
+        return AsItIs(setup, made, name)
     if not callable(getattr(made, "update", None)):
         known = [word for word in dir(made) if not word.startswith("_")]
         problem = f"{type(made).__name__} has no method update"

@@ -6,7 +6,8 @@ import importlib.util
 import os
 import sys
 import traceback
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -41,6 +42,9 @@ def place_of(factory: Factory) -> str:
 def undeclared(factory: Factory, given: Mapping[str, Any]) -> list[Problem]:
     """A problem for each parameter given that the class does not declare in its attribute `parameters`."""
     declared = getattr(factory, "parameters", {})
+    if not isinstance(declared, Mapping):
+        what = f"the attribute `parameters` is {shown(declared)}"
+        return [Problem(what, place_of(factory), expected="a mapping of names to defaults")]
     return [
         Problem(
             f"{place_of(factory)} declares no parameter {key}",
@@ -84,16 +88,35 @@ def _module(path: Path) -> ModuleType:
     sys.modules[name] = module
     if str(path.resolve().parent) not in sys.path:
         sys.path.insert(0, str(path.resolve().parent))
-    try:
-        spec.loader.exec_module(module)
-    except SyntaxError as error:
-        raise BadInput([Problem(f"is not Python: {error.msg}", str(path), error.lineno)]) from error
-    except Exception as error:
-        raise BadInput([raised(error, str(path), "while being read")]) from error
+    with in_words(str(path), "while being read"):
+        try:
+            spec.loader.exec_module(module)
+        except SyntaxError as error:
+            raise BadInput([Problem(f"is not Python: {error.msg}", str(path), error.lineno)]) from error
     return module
 
 
-def raised(error: Exception, name: str, when: str) -> Problem:
+@contextmanager
+def in_words(name: str, when: str) -> Iterator[None]:
+    """Within it, what the user's code raises is BadInput, `sys.exit` too; not Ctrl-C. Arguments as of `raised`."""
+    try:
+        yield
+    except (KeyboardInterrupt, BadInput):  # or from a controller of the testbed, which refuses the aircraft
+        raise
+    except BaseException as error:
+        raise BadInput([raised(error, name, when)]) from error
+
+
+def shown(value: object) -> str:
+    """A value of the user's for a message, at most 80 characters of it; its kind where it has no text."""
+    try:
+        text = repr(value)
+    except Exception:
+        text = f"of type {type(value).__name__}"
+    return text if len(text) < 80 else text[:77] + "..."
+
+
+def raised(error: BaseException, name: str, when: str) -> Problem:
     """The problem to report for an exception in the user's code: its text, and the last line of their file in the traceback.
 
     Args:
