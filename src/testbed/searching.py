@@ -195,7 +195,7 @@ def rebuild(folder: Path) -> dict[str, Any]:
     """Write figures and report of a finished search again; returns the summary. Raises BadInput when that is damaged."""
     try:
         summary: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         what, expected = "cannot be read", "`testbed search --resume`, which writes it anew without flying"
         raise BadInput([Problem(what, str(folder / "summary.json"), expected=expected)]) from None
     write_report(folder)

@@ -36,6 +36,12 @@ def test_an_unknown_model_is_refused_with_a_suggestion():
         find_source("c173p", package_root())
 
 
+def test_a_link_in_a_circle_is_no_model(tmp_path):
+    (tmp_path / "mine").symlink_to("mine")
+    with pytest.raises(BadInput, match=r"no model '.*mine'"):
+        find_source(str(tmp_path / "mine"), package_root())
+
+
 def test_a_missing_file_is_named(tmp_path):
     folder = tmp_path / "mine"
     folder.mkdir()

@@ -132,6 +132,29 @@ def test_a_damaged_folder_is_bad_input(tmp_path: Path, name: str, damage: str) -
         load(folder)
 
 
+@pytest.mark.parametrize(
+    ("key", "wrong"),
+    [("events", None), ("events", [3]), ("requirements", 7), ("requirements", {"x": {}}), ("metrics", []),
+     ("metrics", {"x": {}}), ("warnings", 7), ("warnings", [None]), ("end_time_s", None), ("end_time_s", True)],
+)  # fmt: skip
+def test_a_summary_of_another_shape_is_bad_input(tmp_path: Path, key: str, wrong: object) -> None:
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    summary = json.loads((folder / "summary.json").read_text())
+    (folder / "summary.json").write_text(json.dumps({**summary, key: wrong}))
+    with pytest.raises(BadInput, match=rf"run: cannot be read: .*{key} of summary\.json is "):
+        load(folder)
+
+
+def test_a_summary_without_end_is_bad_input(tmp_path: Path) -> None:
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    (folder / "summary.json").write_text("[" * 100_000)
+    with pytest.raises(BadInput, match="RecursionError"):
+        load(folder)
+    os.truncate(folder / "summary.json", 10**9)
+    with pytest.raises(BadInput, match=r"summary\.json: has more than 20 MB"):
+        load(folder)
+
+
 def test_reading_needs_no_simulator(tmp_path: Path) -> None:
     folder = write_run_folder(make_flight(), tmp_path / "run")
     program = (

@@ -225,6 +225,16 @@ HOSTILE: dict[str, Hostile] = {
         "nested deeper",
     ),
     "9 MB": Hostile(inserted("fdm_config", "<!-- " + "x" * 9_000_000 + " -->"), MODEL, "at most 8 MB"),
+    "attributes": Hostile(
+        inserted("fdm_config", "<documentation " + " ".join(f"a{i}='1'" for i in range(2000)) + "/>"),
+        MODEL,
+        "has 2000 attributes, expected at most 1000",
+    ),
+    "long table": Hostile(
+        replaced(PROPELLER, "<tableData>", f"<tableData>{'1 2 ' * 300_000}"),
+        PROPELLER,
+        "expected at most 1000000",
+    ),
     "model elsewhere": Hostile(replaced(YAML, "model: vtail ", "model: ../vtail/vtail "), YAML, "model"),
     "no engine file": Hostile(removed(MOTOR), MODEL, "vtail_motor.*there is no such file"),
     "empty engine file": Hostile(written(MOTOR, ""), MOTOR, "is not XML"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import math
+import os
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -60,7 +61,7 @@ def find_source(model: str, root: Path) -> Source:
     if not model:
         raise BadInput([Problem("no model is given", expected=_MODEL)])
     packaged = root / "aircraft" / model
-    folder = packaged if "/" not in model and packaged.is_dir() else Path(model).resolve()
+    folder = packaged if "/" not in model and packaged.is_dir() else Path(os.path.realpath(model))
     source = Source(folder.name, folder, root)
     if source.file.is_file():
         return source

@@ -9,6 +9,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import NoneType
 from typing import Any
 
 import numpy as np
@@ -16,10 +17,18 @@ import numpy as np
 from testbed.aircraft.shape import Shape
 from testbed.common.text import cell, text_of
 from testbed.flight.flight import Flight, Outcome
+from testbed.inputs.input_file import MEGABYTE, read_text
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.yaml_source import describe
 from testbed.scenario.load import Scenario, dump, load_scenario
 
 _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
+_LARGEST_SUMMARY = 20 * MEGABYTE
+_KINDS: dict[str, tuple[type, ...]] = {
+    "end_time_s": (float,), "events": (list, dict), "requirements": (list, dict), "actuators": (list, dict),
+    "warnings": (list, str), "metrics": (dict, int, float, NoneType), "flown_by": (str,),
+}  # fmt: skip
+"""Kind of each value of a summary, and of the values in it."""
 
 
 class FolderExists(BadInput):
@@ -89,11 +98,16 @@ def load(folder: str | Path) -> Flight:
     if missing:
         raise BadInput([Problem("is missing from the run folder", str(file)) for file in missing])
     try:
-        summary = json.loads(summary_file.read_text(encoding="utf-8"))
+        summary = json.loads(read_text(summary_file, _LARGEST_SUMMARY, "the summary of a run"))
         columns, data = _read_log(log_file)
         scenario = load_scenario(scenario_file, with_aircraft=False)
         return flight_from(scenario, summary, columns, data)
-    except (ValueError, KeyError, TypeError) as error:  # pyarrow's and json's errors are ValueErrors
+    except (
+        ValueError,
+        KeyError,
+        TypeError,
+        RecursionError,
+    ) as error:  # pyarrow's and json's errors are ValueErrors
         raise BadInput(
             [Problem(f"cannot be read: {error!r}", str(folder), expected="a run folder")]
         ) from None
@@ -106,6 +120,9 @@ def flight_from(
 
     Raises ValueError, KeyError or TypeError when the summary is not one.
     """
+    for key, kinds in _KINDS.items():
+        if key in summary and not _is_of(summary[key], kinds):
+            raise ValueError(f"{key} of {_SUMMARY} is {describe(summary[key])}")
     actuators = {
         facts["name"]: {k: v for k, v in facts.items() if k != "name"} for facts in summary["actuators"]
     }
@@ -124,6 +141,15 @@ def flight_from(
         shape=Shape.model_validate(summary["shape"]) if "shape" in summary else None,
         flown_by=summary.get("flown_by", ""),
     )
+
+
+def _is_of(value: object, kinds: tuple[type, ...]) -> bool:
+    """Whether a value is of the first kind, and each value in it, if it holds any, of one of the others."""
+    outer, *inner = kinds
+    if isinstance(value, bool) or not isinstance(value, (int, outer) if outer is float else outer):
+        return False
+    inside = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return all(isinstance(each, tuple(inner)) for each in inside)
 
 
 def _write_files(flight: Flight, folder: Path) -> None:

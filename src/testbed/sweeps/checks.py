@@ -25,7 +25,7 @@ _COMPANIONS = 3
 _MOST_CHECKED = 2000
 """Most scenarios that are checked for each of the two, ends and draws: some seconds of computing."""
 _MOST = 20
-"""Number of problems after which no further draws are checked."""
+"""Number of problems after which no further ends or draws are checked."""
 
 
 def check(plan: Plan) -> None:
@@ -82,8 +82,13 @@ class _Checker:
             for value in distribution.bounds
             for variant in range(len(plan.variants))
         )
+        found = 0
         for end in islice(ends, _MOST_CHECKED):
-            yield from self._always(*end)
+            problems = self._always(*end)
+            yield from problems
+            found += len(problems)
+            if found >= _MOST:
+                return
 
     def _always(self, path: str, value: Any, variant: int) -> list[Problem]:
         """Problems of a value that occur with each of the first _COMPANIONS draws of the others; none if one draw is valid."""

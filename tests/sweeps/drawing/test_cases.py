@@ -9,6 +9,7 @@ import pytest
 from sweep_files import SWEEP, fly_here, table, written
 
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.yaml_source import parse
 from testbed.sweeps.drawing.cases import read_cases
 from testbed.sweeps.load import load_sweep
 
@@ -21,6 +22,15 @@ def test_cells_are_yaml_and_an_empty_one_is_left_out(tmp_path: Path) -> None:
     cases, text, places = read_cases(file, Problem("missing"))
     assert cases == [{"a.b": [1, 2], "c": True}, {"c": "text"}]
     assert text == file.read_text() and places == {"a.b": str(file), "c": str(file)}
+
+
+@pytest.mark.parametrize("cell", ["0", "-0", "12", "-7.25", "0.1", "123456789012345.5", "100000000000000"])
+def test_plain_numbers_are_those_of_yaml(tmp_path: Path, cell: str) -> None:
+    file = tmp_path / "table.csv"
+    file.write_text(f"a\n{cell}\n")
+    ((case,), _, _) = read_cases(file, Problem("missing"))
+    wanted = parse(cell).tree
+    assert repr(case["a"]) == repr(wanted)
 
 
 @pytest.mark.parametrize(

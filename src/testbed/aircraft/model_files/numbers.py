@@ -51,6 +51,8 @@ _NUMERIC = frozenset(
     ]
 )
 """Elements that hold one number and nothing else."""
+_LONGEST_TABLE = 1_000_000
+"""Most characters of one table; JSBSim takes longer than a first load may for seven million, and its own models have 10 000."""
 
 
 def finite(text: str) -> float | None:
@@ -92,6 +94,9 @@ def _in_a_note(element: Element) -> bool:
 
 def _table(element: Element) -> Iterator[Problem]:
     """A table of numbers, whose rows are of equal length and whose keys ascend: JSBSim can end the process for others."""
+    if len(element.text) > _LONGEST_TABLE:
+        yield element.problem(f"has {len(element.text)} characters", f"at most {_LONGEST_TABLE}")
+        return
     rows = [row.split() for row in element.text.splitlines() if row.strip()]
     for i, row in enumerate(rows):
         for word in row:

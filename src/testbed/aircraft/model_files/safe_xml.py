@@ -16,6 +16,8 @@ MAX_BYTES = 8_000_000
 MAX_DEPTH = 100
 """Most elements inside each other. JSBSim reads functions recursively."""
 MAX_ELEMENTS = 200_000
+MAX_ATTRIBUTES = 1000
+"""Most attributes of one element, of which JSBSim reads fewer than ten."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +113,8 @@ class _Reader:
         self._count += 1
         if self._count > MAX_ELEMENTS:
             raise self._refuse("has more elements", f"at most {MAX_ELEMENTS}")
+        if len(attributes) > MAX_ATTRIBUTES:
+            raise self._refuse(f"has {len(attributes)} attributes", f"at most {MAX_ATTRIBUTES}")
         if len(self._open) >= MAX_DEPTH:
             raise self._refuse("is nested deeper", f"at most {MAX_DEPTH} elements inside each other")
         parent = self._open[-1] if self._open else None

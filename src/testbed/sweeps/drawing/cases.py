@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
+import re
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,9 @@ from testbed.inputs.problems import BadInput, Problem
 
 LARGEST_TABLE = 20 * MEGABYTE
 """Largest table of cases that is read [bytes]."""
+
+_NUMBER = re.compile(r"-?(0|[1-9][0-9]{0,14})(\.[0-9]{1,15})?")
+"""Numbers that YAML reads as Python does, in a hundredth of the time."""
 
 Cases = tuple[list[dict[str, Any]], str, dict[str, str]]
 """The values of each run by dotted paths, the text of the table, and the place of each column."""
@@ -57,6 +61,9 @@ def _case(header: list[str], row: list[str], file: str, line: int, problems: lis
     case = {}
     for name, cell in zip(header, row, strict=True):
         if not cell.strip():
+            continue
+        if _NUMBER.fullmatch(cell):
+            case[name] = float(cell) if "." in cell else int(cell)
             continue
         try:
             value = yamlfile.parse(cell)
