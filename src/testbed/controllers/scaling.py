@@ -19,7 +19,7 @@ from testbed.aircraft.control_design import ControlDesign, Loops
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
-from testbed.common.units import GRAVITY_M_S2, METRES_PER_FOOT
+from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.records import D_P, D_Q, D_R, U_DOT
 from testbed.controllers.released_axes import authorities
 from testbed.inputs.base import Settings
@@ -28,9 +28,6 @@ GUST_M_S, _GUST_SPEED_M_S = 0.0933, 18.0
 """Root of the two-sided spectral density of gusts along each body axis [m/s per sqrt(Hz)]: light turbulence at 5 rad/s, met at this
 airspeed. Gusts do not change while an aircraft passes them, so a faster one meets them sooner: above the corner of their spectrum
 the density is proportional to airspeed (MIL-F-8785C, 3.7.2.2)."""
-_LOW_M, _HIGH_M, _HIGH = 1000.0 * METRES_PER_FOOT, 2000.0 * METRES_PER_FOOT, 2.1
-"""Up to which altitude gusts are those of `GUST_M_S`, from which they are of the free atmosphere, and how much stronger those are:
-7 ft/s in place of 2.5 ft/s, over 1750 ft in place of 1000 ft (MIL-F-8785C, 3.7.2 and figure 7, light turbulence)."""
 _ROTARY_GUSTS = {D_P: 1.64, D_Q: math.pi / 4.0, D_R: math.pi / 3.0}
 """Rotation of the air about each axis of the aircraft, by gusts that vary along it: this times gust velocity over span, above the
 corner of its spectrum, pi V / 4 b (after MIL-F-8785C, 3.7.5). Below the corner its density is constant."""
@@ -39,6 +36,8 @@ _LOUD_RAD_S, _ESTIMATES_RAD_S = 7.1, 1.0
 measured, as the velocity is by alpha, beta and airspeed: it counts with its density at the latter, and with the margin that the
 v-tail's settings have over the density that was measured in its flights, whose corner this is. Rolling counts with its density
 above the corner: with more, the flag of a lost aileron comes too late for light aircraft."""
+_TURNING_RAD_S = 0.3
+"""Pitching and yawing of an aircraft in gusts, by which their velocity enters forward acceleration [rad/s]."""
 _MODEL_ANGLE = 0.005
 """Error of the design model at its own trim, as an angle of attack and of sideslip [rad]."""
 _MODEL_U_DOT = 0.1  # m/s2
@@ -118,13 +117,16 @@ def _computed(
 
 def gust_density(model: DesignModel) -> np.ndarray:
     """[4] disturbance of each rate by gusts, as `GustDensity`: gusts change the angles by gust velocity over airspeed, and their
-    change along the aircraft is air that rotates about it."""
+    change along the aircraft is air that rotates about it. Forward acceleration has the product of turning and velocity, which is
+    computed with the velocity through the air in place of that over the ground."""
     slopes = np.array(model.derivatives)[:4]
     angles = model.angle_slopes[:4] / model.airspeed_m_s
     rotary = [slopes[:, i] * share for i, share in _rotations(model).items()]
-    gust = GUST_M_S * gusts_at(model.altitude_m) * math.sqrt(model.airspeed_m_s / _GUST_SPEED_M_S)
-    aerodynamic = gust * np.sqrt(np.sum(np.square(np.column_stack([angles, *rotary])), axis=1))
-    return np.maximum(aerodynamic, 1e-3)
+    turning = np.zeros(4)
+    turning[U_DOT] = _TURNING_RAD_S
+    gust = GUST_M_S * math.sqrt(model.airspeed_m_s / _GUST_SPEED_M_S)
+    disturbance = gust * np.sqrt(np.sum(np.square(np.column_stack([angles, turning, *rotary])), axis=1))
+    return np.maximum(disturbance, 1e-3)
 
 
 def _rotations(model: DesignModel) -> dict[int, float]:
@@ -135,11 +137,6 @@ def _rotations(model: DesignModel) -> dict[int, float]:
     louder = _LOUD_RAD_S / math.hypot(corner, _ESTIMATES_RAD_S)
     above = {column: share / model.span_m for column, share in _ROTARY_GUSTS.items()}
     return {D_P: above[D_P], D_Q: louder * above[D_Q], D_R: louder * above[D_R]}
-
-
-def gusts_at(altitude_m: float) -> float:
-    """Gusts at an altitude, in units of those near the ground [1]."""
-    return float(np.interp(altitude_m, (_LOW_M, _HIGH_M), (1.0, _HIGH)))
 
 
 def model_error_std(model: DesignModel) -> np.ndarray:
