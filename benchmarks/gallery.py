@@ -35,7 +35,7 @@ CONTROLLERS: Mapping[str, Mapping[str, Any]] = {
     "default": {"type": "adaptive_inversion"},
     "indi": {"type": "indi"},
 }
-SEED = 90001
+SEED = 94001
 """Of the first turbulence."""
 Row = dict[str, Any]
 Case = tuple[str, str, str, float, int]
