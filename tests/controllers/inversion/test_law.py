@@ -14,10 +14,8 @@ from scipy.signal import lfilter
 from vtail_setup import WEATHER, records_of, trim_state, vtail_setup
 
 from testbed.controllers.inversion.law import (
-    LATE,
     adapt,
     compensate,
-    divisor,
     invert,
     low_pass,
     measured_error,
@@ -173,11 +171,3 @@ def test_compensation_divides_by_the_estimate_within_the_stops() -> None:
     compensate(m, c, k, s)
     limited = min(0.4 / c.divisor_min, m.high[1])
     assert s.u == pytest.approx([0.8, limited, m.trim_position[2], m.high[3]])
-
-
-def test_the_later_an_actuator_the_less_is_its_reference_divided() -> None:
-    """By hand: at half of LATE by no less than a half, at LATE and beyond not at all; an estimate above that is used as it is."""
-    _, c, _, s, _ = records_of(SETUP)
-    s.lambda_hat[:] = [0.3, 0.3, 0.8, 0.3]
-    s.late[:] = [0.5 * LATE, LATE, 0.5 * LATE, 0.0]
-    assert [divisor(i, c, s) for i in range(4)] == pytest.approx([0.5, 1.0, 0.8, 0.3])

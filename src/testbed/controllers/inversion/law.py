@@ -16,9 +16,6 @@ from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
 
-LATE = 2.0
-"""Lateness [1/w_f, see `lateness`] from which a low estimate is not compensated at all."""
-
 
 @compiled
 def pressure_ratio_of(y, m):
@@ -167,13 +164,8 @@ def invert(nu, pressure_ratio, m, k, s):
 
 @compiled
 def divisor(i, c, s):
-    """What the reference of actuator i is divided by: its estimate, at least `divisor_min`; 1 without adaptation.
-
-    The later it acts, the less is it divided. A late actuator that is moved to and fro looks weak too, and the higher gain of a
-    loop that has lost phase moves it more: so a ruddervator .15 s late swung from stop to stop at 15 m/s."""
-    if c.uncompensated:
-        return 1.0
-    return max(s.lambda_hat[i], c.divisor_min, min(s.late[i] / LATE, 1.0))
+    """What the reference of actuator i is divided by: its estimate, at least `divisor_min`; 1 without adaptation."""
+    return 1.0 if c.uncompensated else max(s.lambda_hat[i], c.divisor_min)
 
 
 @compiled
