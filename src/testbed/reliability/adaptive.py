@@ -12,6 +12,7 @@ import math
 import numpy as np
 from threadpoolctl import threadpool_limits
 
+from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend, Mixture, fitted
 from testbed.reliability.results import FailureProbability
@@ -49,8 +50,6 @@ SINGLE = 0.5
 """Share of the independent draws that may be alone in their region."""
 APART = 4.0
 """Standard deviations between the means of components of different regions."""
-DIFFERS = 3.3
-"""Standard deviations by which subset simulation and importance sampling may differ: one in a thousand."""
 
 
 def adaptive(asked: Asked, random: np.random.Generator, cov: float) -> FailureProbability:
@@ -66,9 +65,9 @@ def adaptive(asked: Asked, random: np.random.Generator, cov: float) -> FailurePr
         return go_on(asked, random, cov, [run])
     with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so the points
         rounds, last = _drawn(asked, run, random, cov)
-        doubt = _doubt(rounds, last, run, asked)
-    if doubt:
-        return instead(asked, random, cov, run, doubt)
+        why = _doubt(rounds, last, run, asked)
+    if why:
+        return instead(asked, random, cov, run, why)
     return _result(asked, run, rounds, cov)
 
 
@@ -139,32 +138,14 @@ def _worth(weights: np.ndarray) -> float:
 
 def _doubt(rounds: Rounds, last: Mixture, run: Run, asked: Asked) -> str:
     """Why the weights are not to be trusted; "" if nothing speaks against them."""
-    if not math.isfinite(rounds.cov):
-        return "hardly any of the points drawn about the failures fail"
-    if rounds.heaviest > HEAVY:
-        return f"a single weight is {rounds.heaviest:.0%} of the sum"
-    apart = abs(math.log(rounds.probability / run.probability))
-    if apart > DIFFERS * math.sqrt(math.log1p(run.variance) + math.log1p(rounds.cov**2)):
-        return f"importance sampling gives {rounds.probability:.1e}, subset simulation {run.probability:.1e}"
+    if why := doubt(rounds, run, asked, "the failures", HEAVY):
+        return why
     uncovered = float(np.mean(rounds.weights_of(run.failures) > HEAVY * rounds.drawn * rounds.probability))
     if uncovered > UNCOVERED:
         return f"{uncovered:.0%} of the failures found before are where hardly any point was drawn"
-    alone, lines = _alone(last, run)
-    if alone > SINGLE * lines:
-        return f"{alone} of {lines} independent lines are alone in their region, and others may be missing"
-    return f"{asked.unknown} values were not a number" if asked.unknown else ""
-
-
-def _alone(last: Mixture, run: Run) -> tuple[int, int]:
-    """How many of the independent draws that failures descend from are alone in their region, and how many there are.
-
-    The share of the failures in regions not seen is near that of the draws that are alone in theirs (Good 1953).
-    """
     along = run.failures @ last.basis
     parts = last.mean_log(along, _equal(along))[1]
-    region = _regions(last)[np.argmax(parts, axis=0)]
-    pairs = np.unique(np.column_stack([region, run.draws]), axis=0)
-    return int(np.sum(np.bincount(pairs[:, 0]) == 1)), len(pairs)
+    return regions_missed(_regions(last)[np.argmax(parts, axis=0)], run.draws, SINGLE)
 
 
 def _regions(mixture: Mixture) -> np.ndarray:

@@ -13,6 +13,7 @@ from scipy import stats
 from scipy.special import logsumexp
 from threadpoolctl import threadpool_limits
 
+from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.smallest import search_from
@@ -33,8 +34,6 @@ SINGLE = 0.15
 """Share of the independent draws that may be alone in their region: so much of the failures are then in regions not found."""
 HEAVY = 0.1
 """Share of the sum that a single weight may have."""
-DIFFERS = 3.3
-"""Standard deviations by which subset simulation and importance sampling may differ: one in a thousand."""
 
 
 @dataclass
@@ -104,9 +103,10 @@ def importance(asked: Asked, random: np.random.Generator, cov: float) -> Failure
         if mixture is None:
             return instead(asked, random, cov, run, "the failures are not in a few regions")
         drawn = _draw(asked, mixture, random, cov)
-    doubt = _doubt(drawn, run, asked) or _missing(mixture, run)
-    if doubt:
-        return instead(asked, random, cov, run, doubt)
+    why = doubt(drawn, run, asked, "the design points", HEAVY)
+    why = why or regions_missed(_regions(mixture, run.failures), run.draws, SINGLE)
+    if why:
+        return instead(asked, random, cov, run, why)
     return _result(asked, run, drawn, cov, len(mixture.shares))
 
 
@@ -152,26 +152,10 @@ def _draw(asked: Asked, mixture: Mixture, random: np.random.Generator, cov: floa
     return drawn
 
 
-def _doubt(drawn: Weighed, run: Run, asked: Asked) -> str:
-    """Why the weights are not to be trusted; "" if nothing speaks against them."""
-    if not math.isfinite(drawn.cov):
-        return "hardly any of the points drawn about the design points fail"
-    if drawn.heaviest > HEAVY:
-        return f"a single weight is {drawn.heaviest:.0%} of the sum"
-    apart = abs(math.log(drawn.probability / run.probability))
-    if apart > DIFFERS * math.sqrt(math.log1p(run.variance) + math.log1p(drawn.cov**2)):
-        return f"importance sampling gives {drawn.probability:.1e}, subset simulation {run.probability:.1e}"
-    return f"{asked.unknown} values were not a number" if asked.unknown else ""
-
-
-def _missing(mixture: Mixture, run: Run) -> str:
-    """Good and Turing: the share of the failures in regions not seen is near that of the draws that are alone in theirs."""
-    region = np.argmax(run.failures @ mixture.centres.T - np.sum(mixture.centres**2, axis=1) / 2, axis=1)
-    pairs = np.unique(np.column_stack([region, run.draws]), axis=0)
-    alone = int(np.sum(np.bincount(pairs[:, 0]) == 1))
-    if alone <= SINGLE * len(pairs):
-        return ""
-    return f"{alone} of {len(pairs)} independent lines are alone in their region, and others may be missing"
+def _regions(mixture: Mixture, failures: np.ndarray) -> np.ndarray:
+    """The design point [n] about which each of the failures [n, d] is likeliest to have been drawn."""
+    likely = failures @ mixture.centres.T - np.sum(mixture.centres**2, axis=1) / 2
+    return np.asarray(np.argmax(likely, axis=1))
 
 
 def _result(asked: Asked, run: Run, drawn: Weighed, cov: float, regions: int) -> FailureProbability:
