@@ -91,10 +91,14 @@ def shape(g: dict) -> dict:
     }
 
 
+def text_of(g: dict) -> str:
+    """The file's text."""
+    return HEAD + yaml.safe_dump(shape(g), sort_keys=False, default_flow_style=None, width=130)
+
+
 def main() -> int:
     """Write the file, or with --check compare it."""
-    geometry = yaml.safe_load((FOLDER / "geometry.yaml").read_text(encoding="utf-8"))
-    text = HEAD + yaml.safe_dump(shape(geometry), sort_keys=False, default_flow_style=None, width=130)
+    text = text_of(yaml.safe_load((FOLDER / "geometry.yaml").read_text(encoding="utf-8")))
     file = FOLDER / "shape.yaml"
     if "--check" in sys.argv:
         return 0 if file.read_text(encoding="utf-8") == text else 1

@@ -23,6 +23,7 @@ VTAIL = HERE.parent / "vtail"
 sys.path.insert(0, str(VTAIL))
 
 import derive  # noqa: E402 - the v-tail's derivation is a script beside its geometry
+import shape  # noqa: E402 - likewise
 
 from testbed.aircraft.description import load_aircraft  # noqa: E402
 from testbed.plant.jsbsim import Plant  # noqa: E402
@@ -69,13 +70,17 @@ def _renamed(line, new):
 
 def files(unknowns):
     """Text of each file, by its path in the folder."""
-    texts = derive.build(geometry(unknowns))[-1]
+    g = geometry(unknowns)
+    texts = derive.build(g)[-1]
     where = f"battery at x {unknowns[0]:.4f} m, tail at {unknowns[1]:.2f} deg"
     model = texts["vtail_aft.xml"].replace(
         "Written by derive.py from geometry.yaml: change those, not this.",
         f"Written by ballast.py through ../vtail/derive.py, with the {where}: change those, not this.",
     )
-    return {**texts, "vtail_aft.xml": model, "vtail_aft.yaml": description()}
+    looks = shape.text_of(g).replace(
+        "Written by shape.py from geometry.yaml", "Written by ballast.py through ../vtail/shape.py"
+    )
+    return {**texts, "vtail_aft.xml": model, "vtail_aft.yaml": description(), "shape.yaml": looks}
 
 
 def write(texts, folder):

@@ -460,3 +460,8 @@ def test_the_airframe_is_the_stated_geometry(vtail: Aircraft) -> None:
     assert plant["inertia/mass-slugs"] * 14.5939 == pytest.approx(5.0, rel=1e-3)
     mine = {name for name in plant.catalog() if name.startswith("fcs/") and name.endswith("/effectiveness")}
     assert mine == {f"{actuator.prefix}/effectiveness" for actuator in vtail.actuators.values()}
+
+
+def test_what_a_replay_shows_is_that_of_the_geometry() -> None:
+    script = data_root() / "aircraft" / "vtail" / "shape.py"
+    assert subprocess.run([sys.executable, str(script), "--check"], check=False).returncode == 0

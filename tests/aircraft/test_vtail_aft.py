@@ -12,6 +12,7 @@ import pytest
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
+from testbed.aircraft.shape import load_shape
 from testbed.aircraft.shipped import data_root
 from testbed.controllers.inversion.regulator import jacobian
 from testbed.controllers.inversion.steady_flights import motion
@@ -88,3 +89,10 @@ def test_it_can_be_derived_again() -> None:
         [sys.executable, str(script), "--check"], capture_output=True, text=True, check=False
     )
     assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_it_looks_like_the_v_tail(aft: Aircraft) -> None:
+    """A replay would else show a conventional aircraft, on which nothing moves."""
+    shape = load_shape(aft.folder)
+    assert shape is not None and shape == load_shape(aft.folder.parent / "vtail")
+    assert {part.actuator for part in (*shape.panels, *shape.propulsors)} - {None} == set(aft.actuators)
