@@ -65,7 +65,9 @@ def test_compiled_flies_as_the_page_reads(tmp_path: Path) -> None:
     pages = uncompiled(tmp_path)
     for case in CASES:
         assert short(case).data.tobytes() == (pages / case).read_bytes(), case
-    flight = short("ideal")  # the negative control: the modes are switched, and another flight has other bytes
+    flight = short(
+        "ideal"
+    )  # the negative control: the modes are switched, and another flight has other bytes
     assert {"injection", "detection", "release"} <= {event["kind"] for event in flight.events}
     assert flight.data.tobytes() != (pages / "fixed").read_bytes()
 
