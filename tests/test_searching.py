@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import yaml
-from search_files import gusty, written
+from search_files import written
+from search_flights import gusty
 
 import testbed
 

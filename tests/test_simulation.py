@@ -48,30 +48,28 @@ def short(case: str) -> Flight:
     return fly(load_scenario(TAIL, [*SHORT, *CASES[case]]))
 
 
-@pytest.fixture(scope="session")
-def uncompiled(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def uncompiled(folder: Path) -> Path:
     """Logs of the short flights, flown by the pages as plain Python."""
-    folder = tmp_path_factory.mktemp("uncompiled")
     cases = {name: [*SHORT, *settings] for name, settings in CASES.items()}
     command = [sys.executable, "-c", _SAVE, json.dumps([TAIL, cases, str(folder)])]
-    subprocess.run(command, env={**os.environ, "NUMBA_DISABLE_JIT": "1"}, check=True, timeout=300)
+    subprocess.run(command, env={**os.environ, "NUMBA_DISABLE_JIT": "1"}, check=True)
     return folder
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("case", CASES)
-def test_compiled_flies_as_the_page_reads(case: str, uncompiled: Path) -> None:
+def test_compiled_flies_as_the_page_reads(tmp_path: Path) -> None:
     """To the last bit, through a failure, its detection and a mode switch. Powers were what differed (numba makes
-    products of x**4, Python asks the C library), so the pages write them as products."""
-    assert short(case).data.tobytes() == (uncompiled / case).read_bytes()
+    products of x**4, Python asks the C library), so the pages write them as products.
 
-
-@pytest.mark.slow
-def test_the_short_flight_has_it_all(uncompiled: Path) -> None:
-    """The negative control: the modes are switched, and another flight has other bytes."""
-    flight = short("ideal")
+    One test for all cases: as a fixture of several, each of pytest's workers would fly the plain Python anew."""
+    pages = uncompiled(tmp_path)
+    for case in CASES:
+        assert short(case).data.tobytes() == (pages / case).read_bytes(), case
+    flight = short(
+        "ideal"
+    )  # the negative control: the modes are switched, and another flight has other bytes
     assert {"injection", "detection", "release"} <= {event["kind"] for event in flight.events}
-    assert flight.data.tobytes() != (uncompiled / "fixed").read_bytes()
+    assert flight.data.tobytes() != (pages / "fixed").read_bytes()
 
 
 @pytest.mark.parametrize("case", ["ideal", "mems"])

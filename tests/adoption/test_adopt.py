@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from command_line import testbed
+from command_line import in_this_process, testbed
 
 from testbed.adoption.child import adopted_card
 from testbed.adoption.source import Source, find_source, package_root
@@ -27,11 +27,11 @@ def test_a_glider_is_adopted_by_the_command_line(tmp_path):
     at = aircraft.reference
     found = trim(Plant(aircraft, 200), at.airspeed_m_s, at.altitude_m)
     assert -math.radians(5) < found.state["path_angle"] < 0.0
-    flown = testbed(
+    flown = in_this_process(
         tmp_path, "run", "SGS/first_flight.yaml", "--set", "duration_s=22", "--set", "requirements=[]"
     )
     assert "testbed run SGS/first_flight.yaml" in done.stdout and flown.returncode == 0, flown.stderr
-    again = testbed(tmp_path, "adopt", "SGS")
+    again = in_this_process(tmp_path, "adopt", "SGS")
     assert (again.returncode, again.stderr) == (2, "SGS: exists already, expected --out with a new folder\n")
 
 

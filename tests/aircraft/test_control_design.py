@@ -7,8 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from command_line import ROOT
-from command_line import testbed as command
+from command_line import ROOT, in_this_process
 
 from testbed.aircraft.control_design import ControlDesign, IntegralDeviations, StateDeviations
 from testbed.aircraft.description import load_aircraft
@@ -76,7 +75,7 @@ def test_validate_and_run_refuse_it_alike(tmp_path: Path) -> None:
     changed(tmp_path, "  priorities: [", "  prioritie: [")
     (tmp_path / "mine.yaml").write_text(SCENARIO)
     for arguments in (["validate", "mine.yaml"], ["run", "mine.yaml", "--out", "out"]):
-        result = command(tmp_path, *arguments)
+        result = in_this_process(tmp_path, *arguments)
         assert result.returncode == 2
         assert re.search(
             r"vtail\.yaml:\d+: control\.prioritie: unknown key, did you mean priorities\?", result.stderr

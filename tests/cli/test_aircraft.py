@@ -6,7 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from command_line import Called, testbed
+from command_line import Called, in_this_process
 
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
@@ -18,20 +18,20 @@ def test_identify_writes_what_it_then_agrees_with(tmp_path: Path) -> None:
     folder = shutil.copytree(load_aircraft("vtail").folder, tmp_path / "aircraft" / "vtail")
     model = folder / DESIGN_MODEL
     name = str(folder)
-    assert testbed(tmp_path, "identify", name, "--check").returncode == 0
+    assert in_this_process(tmp_path, "identify", name, "--check").returncode == 0
     text = model.read_text()
     model.write_text(text.replace('"altitude_m": 300', '"altitude_m": 301'))
     assert model.read_text() != text
-    differs = testbed(tmp_path, "identify", name, "--check")
+    differs = in_this_process(tmp_path, "identify", name, "--check")
     assert differs.returncode == 1
     assert differs.stdout.endswith(f"\n{model}: differs from what is identified now\n")
-    assert testbed(tmp_path, "identify", name).stdout.endswith(f"\nwrote {model}\n")
-    assert testbed(tmp_path, "identify", name, "--check").returncode == 0
+    assert in_this_process(tmp_path, "identify", name).stdout.endswith(f"\nwrote {model}\n")
+    assert in_this_process(tmp_path, "identify", name, "--check").returncode == 0
     model.write_text("{}")
-    damaged = testbed(tmp_path, "identify", name, "--check")
+    damaged = in_this_process(tmp_path, "identify", name, "--check")
     assert damaged.returncode == 2
     assert damaged.stderr.startswith(f"{model}: is no design model: ")
-    assert testbed(tmp_path, "identify", "vtial").returncode == 2
+    assert in_this_process(tmp_path, "identify", "vtial").returncode == 2
 
 
 @pytest.mark.parametrize(

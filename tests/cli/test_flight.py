@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from command_line import ROOT, Called, testbed
+from command_line import ROOT, Called, in_this_process, testbed
 from handmade import make_flight
 
 from testbed.cli.flight import write
@@ -39,7 +39,7 @@ def test_default_folders_are_numbered(tmp_path: Path, monkeypatch: pytest.Monkey
 def test_a_damaged_run_folder_is_reported(tmp_path: Path) -> None:
     folder = write_run_folder(make_flight(), tmp_path / "run")
     (folder / "summary.json").unlink()
-    result = testbed(tmp_path, "report", "run")
+    result = in_this_process(tmp_path, "report", "run")
     assert result.returncode == 2
     assert result.stderr == "run/summary.json: is missing from the run folder\n"
 
@@ -52,7 +52,7 @@ def test_what_the_controller_says_of_a_failure_is_printed(tmp_path: Path) -> Non
     (tmp_path / "reversed.yaml").write_text(
         shipped.replace(lost, "{type: reversal, actuator: left_ruddervator, at_s: 40}")
     )
-    result = testbed(tmp_path, "run", "reversed.yaml", "--no-plots", "--out", "out")
+    result = in_this_process(tmp_path, "run", "reversed.yaml", "--no-plots", "--out", "out")
     assert result.returncode == 0, result.stdout + result.stderr
     said = [line for line in result.stdout.splitlines() if line.startswith("  controller at 40.")]
     assert "left_ruddervator: not a loss of effectiveness" in said[0]

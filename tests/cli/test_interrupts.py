@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from command_line import interruptible
 
 _FLIGHT = ["run", "scenarios/left_tail_fail.yaml", "--out", "out", "--set", "requirements=[]"]
 
@@ -25,13 +26,13 @@ def interrupted(folder: Path, after_s: float, *arguments: str) -> tuple[int, str
     )
     process = subprocess.Popen(
         [sys.executable, "-c", code, *arguments], cwd=folder,
-        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, preexec_fn=interruptible,
     )  # fmt: skip
     while not begun.exists():
         time.sleep(0.001)
     time.sleep(after_s)
     process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate()
     return process.returncode, "".join(err.splitlines()[-1:]) if "Traceback" not in err else err
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from command_line import ROOT, Called, testbed
+from command_line import ROOT, Called, in_this_process
 
 
 def test_the_project_is_valid(called: Called, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -52,11 +52,11 @@ def test_a_folder_with_something_in_it_is_left_alone(called: Called, tmp_path: P
 @pytest.mark.slow
 def test_the_project_runs(tmp_path: Path) -> None:
     """Requirements are met by the default controller; the example's own loses altitude once the surface is broken."""
-    assert testbed(tmp_path, "init", "mine").returncode == 0
+    assert in_this_process(tmp_path, "init", "mine").returncode == 0
     folder = tmp_path / "mine"
-    done = testbed(folder, "run", "scenario.yaml", "--no-plots")
+    done = in_this_process(folder, "run", "scenario.yaml", "--no-plots")
     assert done.returncode == 0, done.stdout + done.stderr
-    own = testbed(
+    own = in_this_process(
         folder,
         "run",
         "scenario.yaml",
@@ -67,5 +67,5 @@ def test_the_project_runs(tmp_path: Path) -> None:
         "my_controller.py:MyController",
     )
     assert own.returncode in (0, 1), own.stderr
-    swept = testbed(folder, "sweep", "sweep.yaml", "--no-plots", "--runs", "2")
+    swept = in_this_process(folder, "sweep", "sweep.yaml", "--no-plots", "--runs", "2")
     assert swept.returncode in (0, 1), swept.stderr

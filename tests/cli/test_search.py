@@ -7,16 +7,19 @@ import os
 import signal
 import subprocess
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from command_line import Called
+from command_line import Called, in_this_process, interruptible, testbed
 from search_files import REAL, SEARCH, searched, written
-from sweep_files import command, journal_lines, run
+from sweep_files import command, journal_lines
 from sweep_files import written as sweep_written
 
 from testbed.aircraft.shipped import data_root
 from testbed.aircraft.shipped import search_files as shipped
+
+Result = subprocess.CompletedProcess[str]
 
 
 @pytest.mark.parametrize(
@@ -77,15 +80,17 @@ def test_a_search_and_a_sweep_do_not_go_on_in_each_others_folder(here: Path, cal
 
 @pytest.mark.slow
 def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
-    def search(at_most: float, out: str, *options: str) -> subprocess.CompletedProcess[str]:
+    def search(
+        at_most: float, out: str, *options: str, call: Callable[..., Result] = in_this_process
+    ) -> Result:
         file = written(tmp_path, REAL.replace("at_most: 1", f"at_most: {at_most}"))
-        return run(tmp_path, "search", file, "--out", out, "--no-plots", "--jobs", 1, *options)
+        return call(tmp_path, "search", str(file), "--out", out, "--no-plots", "--jobs", "1", *options)
 
-    found = search(0.38, "found")
+    found = search(0.38, "found", call=testbed)
     assert found.returncode == 1, found.stderr
     assert "The smallest failure found: a steady wind of " in found.stdout
     assert "It breaks 'held'." in found.stdout
-    again = run(tmp_path, "run", "found/found.yaml", "--out", "again", "--no-plots")
+    again = in_this_process(tmp_path, "run", "found/found.yaml", "--out", "again", "--no-plots")
     assert again.returncode == 1
     assert (tmp_path / "again/log.csv").read_bytes() == (tmp_path / "found/found/log.csv").read_bytes()
     none = search(500, "none")
@@ -102,11 +107,11 @@ def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
 def test_ctrl_c_keeps_the_flights(tmp_path: Path) -> None:
     file = written(tmp_path, REAL.replace("budget: 24", "budget: 2000"))
     process = subprocess.Popen(
-        command("search", file, "--out", "out"), cwd=tmp_path, stderr=subprocess.PIPE, text=True
-    )
+        command("search", file, "--out", "out"), cwd=tmp_path, stderr=subprocess.PIPE, text=True, preexec_fn=interruptible,
+    )  # fmt: skip
     while process.poll() is None and journal_lines(tmp_path / "out") < 5:
-        time.sleep(0.45)
+        time.sleep(0.05)
     os.kill(process.pid, signal.SIGINT)
-    _, err = process.communicate(timeout=60)
+    _, err = process.communicate()
     assert process.returncode == 130 and "flights are kept, --resume goes on" in err
     assert journal_lines(tmp_path / "out") >= 5

@@ -6,12 +6,11 @@ import os
 import signal
 import subprocess
 import time
-from functools import partial
 from pathlib import Path
 
 import pytest
-from command_line import Called
-from sweep_files import SWEEP, command, fly_here, journal_lines, run, table, written
+from command_line import Called, in_this_process, interruptible
+from sweep_files import SWEEP, command, fly_here, journal_lines, table, written
 
 import testbed
 from testbed.aircraft.shipped import data_root, sweep_files
@@ -76,7 +75,7 @@ def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) 
 def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
     testbed.sweep(written(tmp_path), tmp_path / "whole", runs=6, jobs=1, figures=False)
     reference = tmp_path / "whole"
-    result = run(tmp_path, "sweep", reference / "sweep.yaml", "--only", 5, "--out", "one")
+    result = in_this_process(tmp_path, "sweep", str(reference / "sweep.yaml"), "--only", "5", "--out", "one")
     assert result.returncode in (0, 1), result.stderr
     lines = (reference / "results.csv").read_text().splitlines()
     rows = [line for line in lines if line.startswith("5,")]
@@ -121,9 +120,7 @@ def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
         stderr=subprocess.PIPE,
         text=True,
         start_new_session=True,
-        preexec_fn=partial(
-            signal.signal, signal.SIGINT, signal.SIG_DFL
-        ),  # a shell's background job ignores it
+        preexec_fn=interruptible,
     )
     while journal_lines(tmp_path / "out") < 10:
         assert process.poll() is None
@@ -135,5 +132,5 @@ def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
     assert "Traceback" not in err and out == ""
     kept = journal_lines(tmp_path / "out") - 1
     assert 9 <= kept == len(table(tmp_path / "out"))
-    report = run(tmp_path, "report", "out")  # of what there is
+    report = in_this_process(tmp_path, "report", "out")  # of what there is
     assert report.returncode == 1 and "adaptive_inversion" in report.stdout

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -18,7 +19,9 @@ WIDTHS = (1280, 390)
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The site, built as .ci/run builds it: a warning is an error."""
+    """The site, built as .ci/run builds it: a warning is an error. SITE names a folder in which it has been built."""
+    if "SITE" in os.environ:
+        return Path(os.environ["SITE"])
     try:
         import material  # noqa: F401
         import mkdocstrings  # noqa: F401

@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from command_line import ROOT, testbed
+from command_line import ROOT, in_this_process
 from pages import all_blocks
 
 TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
@@ -51,5 +51,5 @@ def _run(line: str, folder: Path) -> None:
     expected = re.search(r"exit (\d)", comment)
     name, *arguments = shlex.split(command)
     assert name == "testbed", line
-    done = testbed(folder, *arguments)
+    done = in_this_process(folder, *arguments)
     assert done.returncode == (int(expected[1]) if expected else 0), line + done.stdout + done.stderr

@@ -85,10 +85,24 @@ def test_jsbsims_own_words_are_repeated(vtail_copy: Path, cache: Path) -> None:
 
 
 def test_a_hang_ends_with_words(vtail_copy: Path, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(first_load, "LONGEST_S", 0.01)
+    monkeypatch.setattr(first_load, "_WAIT_S", 0.01)
     with pytest.raises(
         BadInput, match=r"vtail\.xml: JSBSim does not finish loading and starting it within 0\.01 s"
     ):
+        assure(load_aircraft(str(vtail_copy)))
+
+
+def test_a_load_that_computes_for_ever_ends_with_words(
+    vtail_copy: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With the limit of the process itself, set to what it has used by then."""
+    endless = "from testbed.plant import probe; probe.LONGEST_S = 0; probe._hold_back()\nwhile True: pass"
+    real = subprocess.run
+    monkeypatch.setattr(
+        first_load.subprocess, "run", lambda _, **more: real([sys.executable, "-c", endless], **more)
+    )
+    words = r"vtail\.xml: JSBSim does not finish loading and starting it within 10 s of processor time"
+    with pytest.raises(BadInput, match=words):
         assure(load_aircraft(str(vtail_copy)))
 
 

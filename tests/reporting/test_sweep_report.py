@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from command_line import in_this_process
 from html_page import Page
-from sweep_files import fly_here, run, written
+from sweep_files import fly_here, written
 
 from testbed import monte_carlo
 from testbed.cli.commands import main
@@ -118,7 +119,7 @@ def test_it_names_commands_that_work(tmp_path: Path) -> None:
     text = (tmp_path / "out/report.html").read_text(encoding="utf-8")
     commands = re.findall(r"<code>python -m testbed (.*?)</code>", text)
     assert commands
-    result = run(tmp_path, *commands[0].split(), "--out", "again", "--no-plots", "--jobs", "1")
+    result = in_this_process(tmp_path, *commands[0].split(), "--out", "again", "--no-plots", "--jobs", "1")
     assert result.returncode == 1, result.stderr
     rows = (tmp_path / "again/results.csv").read_text().splitlines()[1:]
     assert set(rows) <= set((tmp_path / "out/results.csv").read_text().splitlines())

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import search_files
+import search_flights
 from dask_cluster import Cluster
 from search_files import REAL, written
 
@@ -30,7 +30,7 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
 @pytest.mark.slow
 def test_processes_stay_for_the_next_batch(tmp_path: Path) -> None:
     plan = load_search(written(tmp_path))
-    options = Options(jobs=2, save_logs="none", fly=search_files.in_its_process)
+    options = Options(jobs=2, save_logs="none", fly=search_flights.in_its_process)
     with workers(options.job(plan.plan), options) as flying:
         seen = set()
         for batch in range(3):

@@ -9,8 +9,9 @@ import time
 from pathlib import Path
 
 import pytest
-import search_files
-from search_files import BETA, DESIGN, SEARCH, gusty, searched, written
+import search_flights
+from search_files import SEARCH, searched, written
+from search_flights import BETA, DESIGN, gusty
 from sweep_files import journal_lines, script
 
 import testbed
@@ -62,11 +63,9 @@ def test_two_workers_and_a_search_that_went_on_give_the_same_bytes(tmp_path: Pat
 @pytest.mark.slow
 def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
     file = written(tmp_path, SEARCH.replace("budget: 300", "budget: 60"))
-    testbed.search(file, tmp_path / "whole", fly=search_files.slow, jobs=2, figures=False)
-    call = (
-        f"{str(file)!r}, {str(tmp_path / 'out')!r}, jobs=2, resume=True, figures=False, fly=search_files.slow"
-    )
-    arguments = script(f"import search_files\ntestbed.search({call})")
+    searched(file, tmp_path / "whole", fly="slow")
+    call = f"{str(file)!r}, {str(tmp_path / 'out')!r}, jobs=2, resume=True, figures=False, fly=search_flights.slow"
+    arguments = script(f"import search_flights\ntestbed.search({call})")
     instants, before = random.Random(4), 0
     for _ in range(2):
         process = subprocess.Popen(arguments, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -139,7 +138,7 @@ def test_flights_without_a_result_are_refused_with_the_reason(tmp_path: Path) ->
 @pytest.mark.slow
 def test_refused_by_a_worker_too(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="has no result: ValueError: it went wrong"):
-        testbed.search(written(tmp_path), tmp_path / "out", fly=search_files.lost, jobs=1)
+        testbed.search(written(tmp_path), tmp_path / "out", fly=search_flights.lost, jobs=1)
     assert not (tmp_path / "out").exists()
 
 

@@ -19,7 +19,7 @@ from testbed.sweeps.progress import Progress, bar
 @pytest.mark.slow
 @pytest.mark.parametrize("terminal", [True, False])
 def test_progress_on_a_terminal_only(tmp_path: Path, terminal: bool) -> None:
-    flying = flown(written(tmp_path), tmp_path / "out", "runs=60")
+    flying = flown(written(tmp_path), tmp_path / "out", "runs=20")
     ours, theirs = pty.openpty()
     environment = {**os.environ, "TERM": "xterm", "COLUMNS": "150"}
     errors = theirs if terminal else subprocess.PIPE

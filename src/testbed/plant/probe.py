@@ -21,7 +21,7 @@ from testbed.aircraft.model_files.check import in_yaml, model_files
 from testbed.aircraft.model_files.safe_xml import Element
 from testbed.aircraft.model_files.used import model_file
 from testbed.inputs.problems import BadInput, Issue, Problem, did_you_mean
-from testbed.plant.first_load import trust
+from testbed.plant.first_load import LONGEST_S, trust
 from testbed.plant.jsbsim import NoProperty, Plant, loaded
 from testbed.plant.properties import command_property, position_property
 
@@ -35,8 +35,6 @@ _WORDS = 300
 """Longest text of JSBSim's that is repeated [characters]."""
 _MEMORY_BYTES = 4_000_000_000
 """Most memory of this process; a delay of a thousand million steps would take all that there is."""
-_CPU_S = 20
-"""Longest computing time of this process [s]; its parent stops waiting before."""
 
 
 def main() -> int:
@@ -167,12 +165,12 @@ def _hold_back() -> None:
     except ImportError:  # not on this system
         return
     limits = {
-        resource.RLIMIT_FSIZE: 0, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: _CPU_S, resource.RLIMIT_AS: _MEMORY_BYTES,
+        resource.RLIMIT_FSIZE: 0, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: LONGEST_S, resource.RLIMIT_AS: _MEMORY_BYTES,
     }  # fmt: skip
     for what, most in limits.items():
         _, hard = resource.getrlimit(what)
         most = most if hard == resource.RLIM_INFINITY else min(most, hard)
-        resource.setrlimit(what, (most, most))
+        resource.setrlimit(what, (most, hard))  # only the lower one says by its signal that time was short
 
 
 def _say(answer: dict[str, Any]) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command_line import ROOT
+from command_line import ROOT, in_this_process
 from command_line import testbed as command
 from short_flights import scenario, worst_errors
 from vtail_setup import vtail_setup
@@ -129,7 +129,7 @@ def test_its_faults_are_said_with_file_and_line(tmp_path: Path, text: str) -> No
 def test_a_fault_in_flight_is_exit_status_2_and_leaves_nothing(tmp_path: Path) -> None:
     scenario(tmp_path)
     (tmp_path / "own.py").write_text(OWN.format(init="0", update="update", body="raise KeyError('gain')"))
-    result = command(tmp_path, "run", "healthy.yaml", "--controller", "own.py:Own", "--out", "out")
+    result = in_this_process(tmp_path, "run", "healthy.yaml", "--controller", "own.py:Own", "--out", "out")
     assert result.returncode == 2
     assert result.stderr.splitlines() == ["own.py:3: raised at 0.000 s: KeyError: 'gain'"]
     assert not (tmp_path / "out").exists()

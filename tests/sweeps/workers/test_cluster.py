@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 from dask_cluster import Cluster
 from own_controllers import own_controller
-from sweep_files import SWEEP, journal_lines, same_rows, sorted_files, written
+from sweep_files import SWEEP, fly_here, journal_lines, same_rows, sorted_files, written
 
 import testbed
 from testbed.aircraft.shipped import find_aircraft
@@ -40,19 +40,20 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
 @pytest.mark.slow
 def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, tmp_path: Path) -> None:
     sweep = written(tmp_path)
-    here = testbed.sweep(sweep, tmp_path / "here", runs=60, jobs=2, figures=False)
+    plan = load_sweep(sweep, ["runs=30"])
+    fly_here(plan, tmp_path / "here", "testbed.simulation:fly", save_logs="failed")
 
     def kill_midway() -> None:
-        while journal_lines(tmp_path / "there") < 15:
+        while journal_lines(tmp_path / "there") < 10:
             time.sleep(0.005)
         cluster.kill_worker()
 
     killer = threading.Thread(target=kill_midway, daemon=True)
     killer.start()
-    there = testbed.sweep(sweep, tmp_path / "there", runs=60, cluster=cluster.address, figures=False)
+    there = testbed.sweep(sweep, tmp_path / "there", runs=30, cluster=cluster.address, figures=False)
     killer.join()
     assert cluster.processes[-1].wait() == -signal.SIGKILL
-    assert len(here) == len(there) == 120
+    assert len(there) == 60
     same_rows(tmp_path / "here", tmp_path / "there")
     assert sorted_files(tmp_path / "here") == sorted_files(tmp_path / "there")
     unpacked = list(cluster._folder.glob("testbed-*-*/vtail/vtail.yaml"))

@@ -10,7 +10,9 @@ import time
 from pathlib import Path
 
 import pytest
-from sweep_files import flown, journal_lines, same_rows, script, written
+from sweep_files import flown, fly_here, journal_lines, same_rows, script, written
+
+from testbed.sweeps.load import load_sweep
 
 
 @pytest.mark.slow
@@ -27,9 +29,7 @@ def test_a_worker_killed_from_outside_is_replaced(tmp_path: Path) -> None:
         os.kill(children(process.pid)[0], signal.SIGKILL)
     _, err = process.communicate()
     assert process.returncode == 0, err
-    one = flown(sweep, tmp_path / "one", "runs=60, jobs=1")
-    subprocess.run(script(one), check=True)
-    same_rows(tmp_path / "out", tmp_path / "one")
+    same_rows(tmp_path / "out", fly_here(load_sweep(sweep, ["runs=60"]), tmp_path / "one"))
 
 
 def children(pid: int) -> list[int]:
