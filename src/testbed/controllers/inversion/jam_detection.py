@@ -94,6 +94,7 @@ def settle_regression(i, position, pressure_ratio, m, s):
     for row in range(4):
         column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0) * position
         s.filtered_phi[0, row, i], s.filtered_phi[1, row, i] = column, column
+        s.late_rate[i, 0, row], s.late_rate[i, 1, row] = 0.0, 0.0
 
 
 @compiled

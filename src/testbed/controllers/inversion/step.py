@@ -71,7 +71,7 @@ def estimate(y, m, c, s, w):
     pressure_ratio = pressure_ratio_of(y, m)
     regression(y, pressure_ratio, m, c, s, w)
     if c.weighted:
-        act_late(phi, s)
+        act_late(phi, c, s, w)
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
     measured_error(z, phi, s, e)
     if c.weighted:
