@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 from collections.abc import Callable
@@ -10,6 +11,8 @@ from pathlib import Path
 
 import pytest
 from full_disk import largest_file
+
+from testbed.common import jit
 
 _PROGRAM = """
 from testbed.common import jit
@@ -73,3 +76,23 @@ def test_a_full_disk_costs_the_cache_alone(tmp_path: Path) -> None:
     with largest_file(2000):
         assert hits_and_misses(tmp_path) == "0 1"
     assert not list(tmp_path.rglob("*.nbc"))
+
+
+def test_code_is_found_again_by_a_copy_of_the_sources(tmp_path: Path) -> None:
+    """Two installations with the same sources, one after the other."""
+    program = (
+        "from testbed.common import jit; from testbed.controllers.outer_loops import clip\n"
+        "jit.bound(clip, 1.0, 1.0); print(len(clip.stats.cache_hits), len(clip.stats.cache_misses))"
+    )
+    environment = {**os.environ, "XDG_CACHE_HOME": str(tmp_path / "cache")}
+    environment.pop("NUMBA_CACHE_DIR", None)
+    found = []
+    for name in ("one", "other"):
+        folder = tmp_path / name
+        shutil.copytree(Path(jit.__file__).parents[1], folder / "testbed", copy_function=shutil.copyfile)
+        environment["PYTHONPATH"] = str(folder)
+        done = subprocess.run(
+            [sys.executable, "-c", program], env=environment, capture_output=True, text=True, check=True
+        )
+        found.append(done.stdout.strip())
+    assert found == ["0 1", "1 0"]

@@ -70,7 +70,9 @@ def prune(root: Path, days: float = 30.0) -> None:
                 shutil.rmtree(folder, ignore_errors=True)
 
 
-if not os.environ.get("NUMBA_CACHE_DIR"):
+_OURS = not os.environ.get("NUMBA_CACHE_DIR")
+"""Whether the cache's folder is that of `_cache_folder`, or one that the user has chosen for all of numba's code."""
+if _OURS:
     _FOLDER = _cache_folder()
     numba.config.CACHE_DIR = str(_FOLDER or "")  # type: ignore[attr-defined]
 else:
@@ -110,7 +112,9 @@ def compiled(function: F) -> F:
     """Compile a function at its first call; without fast-math, so that results agree with the uncompiled function."""
     made = numba.njit(error_model="numpy")(function)
     if _FOLDER is not None and isinstance(made, numba.core.dispatcher.Dispatcher):
-        made._cache = CodeCache(function)  # type: ignore[attr-defined]  # no public way to give numba another
+        ours = _OURS and function.__module__.startswith("testbed.")
+        cache = CodeCache(function, _FOLDER if ours else None)
+        made._cache = cache  # type: ignore[attr-defined]  # no public way to give numba another
     return made  # type: ignore[no-any-return, return-value]
 
 

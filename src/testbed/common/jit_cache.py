@@ -35,12 +35,21 @@ class _CheckedFiles(IndexDataCacheFile):
 
 
 class CodeCache(FunctionCache):
-    """The compiled code of one function, on disk."""
+    """The compiled code of one function, on disk.
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    Args:
+        folder: one that belongs to the contents of all sources. In it the code is found again whatever the path and the time of
+            the source file, as after an installation anew. None: where numba looks for it, by path and time.
+    """
+
+    def __init__(self, function: Callable[..., Any], folder: Path | None = None) -> None:
         super().__init__(function)
-        files = self._cache_file
-        self._cache_file = _CheckedFiles(self._cache_path, self._impl.filename_base, files._source_stamp)
+        stamp = self._cache_file._source_stamp
+        if folder is not None:
+            self._cache_path, stamp = str(folder / function.__module__), ()
+            with contextlib.suppress(OSError):
+                Path(self._cache_path).mkdir(exist_ok=True)
+        self._cache_file = _CheckedFiles(self._cache_path, self._impl.filename_base, stamp)
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
         """The code for a signature; None if there is none, or none that can be read."""
