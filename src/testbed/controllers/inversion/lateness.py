@@ -24,7 +24,7 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.law import low_pass
 
 LATEST = 5.0
-"""Largest lateness [1/w_f]: no loop is held whose surfaces are all later."""
+"""Largest lateness [1/w_f], .25 s: the latest that was flown. By then the all-pass lacks phase at the rate of the swings."""
 SHORTEST = 1e-3
 """Least lateness that the lags of rho are given, so that nothing is divided by zero."""
 MOST_VARIANCE = 0.05
