@@ -76,3 +76,21 @@ def test_a_rate_limit_makes_small_changes_slower() -> None:
     """A twentieth of the range at half the range a second: 63 % in 0.063 s, and the lag's 0.5 s."""
     assert LINEAR.small_lag_rad_s == pytest.approx(1.0 / (0.5 + 0.063))
     assert replace(LINEAR, rise_s=1e9, fall_s=1e9).small_lag_rad_s == pytest.approx(2.0)
+
+
+def test_a_throttle_that_stays_gives_less_thrust_at_a_higher_airspeed() -> None:
+    """Throttle 0.5 of LINEAR, 440 N at 30 m/s; and 100 N more than full throttle gives stay 100 N more."""
+    others = np.array([30.0, 40.0, 70.0])
+    assert LINEAR.at_same_throttle(440.0, 30.0, others, 1.2) == pytest.approx([440.0, 420.0, 360.0])
+    assert LINEAR.at_same_throttle(1040.0, 30.0, others, 1.2) == pytest.approx([1040.0, 1020.0, 960.0])
+
+
+def test_a_motor_at_full_throttle_stays_at_full_throttle() -> None:
+    motor = Propulsor((0.0, 1.0), (0.1, 0.0), (0.01, 0.01), 0.5, 1e-4, 20.0, 4.0, 0.04, 0.2, 0.5)
+    others = np.array([4.0, 8.0, 12.0])
+    full = motor.most_thrust(others, 1.2)
+    assert motor.at_same_throttle(float(full[1]), 8.0, others, 1.2) == pytest.approx(full)
+    half = motor.at_same_throttle(0.5 * float(full[1]), 8.0, others, 1.2)
+    assert half[1] == pytest.approx(0.5 * full[1]) and half[0] > half[1] > half[2]
+    more = motor.at_same_throttle(float(full[1]) + 1.0, 8.0, others, 1.2)
+    assert more == pytest.approx(full + 1.0), "what no throttle gives is a constant beside it"

@@ -44,7 +44,7 @@ class Loops(Settings):
     roll_kp: NonNegative = DERIVED
     """1.5"""
     p_kp: NonNegative = DERIVED
-    """4"""
+    """4. The default law has at least the aircraft's own damping here, in `q_kp` and in `r_kp`."""
     sideslip_kp: NonNegative = DERIVED
     """1"""
     sideslip_ki: NonNegative = DERIVED

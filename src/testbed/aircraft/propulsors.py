@@ -58,13 +58,32 @@ class Propulsor:
         return density_kg_m3 * diameters_per_s**2 * self.diameter_m**2 * self.thrust[-1]
 
     def most_thrust(self, axial_m_s: np.ndarray, density_kg_m3: float) -> np.ndarray:
-        """Steady thrust [N] at full throttle, by bisection for the rotor speed at which the motor's torque is the propeller's."""
+        """Steady thrust [N] at full throttle."""
+        return self._thrust_with(self.max_volts, axial_m_s, density_kg_m3)
+
+    def at_same_throttle(
+        self, thrust_n: float, axial_m_s: float, others_m_s: np.ndarray, density_kg_m3: float
+    ) -> np.ndarray:
+        """[m] steady thrust [N] at other airspeeds of the throttle that gives a thrust at one airspeed. A thrust that no throttle
+        gives is that of the nearest throttle, and a constant."""
+        here = np.array([axial_m_s])
+        least, most = self.least_thrust(axial_m_s, density_kg_m3), self.most_thrust(here, density_kg_m3)[0]
+        within = float(np.clip(thrust_n, least + 1e-9 * (most - least), most))
+        n = self.speed_at(within, axial_m_s, density_kg_m3)
+        torque = self._loads(n, axial_m_s, density_kg_m3)[1]
+        current = torque / self.torque_constant_n_m_a + self.no_load_current_a
+        volts = float(n / self.velocity_constant_rps_v + self.resistance_ohm * current)
+        shift = thrust_n - self._thrust_with(volts, here, density_kg_m3)[0]
+        return self._thrust_with(volts, others_m_s, density_kg_m3) + shift
+
+    def _thrust_with(self, volts: float, axial_m_s: np.ndarray, density_kg_m3: float) -> np.ndarray:
+        """Steady thrust [N] at a voltage, by bisection for the rotor speed at which the motor's torque is the propeller's."""
         top = self.max_volts * self.velocity_constant_rps_v
         low = np.minimum(axial_m_s / (self.diameter_m * self.advance[1]), top)
         high = np.full(low.shape, top)
         for _ in range(_BISECTIONS):
             n = 0.5 * (low + high)
-            current = (self.max_volts - n / self.velocity_constant_rps_v) / self.resistance_ohm
+            current = (volts - n / self.velocity_constant_rps_v) / self.resistance_ohm
             torque = self.torque_constant_n_m_a * (current - self.no_load_current_a)
             quickens = torque > self._loads(n, axial_m_s, density_kg_m3)[1]
             low, high = np.where(quickens, n, low), np.where(quickens, high, n)
@@ -141,6 +160,14 @@ class EngineMap:
     def most_thrust(self, axial_m_s: np.ndarray, density_kg_m3: float) -> np.ndarray:
         """Thrust at full throttle at an airspeed [N]."""
         return np.interp(axial_m_s, self.speeds, self.rising[:, -1])
+
+    def at_same_throttle(
+        self, thrust_n: float, axial_m_s: float, others_m_s: np.ndarray, density_kg_m3: float
+    ) -> np.ndarray:
+        """As `Propulsor.at_same_throttle`."""
+        throttle = self.throttle_for(thrust_n, axial_m_s)
+        shift = thrust_n - self.thrust_at(throttle, axial_m_s)
+        return np.array([self.thrust_at(throttle, airspeed) for airspeed in others_m_s]) + shift
 
     @cached_property
     def least_useful_n(self) -> float:

@@ -70,5 +70,5 @@ class Diagnosis:
         s.lambda_hat[(s.failed == 1) | (d.failed == 1)] = 1.0
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
         s.failed[:], s.jammed[:] = d.failed, d.jammed
-        self._modes.switch(step)
+        self._modes.switch(step, float(self._parts[0][step].airspeed))
         d.designed_position[:] = s.designed_position

@@ -210,3 +210,32 @@ def test_a_lost_actuator_with_more_force_than_effectiveness_explains_is_jammed()
         for _ in range(round(c.persistence / c.dt) + 1):
             detect_jam(np.zeros(4), 1.0, m, c, s)
         assert bool(s.jammed[0]) == jams
+
+
+@pytest.mark.parametrize(
+    ("actuator", "share", "sigma", "jammed"),
+    [
+        (2, 0.5, 0.1, 1),
+        (2, -0.5, 0.1, 1),
+        (2, 0.2, 0.01, 0),
+        (2, 0.5, 0.2, 0),
+        (2, 0.9, 0.1, 0),
+        (0, 0.5, 0.1, 0),
+    ],
+)
+def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
+    actuator: int, share: float, sigma: float, jammed: int
+) -> None:
+    """Not one whose thrust may be nothing, one that works again, or a surface."""
+    m, c, _, s, _ = records()
+    s.failed[actuator], s.lambda_hat[actuator], s.P[actuator, actuator] = 1, share, sigma**2
+    s.filtered_phi[1, :, actuator] = 2.0 * m.B[:, actuator]
+    steps = math.ceil(c.jam_time / c.dt)
+    assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps - 2)) and not s.jammed.any()
+    for _ in range(4):
+        detect_jam(np.zeros(4), 1.0, m, c, s)
+    assert s.jammed[actuator] == jammed
+    if jammed:
+        assert s.lambda_hat[actuator] == pytest.approx(
+            np.clip(2.0 * share, m.low[actuator], m.high[actuator])
+        )

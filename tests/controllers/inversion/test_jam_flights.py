@@ -42,6 +42,22 @@ def test_heading_is_held_from_40_s_after_a_jam(actuator: str, value: float) -> N
         assert altitude < 1.0
 
 
+@pytest.mark.parametrize("throttle", [0.8, 1.0])
+def test_altitude_is_held_with_the_only_propeller_stuck(throttle: float) -> None:
+    changes = [
+        "aircraft=aerosonde",
+        "initial={altitude_m: 200, airspeed_m_s: 25, heading_deg: 0}",
+        "commands=[]",
+        f"failures=[{{type: stuck_at, actuator: propeller, at_s: 5, value: {throttle}}}]",
+        "requirements=[]",
+        "duration_s=40",
+    ]
+    flight = fly(load_scenario(SCENARIO, changes))
+    altitude, heading, _ = worst_errors(flight, 5.0)
+    assert flight.outcome is Outcome.completed
+    assert altitude < 2.0 and heading < 10.0
+
+
 def test_a_climb_is_flown_where_there_is_no_level_trim_and_the_reason_is_said() -> None:
     flight = flown("left_ruddervator", 25.8)
     (said,) = [e["text"] for e in flight.events if "altitude cannot be held" in e.get("text", "")]

@@ -58,7 +58,7 @@ class InversionController:
 
     def switch(self, step: int) -> None:
         """Put the mode in force that belongs to the flags in `memory`, from row `step` on."""
-        self._modes.switch(step)
+        self._modes.switch(step, float(self._common[0][step].airspeed))
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""

@@ -34,6 +34,8 @@ one, and the filter's next step corrects most of it."""
 REVERSAL_S = 0.6
 """How long after an actuator was taken for jammed it may turn out to be reversed. Its command goes to the trim position at once, so
 the estimate shows where its force goes within this time."""
+THRUST_LEFT, THRUST_SIGMA = 0.3, 3.0
+"""Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero."""
 RETURNED = 0.5
 """Share of the way to minus its trim position after which an actuator is reversed: a jammed one would have stayed."""
 REVERSED_FROM = 1.0
@@ -60,6 +62,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
         backwards = acts_reversed(i, m, c, s)
         time = REVERSED_S if backwards and unstable(m) else c.persistence
         no_loss = backwards or has_force_of_its_own(i, c, s)
+        if not no_loss and keeps_thrust(i, m, c, s):
+            no_loss, time = True, c.jam_time
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if no_loss else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         if s.jam_timer[i] > c.jam_time or s.reversal_timer[i] > time + 1e-9:
@@ -142,6 +146,16 @@ def has_force_of_its_own(i, c, s):
     there cannot explain is that of another position."""
     at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
     return c.weighted and s.failed[i] and not s.jammed[i] and not s.reversed[i] and at_limit
+
+
+@compiled
+def keeps_thrust(i, m, c, s):
+    """Whether a motor or engine that was flagged at a high throttle gives thrust beyond doubt at its trim throttle, though less
+    than one that works again: its thrust has not followed its command down."""
+    thrust = abs(s.lambda_hat[i])
+    unexplained = s.failed[i] and not s.jammed[i] and not s.reversed[i] and s.lambda_hat[i] < c.recovery
+    sure = thrust > THRUST_LEFT and thrust > THRUST_SIGMA * math.sqrt(max(s.P[i, i], 0.0))
+    return c.weighted and not m.servo[i] and unexplained and sure
 
 
 @compiled

@@ -17,6 +17,7 @@ from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
 
 _WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
+_SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
 
 
 class ModeSwitch:
@@ -61,12 +62,18 @@ class ModeSwitch:
             ) from None
         self._put_in_force(self.mode, regulator, ())
 
-    def switch(self, step: int) -> None:
-        """Put the mode for the flagged failures in force; if it cannot be flown, the present mode stays and the reason is noted."""
+    def switch(self, step: int, airspeed: float | None = None) -> None:
+        """Put the mode for the flagged failures in force; if it cannot be flown, the present mode stays and the reason is noted.
+
+        Args:
+            airspeed: at which jammed motors and engines have their estimated thrust [m/s]; by default the reference airspeed.
+        """
         s = self._memory[0]
         failed = tuple(int(i) for i in np.flatnonzero(s.failed))
         jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i]}
         self._note_jams(step, jammed)
+        if airspeed is not None:
+            jammed = {i: self._at_reference(i, position, airspeed) for i, position in jammed.items()}
         self._note_swings(step)
         mode = self._modes.get(failed)
         if mode is None:
@@ -84,6 +91,17 @@ class ModeSwitch:
             self._report(
                 step, f"{', '.join(mode.failed)} failed: {words}", once_for=("airspeed", mode.failed)
             )
+
+    def _at_reference(self, i: int, position: float, airspeed: float) -> float:
+        """Scaled position of a jammed actuator at the reference airspeed: a motor that is stuck has another thrust there."""
+        model, scale = self._setup.model, self._setup.scale[i]
+        propulsor = model.propulsors[i]
+        if propulsor is None:
+            return position
+        reference = np.array([model.airspeed_m_s])
+        here = max(_SLOWEST * model.airspeed_m_s, airspeed)
+        thrust = propulsor.at_same_throttle(position * scale, here, reference, model.density_kg_m3)
+        return float(thrust[0] / scale)
 
     def _airspeed_in_words(self) -> str:
         """At which airspeed the mode in force is flown, if it is not the commanded one, and why; or empty."""

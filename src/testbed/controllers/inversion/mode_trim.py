@@ -39,6 +39,9 @@ _MARGIN_OF_LEVEL_FLIGHT = 0.15
 """Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one."""
 _MARGIN_TO_DESCEND = 0.3
 """Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has nothing left to descend with."""
+_NEARLY_LEVEL = 0.03
+"""Path angle [rad] of a flight with a stuck motor that may be level flight: a third of an aircraft's drag over its weight. Altitude
+is held, and given up only while the aircraft is too slow."""
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
 """Scaled margin that is given up in order not to change airspeed by its own amount, or the path angle by 1 rad."""
@@ -61,7 +64,8 @@ def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlig
     With three actuators or more, the flight is level at the reference airspeed, or faster if there is no trim at that. If one
     motor of several is left, the search begins `lost_thrust_faster_m_s` higher. Airspeed, altitude and heading are held.
 
-    With two, of which at least one is a motor, the flight is level at an unknown airspeed; altitude and heading are held.
+    With two, of which at least one is a motor, the flight is level at an unknown airspeed; altitude and heading are held. So it is
+    with any number of surfaces and a motor that is stuck: drag balances its thrust at one airspeed.
     Without a motor the flight is a glide; airspeed and heading are held.
 
     Where there is no level trim, the flight climbs or descends; airspeed and heading are held.
@@ -103,7 +107,7 @@ def airspeed_range(left: Remaining, flight: SteadyFlight, held: tuple[str, ...])
     """
     airspeed = float(flight.state[AIRSPEED])
     if "airspeed" not in held:
-        return AirspeedRange(airspeed, airspeed, airspeed)
+        return AirspeedRange(airspeed, airspeed, airspeed if _has_motor(left) else math.inf)
     if not left.jammed:
         return AirspeedRange(0.0, math.inf, math.inf)
     if "altitude" not in held:
@@ -132,6 +136,8 @@ def _after_losses(left: Remaining, loops: Loops) -> Iterator[Attempt]:
     if left.available.sum() < 3 or not motor:
         if motor:
             yield level(left, around), ("altitude", "heading"), _nearest(reference), 1.0
+        elif not left.servos.all():
+            yield _at_any_airspeed(left), ("airspeed", "heading"), _shallowest(left), 1.0
         yield at_airspeeds(left, around), ("airspeed", "heading"), _nearest(reference), 1.0
         return
     wanted = _wanted(left, loops)
@@ -147,18 +153,33 @@ def _after_a_jam(left: Remaining, loops: Loops) -> Iterator[Attempt]:
     """Attempts in the order in which they are made, when an actuator is jammed: the most margin is the best."""
     wanted = _wanted(left, loops)
     preference = _roomiest(left, wanted)
-    if left.available.sum() < 3:
+    if left.available.sum() < 3 or not _has_motor(left):
         if _has_motor(left):
             flights = level(left, left.model.airspeed_m_s * _AIRSPEEDS[::6])
             yield flights, ("altitude", "heading"), preference, 1.0
-        flights = at_airspeeds(left, left.model.airspeed_m_s * _AIRSPEEDS)
-        yield flights, ("airspeed", "heading"), preference, 1.0
+        elif left.thrusts:
+            yield from _with_stuck_thrust(left, preference)
+        yield _at_any_airspeed(left), ("airspeed", "heading"), preference, 1.0
         return
     flights = _level_anywhere(left)
     roomy = flights.only(margins(left, flights) > _MARGIN_OF_LEVEL_FLIGHT)
     yield roomy, _EVERYTHING, preference, 1.0
     yield _anywhere(left), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
+
+
+def _with_stuck_thrust(left: Remaining, preference: Preference) -> Iterator[Attempt]:
+    """Attempts when the only motors that give thrust are stuck: level at the airspeed that their thrust gives, or a glide."""
+    flights = level(left, left.model.airspeed_m_s * _AIRSPEEDS[::6])
+    yield flights, ("altitude", "heading"), _fastest, 1.0
+    flights = _at_any_airspeed(left)
+    nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
+    yield nearly_level, ("altitude", "heading"), preference, 1.0
+    yield flights, ("airspeed", "heading"), _shallowest(left), 1.0
+
+
+def _at_any_airspeed(left: Remaining) -> SteadyFlight:
+    return at_airspeeds(left, left.model.airspeed_m_s * _AIRSPEEDS)
 
 
 def _level_anywhere(left: Remaining) -> SteadyFlight:
@@ -175,6 +196,12 @@ def _nearest(airspeed: float) -> Preference:
     return lambda flights: -np.abs(flights.state[:, AIRSPEED] - airspeed)
 
 
+def _fastest(flights: SteadyFlight) -> np.ndarray:
+    """With thrust that is stuck, the fastest level flight is the one without sideslip, and on the stable side of least drag: an
+    aircraft that has become slow there has thrust to spare."""
+    return flights.state[:, AIRSPEED]
+
+
 def _roomiest(left: Remaining, wanted: float) -> Preference:
     """Most margin up to `_MARGIN_ENOUGH`, but not far from the airspeed that is wanted, nor for a steep path."""
 
@@ -185,6 +212,13 @@ def _roomiest(left: Remaining, wanted: float) -> Preference:
         return preferred
 
     return preference
+
+
+def _shallowest(left: Remaining) -> Preference:
+    """Most margin up to `_MARGIN_ENOUGH`, but not for a steep path, at any airspeed: without thrust altitude is worth more."""
+    return lambda flights: (
+        np.minimum(margins(left, flights), _MARGIN_ENOUGH) + _MARGIN_FOR_SLOPE * path_angles(flights)
+    )
 
 
 def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:

@@ -9,7 +9,7 @@ scaled position. So redundant actuators share the work, and an aircraft that is 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
@@ -25,6 +25,9 @@ _LARGEST_STEP = 1.0  # of an unknown in one iteration, in its unit
 _DIFFERENCE = 1e-6  # of the central differences, in each unknown's unit
 _RESIDUAL_MAX = 1e-7  # largest rate that may remain [rad/s2, m/s2, m/s]
 _DAMPING = 1e-10  # of the Gauss-Newton steps, so that too few actuators are no error
+_THRUST_AIRSPEEDS = np.linspace(
+    0.3, 2.1, 73
+)  # of the thrust of a jammed motor, in units of the reference airspeed
 
 
 @dataclass(frozen=True)
@@ -36,8 +39,10 @@ class Remaining:
         limits: [n, 2] scaled stops.
         available: [n] 1 for actuators that are used.
         effective: [n] effectiveness: 1 for available and for jammed actuators, 0 for the others.
-        positions: [n] scaled positions: where a jammed actuator is jammed; for the others that of the reference trim, which is
-            the first guess for those that are available.
+        positions: [n] scaled positions: where a jammed actuator is jammed, a motor or engine at the reference airspeed; for the
+            others that of the reference trim, which is the first guess for those that are available.
+        thrusts: [73] scaled thrust of each jammed motor or engine by `_THRUST_AIRSPEEDS`, by its index. Its throttle stays, and so
+            its thrust falls with airspeed.
     """
 
     model: DesignModel
@@ -46,16 +51,25 @@ class Remaining:
     available: np.ndarray
     effective: np.ndarray
     positions: np.ndarray
+    thrusts: Mapping[int, np.ndarray] = field(default_factory=dict)
 
     @classmethod
     def after(cls, setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Remaining:
         """What remains in a mode, with the scaled positions of jammed actuators."""
-        model, scale = setup.model, setup.scale
+        model, scale, at = setup.model, setup.scale, setup.model.airspeed_m_s
         available = np.array([float(name not in mode.failed) for name in model.actuators])
         effective, positions = available.copy(), np.array(model.trim) / scale
         for i, position in jammed.items():
             effective[i], positions[i] = 1.0, position
-        return cls(model, scale, setup.limits, available, effective, positions)
+        thrusts = {
+            i: propulsor.at_same_throttle(
+                position * scale[i], at, at * _THRUST_AIRSPEEDS, model.density_kg_m3
+            )
+            / scale[i]
+            for i, position in jammed.items()
+            if (propulsor := model.propulsors[i]) is not None
+        }
+        return cls(model, scale, setup.limits, available, effective, positions, thrusts)
 
     @property
     def used(self) -> np.ndarray:
@@ -95,9 +109,18 @@ class Remaining:
                 most[:, i] = propulsor.most_thrust(airspeeds, self.model.density_kg_m3) / self.scale[i]
         return most
 
+    def with_thrust(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
+        """Scaled positions a [..., n] with those of jammed motors and engines at the airspeed of the state x [..., 10]."""
+        positions = np.array(a)
+        for i, thrust in self.thrusts.items():
+            positions[..., i] = np.interp(
+                x[..., AIRSPEED], self.model.airspeed_m_s * _THRUST_AIRSPEEDS, thrust
+            )
+        return positions
+
     def motion(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
         """[..., 10] derivatives of the state x [..., 10] with actuators at scaled positions a [..., n]."""
-        return motion(self.model, x, a * self.scale, self.effective)
+        return motion(self.model, x, self.with_thrust(x, a) * self.scale, self.effective)
 
 
 class SteadyFlight(NamedTuple):
@@ -148,7 +171,7 @@ def _solved(
         x, a = state.copy(), positions.copy()
         x[:, states] += z[:, : len(states)] * sizes[: len(states)]
         a[:, used] += z[:, len(states) :]
-        return SteadyFlight(x, a)
+        return SteadyFlight(x, left.with_thrust(x, a))
 
     def residuals(z: np.ndarray) -> np.ndarray:
         x, a = flights(z)
