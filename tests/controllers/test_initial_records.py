@@ -74,14 +74,3 @@ def test_the_memory_is_that_of_a_whole_trimmed_aircraft() -> None:
     assert propulsor is not None
     speed = propulsor.speed_at(setup.model.trim[2], axial(setup.model), setup.model.density_kg_m3)
     assert s.rotor == pytest.approx([0.0, 0.0, speed, speed], rel=1e-6)
-
-
-def test_the_default_law_does_not_slow_the_aircrafts_own_damping_and_the_papers_has_the_designers_gains() -> (
-    None
-):
-    """The v-tail's damping of rolling and pitching is faster than its loops, that of yawing slower."""
-    weather, paper = records_of(vtail_setup(WEATHER)), records_of(vtail_setup())
-    damping = -np.diag(np.array(vtail_setup().model.derivatives)[:3, 2:])
-    assert damping[0] > 4.0 and damping[1] > 8.0 and damping[2] < 4.0
-    assert (weather.c.p_kp, weather.c.q_kp, weather.c.r_kp) == (damping[0], damping[1], 4.0)
-    assert (paper.c.p_kp, paper.c.q_kp, paper.c.r_kp) == (4.0, 8.0, 4.0)

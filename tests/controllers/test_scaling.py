@@ -26,9 +26,17 @@ def design(model: DesignModel = MODEL, limits: np.ndarray = LIMITS, lags=LAGS, c
 def test_ample_authority_has_the_full_gains() -> None:
     """The v-tail's, as they were found in flight."""
     loops = design().loops
-    assert (loops.altitude_kp, loops.pitch_kp, loops.q_kp) == (0.7, 3.0, 8.0)
-    assert (loops.heading_kp, loops.roll_kp, loops.p_kp, loops.r_kp) == (0.5, 1.5, 4.0, 4.0)
+    assert (loops.altitude_kp, loops.pitch_kp) == (0.7, 3.0)
+    assert (loops.heading_kp, loops.roll_kp, loops.r_kp) == (0.5, 1.5, 4.0)
     assert (loops.airspeed_kp, loops.altitude_ki, loops.climb_max) == (0.8, 0.01, 2.0)
+
+
+def test_no_rate_is_controlled_more_slowly_than_it_is_damped() -> None:
+    """The v-tail's damping of rolling and pitching is faster than 4 and 8 1/s, that of yawing slower than 4."""
+    loops = design().loops
+    roll, pitch, yaw = -np.diag(np.array(MODEL.derivatives)[:3, 2:])
+    assert roll > 4.0 and pitch > 8.0 and yaw < 4.0
+    assert (loops.p_kp, loops.q_kp, loops.r_kp) == (roll, pitch, 4.0)
 
 
 def test_what_is_given_is_kept() -> None:
@@ -58,15 +66,16 @@ def test_twice_as_fast_has_twice_the_lengths_and_speeds() -> None:
 
 
 def test_little_authority_slows_the_whole_cascade() -> None:
-    """Surfaces with a fortieth of their effect: the gains of pitch are those of a longer unit of time, the integral's squared."""
+    """Surfaces with a fortieth of their effect: the gains of pitch are those of a longer unit of time, the integral's squared. That
+    of the rate, which is the damping's, stays."""
     weak = np.array(MODEL.input_matrix)
     weak[:, :2] /= 40.0
     slow, full = design(replace(MODEL, input_matrix=tuple(map(tuple, weak)))).loops, design().loops
-    pace = slow.q_kp / full.q_kp
+    pace = slow.pitch_kp / full.pitch_kp
     assert 0.2 < pace < 0.9
-    assert slow.pitch_kp / full.pitch_kp == pytest.approx(pace)
     assert slow.altitude_kp / full.altitude_kp == pytest.approx(pace)
     assert slow.altitude_ki / full.altitude_ki == pytest.approx(pace**2)
+    assert slow.q_kp == full.q_kp
 
 
 def test_slow_engines_slow_the_airspeed_loop() -> None:

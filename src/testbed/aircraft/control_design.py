@@ -35,7 +35,7 @@ class Loops(Settings):
     pitch_kp: NonNegative = DERIVED
     """3"""
     q_kp: NonNegative = DERIVED
-    """8"""
+    """8, and at least the aircraft's own damping of pitching"""
     heading_kp: NonNegative = DERIVED
     """0.5"""
     heading_ki: NonNegative = DERIVED
@@ -44,13 +44,13 @@ class Loops(Settings):
     roll_kp: NonNegative = DERIVED
     """1.5"""
     p_kp: NonNegative = DERIVED
-    """4. The default law has at least the aircraft's own damping here, in `q_kp` and in `r_kp`."""
+    """4, and at least the aircraft's own damping of rolling"""
     sideslip_kp: NonNegative = DERIVED
     """1"""
     sideslip_ki: NonNegative = DERIVED
     """[1/s2] 0.2"""
     r_kp: NonNegative = DERIVED
-    """4"""
+    """4, and at least the aircraft's own damping of yawing"""
     heading_error_max_deg: Positive = 20.0
     """The heading error is limited to this; likewise the next two [deg, m, m/s]."""
     altitude_error_max_m: Positive = DERIVED

@@ -11,17 +11,7 @@ from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE
-from testbed.controllers.records import (
-    D_P,
-    D_Q,
-    D_R,
-    P_DOT,
-    Q_DOT,
-    R_DOT,
-    memory_dtype,
-    model_dtype,
-    settings_dtype,
-)
+from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
 
 _DIVISOR_MIN = 0.1
@@ -110,19 +100,7 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.change_time, c.change_sigma, c.change_lead = _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD
     if estimation is not None:
         _fill_estimation(c, estimation, setup.model.kinds)
-    if c.weighted:
-        keep_damping(c, setup.model)
     return record
-
-
-def keep_damping(c: np.record, model: DesignModel) -> None:
-    """Make the loops of rolling, pitching and yawing rates at least as fast as the aircraft's own damping.
-
-    The inversion cancels f_m, and with it the damping. The air's rotation in gusts is not measured: it acts through the damping,
-    and a slower loop is moved by it for longer than the aircraft alone would be. At the same pace there is nothing to cancel.
-    """
-    for name, row, column in (("p_kp", P_DOT, D_P), ("q_kp", Q_DOT, D_Q), ("r_kp", R_DOT, D_R)):
-        c[name] = max(c[name], -model.derivatives[row][column])
 
 
 def _fill_loops(c: np.record, setup: Setup) -> None:

@@ -11,8 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from testbed.controllers.config import OracleSettings
-from testbed.controllers.initial_records import keep_damping, settings_record
-from testbed.controllers.inversion.controller import InversionController
+from testbed.controllers.inversion.controller import fixed_inversion
 from testbed.controllers.inversion.jam_detection import REDESIGN_AFTER
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
@@ -31,9 +30,7 @@ class OracleController:
             raise BadInput([Problem(what, path="controller.type", expected="a flight of `testbed.fly`")])
         self._truth, self._scale = setup.truth, setup.scale.tolist()
         self._threshold = setup.settings_as(OracleSettings).threshold
-        settings = settings_record(setup, None)
-        keep_damping(settings[0], setup.model)
-        self._law = InversionController(setup, settings)
+        self._law = fixed_inversion(setup)
         memory = self._law.memory[0]
         self._estimate, self._failed, self._jammed = memory.lambda_hat, memory.failed, memory.jammed
         self._designed = memory.designed_position

@@ -20,7 +20,7 @@ from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.records import D_P, D_Q, D_R, U_DOT
+from testbed.controllers.records import D_P, D_Q, D_R, P_DOT, Q_DOT, R_DOT, U_DOT
 from testbed.controllers.released_axes import authorities
 from testbed.inputs.base import Settings
 
@@ -167,6 +167,8 @@ def _loops(
         for axis, names in _CASCADES.items()
         for name in names
     }
+    for name, own in _dampings(model).items():
+        gains[name] = max(gains[name], own)
     climb = v / 9.0 if not excess else min(v / 9.0, _THRUST_SHARE * excess / GRAVITY_M_S2 * v)
     return {
         **gains,
@@ -178,6 +180,16 @@ def _loops(
         "protect_from_m_s": v / 9.0,
         "fast_climb_s": v / 36.0,
     }
+
+
+def _dampings(model: DesignModel) -> dict[str, float]:
+    """The aircraft's own damping of each rate [1/s], by the gain of that rate's loop, which is to be no slower.
+
+    The inversion cancels f_m, and with it the damping. The air's rotation in gusts is not measured: it acts through the damping,
+    and a slower loop is moved by it for longer than the aircraft alone would be. At the same pace there is nothing to cancel.
+    """
+    places = {"p_kp": (P_DOT, D_P), "q_kp": (Q_DOT, D_Q), "r_kp": (R_DOT, D_R)}
+    return {name: -model.derivatives[row][column] for name, (row, column) in places.items()}
 
 
 def _lost_thrust(loops: Loops, v: float) -> dict[str, float]:
