@@ -155,7 +155,9 @@ def searched(name: str, controller: str, flying: Workers, budget: int) -> Row:
             | _values(space, origin[0])
             | {"distance": 0.0, "flights": 1, "reason": "without a gust already"}
         )
-    found = smallest_failure(limit_state, len(space), seed=SEED, budget=budget, starts=2)
+    found = smallest_failure(
+        limit_state, len(space), seed=SEED, budget=budget, starts=2, mirrored=space.mirrored
+    )
     values = {} if found.design_point is None else _values(space, found.design_point)
     return row | values | {"distance": found.distance, "flights": found.evaluations, "reason": found.reason}
 
