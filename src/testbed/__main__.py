@@ -11,9 +11,12 @@ if TYPE_CHECKING:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, of `sys.argv` if none is given, and return its exit status."""
-    from testbed.cli import interrupts
+    from testbed.cli import address_space, interrupts, status
 
     interrupts.end_at_once()  # before everything else is imported, which takes most of a second
+    if words := address_space.too_little():
+        print(words, file=sys.stderr)
+        return status.ENDED_EARLY
     from testbed.cli.commands import main
 
     return main(arguments)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numba
 import numpy as np
+import pytest
 
 from testbed.common import jit
 
@@ -63,3 +64,19 @@ def test_another_folder_is_taken_where_home_cannot_be_written(tmp_path: Path) ->
     env.pop("NUMBA_CACHE_DIR", None)
     done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True)
     assert Path(done.stdout.strip()).is_relative_to(tmp_path / f"testbed-{os.getuid()}")
+
+
+def test_a_process_that_was_stopped_while_it_compiles_keeps_nobody_waiting(tmp_path: Path) -> None:
+    fcntl = pytest.importorskip("fcntl")
+    with open(tmp_path / "lock", "a") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        code = (
+            "from testbed.common import jit; jit.LONGEST_WAIT_S = 0.2\n"
+            "from testbed.controllers.outer_loops import clip\n"
+            "print(jit.bound(clip, 1.0, 1.0)(3.0, 2.0))"
+        )
+        environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+        done = subprocess.run(
+            [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False
+        )
+    assert done.stdout == "2.0\n", done.stderr

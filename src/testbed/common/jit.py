@@ -22,6 +22,8 @@ from testbed.common.cache import Cache
 from testbed.common.jit_cache import CodeCache
 
 F = TypeVar("F", bound=Callable[..., Any])
+LONGEST_WAIT_S = 60.0
+"""How long a process waits for another one that compiles. One function takes seconds, on a busy machine too."""
 
 
 def _cache_folder() -> Path | None:
@@ -77,17 +79,31 @@ else:
 
 @contextlib.contextmanager
 def _one_at_a_time() -> Iterator[None]:
-    """Let one process compile and the others wait for its result, when several find the cache empty."""
-    try:
-        import fcntl
+    """Let one process compile and the others wait for its result, when several find the cache empty.
 
-        lock = open(Path(_FOLDER or os.devnull) / "lock", "a")  # noqa: SIM115
-        fcntl.flock(lock, fcntl.LOCK_EX)
-    except (ImportError, OSError):  # this system or file system has no locks: each process compiles
+    A process that was stopped while it compiles would keep the others waiting for ever: after `LONGEST_WAIT_S` they compile too.
+    """
+    with contextlib.ExitStack() as held:
+        with contextlib.suppress(
+            ImportError, OSError
+        ):  # this system or file system has no locks: each compiles
+            import fcntl
+
+            lock = held.enter_context(
+                open(Path(_FOLDER or os.devnull) / "lock", "a")
+            )  # closing it releases the lock
+            _take(lambda: fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB))
         yield
-        return
-    with lock:  # closing the file releases the lock
-        yield
+
+
+def _take(lock: Callable[[], None]) -> None:
+    """Try for a lock that another process may hold, for `LONGEST_WAIT_S` at most."""
+    end = time.monotonic() + LONGEST_WAIT_S
+    while time.monotonic() < end:
+        try:
+            return lock()
+        except BlockingIOError:
+            time.sleep(0.05)
 
 
 def compiled(function: F) -> F:
