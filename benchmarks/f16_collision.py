@@ -104,7 +104,7 @@ Roll is uniform between 36 and 51 deg, pitch between -72 and -63 deg, heading be
 ## A collision is found
 
 Flights until the first collision, and the nearest one after {budget} flights, in standard deviations of a standard normal for
-each of the three; {seeds} seeds. Flights are counted in whole batches, of which the first two have 21.
+each of the three; {seeds} seeds. Flights are counted in whole batches, of which the first two have 11.
 
 {falsified}
 

@@ -51,6 +51,8 @@ requirements:
 FAILURE_S, SEED = 2.0, 90001
 GUST_M_S = 1.3
 """Standard deviation of the gust's velocity to the north and down."""
+BESIDE, APART = 8, 0.01
+"""Flights beside each failure found, and how many standard deviations they are from it."""
 SEVERITIES: dict[str, tuple[str, list[float], Origin]] = {
     "effectiveness": ("value", [0.0, 1.0], "high"),
     "command_scale": ("value", [0.0, 1.0], "high"),
@@ -73,6 +75,7 @@ HEAD = (
     "north_m_s",
     "down_m_s",
     "flights",
+    "beside",
     "reason",
 )
 Row = dict[str, Any]
@@ -153,11 +156,23 @@ def searched(name: str, controller: str, flying: Workers, budget: int) -> Row:
         return (
             row
             | _values(space, origin[0])
-            | {"distance": 0.0, "flights": 1, "reason": "without a gust already"}
+            | {"distance": 0.0, "flights": 1, "beside": "", "reason": "without a gust already"}
         )
-    found = smallest_failure(limit_state, len(space), seed=SEED, budget=budget, starts=2)
-    values = {} if found.design_point is None else _values(space, found.design_point)
-    return row | values | {"distance": found.distance, "flights": found.evaluations, "reason": found.reason}
+    found = smallest_failure(
+        limit_state, len(space), seed=SEED, budget=budget, starts=2, mirrored=space.mirrored
+    )
+    said: Row = {"distance": found.distance, "flights": found.evaluations, "reason": found.reason}
+    if found.design_point is not None:
+        beside = int(np.sum(limit_state(neighbours(found.design_point)) <= 0.0))
+        said |= _values(space, found.design_point) | {"beside": beside}
+    return row | said
+
+
+def neighbours(point: np.ndarray) -> np.ndarray:
+    """Points [n, d] around a point [d], none nearer to the origin: where a region fails that is wider than APART, so do they."""
+    turned = np.random.default_rng(SEED).standard_normal((BESIDE, len(point)))
+    outward = turned * np.where(turned @ point < 0.0, -1.0, 1.0)[:, None]
+    return point + APART * outward / np.linalg.norm(turned, axis=1, keepdims=True)
 
 
 def failures_of(name: str) -> list[dict[str, Any]]:
@@ -221,7 +236,7 @@ def _no_worse(row: Mapping[str, Any], rows: Sequence[Mapping[str, Any]]) -> Mapp
 
 
 def _cell(row: Mapping[str, Any]) -> str:
-    """`2.31 (value 0.12; gust 2.2, -0.4)`."""
+    """`2.31 (value 0.12; gust 2.2, -0.4; 8 of 8)`."""
     distance = float(row["distance"])
     if distance == 0.0:
         return "0: breaks without a gust"
@@ -229,7 +244,8 @@ def _cell(row: Mapping[str, Any]) -> str:
         return f"none in {row['flights']}"
     key = SEVERITIES.get(row["failure"], ("", [], "low"))[0]
     severity = f"{key} {float(row['severity']):.3g}; " if row["severity"] != "" else ""
-    return f"{distance:.2f} ({severity}gust {float(row['north_m_s']):+.1f}, {float(row['down_m_s']):+.1f})"
+    gust = f"gust {float(row['north_m_s']):+.1f}, {float(row['down_m_s']):+.1f}"
+    return f"{distance:.2f} ({severity}{gust}; {row['beside']} of {BESIDE})"
 
 
 def _best(own: Mapping[str, Mapping[str, Any]]) -> str:
@@ -243,7 +259,7 @@ def page(rows: Sequence[Mapping[str, Any]]) -> str:
     """The page of the documentation."""
     made = [row for row in rows if int(row["budget"]) == BUDGET]
     said = {"searches": len(made), "flights": sum(int(row["flights"]) for row in made), "seed": SEED, "at_s": FAILURE_S,
-            "sd": GUST_M_S, "budget": BUDGET, "check": CHECK}  # fmt: skip
+            "sd": GUST_M_S, "budget": BUDGET, "check": CHECK, "beside": BESIDE, "apart": APART}  # fmt: skip
     return _PAGE.format(**said, table="\n".join(table(rows)))
 
 
@@ -258,9 +274,11 @@ of the failure, if its type has one, drawn uniformly from its range, and the gus
 deviation of {sd} m/s each. A type without a severity is flown as its own example has it, and what is left to search is the
 gust. Broken means an altitude error above 3 m, a heading error above 8 deg, or the loss of the aircraft.
 
-The number is the distance in standard deviations: larger is better. Behind it is what was found: severity, and gust in m/s
-towards north and down. *Needs the biggest* names all controllers within 5 % of the largest distance. The last column is the
-distance over that of a search of at most {check} flights with the same seed, where one was made.
+The number is the distance in standard deviations: larger is better. Behind it is what was found: severity, gust in m/s
+towards north and down, and how many of {beside} flights beside it break a requirement too. These are {apart:g} standard
+deviations from it, and none is nearer to the origin: beside a region that fails they all fail, and beside a failure that stands
+alone among flights that pass, hardly any. *Needs the biggest* names all controllers within 5 % of the largest distance. The last
+column is the distance over that of a search of at most {check} flights with the same seed, where one was made.
 
 {table}
 

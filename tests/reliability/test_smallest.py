@@ -68,6 +68,37 @@ def test_300_evaluations_are_enough_in_few_dimensions(name: str) -> None:
         assert case.distance * (1 - 1e-9) <= found.distance <= 1.05 * case.distance
 
 
+def test_of_mirrored_coordinates_one_side_is_asked() -> None:
+    asked: list[np.ndarray] = []
+
+    def limit_state(u: np.ndarray) -> np.ndarray:
+        asked.append(u)
+        return 3.0 - np.abs(u) @ [0.6, 0.8]
+
+    found = smallest_failure(limit_state, 2, budget=200, starts=2, mirrored=[1])
+    points = np.concatenate(asked)
+    assert (points[:, 1] >= 0).all() and (points[:, 0] < 0).any()
+    assert found.distance == pytest.approx(3.0, rel=0.01)
+    assert found.design_point is not None and found.design_point[1] == pytest.approx(2.4, rel=0.05)
+
+
+@pytest.mark.parametrize("mirrored", [[2], [-1], [0.5], ["a"]])
+def test_mirrored_coordinates_must_be_there(mirrored: list[int]) -> None:
+    with pytest.raises(BadInput, match="coordinates from 0 to 1"):
+        smallest_failure(lambda u: 3.0 - u[:, 0], 2, mirrored=mirrored)
+
+
+def test_a_small_ball_far_before_a_half_space_is_mostly_found() -> None:
+    def limit_state(u: np.ndarray) -> np.ndarray:
+        ball = 0.4 * np.linalg.norm(u - [1.9, 0.8, -0.6], axis=1) - 0.1
+        return np.minimum(ball, 0.96 - u @ [0, 0.18, 0.24])
+
+    found = [smallest_failure(limit_state, 3, seed=s, budget=300, starts=2).distance for s in range(6)]
+    nearest = math.sqrt(4.61) - 0.25
+    assert min(found) >= nearest
+    assert sum(each <= 1.05 * nearest for each in found) >= 5
+
+
 def test_every_step_of_the_path_fails_and_is_nearer() -> None:
     case = KNOWN["curved"]
     path = smallest_failure(case.limit_state, case.dimensions, budget=800).path

@@ -70,7 +70,7 @@ def test_points_become_values_by_path() -> None:
     space = Space(
         (coordinate({"uniform": [0, 1]}), Coordinate("b", Distribution.model_validate({"integers": [0, 9]})))
     )
-    assert len(space) == 2
+    assert len(space) == 2 and space.mirrored == ()
     assert space.values(np.zeros((2, 2))) == [{"a": 0.5, "b": 5}] * 2
     assert likelihoods({"a": -1.0}) == {"a": pytest.approx(stats.norm.sf(1.0))}
 
@@ -80,6 +80,7 @@ def test_points_become_values_by_path() -> None:
 def test_what_is_worse_than_a_value_measured_from_its_end(origin: Origin, value: float) -> None:
     """88 % of the flights lose more than a surface that keeps 0.88 of its effect, where that is uniform from 0 to 1."""
     severity = Space((coordinate({"uniform": [0, 1]}, origin),))
+    assert severity.mirrored == (0,)
     for sign in (1.0, -1.0):
         u = np.array([sign * stats.norm.isf(0.5 * value)])
         assert severity.beyond(u) == pytest.approx(value, rel=1e-6)

@@ -25,6 +25,13 @@ def check(limit_state: Any, most_dimensions: int, **given: Any) -> None:
         raise BadInput(problems)
 
 
+def check_mirrored(mirrored: Any, dimensions: int) -> None:
+    """Raise BadInput unless these are coordinates of so many."""
+    if wrong := [each for each in mirrored if each not in range(dimensions)]:
+        expected = f"coordinates from 0 to {dimensions - 1}"
+        raise BadInput([Problem(f"has {wrong[0]!r}", "mirrored", expected=expected)])
+
+
 def _whole(name: str, value: Any, most_dimensions: int) -> str:
     """What is expected of a whole number, "" if the value is one."""
     least, most = _LEAST[name], most_dimensions if name == "dimensions" else math.inf

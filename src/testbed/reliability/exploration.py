@@ -11,7 +11,7 @@ from testbed.reliability.kriging import krige
 from testbed.reliability.surface import Search
 from testbed.reliability.survey import Directions, survey
 
-SURVEYED, KRIGED = 0.15, 0.4
+SURVEYED, KRIGED = 0.1, 0.4
 """Shares of the budget for each survey, and for the first kriging."""
 MOST_KRIGED = 300
 """Evaluations chosen by kriging at a time: beyond them the searches do better."""
@@ -32,12 +32,19 @@ class Exploration:
 
     def __post_init__(self) -> None:
         asked = self.search.asked
-        self.directions = Directions(asked.dimensions, axes=2 * asked.dimensions <= SURVEYED * asked.budget)
+        self.directions = Directions(
+            asked.dimensions, 2 * asked.dimensions <= SURVEYED * asked.budget, self.search.folded
+        )
 
     @property
     def outer(self) -> float:
         """Radius to look within before the first failure."""
         return max(FARTHEST, 2 + math.sqrt(self.search.asked.dimensions))
+
+    @property
+    def kriges(self) -> bool:
+        """Whether there are few enough dimensions for kriging."""
+        return self.search.asked.dimensions <= MOST_DIMENSIONS
 
     def begin(self) -> None:
         """Survey and krige with their shares of the budget."""
@@ -51,7 +58,7 @@ class Exploration:
         budget = self.search.asked.budget
         self.search.begin(int(SURVEYED * budget))
         survey(self.search, self.directions, self.outer, self.random)
-        if self.search.asked.dimensions <= MOST_DIMENSIONS:
+        if self.kriges:
             share = kriged if self.search.path else kriged / 2  # the searches have to find the first failure
             self.search.begin(min(MOST_KRIGED, int(share * budget)))
             krige(self.search, self.outer, self.scale, self.random)

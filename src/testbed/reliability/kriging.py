@@ -7,6 +7,7 @@ of the nearest failure's distance (Jones, Schonlau and Welch 1998, Journal of Gl
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import cho_factor, cho_solve, solve_triangular
@@ -18,47 +19,67 @@ BATCH = 8
 MOST_POINTS = 500
 """The nearest points to the origin that are used: the work grows with their number's cube."""
 CANDIDATES = 1500
-LENGTHS = (0.25, 0.5, 1.0, 2.0)
-"""Correlation lengths, in standard deviations, of which the likeliest is taken."""
+ROUGH = 0.2
+"""Correlation length, in standard deviations, of what is rough: losses, jumps and what a requirement's worst instant adds."""
 HOPELESS = 1e-9
 """Expected improvement, as a share of the distance to be improved, below which nothing is asked."""
 NUGGET = 1e-5
 """Variance that is added to each point's, as a share of the whole: the limit state may jump."""
 
 
+@dataclass(frozen=True)
+class Correlation:
+    """Correlation of two values by the distance of their points: a smooth share (Matern 3/2), and a rough rest (Matern 1/2)."""
+
+    length: float
+    share: float
+
+    def __call__(self, apart: np.ndarray) -> np.ndarray:
+        scaled = math.sqrt(3) / self.length * apart
+        smooth = (1 + scaled) * np.exp(-scaled)
+        return (
+            smooth if self.share == 1.0 else self.share * smooth + (1 - self.share) * np.exp(-apart / ROUGH)
+        )
+
+
+CORRELATIONS = (
+    *(Correlation(length, 1.0) for length in (0.25, 0.5, 1.0, 2.0)),
+    *(Correlation(length, share) for length in (1.0, 2.0, 4.0) for share in (0.8, 0.95)),
+)
+"""Of these the likeliest is taken: a limit state that is smooth is known farther around a point than a rough one."""
+
+
 class Kriging:
-    """Mean and standard deviation of the limit state between points [n, d] with values [n], Matern 3/2."""
+    """Mean and standard deviation of the limit state between points [n, d] with values [n].
+
+    The correlation is the one of CORRELATIONS that makes the values likeliest.
+    """
 
     def __init__(self, points: np.ndarray, values: np.ndarray) -> None:
         self.points, self.mean = points, float(np.mean(values))
         apart = _distances(points, points)
-        fits = [_Fit(apart, values - self.mean, length) for length in LENGTHS]
+        fits = [_Fit(apart, values - self.mean, kind) for kind in CORRELATIONS]
         self.fit = max(fits, key=lambda fit: fit.likelihood)
 
     def __call__(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Mean [m] and standard deviation [m] at points [m, d]."""
-        near = _matern(_distances(at, self.points) / self.fit.length)
+        near = self.fit.correlation(_distances(at, self.points))
         known = solve_triangular(self.fit.factor[0], near.T, lower=True)
         share = np.maximum(1.0 - np.sum(known**2, axis=0), 1e-9)
         return self.mean + near @ self.fit.weights, np.sqrt(self.fit.variance * share)
 
 
 class _Fit:
-    """Weights and log likelihood for one correlation length."""
+    """Weights and log likelihood for one correlation."""
 
-    def __init__(self, apart: np.ndarray, values: np.ndarray, length: float) -> None:
-        self.length = length
-        self.factor = cho_factor(_matern(apart / length) + NUGGET * np.eye(len(values)), lower=True)
+    def __init__(self, apart: np.ndarray, values: np.ndarray, correlation: Correlation) -> None:
+        self.correlation = correlation
+        self.factor = cho_factor(correlation(apart) + NUGGET * np.eye(len(values)), lower=True)
         self.weights = cho_solve(self.factor, values)
         self.variance = max(float(values @ self.weights) / len(values), 1e-12)
         self.likelihood = -len(values) / 2 * math.log(self.variance) - float(
             np.sum(np.log(np.diag(self.factor[0])))
         )
-
-
-def _matern(scaled: np.ndarray) -> np.ndarray:
-    root = math.sqrt(3) * scaled
-    return (1 + root) * np.exp(-root)
 
 
 def _distances(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -95,7 +116,7 @@ def _known(search: Search, scale: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _candidates(search: Search, reach: float, random: np.random.Generator) -> np.ndarray:
-    """Points nearer than `reach`: in all directions, and around the nearest failures."""
+    """Points nearer than `reach`, uniform in the volume: in all directions, and around the nearest failures."""
     dimensions = search.asked.dimensions
     everywhere = random.standard_normal((CANDIDATES, dimensions))
     if search.path:
@@ -103,8 +124,8 @@ def _candidates(search: Search, reach: float, random: np.random.Generator) -> np
         turned = centres[random.integers(len(centres), size=CANDIDATES // 2)]
         spread = 10 ** random.uniform(-2, -0.3, (len(turned), 1))
         everywhere = np.vstack([everywhere, turned + reach * spread * random.standard_normal(turned.shape)])
-    lengths = reach * random.uniform(0.5, 1.0, (len(everywhere), 1)) ** 0.3
-    return lengths * everywhere / np.linalg.norm(everywhere, axis=1, keepdims=True)
+    lengths = reach * random.uniform(0.0, 1.0, (len(everywhere), 1)) ** (1 / dimensions)
+    return search.folded(lengths * everywhere / np.linalg.norm(everywhere, axis=1, keepdims=True))
 
 
 def _best(kriging: Kriging, candidates: np.ndarray, reach: float, n: int) -> np.ndarray:
@@ -114,6 +135,6 @@ def _best(kriging: Kriging, candidates: np.ndarray, reach: float, n: int) -> np.
     chosen: list[np.ndarray] = []
     while len(chosen) < n and gain.max() > HOPELESS * reach:
         chosen.append(candidates[int(np.argmax(gain))])
-        alike = _matern(_distances(candidates, chosen[-1][None])[:, 0] / kriging.fit.length)
+        alike = kriging.fit.correlation(_distances(candidates, chosen[-1][None])[:, 0])
         gain = gain * (1 - alike**2)
     return np.array(chosen).reshape(-1, candidates.shape[1])

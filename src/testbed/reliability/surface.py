@@ -16,7 +16,10 @@ PARTS = 8
 
 @dataclass
 class Search:
-    """Points and values so far, and the nearest failure of this start, `best` [d]."""
+    """Points and values so far, and the nearest failure of this start, `best` [d].
+
+    A coordinate is mirrored if u and -u have the same value there.
+    """
 
     asked: Asked
     points: list[np.ndarray] = field(default_factory=list)
@@ -24,6 +27,13 @@ class Search:
     path: list[Step] = field(default_factory=list)
     best: np.ndarray | None = None
     limit: int = 0
+    mirrored: tuple[int, ...] = ()
+
+    def folded(self, points: np.ndarray) -> np.ndarray:
+        """The points [n, d] with the mirrored coordinates' signs away: the same values, in half of the space for each."""
+        folded = points.copy()
+        folded[:, list(self.mirrored)] = np.abs(folded[:, list(self.mirrored)])
+        return folded
 
     @property
     def distance(self) -> float:
@@ -48,7 +58,7 @@ class Search:
     def __call__(self, points: np.ndarray) -> np.ndarray:
         """Values [n] at as many of the points as are left; the others are NaN, like what is not a number."""
         values = np.full(len(points), np.nan)
-        points = points[: self.left]
+        points = self.folded(points[: self.left])
         if len(points):
             values[: len(points)] = self.asked(points)
             self._keep(points, values[: len(points)])

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
 from testbed.reliability.surface import Search
 
+Fold = Callable[[np.ndarray], np.ndarray]
+"""Takes points [n, d] and returns those of the half, or the smaller share, of the space that holds every value there is."""
 BATCH = 16
 NEARER = 0.97
 """Radius of the survey, as a share of the nearest failure's distance."""
@@ -24,8 +27,10 @@ CLOSING = 4
 class Directions:
     """Unit vectors as far apart as can be: first both ways along every axis, if `axes`, then among random ones."""
 
-    def __init__(self, dimensions: int, axes: bool) -> None:
-        both = np.vstack([np.eye(dimensions), -np.eye(dimensions)])
+    def __init__(self, dimensions: int, axes: bool, folded: Fold) -> None:
+        both = folded(np.vstack([np.eye(dimensions), -np.eye(dimensions)]))
+        both = both[np.sort(np.unique(both, axis=0, return_index=True)[1])]
+        self.folded = folded
         self.waiting = both if axes else both[:0]
         self.chosen = both[:0]
         self.candidates = CANDIDATES if dimensions <= MOST_DIMENSIONS else 0
@@ -40,7 +45,7 @@ class Directions:
     def _between(self, known: np.ndarray, n: int, random: np.random.Generator) -> np.ndarray:
         """The candidates farthest from all that are known and from each other [k, d]."""
         candidates = random.standard_normal((self.candidates if n else 0, known.shape[1]))
-        candidates /= np.linalg.norm(candidates, axis=1, keepdims=True)
+        candidates = self.folded(candidates / np.linalg.norm(candidates, axis=1, keepdims=True))
         closest = np.max(candidates @ known.T, axis=1, initial=-1.0)
         found: list[np.ndarray] = []
         while len(found) < min(n, len(candidates)) and closest.min() < math.cos(DENSE):

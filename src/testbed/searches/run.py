@@ -143,7 +143,9 @@ def _answer(plan: SearchPlan, state: LimitState) -> Answer:
     origin = np.zeros(dimensions)
     if failed(state.record(tuple(origin))):
         return _at_origin(origin)
-    return smallest_failure(state, dimensions, starts=search.starts, **shared)
+    return smallest_failure(
+        state, dimensions, starts=search.starts, mirrored=state.part.space.mirrored, **shared
+    )
 
 
 def _at_origin(origin: np.ndarray) -> SmallestFailure:

@@ -63,6 +63,11 @@ class Space:
     def __len__(self) -> int:
         return len(self.coordinates)
 
+    @property
+    def mirrored(self) -> tuple[int, ...]:
+        """Which coordinates have the same value at u and -u: those measured from an end."""
+        return tuple(j for j, each in enumerate(self.coordinates) if each.origin != "median")
+
     def values(self, u: np.ndarray) -> list[dict[str, Any]]:
         """The values by dotted path at each of the points [n, dimensions]."""
         columns = [each.values(u[:, j]) for j, each in enumerate(self.coordinates)]
@@ -77,7 +82,7 @@ class Space:
         n z = r, the coordinate i has the mean n_i r and the variance 1 - n_i^2. Between two of them its correlation is neglected.
         """
         distance = float(np.linalg.norm(u))
-        ends = [j for j, each in enumerate(self.coordinates) if each.origin != "median"]
+        ends = list(self.mirrored)
         if distance == 0.0 or not ends:
             return float(ndtr(-distance))
         n = np.abs(u[ends]) / distance
