@@ -104,7 +104,7 @@ def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
         f"{TUNING_END} were for tuning, and no gain was chosen on these. Intervals are of paired differences, 95 % (Newcombe).",
         "",
         "**Detection** is the longest time in a flight from a failure to the flag of its actuator: the median over flights, and",
-        "what 95 % do not exceed.",
+        "what 95 % do not exceed. Of losses, [how soon a loss is flagged](detection.md) shows how soon they could be known.",
         "**Missed** are losses (effectiveness 0.1 or less for over 2 s) that were never flagged, and false alarms are flags of",
         "actuators that were not broken, both over all flights.",
         "",
