@@ -12,8 +12,9 @@ import numpy as np
 
 from testbed.air.wind import Weather
 from testbed.aircraft.changes import chosen
+from testbed.aircraft.conventional_shape import drawn_by_effect
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.shape import generic, load_shape
+from testbed.aircraft.shape import Shape, load_shape
 from testbed.common.jit import bound
 from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
 from testbed.controllers import Controller
@@ -73,6 +74,7 @@ class Assembly:
     weather: Weather
     sensors: IdealSensors | RealSensors
     references: np.ndarray
+    shape: Shape
     flown_by: str = ""
 
 
@@ -137,6 +139,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
         references=references(scenario, start.state["path_angle"]),
+        shape=load_shape(aircraft.folder) or drawn_by_effect(setup.model, plant.span_m),
         flown_by=name_of(controller) if controller else "",
     )
 
@@ -218,7 +221,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
         requirements=judge(scenario.requirements, log, metrics, scenario.duration_s),
         actuators=actuators,
         warnings=warnings,
-        shape=load_shape(aircraft.folder) or generic(parts.plant.span_m),
+        shape=parts.shape,
         flown_by=parts.flown_by,
     )
 

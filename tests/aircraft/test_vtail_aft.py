@@ -92,7 +92,7 @@ def test_it_can_be_derived_again() -> None:
 
 
 def test_it_looks_like_the_v_tail(aft: Aircraft) -> None:
-    """A replay would else show a conventional aircraft, on which nothing moves."""
+    """A replay would else show a conventional aircraft."""
     shape = load_shape(aft.folder)
     assert shape is not None and shape == load_shape(aft.folder.parent / "vtail")
     assert {part.actuator for part in (*shape.panels, *shape.propulsors)} - {None} == set(aft.actuators)

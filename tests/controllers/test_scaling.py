@@ -95,7 +95,7 @@ def test_a_climb_uses_half_of_the_excess_thrust() -> None:
 
 def test_gusts_act_by_angles_and_along_the_span() -> None:
     """Twice the airspeed halves the change of angle, and doubles the power of gusts at a frequency. The air rolls about a span of
-    four metres half as much."""
+    three metres two thirds as much."""
     found, point = gust_density(MODEL), replace(MODEL, span_m=None)
     assert 1.5 * 0.32 < found[1] < 2.0 * 0.32, "of the v-tail: 1.5 to 2 times what was measured in flight"
     assert 1.5 * 1.3 < found[0] < 2.0 * 1.3, "likewise"
@@ -104,8 +104,19 @@ def test_gusts_act_by_angles_and_along_the_span() -> None:
     rolling = np.zeros((6, 5))
     rolling[0, 2] = MODEL.derivatives[0][2]
     only = replace(MODEL, derivatives=tuple(map(tuple, rolling)))
-    assert gust_density(replace(only, span_m=4.0))[0] == pytest.approx(0.5 * gust_density(only)[0])
+    assert gust_density(replace(only, span_m=3.0))[0] == pytest.approx(2.0 / 3.0 * gust_density(only)[0])
     assert gust_density(point)[0] < 0.3
+
+
+def test_the_air_rolls_no_less_about_wide_slow_wings_than_their_estimation_sees() -> None:
+    """A glider of 18 m/s and 14 m has the corner of its rolling gusts at 1 rad/s, where effectiveness is estimated: the density
+    there is that above a corner of 4 rad/s, 2.8 times that above its own."""
+    rolling = np.zeros((6, 5))
+    rolling[0, 2] = MODEL.derivatives[0][2]
+    only = replace(MODEL, derivatives=tuple(map(tuple, rolling)))
+    span = math.pi * 18.0 / 4.0
+    wide = gust_density(replace(only, span_m=span))[0]
+    assert wide == pytest.approx(4.0 / math.sqrt(2.0) * 2.0 / span * gust_density(only)[0], rel=1e-3)
 
 
 def test_gusts_enter_forward_acceleration_by_the_aircrafts_turning() -> None:

@@ -31,11 +31,12 @@ the density is proportional to airspeed (MIL-F-8785C, 3.7.2.2)."""
 _ROTARY_GUSTS = {D_P: 1.64, D_Q: math.pi / 4.0, D_R: math.pi / 3.0}
 """Rotation of the air about each axis of the aircraft, by gusts that vary along it: this times gust velocity over span, above the
 corner of its spectrum, pi V / 4 b (after MIL-F-8785C, 3.7.5). Below the corner its density is constant."""
-_LOUD_RAD_S, _ESTIMATES_RAD_S = 7.1, 1.0
-"""Corner at which a rotation of the air counts as above it, and frequency at which effectiveness is estimated. The rotation is not
-measured, as the velocity is by alpha, beta and airspeed: it counts with its density at the latter, and with the margin that the
-v-tail's settings have over the density that was measured in its flights, whose corner this is. Rolling counts with its density
-above the corner: with more, the flag of a lost aileron comes too late for light aircraft."""
+_LOUD_RAD_S, _WIDE_RAD_S, _ESTIMATES_RAD_S = 7.1, 4.0, 1.0
+"""Corners at which a rotation of the air counts as above it, one of rolling second, and frequency at which effectiveness is
+estimated. The rotation is not measured, as the velocity is by alpha, beta and airspeed: it counts with its density at the latter,
+and with the margin that the v-tail's settings have over the density that was measured in its flights, whose corner is the first.
+Rolling has a smaller margin, and at least its density above the corner: with the first, the flag of a lost aileron comes too late
+for light aircraft; without any, whole gliders and wide biplanes lost their aileron to slow gusts."""
 _TURNING_RAD_S = 0.3
 """Pitching and yawing of an aircraft in gusts, by which their velocity enters forward acceleration [rad/s]."""
 _MODEL_ANGLE = 0.005
@@ -136,7 +137,8 @@ def _rotations(model: DesignModel) -> dict[int, float]:
     corner = math.pi * model.airspeed_m_s / (4.0 * model.span_m)
     louder = _LOUD_RAD_S / math.hypot(corner, _ESTIMATES_RAD_S)
     above = {column: share / model.span_m for column, share in _ROTARY_GUSTS.items()}
-    return {D_P: above[D_P], D_Q: louder * above[D_Q], D_R: louder * above[D_R]}
+    wide = max(1.0, _WIDE_RAD_S / math.hypot(corner, _ESTIMATES_RAD_S))
+    return {D_P: wide * above[D_P], D_Q: louder * above[D_Q], D_R: louder * above[D_R]}
 
 
 def model_error_std(model: DesignModel) -> np.ndarray:

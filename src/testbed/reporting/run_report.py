@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from testbed.aircraft.shape import generic
+from testbed.aircraft.conventional_shape import conventional
 from testbed.common.files import plain
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
@@ -103,7 +103,7 @@ def _for_the_script(
         ],
         "actuators": flight.actuators,
         "estimates": has_estimates(log, flight.actuators),
-        "shape": (flight.shape or generic()).model_dump(),
+        "shape": (flight.shape or conventional()).model_dump(),
     }
 
 
