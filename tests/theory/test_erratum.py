@@ -16,6 +16,14 @@ from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
 
 GAMMA, EPSILON = 2.0, 0.1
 RNG = np.random.default_rng(42)
+_FIRST_DRAW = RNG.bit_generator.state
+
+
+@pytest.fixture(autouse=True)
+def the_same_draws_in_any_order() -> None:
+    RNG.bit_generator.state = _FIRST_DRAW
+
+
 B = np.linalg.qr(RNG.normal(size=(4, 4)))[0] @ np.diag([0.5, 1.0, 2.0, 3.0])
 R = np.array([0.4, -0.3, 0.05, 0.8])
 TRUTH, ESTIMATE = np.array([0.5, 1.0, 0.2, 0.9]), np.array([0.8, 0.6, 0.5, 1.1])

@@ -25,6 +25,12 @@ from testbed.controllers.records import memory_dtype, model_dtype, settings_dtyp
 
 N = 4
 RNG = np.random.default_rng(4)
+_FIRST_DRAW = RNG.bit_generator.state
+
+
+@pytest.fixture(autouse=True)
+def the_same_draws_in_any_order() -> None:
+    RNG.bit_generator.state = _FIRST_DRAW
 
 
 def records() -> tuple[Any, Any, Any]:
