@@ -56,6 +56,14 @@ def test_a_surface_of_one_side_is_drawn_there(model: DesignModel) -> None:
     assert left.sense == right.sense, "they roll to opposite sides by the same turn"
 
 
+def test_ruddervators_are_elevators_on_their_sides() -> None:
+    """Each rolls, pitches and yaws as much as the other: what both do alike must not be told by rounding."""
+    vtail = load_design_model(load_aircraft("vtail").folder / DESIGN_MODEL)
+    assert {role for role, _ in roles(vtail).values()} == {"elevator"}
+    (left,), (right,) = moved_by(vtail, "left_ruddervator"), moved_by(vtail, "right_ruddervator")
+    assert lift_arm(left) < 0.0 < lift_arm(right)
+
+
 def test_the_span_is_that_of_the_aircraft(model: DesignModel) -> None:
     shape = drawn_by_effect(model, 10.0)
     assert max(y for panel in shape.panels for _, y, _ in panel.points) == pytest.approx(5.0)

@@ -84,6 +84,14 @@ def test_jsbsims_own_words_are_repeated(vtail_copy: Path, cache: Path) -> None:
     assert not cache.exists()  # nothing is known of it
 
 
+def load_by(code: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the process of the first load run this code in place of the probe."""
+    real = subprocess.run
+    monkeypatch.setattr(
+        first_load.subprocess, "run", lambda _, **more: real([sys.executable, "-c", code], **more)
+    )
+
+
 def test_a_hang_ends_with_words(vtail_copy: Path, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(first_load, "_WAIT_S", 0.01)
     with pytest.raises(
@@ -97,10 +105,7 @@ def test_a_load_that_computes_for_ever_ends_with_words(
 ) -> None:
     """With the limit of the process itself, set to what it has used by then."""
     endless = "from testbed.plant import probe; probe.LONGEST_S = 0; probe._hold_back()\nwhile True: pass"
-    real = subprocess.run
-    monkeypatch.setattr(
-        first_load.subprocess, "run", lambda _, **more: real([sys.executable, "-c", endless], **more)
-    )
+    load_by(endless, monkeypatch)
     words = r"vtail\.xml: JSBSim does not finish loading and starting it within 10 s of processor time"
     with pytest.raises(BadInput, match=words):
         assure(load_aircraft(str(vtail_copy)))
@@ -110,10 +115,7 @@ def test_the_signal_that_ended_a_process_is_named(
     vtail_copy: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     killed = "import os, sys; print('last words', file=sys.stderr, flush=True); os.kill(os.getpid(), 11)"
-    real = subprocess.run
-    monkeypatch.setattr(
-        first_load.subprocess, "run", lambda _, **more: real([sys.executable, "-c", killed], **more)
-    )
+    load_by(killed, monkeypatch)
     with pytest.raises(BadInput, match=r"JSBSim says last words; it ended the process \(SIGSEGV\)"):
         assure(load_aircraft(str(vtail_copy)))
 

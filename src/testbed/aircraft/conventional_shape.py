@@ -20,8 +20,8 @@ _SOME = 0.1
 _CHORD, _HINGE = 0.16, 0.72  # of the wing: over span, and place of the hinge over the chord
 _LEFT, _RIGHT = -1.0, 1.0
 _OTHER: dict[Sense, Sense] = {1: -1, -1: 1}
-_ROLE = ("aileron", "elevator", "rudder")
-
+_ROLES = ((1, "elevator"), (0, "aileron"), (2, "rudder"))
+"""Row of the input matrix and role, the first of those that a surface has alike: both of a pair of ruddervators are elevators."""
 
 Roles = Mapping[str, tuple[str, Sense]]
 """Role and sense (see `Panel`) of surfaces by their names."""
@@ -57,11 +57,12 @@ def roles(model: DesignModel) -> Roles:
     surfaces = [j for j, kind in enumerate(model.kinds) if kind == "servo"]
     effect = np.array(model.input_matrix)[:3, surfaces]
     share = np.abs(effect) / np.maximum(np.abs(effect).max(axis=1, keepdims=True, initial=0.0), 1e-12)
-    return {
-        model.actuators[j]: (_ROLE[row], 1 if effect[row, k] < 0.0 else -1)
-        for k, j in enumerate(surfaces)
-        if share[row := int(np.argmax(share[:, k])), k] > _SOME
-    }
+    found: dict[str, tuple[str, Sense]] = {}
+    for k, j in enumerate(surfaces):
+        row, role = max(_ROLES, key=lambda each: round(share[each[0], k], 2))
+        if share[row, k] > _SOME:
+            found[model.actuators[j]] = role, 1 if effect[row, k] < 0.0 else -1
+    return found
 
 
 def _moving(surfaces: Roles, role: str, side: float = 0.0) -> tuple[str | None, Sense]:

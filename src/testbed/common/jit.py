@@ -86,14 +86,11 @@ def _one_at_a_time() -> Iterator[None]:
     A process that was stopped while it compiles would keep the others waiting for ever: after `LONGEST_WAIT_S` they compile too.
     """
     with contextlib.ExitStack() as held:
-        with contextlib.suppress(
-            ImportError, OSError
-        ):  # this system or file system has no locks: each compiles
+        # Where the system or the file system has no locks, each process compiles. Closing the file releases the lock.
+        with contextlib.suppress(ImportError, OSError):
             import fcntl
 
-            lock = held.enter_context(
-                open(Path(_FOLDER or os.devnull) / "lock", "a")
-            )  # closing it releases the lock
+            lock = held.enter_context(open(Path(_FOLDER or os.devnull) / "lock", "a"))
             _take(lambda: fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB))
         yield
 
