@@ -47,6 +47,24 @@ def test_ctrl_c_while_it_imports(tmp_path: Path) -> None:
     assert interrupted(tmp_path, 0.1, "validate", "scenarios/left_tail_fail.yaml") == (130, "interrupted")
 
 
+def test_an_interrupt_that_a_callback_swallows_is_sent_again() -> None:
+    """The interpreter cannot raise what a weak reference's callback raises."""
+    code = (
+        "import signal, time, weakref; from testbed.cli import interrupts; interrupts.end_at_once()\n"
+        "class Thing: pass\n"
+        "thing = Thing(); seen = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))\n"
+        "try:\n"
+        "    with interrupts.tidily():\n"
+        "        del thing; print('swallowed', flush=True)\n"
+        "        time.sleep(60)\n"
+        "except KeyboardInterrupt: print('tidied up')"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, preexec_fn=interruptible
+    )
+    assert (done.returncode, done.stdout.split("\n"), done.stderr) == (0, ["swallowed", "tidied up", ""], "")
+
+
 def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
     """As in the background of a shell, or under nohup."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)

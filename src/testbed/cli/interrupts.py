@@ -1,7 +1,8 @@
 """Ctrl-C: one line and exit status 130, whenever it comes.
 
-A KeyboardInterrupt in the middle of an import, or in code that numba calls while it compiles, may be swallowed or end in a
-traceback. So, until something is being written, Ctrl-C ends the process by itself, at once; nothing has to be tidied up.
+A KeyboardInterrupt in the middle of an import, in a callback of a weak reference, or in code that numba calls while it
+compiles, may be swallowed. So, until something is being written, Ctrl-C ends the process by itself, at once; nothing has to be
+tidied up. After that, an interrupt that was swallowed is sent again.
 """
 
 from __future__ import annotations
@@ -9,11 +10,15 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+import sys
 from collections.abc import Iterator
 
 from testbed.cli.status import INTERRUPTED
 
 WORDS = "interrupted"
+
+_AGAIN_S = 0.01
+"""An interrupt that was swallowed is sent again after this time, when the callback that swallowed it has returned."""
 
 
 def end_at_once() -> None:
@@ -29,11 +34,14 @@ def tidily() -> Iterator[None]:
     if before is not _end:
         yield
         return
+    hook = sys.unraisablehook
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    sys.unraisablehook = _send_again
     try:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
+        sys.unraisablehook = hook
 
 
 @contextlib.contextmanager
@@ -44,6 +52,20 @@ def later() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _send_again(swallowed: sys.UnraisableHookArgs) -> None:
+    """The interpreter calls this with what it cannot raise, such as an exception in a callback of a weak reference."""
+    if not isinstance(swallowed.exc_value, KeyboardInterrupt):
+        sys.__unraisablehook__(swallowed)
+        return
+    from threading import Timer  # here, since until Ctrl-C is handled every millisecond of imports counts
+
+    again = Timer(
+        _AGAIN_S, os.kill, [os.getpid(), signal.SIGINT]
+    )  # to the process, so that a main thread that waits wakes
+    again.daemon = True
+    again.start()
 
 
 def _end(*_: object) -> None:
