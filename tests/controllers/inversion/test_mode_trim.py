@@ -55,7 +55,7 @@ def test_a_trim_is_steady_within_the_stops(failed: tuple[int, ...]) -> None:
     gamma = 0.0 if "altitude" in held else flight.state[PITCH] - flight.state[ALPHA]
     rates = left.motion(flight.state, flight.positions)
     assert rates[:9] == pytest.approx(np.zeros(9), abs=1e-6)
-    assert rates[9] == pytest.approx(V * math.sin(gamma) if gamma else 0.0, abs=0.3)
+    assert rates[9] == pytest.approx(flight.state[AIRSPEED] * math.sin(gamma) if gamma else 0.0, abs=0.3)
     inside = mode_trim._BEYOND_STOPS * left.limits
     assert np.all((flight.positions >= inside[:, 0]) & (flight.positions <= inside[:, 1]))
     assert flight.positions[list(failed)] == pytest.approx((np.array(MODEL.trim) / SETUP.scale)[list(failed)])

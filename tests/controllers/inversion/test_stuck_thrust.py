@@ -13,9 +13,9 @@ from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.mode_trim import airspeed_range, steady_flight
+from testbed.controllers.inversion.mode_trim import airspeed_range, margins, steady_flight
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.inversion.steady_flights import Remaining, path_angles
+from testbed.controllers.inversion.steady_flights import Remaining, at_airspeeds, path_angles
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 from testbed.controllers.setup import Setup, setup_for
 
@@ -71,9 +71,13 @@ def test_more_thrust_is_flown_faster_and_no_airspeed_is_too_fast() -> None:
 
 def test_a_propeller_that_brakes_leaves_a_shallow_glide() -> None:
     """No steeper than at any other airspeed within the same margins, and slower than the reference airspeed."""
-    flight, held = steady_flight(stuck_at(-12.0), SETUP.control.loops, "")
+    left = stuck_at(-20.0)
+    flight, held = steady_flight(left, SETUP.control.loops, "")
+    chosen = flight.only(np.newaxis)
+    others = at_airspeeds(left, V * np.linspace(0.55, 1.3, 31))
+    roomy = others.only(margins(left, others) >= margins(left, chosen)[0])
     assert held == ("airspeed", "heading") and flight.state[AIRSPEED] < V
-    assert path_angles(flight.only(np.newaxis))[0] > -0.12
+    assert len(roomy.state) > 10 and path_angles(chosen)[0] >= path_angles(roomy).max() - 1e-6
     assert flight.state[ALPHA] < SETUP.model.stall_alpha_rad - 0.1
 
 

@@ -43,6 +43,7 @@ _NEARLY_LEVEL = 0.03
 """Path angle [rad] of a flight with a stuck motor that may be level flight: a third of an aircraft's drag over its weight. Altitude
 is held, and given up only while the aircraft is too slow."""
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
+_MARGIN_OF_A_GLIDE = 0.5  # the same without thrust: half of it is worth less than the altitude that it costs
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
 """Scaled margin that is given up in order not to change airspeed by its own amount, or the path angle by 1 rad."""
 
@@ -215,9 +216,9 @@ def _roomiest(left: Remaining, wanted: float) -> Preference:
 
 
 def _shallowest(left: Remaining) -> Preference:
-    """Most margin up to `_MARGIN_ENOUGH`, but not for a steep path, at any airspeed: without thrust altitude is worth more."""
+    """Most margin up to `_MARGIN_OF_A_GLIDE`, but not for a steep path, at any airspeed: without thrust altitude is worth more."""
     return lambda flights: (
-        np.minimum(margins(left, flights), _MARGIN_ENOUGH) + _MARGIN_FOR_SLOPE * path_angles(flights)
+        np.minimum(margins(left, flights), _MARGIN_OF_A_GLIDE) + _MARGIN_FOR_SLOPE * path_angles(flights)
     )
 
 

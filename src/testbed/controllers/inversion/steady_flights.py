@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 
-from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.design_model import ROWS, DesignModel
+from testbed.controllers.inversion.forward_force import forward_curvature
 from testbed.controllers.inversion.modes import Mode
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, PITCH, REGULATOR_STATE, ROLL
 from testbed.controllers.setup import Setup
@@ -120,7 +122,13 @@ class Remaining:
 
     def motion(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
         """[..., 10] derivatives of the state x [..., 10] with actuators at scaled positions a [..., n]."""
-        return motion(self.model, x, self.with_thrust(x, a) * self.scale, self.effective)
+        return motion(self.model, x, self.with_thrust(x, a) * self.scale, self.effective, self.curvature)
+
+    @cached_property
+    def curvature(self) -> float:
+        """Half the second derivative of u_dot by alpha [m/s2] where drag decides: without a motor that could make up for it."""
+        powered = bool(np.any((self.available > 0.0) & ~self.servos))
+        return 0.0 if powered else forward_curvature(self.model)
 
 
 class SteadyFlight(NamedTuple):
@@ -175,7 +183,7 @@ def _solved(
 
     def residuals(z: np.ndarray) -> np.ndarray:
         x, a = flights(z)
-        rates = _rates(left.model, x, a * left.scale, left.effective)
+        rates = _rates(left.model, x, a * left.scale, left.effective, left.curvature)
         if climb_error is None:
             return rates
         return np.column_stack([rates, climb_error(_climb_rate(x))])
@@ -203,16 +211,21 @@ def gauss_newton(residuals: Callable[[np.ndarray], np.ndarray], z: np.ndarray) -
     return z
 
 
-def motion(model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray) -> np.ndarray:
+def motion(
+    model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray, curvature: float = 0.0
+) -> np.ndarray:
     """[..., 10] time derivatives of the state on the design model (flat earth, body axes).
 
     Args:
         x: [..., 10] state by `records.REGULATOR_STATE`.
         a: [..., n] actuator positions [rad, N].
         effectiveness: [n] of each actuator, 1 healthy, 0 lost.
+        curvature: half the second derivative of u_dot by alpha at the reference airspeed [m/s2].
     """
     speed, alpha, beta, p, q, r, roll, pitch, _, _ = np.moveaxis(x, -1, 0)
-    p_dot, q_dot, r_dot, u_dot, v_dot, w_dot = np.moveaxis(_rates(model, x, a, effectiveness), -1, 0)
+    p_dot, q_dot, r_dot, u_dot, v_dot, w_dot = np.moveaxis(
+        _rates(model, x, a, effectiveness, curvature), -1, 0
+    )
     u, v, w = _velocity(speed, alpha, beta)
     speed_dot = (u * u_dot + v * v_dot + w * w_dot) / speed
     alpha_dot = (u * w_dot - w * u_dot) / (u * u + w * w)
@@ -243,6 +256,14 @@ def _climb_rate(x: np.ndarray) -> np.ndarray:
     return climb
 
 
-def _rates(model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray) -> np.ndarray:
+def _rates(
+    model: DesignModel, x: np.ndarray, a: np.ndarray, effectiveness: np.ndarray, curvature: float
+) -> np.ndarray:
     columns = np.moveaxis(x, -1, 0)
-    return model.rates(dict(zip(REGULATOR_STATE[:8], columns, strict=False)), a, effectiveness)
+    rates = model.rates(dict(zip(REGULATOR_STATE[:8], columns, strict=False)), a, effectiveness)
+    pressure = np.square(x[..., AIRSPEED] / model.airspeed_m_s)
+    beyond = np.maximum(
+        x[..., ALPHA] - model.alpha_rad, 0.0
+    )  # below the trim the tangent asks for more drag: the safe side
+    rates[..., ROWS.index("u_dot")] += curvature * pressure * np.square(beyond)
+    return rates
