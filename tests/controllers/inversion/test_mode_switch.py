@@ -97,6 +97,16 @@ def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
     assert modes.record[0].r_trim[0] == 0.6
 
 
+def test_an_offset_is_said_and_changes_no_mode() -> None:
+    modes, s = switch_of(vtail_setup(WEATHER))
+    s.offset[1], s.own_noise[1], s.heading_integral = -0.8, 0.1, 0.02
+    modes.switch(5)
+    assert modes.reasons == [
+        (5, "right_ruddervator: its force follows its command with an offset: not jammed, used on")
+    ]
+    assert modes.mode.failed == () and s.heading_integral == 0.02
+
+
 def test_a_new_design_for_the_same_failure_keeps_what_the_integrals_have_learnt() -> None:
     """The part of nu that comes from the integrals is the same before and after; another failure starts with none."""
     modes, s = switch_of(vtail_setup(WEATHER))
