@@ -52,7 +52,8 @@ FINDINGS = (
     Finding(
         "model_error",
         "What estimating the model's own error brings",
-        "Without its states, what the design model leaves out is taken for lost effectiveness.",
+        "The estimator has a state for the design model's error in each rate. Without these, "
+        "what the design model leaves out is taken for lost effectiveness.",
         "default",
         "without_model_error",
     ),
@@ -88,8 +89,8 @@ FINDINGS = (
     Finding(
         "bound",
         "How far the bound is",
-        "`oracle` is told the true effectiveness and the true failures at once. What it holds more is what better diagnosis could "
-        "still gain.",
+        "`oracle` is told the true effectiveness and the true failures at once. What it holds more is about what better "
+        "diagnosis could still gain; single flights go the other way too.",
         "oracle",
         "default",
     ),
@@ -105,8 +106,12 @@ def page(rows: Sequence[Row], trims: Mapping[str, str], bound: str = "oracle") -
         "",
         "This page says what adaptation, diagnosis and goal switching each bring, by comparisons of paired flights.",
         "",
-        "The flights are those of [Missions](../results/missions.md). Differences are points of flights held, first less second,",
-        "with 95 % intervals. A part pays where its interval is above zero.",
+        "The flights, and what *held* means, are those of [Missions](../results/missions.md). A difference is the share of flights",
+        "held by the first less that held by the second, in percentage points, over the flights that both have flown with the same",
+        "mission, condition and seed. The parts (`without_...`) were flown with a few of the seeds, the controllers with all.",
+        "Intervals are of 95 % each. A part pays where its interval is above zero. With eight kinds of failure for each of nine",
+        "findings, some three or four such intervals would miss zero by chance alone:",
+        "an interval of one kind that hardly does says little.",
         "",
         *summary(rows),
     ]
@@ -146,7 +151,7 @@ def points(d: Paired) -> str:
 
 def summary(rows: Sequence[Row]) -> list[str]:
     """Markdown table of all findings."""
-    lines = ["| finding | first | second | points (95 %) |", "| --- | --- | --- | --- |"]
+    lines = ["| finding | first | second | percentage points (95 %) |", "| --- | --- | --- | --- |"]
     for finding, difference in known(rows):
         lines.append(f"| {finding.title} | {finding.first} | {finding.second} | {points(difference)} |")
     return lines
@@ -177,7 +182,8 @@ def remaining(rows: Sequence[Row], trims: Mapping[str, str], bound: str) -> list
     lines = ["## What remains lost", "", f"Missions of which `{bound}` does not hold nine of ten."]
     if trims:
         heads.append("steady flight on JSBSim")
-        lines += ["The last column has the steady flights that JSBSim itself has after the failure (`benchmarks/true_trims.py`).",
+        lines += ["The last column has the steady flights that JSBSim itself has after the failure, at whole m/s",
+                  "([what the margin is](../results/missions.md#what-can-be-flown-at-all)).",
                   "A jam whose level trim is far from the speed before it has to be flown there first."]  # fmt: skip
     lines += ["", f"| {' | '.join(heads)} |", f"|{' --- |' * len(heads)}"]
     for mission in dict.fromkeys(row.mission for row in rows):
@@ -194,7 +200,7 @@ def draw(rows: Sequence[Row], folder: Path) -> None:
     """A figure for each finding: its difference for each kind of failure, and for all."""
     for finding, whole in known(rows):
         shown = {**kinds(rows, finding), "all": whole}
-        figure, axes = plt.subplots(figsize=(7, 0.36 * len(shown) + 1.0), layout="constrained")
+        figure, axes = plt.subplots(figsize=(7, 0.36 * len(shown) + 1.2), layout="constrained")
         for i, d in enumerate(shown.values()):
             errors = [[100 * (d.difference - d.low)], [100 * (d.high - d.difference)]]
             colour = "C0" if d.low > 0 else "C3" if d.high < 0 else "0.45"
@@ -202,6 +208,6 @@ def draw(rows: Sequence[Row], folder: Path) -> None:
         axes.axvline(0.0, color="0.5", lw=0.8)
         axes.set_yticks(range(len(shown)), list(shown))
         axes.invert_yaxis()
-        axes.set_xlabel(f"points of flights held: {finding.first} minus {finding.second} (95 %)")
+        axes.set_xlabel(f"flights held, percentage points (95 %):\n{finding.first} minus {finding.second}")
         figure.savefig(folder / f"finding_{finding.name}.png", dpi=110)
         plt.close(figure)

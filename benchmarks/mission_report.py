@@ -96,11 +96,22 @@ def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
         "This page compares the controllers on missions with failures: slow and fast flight, hard turns and climbs, references",
         "that move through the failure, single and double losses, jams, reversals and more.",
         "",
-        f"**Held** means: flown to the end, within {ALTITUDE_M:g} m and {HEADING_DEG:g} deg of the references all the time",
-        "from the first failure on. All fly with MEMS sensors, and with the same released axis, outer loops, allocation and limits",
-        "(`pid` has loops of its own).",
+        "**Survived** means flown to the end, without ground contact and within the flight envelope. **Held** means survived, and",
+        f"within {ALTITUDE_M:g} m of the altitude and {HEADING_DEG:g} deg of the heading asked for, all the time",
+        "from the first failure on.",
+        "",
+        "Each mission is flown in several conditions. `vtail` is the shipped aircraft, and `vtail_aft` the same with its mass so",
+        "far aft that it is unstable in pitch. W20 is the wind at 20 ft by which MIL-F-8785C gives the strength of turbulence.",
+        "With the model 20 % off, each aerodynamic coefficient of the design model is 20 % too large or too small,",
+        "by chance. A *cell*",
+        "is the flights of one mission in one condition by one controller, which differ by seed. All fly with MEMS sensors.",
+        "",
         f"`{REFERENCE}` is `{{type: adaptive_inversion}}` and nothing else. `{BOUND}` is the same law, told the truth about every",
-        f"actuator at once: what it does not hold, no better diagnosis holds. Seeds are {seeds[0]} to {seeds[-1]}; those below",
+        "actuator at once. It is a bound on what diagnosis can bring, though not flight by flight: with other commands it meets",
+        "other moments of the turbulence, and near a limit it can miss what the other holds.",
+        "[The others](../reference/controllers.md)",
+        "have the same released axis, allocation and limits, and all but `pid` the same outer loops.",
+        f"Seeds are {seeds[0]} to {seeds[-1]}; those below",
         f"{TUNING_END} were for tuning, and no gain was chosen on these. Intervals are of paired differences, 95 % (Newcombe).",
         "",
         "**Detection** is the longest time in a flight from a failure to the flag of its actuator: the median over flights, and",
@@ -124,14 +135,22 @@ def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
         "",
     ]  # fmt: skip
     if any(row.controller in ABLATED for row in rows):
-        lines += ["## What each part of the law brings", "", *ablation(rows), ""]
+        lines += ["## What each part of the law brings", ""]
+        lines += ["Each row is `default` without one part (`ablate`), on the flights that both have flown:",
+                  "those of a few of the seeds.",
+                  "[When adaptation pays](../explanation/when_adaptation_pays.md) says what each part is.", ""]  # fmt: skip
+        lines += [*ablation(rows), ""]
         lines += ["![What each part of the law brings](../figures/missions_ablation.png)", ""]
     lines += [f"## Where another holds more than `{REFERENCE}`", "", "By two flights of a cell or more:", ""]
     lines += loses(main_rows, REFERENCE) or ["Nowhere."]
     if trims:
         lines += ["", "## What can be flown at all", ""]
-        lines += ["Steady flights of the broken v-tail, looked for on JSBSim itself (`benchmarks/true_trims.py`). The margin is",
-                  "the largest share of half its travel that the actuator nearest to a stop has left.", ""]  # fmt: skip
+        lines += ["Steady flights of the broken v-tail, looked for on JSBSim itself at each whole m/s",
+                  "(`benchmarks/true_trims.py`). The",
+                  "margin is how far the actuator nearest to a stop is from it, as a share of half its travel,",
+                  "at the airspeed where",
+                  "this is largest. With both ruddervators lost there is one airspeed of level flight, 14.8 m/s,",
+                  "which is no whole number.", ""]  # fmt: skip
         lines += ["| mission | steady flight |", "| --- | --- |"]
         lines += [f"| {name} | {found} |" for name, found in trims.items()]
     for condition in conditions:

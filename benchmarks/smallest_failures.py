@@ -207,7 +207,7 @@ def table(rows: Sequence[Mapping[str, Any]]) -> Iterator[str]:
     """Markdown: a line for each type, the distance with each controller, which needs the biggest failure, and the check."""
     searches, checks = ([row for row in rows if int(row["budget"]) == budget] for budget in (BUDGET, CHECK))
     controllers = list(dict.fromkeys(row["controller"] for row in searches))
-    yield f"| failure | actuator | {' | '.join(controllers)} | needs the biggest | beside ten times the flights |"
+    yield f"| failure | actuator | {' | '.join(controllers)} | breaks last | over that of a longer search |"
     yield f"| --- | --- | {' | '.join('---' for _ in controllers)} | --- | --- |"
     known = {row["failure"] for row in searches}
     for name in [each for each in ("none", *FAILURES) if each in known]:
@@ -270,21 +270,24 @@ This page says how big the smallest failure is that breaks a requirement, for ev
 
 Made by `benchmarks/smallest_failures.py` from {searches} searches of at most {budget} flights, {flights} in all (seed {seed}).
 The v-tail flies at 18 m/s; the actuator fails at {at_s:g} s, and a gust of 2 s comes at 5 s. What is searched is the severity
-of the failure, if its type has one, drawn uniformly from its range, and the gust's velocity north and down, with a standard
-deviation of {sd} m/s each. A type without a severity is flown as its own example has it, and what is left to search is the
-gust. Broken means an altitude error above 3 m, a heading error above 8 deg, or the loss of the aircraft.
+of the failure, if its type has one, drawn uniformly from its range, and the gust's velocity north and down, drawn from a normal
+distribution with a standard deviation of {sd} m/s each. The air is otherwise calm and the sensors are ideal. A type without a
+severity is flown as [its example](../reference/failures.md) has it, and what is left to search is the gust.
+Broken means an altitude error above 3 m, a heading error above 8 deg, or the loss of the aircraft.
 
-The number is the distance in standard deviations: larger is better. Behind it is what was found: severity, gust in m/s
-towards north and down, and how many of {beside} flights beside it break a requirement too. These are {apart:g} standard
+The number is the distance, in standard deviations of these distributions, from no failure and no gust to the nearest flight
+that breaks a requirement: larger is better. In brackets is what this flight has: the severity, the gust in m/s
+towards north and down, and how many of {beside} flights beside it break a requirement too. These {beside} are {apart:g} standard
 deviations from it, and none is nearer to the origin: beside a region that fails they all fail, and beside a failure that stands
-alone among flights that pass, hardly any. *Needs the biggest* names all controllers within 5 % of the largest distance. The last
-column is the distance over that of a search of at most {check} flights with the same seed, where one was made.
+alone among flights that pass, hardly any. *Breaks last* names all controllers within 5 % of the largest distance. The last
+column is the distance found over that of a search of at most {check} flights with the same seed, where one was made.
 
 {table}
 
 With `none` the gust alone does it; it also counts for a failure with a severity, where it was the nearest. Where a failure's
 distance is about that of `none`, it is the gust that breaks, and not the failure. It can also be larger, since a controller may
-fly otherwise after a failure. Distances of different failures are not to be compared: each has a severity with a range of its own.
+fly otherwise after a failure. *Breaks without a gust* can be by little: a reversal leads `default` to 10 deg of heading.
+Distances of different failures are not to be compared: each has a severity with a range of its own.
 """
 
 

@@ -60,6 +60,7 @@ export function map(root, sweep, chosen) {
     for (const plot of plots) plot.remove();
     box.replaceChildren();
     plots = sweep.variants.map((name, v) => draw(name, v));
+    for (const plot of plots) plot.draw(); // now, and not when the browser has found their size
   }
 
   function draw(name, v) {

@@ -167,7 +167,8 @@ def regulate(y, ref, m, c, k, s, f, nu):
         v -= k.K[i, PITCH] * (y.pitch - k.x_trim[PITCH] - ref.altitude_rate / max(y.airspeed, 1.0))
         v -= k.K[i, HEADING] * e_heading + k.K[i, ALTITUDE] * e_height
         for j in range(len(s.position)):
-            effective = s.position[j] * (1.0 if c.uncompensated else s.lambda_hat[j])
+            known = -1.0 if s.reversed[j] else 1.0  # without estimates
+            effective = s.position[j] * (known if c.uncompensated else s.lambda_hat[j])
             v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
         for j in range(len(integral)):
             v -= k.K_integral[i, j] * integral[j]

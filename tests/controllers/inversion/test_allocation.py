@@ -79,6 +79,16 @@ def test_a_weak_actuator_has_less_travel() -> None:
     assert records.s.u[2] == pytest.approx(records.m.high[2], rel=0.05)
 
 
+def test_the_travel_of_a_reversed_actuator_is_used_the_other_way() -> None:
+    """A lower stop that is near limits how far up its force goes, and the others make up for it."""
+    records = records_of(REDUNDANT)
+    records.s.reversed[0], records.s.lambda_hat[0], records.m.low[0] = 1, -1.0, -0.05
+    nu = np.array([0.0, -2.0, 0.4, 0.2])
+    given = allocate(records, nu)
+    assert records.s.r[0] == pytest.approx(0.05) and records.s.u[0] == pytest.approx(-0.05)
+    assert given[KEPT] == pytest.approx(nu[KEPT], abs=1e-3)
+
+
 def test_what_is_not_divided_by_the_estimates_has_its_whole_travel() -> None:
     records = records_of(SETUP)
     records.s.lambda_hat[2], records.c.uncompensated = 0.5, 1

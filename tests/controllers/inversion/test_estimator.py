@@ -11,6 +11,8 @@ from vtail_setup import state
 
 from testbed.controllers.inversion.estimator import (
     JAM_VARIANCE,
+    REVERSAL_NOISE,
+    REVERSAL_S,
     UNKNOWN_VARIANCE,
     adapt_weighted,
     expect_change,
@@ -83,19 +85,31 @@ def test_one_rate_updates_as_one_scalar_measurement() -> None:
 
 
 def test_without_a_measurement_uncertainty_grows_to_its_bound_and_the_models_error_fades() -> None:
-    c, _, s = records()
+    c, m, s = records()
     s.b[:], s.jammed[3] = 1.0, 1
     for _ in range(2000):
-        predict(c, s)
+        predict(m, c, s)
     assert s.P[0, 0] == pytest.approx(0.01 + c.process_noise**2 * 10.0)
     assert s.P[3, 3] == pytest.approx(0.01 + c.jam_process_noise**2 * 10.0)
     assert s.b == pytest.approx(np.full(4, math.exp(-1.0)), rel=1e-3)
     c.dt = 0.05
     for _ in range(20000):
-        predict(c, s)
+        predict(m, c, s)
     assert s.P[0, 0] == UNKNOWN_VARIANCE and s.P[3, 3] == JAM_VARIANCE
     stationary = s.model_error_variance / (1.0 - 0.5 * c.model_error_rate * c.dt)  # of the discrete process
     assert np.diag(s.P)[N:] == pytest.approx(stationary, rel=1e-9)
+
+
+def test_a_surface_just_found_jammed_may_be_anywhere_a_moment_later() -> None:
+    """Until `REVERSAL_S`, and not a motor: what is reversed goes back with its command, within 0.1 s."""
+    c, m, s = records()
+    m.servo[:2], s.jammed[1:3], s.P[1, 1], s.P[2, 2] = 1, 1, 0.01, 0.01
+    for since, noise in ((0.9 * REVERSAL_S, REVERSAL_NOISE), (REVERSAL_S, c.jam_process_noise)):
+        s.since_flag[:] = since
+        before = s.P[1, 1]
+        predict(m, c, s)
+        assert s.P[1, 1] - before == pytest.approx(noise**2 * c.dt)
+    assert s.P[2, 2] == pytest.approx(0.01 + 2.0 * c.jam_process_noise**2 * c.dt)
 
 
 def test_estimates_are_projected_and_a_jammed_position_onto_its_stops() -> None:

@@ -8,11 +8,10 @@ import numpy as np
 import pytest
 from vtail_setup import WEATHER, Records, records_of, vtail_setup
 
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, JAM_VARIANCE, REVERSAL_S
 from testbed.controllers.inversion.jam_detection import (
     RECENT_FLAG_S,
     REDESIGN_AFTER,
-    REVERSAL_S,
     REVERSED_S,
     REVERSED_SIGMA,
     detect_jam,
@@ -158,7 +157,7 @@ def taken_at(position: float) -> Records:
 
 
 def test_an_actuator_whose_force_goes_to_minus_its_trim_position_is_reversed() -> None:
-    """It is lost from then on, not jammed: its command is at the trim position, and its estimate says so."""
+    """It is not jammed from then on, and its effectiveness is estimated from -1 on."""
     m, c, _, s, _ = taken_at(-2.0)
     s.lambda_hat[1] = -1.0
     assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1
@@ -169,6 +168,31 @@ def test_an_actuator_whose_force_goes_to_minus_its_trim_position_is_reversed() -
     for _ in range(2 * round(c.persistence / c.dt)):
         assert detect_jam(np.zeros(4), 1.0, m, c, s) == 0
     assert not s.jammed[1], "gusts drive the estimate of a surface at its trim position to its limits"
+
+
+def test_what_no_longer_acts_reversed_is_given_up_as_lost() -> None:
+    """Once that is sure, by three standard deviations; its flag stays until the monitor finds that it works."""
+    m, c, _, s, _ = records()
+    s.failed[1], s.reversed[1], s.lambda_hat[1] = 1, 1, 0.1
+    for sigma, changed in ((0.21, 0), (0.19, 1)):
+        s.P[1, 1] = sigma**2
+        assert detect_jam(np.zeros(4), 1.0, m, c, s) == changed
+        assert (s.failed[1], s.reversed[1], s.jammed[1]) == (1, 1 - changed, 0)
+
+
+def test_a_jam_leaves_the_flag_of_a_reversed_actuator() -> None:
+    m, _, _, s, _ = records()
+    s.failed[:2], s.reversed[1], s.lambda_hat[1], s.since_flag[:] = 1, 1, -0.9, 0.5 * RECENT_FLAG_S
+    take_for_jammed(3, 1.0, 1.0, m, s)
+    assert s.failed.tolist() == [0, 1, 0, 1] and s.lambda_hat[1] == -0.9
+
+
+def test_a_motor_that_is_stuck_is_never_reversed() -> None:
+    m, c, _, s, _ = records()
+    take_for_jammed(2, 5.0, 1.0, m, s)
+    s.designed_position[2], s.lambda_hat[2] = 5.0, -m.trim_position[2]
+    detect_jam(np.zeros(4), 1.0, m, c, s)
+    assert s.jammed[2] and not s.reversed[2]
 
 
 def test_a_reversed_actuator_flagged_on_its_way_is_judged_from_the_farthest() -> None:

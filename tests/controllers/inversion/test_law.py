@@ -170,6 +170,16 @@ def test_inversion_gives_the_rates_back() -> None:
     assert np.array(m.B) @ (factors * s.r) == pytest.approx(nu)
 
 
+@pytest.mark.parametrize(("uncompensated", "effect"), [(0, -0.8), (1, -1.0)])
+def test_a_reversed_actuator_is_sent_the_other_way(uncompensated: int, effect: float) -> None:
+    """Its estimate divides, at most -`divisor_min`, so its force is the reference; without estimates it is taken for -1."""
+    m, c, k, s, _ = records_of(SETUP)
+    c.uncompensated, s.reversed[:2], s.lambda_hat[:2], s.r[:2] = uncompensated, 1, [-0.8, 0.3], [0.4, 0.01]
+    compensate(m, c, k, s)
+    weakest = -1.0 if uncompensated else -c.divisor_min
+    assert s.u[:2] == pytest.approx([0.4 / effect, 0.01 / weakest])
+
+
 def test_compensation_divides_by_the_estimate_within_the_stops() -> None:
     m, c, k, s, _ = records_of(SETUP)
     s.r[:], s.lambda_hat[:] = [0.4, 0.4, 2.0, 30.0], [0.5, 0.001, 1.0, 1.0]

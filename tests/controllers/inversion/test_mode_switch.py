@@ -107,6 +107,15 @@ def test_an_offset_is_said_and_changes_no_mode() -> None:
     assert modes.mode.failed == () and s.heading_integral == 0.02
 
 
+def test_what_is_reversed_is_used_and_said() -> None:
+    modes, s = switch_of(vtail_setup(WEATHER))
+    s.failed[:2], s.reversed[0] = 1, 1
+    modes.switch(5)
+    assert modes.mode.failed == ("right_ruddervator",) and modes.record[0].available.tolist() == [1, 0, 1, 1]
+    said = "left_ruddervator: its force goes against its command: reversed, used again with the opposite sign"
+    assert [text for _, text in modes.reasons] == [said]
+
+
 def test_a_new_design_for_the_same_failure_keeps_what_the_integrals_have_learnt() -> None:
     """The part of nu that comes from the integrals is the same before and after; another failure starts with none."""
     modes, s = switch_of(vtail_setup(WEATHER))

@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from vtail_setup import vtail_setup
+from vtail_setup import WEATHER, vtail_setup
 
-from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.description import load_aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel, load_design_model
 from testbed.controllers.inversion import mode_trim
 from testbed.controllers.inversion.mode_trim import (
     NoSteadyFlight,
@@ -249,6 +250,23 @@ def test_after_a_jam_airspeed_is_kept_where_level_flight_has_margin() -> None:
     needed = min(margin(float(flight.state[AIRSPEED])), 1.0)
     assert min(margin(low), margin(high)) >= needed - 1e-6
     assert margin(too_fast + 0.5) < 0.3 < margin(too_fast - 0.5)
+
+
+def test_after_a_jam_airspeed_is_kept_with_little_margin_where_the_best_is_hardly_better() -> None:
+    """The v-tail with ballast aft has 0.05 at the reference and 0.24 at 14 m/s; one degree further, none at the reference."""
+    aft = load_design_model(load_aircraft("vtail_aft").folder / DESIGN_MODEL)
+    setup = vtail_setup(WEATHER, model=aft)
+
+    def chosen(degrees: float) -> tuple[float, float]:
+        left = remaining(0, jammed={0: math.radians(degrees) / setup.scale[0]}, setup=setup)
+        flight, held = steady_flight(left, LOOPS, "")
+        assert "altitude" in held
+        return float(flight.state[AIRSPEED]), float(margins(left, flight.only(np.newaxis))[0])
+
+    airspeed, margin = chosen(-10.0)
+    assert airspeed == pytest.approx(V) and 0.0 < margin < mode_trim._MARGIN_OF_LEVEL_FLIGHT
+    slower, more = chosen(-11.0)
+    assert slower < 0.8 * V and more > mode_trim._MARGIN_OF_LEVEL_FLIGHT
 
 
 def test_without_a_jam_any_airspeed_is_flown_and_a_mode_that_cannot_hold_it_has_one() -> None:

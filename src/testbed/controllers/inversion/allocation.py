@@ -14,7 +14,7 @@ from __future__ import annotations
 from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
 from testbed.controllers.inversion.bounded_least_squares import bounded_least_squares
-from testbed.controllers.inversion.law import compensate, divisor, invert
+from testbed.controllers.inversion.law import compensate, invert, reach
 from testbed.controllers.records import U_DOT
 
 
@@ -44,8 +44,8 @@ def allocate(nu, pressure_ratio, m, c, k, s, w):
 def passes_a_stop(m, c, k, s):
     """Whether an available actuator would have to pass a stop for its reference r."""
     for i in range(len(s.r)):
-        lam = divisor(i, c, s)
-        if k.available[i] and (s.r[i] > m.high[i] * lam or s.r[i] < m.low[i] * lam):
+        low, high = reach(i, m, c, s)
+        if k.available[i] and (s.r[i] > high or s.r[i] < low):
             return True
     return False
 
@@ -62,9 +62,10 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
     """
     for i in range(len(s.r)):
         pressure = pressure_ratio if m.servo[i] else 1.0
-        lam = divisor(i, c, s) * pressure if k.available[i] else 0.0
+        used = pressure if k.available[i] else 0.0
         trim = k.trim_effect[i] if k.available[i] else 0.0
-        w.low[i], w.high[i] = m.low[i] * lam - trim, m.high[i] * lam - trim
+        low, high = reach(i, m, c, s)
+        w.low[i], w.high[i] = low * used - trim, high * used - trim
         w.d[i] = s.r[i] * pressure - trim
     if k.thrust_alone.any():
         gradient(nu, True, m, k, w)

@@ -25,6 +25,12 @@ AGAIN = 4.0
 healthy breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
 JAM_VARIANCE = 16.0
 """Initial and largest variance of a jammed actuator's estimated position [scaled^2]."""
+REVERSAL_S = 0.6
+"""How long after an actuator was taken for jammed it may turn out to be reversed. Its command goes to the trim position at once, so
+the estimate shows where its force goes within this time."""
+REVERSAL_NOISE = 5.0
+"""Process noise of a surface's position in that time [scaled/sqrt(s)]: what is reversed goes back with its command within 0.1 s.
+With the noise of a jam the estimate was 0.2 s late."""
 
 
 @compiled
@@ -87,18 +93,20 @@ def expect_change(e, phi, m, c, s):
 @compiled
 def adapt_weighted(z, phi, P_h, m, c, s):
     """One step of the filter, in place of (13): the four rates are used one after the other."""
-    predict(c, s)
+    predict(m, c, s)
     for row in range(4):
         update_by_rate(row, z[row], phi[row], P_h, c, s)
     project(m, c, s)
 
 
 @compiled
-def predict(c, s):
+def predict(m, c, s):
     """Time update: P grows by the process noise of lambda, up to a limit, and the model error b decays towards zero."""
     n = len(s.lambda_hat)
     for i in range(n):
         noise = c.jam_process_noise if s.jammed[i] else c.process_noise
+        if s.jammed[i] and m.servo[i] and s.since_flag[i] < REVERSAL_S:
+            noise = REVERSAL_NOISE
         most = JAM_VARIANCE if s.jammed[i] else UNKNOWN_VARIANCE
         s.P[i, i] = min(s.P[i, i] + noise * noise * c.dt, most)
     fade = 1.0 - c.model_error_rate * c.dt

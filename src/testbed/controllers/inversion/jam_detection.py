@@ -16,6 +16,7 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import (
     HEALTHY_VARIANCE,
     JAM_VARIANCE,
+    REVERSAL_S,
     forget_model_error,
     reset_covariance,
 )
@@ -39,9 +40,6 @@ RECENT_FLAG_S = 2.0
 NEVER = 1e9
 """`designed_position` of a jam for which nothing has been designed yet. That is done a step later: the first position is a rough
 one, and the filter's next step corrects most of it."""
-REVERSAL_S = 0.6
-"""How long after an actuator was taken for jammed it may turn out to be reversed. Its command goes to the trim position at once, so
-the estimate shows where its force goes within this time."""
 THRUST_LEFT, THRUST_SIGMA = 0.3, 3.0
 """Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero."""
 RETURNED = 0.5
@@ -90,6 +88,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
         elif s.jammed[i] and turns_out_reversed(i, m, c, s):
             take_for_reversed(i, pressure_ratio, m, s)
             changed = 1
+        elif s.reversed[i] and no_longer_reversed(i, s):
+            s.reversed[i], changed = 0, 1
         elif s.jammed[i] and abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
             changed = 1
     return changed
@@ -148,7 +148,7 @@ def turns_out_reversed(i, m, c, s):
     """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes: to minus its trim position.
 
     At the moment of detection the two cannot be told apart. The command has run away from the aircraft's motion, and is often at a
-    stop, so a reversed actuator stands as still as a jammed one."""
+    stop, so a reversed actuator stands as still as a jammed one. A motor cannot push the other way: it stays jammed."""
     s.since_flag[i] += c.dt
     if s.since_flag[i] < REVERSAL_S and abs(m.trim_position[i] + s.lambda_hat[i]) > abs(
         m.trim_position[i] + s.jammed_at[i]
@@ -156,16 +156,25 @@ def turns_out_reversed(i, m, c, s):
         s.jammed_at[i] = s.lambda_hat[i]  # the command was still on its way when the jam was flagged
     way = -m.trim_position[i] - s.jammed_at[i]
     gone = s.lambda_hat[i] - s.jammed_at[i]
-    return c.weighted and s.since_flag[i] < REVERSAL_S and abs(way) > REVERSED_FROM and gone / way > RETURNED
+    late = s.since_flag[i] >= REVERSAL_S or not m.servo[i]
+    return c.weighted and not late and abs(way) > REVERSED_FROM and gone / way > RETURNED
 
 
 @compiled
 def take_for_reversed(i, pressure_ratio, m, s):
-    """Treat a jammed actuator as reversed: it is left at its trim position, where it is as good as lost."""
+    """Use a jammed actuator again, as a reversed one: its effectiveness is estimated from -1 on, and `law.divisor` keeps that
+    sign. It stays flagged."""
     s.jammed[i], s.reversed[i] = 0, 1
     s.lambda_hat[i] = -1.0
     reset_covariance(i, HEALTHY_VARIANCE, s)
     settle_regression(i, m.trim_position[i], pressure_ratio, m, s)
+
+
+@compiled
+def no_longer_reversed(i, s):
+    """Whether the estimate of an actuator that is used with the opposite sign is above `REVERSED_BELOW` beyond doubt. It is given
+    up as lost then, until `monitor` finds that it works."""
+    return s.lambda_hat[i] - REVERSED_SIGMA * math.sqrt(max(s.P[i, i], 0.0)) > REVERSED_BELOW
 
 
 @compiled
@@ -221,7 +230,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
     s.jammed[i], s.failed[i] = 1, 1
     s.jam_timer[i], s.reversal_timer[i], s.offset[i], s.own_noise[i] = 0.0, 0.0, 0.0, 0.0
     for j in range(len(s.failed)):
-        if not s.jammed[j] and s.since_flag[j] < RECENT_FLAG_S:
+        if not (s.jammed[j] or s.reversed[j]) and s.since_flag[j] < RECENT_FLAG_S:
             s.failed[j] = 0
         if not s.failed[j]:
             s.lambda_hat[j] = 1.0

@@ -164,8 +164,20 @@ def invert(nu, pressure_ratio, m, k, s):
 
 @compiled
 def divisor(i, c, s):
-    """What the reference of actuator i is divided by: its estimate, at least `divisor_min`; 1 without adaptation."""
+    """What the reference of actuator i is divided by: its estimate, at least `divisor_min`; 1 without adaptation. Of a reversed
+    one it is negative."""
+    if s.reversed[i]:
+        return -1.0 if c.uncompensated else min(s.lambda_hat[i], -c.divisor_min)
     return 1.0 if c.uncompensated else max(s.lambda_hat[i], c.divisor_min)
+
+
+@compiled
+def reach(i, m, c, s):
+    """Lowest and highest reference of actuator i: its stops times `divisor`."""
+    lam = divisor(i, c, s)
+    if lam < 0.0:
+        return m.high[i] * lam, m.low[i] * lam
+    return m.low[i] * lam, m.high[i] * lam
 
 
 @compiled

@@ -69,12 +69,12 @@ class ModeSwitch:
             airspeed: at which jammed motors and engines have their estimated thrust [m/s]; by default the reference airspeed.
         """
         s = self._memory[0]
-        failed = tuple(int(i) for i in np.flatnonzero(s.failed))
+        failed = tuple(int(i) for i in np.flatnonzero(s.failed & ~s.reversed))  # these are used
         jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i]}
         self._note_jams(step, jammed)
         if airspeed is not None:
             jammed = {i: self._at_reference(i, position, airspeed) for i, position in jammed.items()}
-        self._note_swings(step)
+        self._note_used_again(step)
         self._note_offsets(step)
         if not failed and not self.mode.failed:
             return None  # the mode in force is the one for no failure: its integrals go on
@@ -125,13 +125,13 @@ class ModeSwitch:
             what = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
             self._report(step, f"{name}: {what}")
 
-    def _note_swings(self, step: int) -> None:
-        s = self._memory[0]
-        for i in np.flatnonzero((s.own_noise > 0.0) & (s.offset == 0.0)):
-            name = self._setup.model.actuators[i]
-            self._report(
-                step, f"{name}: its force swings while its command stands still: not lost, used again"
-            )
+    def _note_used_again(self, step: int) -> None:
+        s, names = self._memory[0], self._setup.model.actuators
+        swings = "its force swings while its command stands still: not lost, used again"
+        reversed_ = "its force goes against its command: reversed, used again with the opposite sign"
+        for of, text in (((s.own_noise > 0.0) & (s.offset == 0.0), swings), (s.reversed, reversed_)):
+            for i in np.flatnonzero(of):
+                self._report(step, f"{names[i]}: {text}")
 
     def _note_offsets(self, step: int) -> None:
         for i in np.flatnonzero(self._memory[0].offset):

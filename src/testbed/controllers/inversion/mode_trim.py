@@ -36,7 +36,8 @@ _AIRSPEEDS = np.linspace(0.55, 1.8, 51)
 1.8 on a model with errors of 20 %."""
 _PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if level flight has too little margin
 _MARGIN_OF_LEVEL_FLIGHT = 0.15
-"""Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one."""
+"""Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one. If one has it,
+others with less may be preferred: the estimated position would decide whether the aircraft has to slow down, and it climbed."""
 _MARGIN_TO_DESCEND = 0.3
 """Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has nothing left to descend with."""
 _NEARLY_LEVEL = 0.03
@@ -162,8 +163,8 @@ def _after_a_jam(left: Remaining, loops: Loops) -> Iterator[Attempt]:
         yield _at_any_airspeed(left), ("airspeed", "heading"), preference, 1.0
         return
     flights = _level_anywhere(left)
-    roomy = flights.only(margins(left, flights) > _MARGIN_OF_LEVEL_FLIGHT)
-    yield roomy, _EVERYTHING, preference, 1.0
+    if margins(left, flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
+        yield flights, _EVERYTHING, preference, 1.0
     yield _anywhere(left), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
 

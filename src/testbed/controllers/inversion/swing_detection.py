@@ -33,7 +33,7 @@ def detect_swings(e, pressure_ratio, m, c, s):
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
-        if not s.failed[i] or s.own_noise[i] > 0.0:
+        if not s.failed[i] or s.reversed[i] or s.own_noise[i] > 0.0:
             s.turns[i], s.since_turn[i], s.swing_sigmas[i] = -1, 0.0, 0.0
         elif (
             turned(i, e, pressure_ratio, m, c, s)
