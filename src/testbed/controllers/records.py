@@ -261,10 +261,13 @@ MEMORY = (
     Field("swing_sigmas", (_N,), "1", "`swing` in standard deviations of the mean force"),
     Field("half_period", (_N,), "s", "time between its last two turns"),
     Field(
-        "swing_noise",
+        "own_noise",
         (_N,),
         "scaled2/s",
-        "process noise of the model error along the column of B of an actuator that swings; 0 for others",
+        "process noise of the model error along the column of B of one that swings or is offset; 0 for others",
+    ),
+    Field(
+        "offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"
     ),
     Field(
         "at_stop",

@@ -82,7 +82,7 @@ def follow_loss(truth, ratio, phi_0, force, w, m, c, s, out, flagged):
         low_pass(w.z, s.filtered, c.filter_rate * c.dt)
         measured_error(w.z, w.phi, s, w.e)
         if c.weighted:
-            expect_change(w.e, w.phi, c, s)
+            expect_change(w.e, w.phi, m, c, s)
             adapt_weighted(w.z, w.phi, w.P_h, m, c, s)
         else:
             adapt(w.e, ratio, m, c, s)

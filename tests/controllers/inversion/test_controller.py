@@ -83,7 +83,6 @@ def test_sinking_air_costs_height_but_not_the_aircraft() -> None:
 
 
 BROKEN: dict[str, Mapping[str, Any]] = {
-    "offset": {"type": "bias", "actuator": "left_ruddervator", "value": 5.0},
     "jammed": {"type": "stuck_at", "actuator": "left_ruddervator", "value": 10.0},
     "reversed": {"type": "reversal", "actuator": "left_ruddervator"},
     "propeller at full throttle": {"type": "hardover", "actuator": "right_propeller", "to": "max"},
@@ -104,6 +103,17 @@ def test_what_is_no_loss_of_effectiveness_is_recognised_and_held(name: str) -> N
     assert [text.split(":")[0] for text in jams] == [failure["actuator"]]
     failed = {a for a in ACTUATORS if flight.log[f"{a}_failed"].iloc[-1] > 0.5}
     assert failed == {failure["actuator"]}
+
+
+@pytest.mark.slow
+def test_an_offset_surface_is_held_and_kept() -> None:
+    failure = {"type": "bias", "actuator": "left_ruddervator", "value": 5.0, "at_s": hold_it.FAILURE_S}
+    flight = flown(6, {"atmosphere.turbulence_w20_m_s": W25 * hold_it.FT_S, "failures": [failure]})
+    altitude, heading = worst(flight)
+    assert flight.outcome is Outcome.completed
+    assert altitude <= 5.0 and heading <= 10.0
+    assert not [a for a in ACTUATORS if flight.log[f"{a}_failed"].any()]
+    assert any("left_ruddervator: its force follows" in text for text in texts_of(flight, "diagnosis"))
 
 
 @pytest.mark.slow

@@ -190,7 +190,7 @@ def sudden_change(lost: dict[int, float], seconds: float, expected: bool = True)
     for _ in range(round(seconds / c.dt)):
         e = phi @ true - phi @ s.lambda_hat
         if expected:
-            expect_change(e, phi, c, s)
+            expect_change(e, phi, m, c, s)
         adapt_weighted(phi @ true, phi, np.zeros(N + 4), m, c, s)
     return s
 
@@ -212,29 +212,29 @@ def test_without_a_change_no_variance_grows() -> None:
 
 def test_what_two_actuators_explain_alike_is_blamed_on_neither() -> None:
     """Two equal columns: the residual is as likely the one's as the other's."""
-    c, _, s = records()
+    c, m, s = records()
     c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
     phi = np.ones((4, N))
     for _ in range(100):
-        expect_change(np.full(4, 5.0), phi, c, s)
+        expect_change(np.full(4, 5.0), phi, m, c, s)
     assert np.array_equal(s.P[:N, :N], 0.01 * np.eye(N))
 
 
 def test_what_two_explain_alike_is_blamed_on_the_one_that_is_jammed() -> None:
-    c, _, s = records()
+    c, m, s = records()
     c.change_time, c.change_sigma, c.change_lead, s.jammed[2] = 0.3, 2.5, 1.3, 1
     for _ in range(100):
-        expect_change(np.full(4, 5.0), np.ones((4, N)), c, s)
+        expect_change(np.full(4, 5.0), np.ones((4, N)), m, c, s)
     assert s.P[2, 2] > 0.01 and s.P[0, 0] == s.P[1, 1] == s.P[3, 3] == 0.01
 
 
 def test_the_variance_of_a_change_is_its_square_up_to_a_bound() -> None:
-    c, _, s = records()
+    c, m, s = records()
     c.change_time, c.change_sigma, c.change_lead = 0.3, 2.5, 1.3
     phi = 10.0 * np.eye(4)
     for _ in range(2000):
-        expect_change(np.array([0.0, 4.0, 0.0, 0.0]), phi, c, s)
+        expect_change(np.array([0.0, 4.0, 0.0, 0.0]), phi, m, c, s)
     assert s.P[1, 1] == pytest.approx(0.4**2, rel=1e-3)
-    expect_change(np.array([0.0, 1e6, 0.0, 0.0]), phi, c, s)
+    expect_change(np.array([0.0, 1e6, 0.0, 0.0]), phi, m, c, s)
     assert s.P[1, 1] == UNKNOWN_VARIANCE
     assert s.P[0, 0] == s.P[2, 2] == 0.01

@@ -61,7 +61,9 @@ def test_the_ratio_is_that_of_weighted_least_squares() -> None:
 
 
 def test_a_jam_is_flagged_after_its_time_and_not_before() -> None:
+    """Of a surface that may or may not follow its command."""
     m, c, _, s, _ = records()
+    s.P[0, 0] = 1.0
     e = 6.0 * np.array(m.B)[:, 0]
     steps = 0
     while not detect_jam(e, 1.0, m, c, s):

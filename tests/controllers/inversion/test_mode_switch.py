@@ -97,6 +97,16 @@ def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
     assert modes.record[0].r_trim[0] == 0.6
 
 
+def test_an_offset_is_said_and_changes_no_mode() -> None:
+    modes, s = switch_of(vtail_setup(WEATHER))
+    s.offset[1], s.own_noise[1], s.heading_integral = -0.8, 0.1, 0.02
+    modes.switch(5)
+    assert modes.reasons == [
+        (5, "right_ruddervator: its force follows its command with an offset: not jammed, used on")
+    ]
+    assert modes.mode.failed == () and s.heading_integral == 0.02
+
+
 def test_what_is_reversed_is_used_and_said() -> None:
     modes, s = switch_of(vtail_setup(WEATHER))
     s.failed[:2], s.reversed[0] = 1, 1

@@ -57,8 +57,8 @@ def test_a_swinging_actuator_is_used_again_within_two_periods(amplitude: float, 
     assert used < 2.0 / hz
     assert not s.failed.any() and not s.jammed.any() and s.lambda_hat.tolist() == [1.0] * N
     assert np.diag(s.P)[:N].tolist() == [HEALTHY_VARIANCE] * N
-    assert s.swing_noise[0] == pytest.approx(2.0 * math.pi * hz * amplitude**2, rel=0.2)
-    assert s.swing_noise[1:].tolist() == [0.0] * (N - 1)
+    assert s.own_noise[0] == pytest.approx(2.0 * math.pi * hz * amplitude**2, rel=0.2)
+    assert s.own_noise[1:].tolist() == [0.0] * (N - 1)
 
 
 @pytest.mark.parametrize(
@@ -75,7 +75,7 @@ def test_other_forces_are_no_swings(force: Callable[[float], float]) -> None:
     """The last is within what the effectiveness at the trim position explains."""
     made = given_up()
     assert seconds_until_used(made, force) == math.inf
-    assert made.s.failed[0] and not made.s.swing_noise.any()
+    assert made.s.failed[0] and not made.s.own_noise.any()
 
 
 def test_gusts_of_the_expected_density_are_no_swings() -> None:
@@ -118,7 +118,7 @@ def test_it_is_used_again_once_and_not_taken_for_jammed() -> None:
 
 def test_its_swings_are_noise_of_the_model_error_along_its_column() -> None:
     m, c, _, s, _ = given_up()
-    before, s.swing_noise[1] = s.P.copy(), 3.0
+    before, s.own_noise[1] = s.P.copy(), 3.0
     expect_swings(1.2, m, c, s)
     column = 1.2 * np.array(m.B)[:, 1]
     assert s.P[N:, N:] - before[N:, N:] == pytest.approx(3.0 * c.dt * np.outer(column, column))

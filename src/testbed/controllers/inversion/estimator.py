@@ -13,6 +13,7 @@ shapes and units are in `records`. pressure_ratio is (V/V_0)^2.
 from __future__ import annotations
 
 from testbed.common.jit import compiled
+from testbed.controllers.inversion.offset_detection import expect_offset, no_effectiveness
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R
 
 HEALTHY_VARIANCE = 0.01
@@ -55,14 +56,14 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
 
 
 @compiled
-def expect_change(e, phi, c, s):
+def expect_change(e, phi, m, c, s):
     """Give the effectiveness that has just changed the variance of that change, so that the filter follows it at once.
 
     A random walk is slow to believe in a sudden loss, and spreads it over all actuators meanwhile. So the mean of the innovation
     e - b over the last `change_time` is explained by a change of each effectiveness alone, by weighted least squares. The
     likelihood ratio is (change / its standard deviation)^2, times `AGAIN` for a jammed actuator. If the best is above
     `change_sigma`^2, and `change_lead`^2 times the next best, the variance of that estimate becomes at least the square of the
-    change.
+    change. If no effectiveness explains the change, that variance goes to the model error along the actuator's column of Phi.
     """
     for row in range(4):
         s.recent[row] += c.dt / c.change_time * (e[row] - s.b[row] - s.recent[row])
@@ -82,8 +83,11 @@ def expect_change(e, phi, c, s):
         elif ratio > second:
             second = ratio
     if first > c.change_sigma * c.change_sigma and first > c.change_lead * c.change_lead * second:
-        most = JAM_VARIANCE if s.jammed[best] else UNKNOWN_VARIANCE
-        s.P[best, best] = max(s.P[best, best], min(change * change, most))
+        if no_effectiveness(best, s.lambda_hat[best] + change, m, c, s):
+            expect_offset(best, change, phi, s)
+        else:
+            most = JAM_VARIANCE if s.jammed[best] else UNKNOWN_VARIANCE
+            s.P[best, best] = max(s.P[best, best], min(change * change, most))
 
 
 @compiled

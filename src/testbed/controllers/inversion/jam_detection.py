@@ -1,4 +1,4 @@
-"""Jam detection: a jammed, offset or reversed actuator adds a force that no loss of effectiveness explains.
+"""Jam detection: a jammed or reversed actuator adds a force that no loss of effectiveness explains.
 
 The test is a generalised likelihood ratio (GLR; Willsky and Jones, IEEE TAC 21 (1976) 108) on the mean of the residual e.
 An actuator found in this way is flagged as failed and as jammed. From then on its position is estimated in place of its
@@ -19,6 +19,14 @@ from testbed.controllers.inversion.estimator import (
     REVERSAL_S,
     forget_model_error,
     reset_covariance,
+)
+from testbed.controllers.inversion.offset_detection import (
+    follow_offsets,
+    follows,
+    force_of_offsets,
+    offset_in_model_error,
+    take_for_offset,
+    time_to_stand_still,
 )
 from testbed.controllers.records import D_ALPHA, Q_DOT
 
@@ -46,27 +54,36 @@ REDESIGN_AFTER = 0.3
 def detect_jam(e, pressure_ratio, m, c, s):
     """Look for jammed actuators in the error e [4]; returns 1 when the mode's regulator must be designed, or designed again.
 
-    An actuator is taken for jammed when it has been the `likeliest_jam` for `jam_time`. The timer runs down while it is not.
-    It is also taken for jammed when for `persistence` it `acts_reversed` or `has_force_of_its_own`; on an aircraft that is unstable
-    in pitch `REVERSED_S` is enough of the former.
+    An actuator is taken for jammed when it has been the `likeliest_jam` for `jam_time`, unless it is a surface that `follows` its
+    command: then it has an offset. The timer runs down while it is not. It is also taken for jammed when for `persistence` it
+    `acts_reversed` or `has_force_of_its_own`; on an aircraft that is unstable in pitch `REVERSED_S` is enough of the former. A
+    surface that stands still while it is commanded needs the `time_to_stand_still`.
     """
+    follow_offsets(pressure_ratio, m, s)
     for row in range(4):
-        s.residual[row] += c.dt / c.residual_time * (e[row] - s.residual[row])
+        new = e[row] - force_of_offsets(row, pressure_ratio, m, s)
+        s.residual[row] += c.dt / c.residual_time * (new - s.residual[row])
     likeliest, offset = likeliest_jam(pressure_ratio, m, c, s)
     changed = 0
     for i in range(len(s.lambda_hat)):
-        if s.swing_noise[i] > 0.0:  # its force is not that of its command, and it is no jam
+        if (
+            s.own_noise[i] > 0.0 and s.offset[i] == 0.0
+        ):  # it swings: its force is not that of its command, and it is no jam
             continue
-        backwards = acts_reversed(i, m, c, s)
-        time = REVERSED_S if backwards and unstable(m) else c.persistence
-        no_loss = backwards or has_force_of_its_own(i, c, s)
-        if not no_loss and keeps_thrust(i, m, c, s):
-            no_loss, time = True, c.jam_time
-        s.reversal_timer[i] = s.reversal_timer[i] + c.dt if no_loss else 0.0
+        still = time_to_stand_still(i, pressure_ratio, m, c, s)
+        time = still if still > 0.0 else time_to_jam(i, m, c, s)
+        s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
-        if s.jam_timer[i] > c.jam_time or s.reversal_timer[i] > time + 1e-9:
+        explained = s.jam_timer[i] > c.jam_time
+        if explained and follows(i, m, c, s):
+            take_for_offset(i, s.offset[i] + offset, c, s)
+            changed = 1
+        elif explained or (time > 0.0 and s.reversal_timer[i] > time + 1e-9):
             position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)
-            position += offset if i == likeliest else 0.0
+            if still > 0.0:
+                position += offset_in_model_error(i, pressure_ratio, m, s)[0]
+            elif i == likeliest:
+                position += offset
             take_for_jammed(i, position, pressure_ratio, m, s)
         elif s.jammed[i] and turns_out_reversed(i, m, c, s):
             take_for_reversed(i, pressure_ratio, m, s)
@@ -76,6 +93,17 @@ def detect_jam(e, pressure_ratio, m, c, s):
         elif s.jammed[i] and abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
             changed = 1
     return changed
+
+
+@compiled
+def time_to_jam(i, m, c, s):
+    """How long what is seen of actuator i must last until it is taken for jammed [s]; 0 where it does not look jammed."""
+    backwards = acts_reversed(i, m, c, s)
+    if backwards and unstable(m):
+        return REVERSED_S
+    if backwards or has_force_of_its_own(i, c, s):
+        return c.persistence
+    return c.jam_time if keeps_thrust(i, m, c, s) else 0.0
 
 
 @compiled
@@ -200,7 +228,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
     again at 1, and flags raised less than `RECENT_FLAG_S` ago are removed.
     """
     s.jammed[i], s.failed[i] = 1, 1
-    s.jam_timer[i], s.reversal_timer[i] = 0.0, 0.0
+    s.jam_timer[i], s.reversal_timer[i], s.offset[i], s.own_noise[i] = 0.0, 0.0, 0.0, 0.0
     for j in range(len(s.failed)):
         if not (s.jammed[j] or s.reversed[j]) and s.since_flag[j] < RECENT_FLAG_S:
             s.failed[j] = 0

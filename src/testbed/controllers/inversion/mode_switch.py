@@ -75,6 +75,9 @@ class ModeSwitch:
         if airspeed is not None:
             jammed = {i: self._at_reference(i, position, airspeed) for i, position in jammed.items()}
         self._note_used_again(step)
+        self._note_offsets(step)
+        if not failed and not self.mode.failed:
+            return None  # the mode in force is the one for no failure: its integrals go on
         mode = self._modes.get(failed)
         if mode is None:
             return self._report(step, f"{len(failed)} actuators failed: nothing left to control with")
@@ -126,9 +129,14 @@ class ModeSwitch:
         s, names = self._memory[0], self._setup.model.actuators
         swings = "its force swings while its command stands still: not lost, used again"
         reversed_ = "its force goes against its command: reversed, used again with the opposite sign"
-        for of, text in ((s.swing_noise, swings), (s.reversed, reversed_)):
+        for of, text in (((s.own_noise > 0.0) & (s.offset == 0.0), swings), (s.reversed, reversed_)):
             for i in np.flatnonzero(of):
                 self._report(step, f"{names[i]}: {text}")
+
+    def _note_offsets(self, step: int) -> None:
+        for i in np.flatnonzero(self._memory[0].offset):
+            name = self._setup.model.actuators[i]
+            self._report(step, f"{name}: its force follows its command with an offset: not jammed, used on")
 
     def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
         """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed without them."""

@@ -76,7 +76,7 @@ def estimate(y, m, c, s, w):
     measured_error(z, phi, s, e)
     if c.weighted:
         estimate_lateness(e, c, s)
-        expect_change(e, phi, c, s)
+        expect_change(e, phi, m, c, s)
         expect_swings(pressure_ratio, m, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:

@@ -33,7 +33,7 @@ def detect_swings(e, pressure_ratio, m, c, s):
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
-        if not s.failed[i] or s.reversed[i] or s.swing_noise[i] > 0.0:
+        if not s.failed[i] or s.reversed[i] or s.own_noise[i] > 0.0:
             s.turns[i], s.since_turn[i], s.swing_sigmas[i] = -1, 0.0, 0.0
         elif (
             turned(i, e, pressure_ratio, m, c, s)
@@ -95,7 +95,7 @@ def use_again(i, pressure_ratio, m, s):
     half_period at the density 2 (pi / half_period) swing^2 / 2. The mean that the swing was measured by is slower than it.
     """
     rate = math.pi / s.half_period[i]
-    s.swing_noise[i] = rate * s.swing[i] * s.swing[i] * (1.0 + (rate * FORCE_TIME_S) * (rate * FORCE_TIME_S))
+    s.own_noise[i] = rate * s.swing[i] * s.swing[i] * (1.0 + (rate * FORCE_TIME_S) * (rate * FORCE_TIME_S))
     since = s.since_flag[i]
     s.failed[i], s.jammed[i], s.reversed[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
     for j in range(len(s.failed)):
@@ -119,9 +119,9 @@ def expect_swings(pressure_ratio, m, c, s):
     """Add the process noise of actuators that swing by themselves to the model error, along their columns of B."""
     n = len(s.lambda_hat)
     for i in range(n):
-        if s.swing_noise[i] > 0.0:
+        if s.own_noise[i] > 0.0:
             pressure = pressure_ratio if m.servo[i] else 1.0
-            noise = s.swing_noise[i] * c.dt * pressure * pressure
+            noise = s.own_noise[i] * c.dt * pressure * pressure
             for row in range(4):
                 for other in range(4):
                     s.P[n + row, n + other] += noise * m.B[row, i] * m.B[other, i]

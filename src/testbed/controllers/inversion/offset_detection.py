@@ -1,0 +1,111 @@
+"""Offset detection: a surface that has moved from its command, but still follows it, is used on.
+
+A sudden force along a surface's column of B is either a jam or an offset: position = p, or position = command + d. At that moment
+no test can tell them apart. The commands that follow do: the force of an offset surface changes with them, that of a jammed one
+does not. So a change that no effectiveness explains goes to the model error b, and the effectiveness is judged by what follows.
+An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when the other is `BEYOND_SIGMAS` away.
+
+Motors and engines are left out: what they give beside their throttle is a jam.
+
+Letters: m design model, c settings, s memory, phi of the working memory; their fields, shapes and units are in `records`.
+pressure_ratio is (V/V_0)^2.
+"""
+
+from __future__ import annotations
+
+import math
+
+from testbed.common.jit import compiled
+
+BETWEEN = 0.5
+"""Effectiveness as far from that of a jammed surface, 0, as from that of one that follows, 1."""
+BEYOND_SIGMAS = 3.0
+"""Standard deviations of the estimate at which a hypothesis is given up."""
+
+
+@compiled
+def no_effectiveness(i, estimate, m, c, s):
+    """Whether surface i is in use, and cannot have this effectiveness: its change is one of position. One that is known to be late
+    is left out, because a wrong time explains such changes too."""
+    in_use = m.servo[i] and not (s.failed[i] or s.jammed[i])
+    in_time = s.late[i] * s.late[i] <= BEYOND_SIGMAS * BEYOND_SIGMAS * s.late_variance[i]
+    return in_use and in_time and not c.lambda_min <= estimate <= c.lambda_max
+
+
+@compiled
+def expect_offset(i, change, phi, s):
+    """Give the model error b, along column i of Phi, the variance of a force of `change` times that column [4, n]."""
+    n = len(s.lambda_hat)
+    for row in range(4):
+        for other in range(4):
+            s.P[n + row, n + other] += phi[row, i] * phi[other, i] * change * change
+
+
+@compiled
+def time_to_stand_still(i, pressure_ratio, m, c, s):
+    """How long surface i must look jammed to be jammed [s]; 0 where it does not: effectiveness 1 is out of question, and the force
+    in the model error is beyond `jam_sigma`. There it is `persistence`, and less in proportion the likelier that force is one of
+    its own: a hardover leaves no time."""
+    if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
+        return 0.0
+    if s.lambda_hat[i] >= min(BETWEEN, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
+        return 0.0
+    ratio = offset_in_model_error(i, pressure_ratio, m, s)[1] / (c.jam_sigma * c.jam_sigma)
+    return c.persistence / ratio if ratio > 1.0 else 0.0
+
+
+@compiled
+def follows(i, m, c, s):
+    """Whether surface i moves with its commands: effectiveness 0 is out of question."""
+    sure = s.lambda_hat[i] > max(BETWEEN, BEYOND_SIGMAS * deviation(i, s))
+    return c.weighted and m.servo[i] and sure and not s.failed[i]
+
+
+@compiled
+def deviation(i, s):
+    """Standard deviation of the estimate of actuator i."""
+    return math.sqrt(max(s.P[i, i], 0.0))
+
+
+@compiled
+def offset_in_model_error(i, pressure_ratio, m, s):
+    """The offset of actuator i that explains the estimated model error b best, by least squares weighted with its variance.
+
+    Returns:
+        The offset [scaled], and the square of it in its standard deviations.
+    """
+    projection, information = 0.0, 0.0
+    for row in range(4):
+        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
+        weight = 1.0 / s.model_error_variance[row]
+        projection += column * weight * s.b[row]
+        information += column * weight * column
+    return projection / information, projection * projection / information
+
+
+@compiled
+def take_for_offset(i, offset, c, s):
+    """Use surface i with this offset [scaled]. It becomes the standard deviation of the model error b along its column of B: so
+    b does not fade, and effectiveness does not take its place."""
+    s.offset[i], s.jam_timer[i] = offset, 0.0
+    s.own_noise[i] = 2.0 * c.model_error_rate * offset * offset
+    for row in range(4):
+        s.residual[row] = 0.0
+
+
+@compiled
+def follow_offsets(pressure_ratio, m, s):
+    """Update the known offsets by the model error b."""
+    for i in range(len(s.offset)):
+        if s.offset[i] != 0.0:
+            s.offset[i] = offset_in_model_error(i, pressure_ratio, m, s)[0]
+
+
+@compiled
+def force_of_offsets(row, pressure_ratio, m, s):
+    """What the known offsets of surfaces add to one rate."""
+    force = 0.0
+    for i in range(len(s.offset)):
+        if s.offset[i] != 0.0:
+            force += m.B[row, i] * pressure_ratio * s.offset[i]
+    return force

@@ -1,0 +1,197 @@
+"""Surfaces that have an offset: told from jammed ones by the commands that follow, and used on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from command_line import ROOT
+from short_flights import worst_errors
+from vtail_setup import WEATHER, Records, records_of, vtail_setup
+
+from testbed.controllers.inversion.estimator import adapt_weighted, expect_change
+from testbed.controllers.inversion.jam_detection import detect_jam
+from testbed.controllers.inversion.law import measured_error, regressor
+from testbed.controllers.inversion.offset_detection import (
+    BEYOND_SIGMAS,
+    expect_offset,
+    follows,
+    offset_in_model_error,
+    time_to_stand_still,
+)
+from testbed.flight.flight import Flight, Outcome
+from testbed.scenario.load import load_scenario
+from testbed.simulation import fly
+
+SETUP = vtail_setup(WEATHER)
+N = 4
+FAILURE_S = 1.0
+Position = Callable[[float, float], float]
+"""True position of a surface at a time, if it is commanded to the second number [s, scaled]."""
+
+
+def records() -> Records:
+    made = records_of(SETUP)
+    made.s.model_error_variance[:] = made.c.model_error_std**2
+    made.c.filter_rate = 0.0
+    return made
+
+
+def estimated(made: Records, actuator: int, position: Position, start_s: float, end_s: float) -> None:
+    """Estimate and diagnose while commands swing about the trim, and this surface goes where `position` says."""
+    m, c, _, s, w = made
+    for step in range(round(start_s / c.dt), round(end_s / c.dt)):
+        t = step * c.dt
+        s.position[:] = m.trim_position
+        s.position[:2] += 0.4 * np.sin(np.array([5.0, 3.5]) * t)
+        true = np.array(s.position)
+        true[actuator] = position(t, true[actuator])
+        w.z[:] = np.array(m.B) @ true
+        regressor(1.0, m, s, w.phi)
+        measured_error(w.z, w.phi, s, w.e)
+        expect_change(w.e, w.phi, m, c, s)
+        adapt_weighted(w.z, w.phi, w.P_h, m, c, s)
+        detect_jam(w.e, 1.0, m, c, s)
+
+
+def healthy_first(actuator: int, position: Position, end_s: float) -> Records:
+    made = records()
+    estimated(made, actuator, lambda _, command: command, 0.0, FAILURE_S)
+    estimated(made, actuator, position, FAILURE_S, end_s)
+    return made
+
+
+@pytest.mark.parametrize("actuator", [0, 1])
+@pytest.mark.parametrize("offset", [-1.5, 0.7, 1.5])
+def test_a_surface_that_follows_with_an_offset_is_not_given_up(actuator: int, offset: float) -> None:
+    s = healthy_first(actuator, lambda _, command: command + offset, 5.0).s
+    assert not s.failed.any() and not s.jammed.any()
+    assert s.offset[actuator] == pytest.approx(offset, rel=0.3)
+    assert s.offset[1 - actuator] == 0.0
+    assert s.lambda_hat[actuator] == pytest.approx(1.0, abs=0.25)
+
+
+@pytest.mark.parametrize("actuator", [0, 1])
+@pytest.mark.parametrize("position", [-2.0, 1.0, 2.0])
+def test_a_surface_that_does_not_follow_is_jammed_where_it_is(actuator: int, position: float) -> None:
+    s = healthy_first(actuator, lambda _, __: position, 3.0).s
+    assert s.jammed.tolist() == s.failed.tolist() == [int(i == actuator) for i in range(N)]
+    assert not s.offset.any() and not s.own_noise.any()
+    assert s.lambda_hat[actuator] == pytest.approx(position, abs=0.1)
+
+
+def test_an_offset_that_stops_to_follow_is_a_jam() -> None:
+    made = healthy_first(0, lambda _, command: command + 1.0, 4.0)
+    assert made.s.offset[0] != 0.0
+    estimated(made, 0, lambda _, __: 1.2, 4.0, 8.0)
+    assert made.s.jammed.tolist() == [1, 0, 0, 0] and made.s.offset[0] == made.s.own_noise[0] == 0.0
+    assert made.s.lambda_hat[0] == pytest.approx(1.2, abs=0.2)
+
+
+def test_a_known_offset_does_not_hide_the_jam_of_another() -> None:
+    made = healthy_first(0, lambda _, command: command + 1.0, 4.0)
+    m, c, _, s, _ = made
+    force = np.array(m.B)[:, 0] * s.offset[0] + 6.0 * np.array(m.B)[:, 3]
+    s.lambda_hat[:] = 1.0
+    for _ in range(round(3.0 * c.jam_time / c.dt)):
+        detect_jam(force, 1.0, m, c, s)
+    assert s.jammed.tolist() == [0, 0, 0, 1]
+
+
+@pytest.mark.parametrize("servo", [1, 0])
+def test_what_no_effectiveness_explains_is_a_surfaces_offset(servo: int) -> None:
+    """The variance goes to the model error along its column; of a motor, to its effectiveness."""
+    m, c, _, s, _ = records()
+    m.servo[1], before = servo, s.P.copy()
+    phi = np.array(m.B) * 0.2
+    error = phi[:, 1] * 6.0
+    for _ in range(5):
+        expect_change(30.0 * error, phi, m, c, s)
+    grown = s.P - before
+    along = np.outer(phi[:, 1], phi[:, 1])
+    assert (grown[1, 1] == 0.0) == bool(servo)
+    share = grown[N:, N:].sum() / along.sum()
+    assert (share > 1.0) == bool(servo)
+    assert grown[N:, N:] == pytest.approx(share * along)
+
+
+def test_each_hypothesis_is_believed_when_the_other_is_out_of_question() -> None:
+    m, c, _, s, _ = records()
+    s.b[:] = 2.0 * np.array(m.B)[:, 0]
+    for estimate, sigmas, still, moves in (
+        (0.1, 1.05, True, False),
+        (0.1, 0.95, False, False),
+        (0.9, 1.05, False, True),
+        (0.9, 0.95, False, False),
+    ):
+        s.lambda_hat[0], s.P[0, 0] = estimate, (0.9 / (sigmas * BEYOND_SIGMAS)) ** 2
+        assert (time_to_stand_still(0, 1.0, m, c, s) > 0.0, follows(0, m, c, s)) == (still, moves)
+
+
+def test_a_lost_surface_without_a_force_in_the_model_error_does_not_look_jammed() -> None:
+    m, c, _, s, _ = records()
+    s.lambda_hat[0], s.P[0, 0] = 0.0, 1e-4
+    assert time_to_stand_still(0, 1.0, m, c, s) == 0.0
+
+
+def test_a_larger_force_takes_less_time_to_be_believed() -> None:
+    m, c, _, s, _ = records()
+    column, (s.lambda_hat[0], s.P[0, 0]) = np.array(m.B)[:, 0], (0.0, 1e-4)
+    one = c.jam_sigma / np.sqrt(np.sum(column**2 / s.model_error_variance))
+    for size, time in ((0.99, 0.0), (2.0, c.persistence / 4.0), (-4.0, c.persistence / 16.0)):
+        s.b[:] = size * one * column
+        assert time_to_stand_still(0, 1.0, m, c, s) == pytest.approx(time)
+
+
+@pytest.mark.parametrize("pressure_ratio", [0.8, 1.5])
+def test_the_offset_in_the_model_error_is_that_of_least_squares(pressure_ratio: float) -> None:
+    m, _, _, s, _ = records()
+    column = pressure_ratio * np.array(m.B)[:, 0]
+    s.b[:] = 1.3 * column
+    offset, ratio = offset_in_model_error(0, pressure_ratio, m, s)
+    assert offset == pytest.approx(1.3)
+    assert ratio == pytest.approx(1.3**2 * float(np.sum(column**2 / s.model_error_variance)))
+
+
+def test_the_variance_of_an_offset_is_along_its_column() -> None:
+    _, _, _, s, _ = records()
+    before, phi = s.P.copy(), np.arange(16.0).reshape(4, N)
+    expect_offset(2, -3.0, phi, s)
+    assert s.P[N:, N:] - before[N:, N:] == pytest.approx(9.0 * np.outer(phi[:, 2], phi[:, 2]))
+
+
+def flown(value: float, gust: tuple[float, float]) -> Flight:
+    """Ten seconds with an offset left ruddervator [deg], and a gust to the north and down [m/s] three seconds after it."""
+    blown = f"{{at_s: 5, magnitude_m_s: [{gust[0]}, 0, {gust[1]}], frame: ned, duration_s: 0.5, hold_s: 2}}"
+    changes = [
+        f"failures=[{{type: bias, actuator: left_ruddervator, at_s: 2, value: {value}}}]",
+        f"atmosphere={{gusts: [{blown}]}}",
+        "controller={type: adaptive_inversion}",
+        "commands=[]",
+        "requirements=[]",
+        "duration_s=10",
+    ]
+    return fly(load_scenario(ROOT / "scenarios" / "jammed_ruddervator.yaml", changes))
+
+
+@pytest.mark.parametrize(
+    ("value", "gust"),
+    [
+        (9.987, (-0.26, 0.35)),
+        (9.625, (-0.07, -0.009)),
+        (3.39, (2.34, 0.03)),
+        (7.46, (-1.88, 0.38)),
+        (13.5, (-1.11, 0.55)),
+    ],
+)
+def test_a_biased_surface_is_flown_with(value: float, gust: tuple[float, float]) -> None:
+    """Each was beyond 8 deg of heading when it was given up as jammed."""
+    flight = flown(value, gust)
+    altitude, heading, _ = worst_errors(flight, 2.0)
+    assert flight.outcome is Outcome.completed
+    assert altitude < 3.0 and heading < 8.0
+    assert not flight.log["left_ruddervator_failed"].any()
+    assert [e["text"] for e in flight.events if "with an offset" in e.get("text", "")] == [
+        "left_ruddervator: its force follows its command with an offset: not jammed, used on"
+    ]
