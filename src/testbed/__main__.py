@@ -18,8 +18,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(words, file=sys.stderr)
         return status.ENDED_EARLY
     from testbed.cli.commands import main
+    from testbed.cli.threads import end_despite_threads
 
-    return main(arguments)
+    return end_despite_threads(main(arguments))
 
 
 if __name__ == "__main__":

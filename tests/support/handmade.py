@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from testbed.flight.columns import ALWAYS_KNOWN
 from testbed.flight.flight import Flight, Outcome
 from testbed.metrics import Readings
 from testbed.scenario.load import Scenario, load_scenario
@@ -19,6 +20,10 @@ ACTUATORS = {
 }
 RATE_HZ = 100.0
 _LEVEL = {"altitude": (100.0, "m"), "airspeed": (15.0, "m_s"), "heading": (350.0, "deg")}
+
+
+_STORYLESS = tuple(name for name in ALWAYS_KNOWN if name != "beta_deg")
+"""Known columns, but one that the story of a flight needs."""
 
 
 def level_log(seconds: float = 10.0, rate_hz: float = RATE_HZ) -> dict[str, np.ndarray]:
@@ -99,17 +104,17 @@ def flight_of(
     )
 
 
-def make_flight(rows: int = 100, columns: int = 5, **changes: object) -> Flight:
+def make_flight(rows: int = 100, columns: int = 20, **changes: object) -> Flight:
     """A flight of numbers that are hard to write exactly, in a shipped scenario."""
     data = np.random.default_rng(1).standard_normal((rows, columns)) * 10.0 ** np.arange(columns)
-    data[0, 0], data[1, 0], data[2, 0] = -0.0, 5e-324, 1.7976931348623157e308
-    data[3:6, 0] = np.nan, np.inf, -np.inf
-    data[:, 1] = np.arange(rows)
+    data[0, -1], data[1, -1], data[2, -1] = -0.0, 5e-324, 1.7976931348623157e308
+    data[3:6, -1] = np.nan, np.inf, -np.inf
+    data[:, 0] = np.arange(rows)
     contents: dict[str, object] = {
         "scenario": load_scenario("scenarios/left_tail_fail.yaml"),
         "outcome": Outcome.completed,
         "end_time_s": 60.0,
-        "columns": ("time_s", *(f"c{i}_deg" for i in range(1, columns))),
+        "columns": (*_STORYLESS, *(f"c{i}_deg" for i in range(columns)))[:columns],
         "data": data,
         "events": [{"time_s": np.float64(5.0), "kind": "injection", "verified": np.bool_(True)}],
         "metrics": {"b": np.float64(0.1), "a": math.nan},

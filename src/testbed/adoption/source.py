@@ -61,7 +61,8 @@ def find_source(model: str, root: Path) -> Source:
     if not model:
         raise BadInput([Problem("no model is given", expected=_MODEL)])
     packaged = root / "aircraft" / model
-    folder = packaged if "/" not in model and packaged.is_dir() else Path(os.path.realpath(model))
+    named = "/" not in model and model not in (".", "..")
+    folder = packaged if named and packaged.is_dir() else Path(os.path.realpath(model))
     source = Source(folder.name, folder, root)
     if source.file.is_file():
         return source

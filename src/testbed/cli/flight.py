@@ -35,7 +35,9 @@ def fly(options: argparse.Namespace) -> bool:
         collect(problems, lambda: refuse_existing(options.out))
     with working("checking"):
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
-    controller = collect(problems, lambda: _own_controller(options.controller))
+    stay = contextlib.chdir(".") if options.controller else contextlib.nullcontext()
+    with stay:  # its file may lead to another folder
+        controller = collect(problems, lambda: _own_controller(options.controller))
     viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
         raise BadInput(problems)
@@ -47,7 +49,7 @@ def fly(options: argparse.Namespace) -> bool:
 
     if not has_compiled():
         print("compiling the control law for the first flight: some seconds, once", file=sys.stderr)
-    with working("flying"):
+    with working("flying"), stay:
         flight = fly(scenario, controller, watch=viewer)
     with working("drawing and writing"), tidily():
         folder = write(flight, options.out, partial(present, flight, figures=not options.no_plots))

@@ -28,6 +28,8 @@ _REFERENCES = (
     ("airspeed_command_m_s", "airspeed", 1.0),
     ("heading_command_deg", "heading", _DEG),
 )
+ALWAYS_KNOWN = ("time_s", *(name for name, *_ in (*_TRUTH, *_REFERENCES)))
+"""Columns that every log has, whatever flew, with a number in each row unless the flight diverged."""
 _RATE_UNITS = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot": "m_s2"}
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from testbed.aircraft.shape import Shape
 from testbed.common.text import cell, text_of
+from testbed.flight.damage import refuse_damaged
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.input_file import MEGABYTE, read_text
 from testbed.inputs.problems import BadInput, Problem
@@ -101,7 +102,7 @@ def load(folder: str | Path) -> Flight:
         summary = json.loads(read_text(summary_file, _LARGEST_SUMMARY, "the summary of a run"))
         columns, data = _read_log(log_file)
         scenario = load_scenario(scenario_file, with_aircraft=False)
-        return flight_from(scenario, summary, columns, data)
+        flight = flight_from(scenario, summary, columns, data)
     except (
         ValueError,
         KeyError,
@@ -111,6 +112,8 @@ def load(folder: str | Path) -> Flight:
         raise BadInput(
             [Problem(f"cannot be read: {error!r}", str(folder), expected="a run folder")]
         ) from None
+    refuse_damaged(flight, str(log_file))
+    return flight
 
 
 def flight_from(

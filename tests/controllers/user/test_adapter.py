@@ -108,6 +108,14 @@ FAULTY = {
     OWN.format(
         init="0", update="update", body="raise SystemExit(5)"
     ): "own.py:3: raised at 0.000 s: SystemExit: 5",
+    "import os\nos._exit(0)": "own.py:2: raised while being read: SystemExit: os._exit(0)",
+    "from os import _exit\n"
+    + OWN.format(init="0", update="update", body="_exit(5)"): "own.py:4: raised at 0.000 s: SystemExit",
+    OWN.format(init="0", update="update", body="return [0, 0, 0.4, 0.4]")
+    + "    effectiveness = property(lambda self: 1 / 0)\n": "own.py:4: raised at 0.000 s: ZeroDivisionError",
+    OWN.format(
+        init="setup.actuators[0] = 0", update="update", body="0"
+    ): "own.py: raised while being made: AttributeError",
     f"{NO_TEXT}{OWN.format(init='0', update='update', body='return NoText()')}": "own.py: at 0.000 s commands are of type NoText",
     "class Own:\n    parameters = 3\n": "own.py: the attribute `parameters` is 3, expected a mapping",
     STEP.format(bind="1/0", step="0"): "own.py:3: raised while being bound: ZeroDivisionError",
@@ -133,6 +141,24 @@ def test_a_fault_in_flight_is_exit_status_2_and_leaves_nothing(tmp_path: Path) -
     assert result.returncode == 2
     assert result.stderr.splitlines() == ["own.py:3: raised at 0.000 s: KeyError: 'gain'"]
     assert not (tmp_path / "out").exists()
+
+
+def test_a_process_that_its_code_has_started_ends_as_before(tmp_path: Path) -> None:
+    file = tmp_path / "own.py"
+    text = "import os\nchild = os.fork()\nif child == 0:\n    os._exit(7)\n_, status = os.waitpid(child, 0)\n"
+    file.write_text(f"{text}ended = os.waitstatus_to_exitcode(status)\nclass Own: ended = ended\n")
+    assert load_controller(f"{file}:Own").ended == 7  # type: ignore[attr-defined]
+
+
+def test_one_that_leaves_the_folder_does_not_take_the_flight_with_it(tmp_path: Path) -> None:
+    (tmp_path / "away").mkdir()
+    scenario(tmp_path, "pid", 1)
+    body = "__import__('os').chdir('away') if time_s == 0 else None; return [0, 0, 0.4, 0.4]"
+    (tmp_path / "own.py").write_text(OWN.format(init="0", update="update", body=body))
+    given = ("run", "healthy.yaml", "--controller", "own.py:Own", "--out", "out", "--no-plots")
+    result = in_this_process(tmp_path, *given)
+    assert result.returncode == 0, result.stderr
+    assert (tmp_path / "out" / "log.csv").is_file() and not list((tmp_path / "away").iterdir())
 
 
 def test_a_scenario_cannot_name_a_file(tmp_path: Path) -> None:

@@ -31,6 +31,8 @@ from testbed.controllers.user.loader import Factory, in_words, place_of, raised,
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 _UPDATE = "update(time_s, state, reference) -> commands"
+_KEPT = (("effectiveness", 1.0), ("failed", 0.0))
+"""Attributes of the user's object that are logged, and what is logged without them."""
 
 
 class State(NamedTuple):
@@ -128,12 +130,13 @@ class CustomController:
         reference = Reference._make(self._setpoints[step].tolist())
         try:
             answer = self._update(time_s, state, reference)
+            kept = [getattr(self._flown, name, None) for name, _ in _KEPT]
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # `sys.exit` too, which would end the command in silence
             raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
         commands = self._checked(answer, "commands", time_s)
-        self._write_telemetry(step, commands, time_s)
+        self._write_telemetry(step, commands, kept, time_s)
         return commands
 
     def _checked(self, answer: Any, what: str, time_s: float) -> np.ndarray:
@@ -148,15 +151,14 @@ class CustomController:
             raise BadInput([Problem(problem, self._name, expected=expected)])
         return values
 
-    def _write_telemetry(self, step: int, commands: np.ndarray, time_s: float) -> None:
+    def _write_telemetry(self, step: int, commands: np.ndarray, kept: Sequence[Any], time_s: float) -> None:
         """Log servos as commanded, and motors as the thrust of the modelled motor: the log's unit is newtons, not throttle."""
         n, s, row = self._n, self._memory, self._telemetry[step]
         s.command[:] = commands
         advance_actuators(self._dt, axial_speed(self._states[step]), self._model, s)
         row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
-        for i, (name, default) in enumerate((("effectiveness", 1.0), ("failed", 0.0)), 2):
-            kept = getattr(self._flown, name, None)
-            row[i * n : (i + 1) * n] = default if kept is None else self._checked(kept, name, time_s)
+        for i, ((name, default), own) in enumerate(zip(_KEPT, kept, strict=True), 2):
+            row[i * n : (i + 1) * n] = default if own is None else self._checked(own, name, time_s)
 
 
 def adapted(factory: Factory, setup: Setup) -> Controller:

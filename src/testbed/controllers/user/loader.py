@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
 
@@ -24,6 +24,10 @@ _PREFIX = "testbed_user_"
 """Beginning of the module's name, so that a user's file json.py does not take the place of the module json."""
 _PLACE = "_testbed_place"
 """Attribute of the user's module that keeps its path as the user gave it."""
+_PACKAGE = Path(__file__).parents[2]
+_end = os._exit
+_process_of: dict[str, int] = {}
+"""The process that has loaded each file of the user's, by the file as Python names it in a frame."""
 
 
 def name_of(factory: Factory) -> str:
@@ -86,6 +90,7 @@ def _module(path: Path) -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     setattr(module, _PLACE, str(path))
     sys.modules[name] = module
+    _raise_where_it_would_end(str(path))
     if str(path.resolve().parent) not in sys.path:
         sys.path.insert(0, str(path.resolve().parent))
     with in_words(str(path), "while being read"):
@@ -94,6 +99,19 @@ def _module(path: Path) -> ModuleType:
         except SyntaxError as error:
             raise BadInput([Problem(f"is not Python: {error.msg}", str(path), error.lineno)]) from error
     return module
+
+
+def _raise_where_it_would_end(file: str) -> None:
+    """From now on `os._exit` in this file, in this process, is raised as `sys.exit` is: it would end a command in silence."""
+    _process_of.update(dict.fromkeys((file, os.path.abspath(file)), os.getpid()))
+    os._exit = _end_or_raise
+
+
+def _end_or_raise(status: int) -> NoReturn:
+    """`os._exit` as before for all others, such as a process that the user's code has started and ends."""
+    if _process_of.get(sys._getframe(1).f_code.co_filename) == os.getpid():
+        raise SystemExit(f"os._exit({status})")
+    _end(status)
 
 
 @contextmanager
@@ -126,8 +144,8 @@ def raised(error: BaseException, name: str, when: str) -> Problem:
     frames: Sequence[traceback.FrameSummary] = traceback.extract_tb(error.__traceback__)
     theirs = [frame for frame in frames if frame.filename in (name, str(Path(name).resolve()))]
     frame = (theirs or frames)[-1]
-    # The testbed's call itself failed (wrong arguments), so no line of the user's was reached.
-    ours = Path(frame.filename).parent == Path(__file__).parent
+    # The testbed's call itself failed (wrong arguments, a set-up that was changed), so no line of the user's was reached.
+    ours = Path(frame.filename).is_relative_to(_PACKAGE)
     last = traceback.format_exception_only(error)[-1].strip()
     file = name if theirs or ours else frame.filename
     return Problem(f"raised {when}: {last}", file, None if ours else frame.lineno)
