@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 from handmade import at, flight_of, injection, level_log, lost
@@ -20,6 +22,15 @@ def told(log: dict[str, np.ndarray], *events: dict[str, object], outcome: Outcom
     return "\n".join(story(flight_of(log, in_order, outcome)))
 
 
+def released(**axes: tuple[float, float]) -> dict[str, np.ndarray]:
+    """Columns of axes that are given up from one time [s] to another."""
+    time_s = level_log()["time_s"]
+    return {
+        f"{axis}_released": ((time_s >= from_s - 1e-9) & (time_s < until_s - 1e-9)).astype(float)
+        for axis, (from_s, until_s) in axes.items()
+    }
+
+
 def test_every_type_of_failure_has_words() -> None:
     assert TABLE.keys() == FAILURES.keys()
 
@@ -36,9 +47,18 @@ def test_words_of_each_example(name: str) -> None:
 def test_what_failed_and_when_it_was_noticed() -> None:
     noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
     gave_up = {"time_s": 2.3, "kind": "release", "axis": "r_dot"}
-    text = told(lost(2.0), injection(2.0), noticed, gave_up)
+    text = told(lost(2.0) | released(r_dot=(2.3, math.inf)), injection(2.0), noticed, gave_up)
     assert "At 2.0 s the elevon was lost completely." in text
     assert "noticed the elevon after 0.30 s and gave up yaw acceleration." in text
+
+
+def test_what_was_given_up_before_or_for_a_moment_is_not_told() -> None:
+    noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    changes = [{"time_s": t, "kind": "release", "axis": axis} for t, axis in ((2.3, "r_dot"), (2.5, "p_dot"))]
+    log = lost(2.0) | released(r_dot=(2.3, 2.5), p_dot=(0.0, 2.3))
+    log["p_dot_released"][at(2.5) :] = 1.0
+    text = told(log, injection(2.0), noticed, *changes)
+    assert "noticed the elevon after 0.30 s." in text
 
 
 def test_steady_sideslip_is_said_and_an_oscillating_one_is_not() -> None:
@@ -100,10 +120,9 @@ def test_false_alarms() -> None:
 def test_what_was_given_up_for_a_false_alarm_is_not_told_of_the_failure() -> None:
     noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
     false = {"time_s": 4.0, "kind": "false_alarm", "actuator": "fan"}
-    released = [
-        {"time_s": t, "kind": "release", "axis": axis} for t, axis in ((2.3, "r_dot"), (4.0, "p_dot"))
-    ]
-    text = told(lost(2.0), injection(2.0), noticed, false, *released)
+    changes = [{"time_s": t, "kind": "release", "axis": axis} for t, axis in ((2.3, "r_dot"), (4.0, "p_dot"))]
+    log = lost(2.0) | released(r_dot=(2.3, math.inf), p_dot=(4.0, math.inf))
+    text = told(log, injection(2.0), noticed, false, *changes)
     assert "noticed the elevon after 0.30 s and gave up yaw acceleration." in text
     assert "It wrongly flagged the fan, first at 4.0 s and gave up roll acceleration." in text
 

@@ -152,11 +152,17 @@ def _gave_up(axes: Sequence[str]) -> list[str]:
 
 
 def _released(view: Readings, flag: Mapping[str, Any]) -> list[str]:
-    """The axes that were released because of a flag: after it, and before the next flag."""
+    """The axes that were released because of a flag: not before it, and for most of the time until the next flag."""
     flags = [e["time_s"] for e in view.events if e["kind"] in ("detection", "false_alarm")]
     until = min((t for t in flags if t > flag["time_s"]), default=math.inf)
+    first, end = view.row_at(flag["time_s"]), view.row_at(until)
     return [
-        e["axis"] for e in view.events if e["kind"] == "release" and flag["time_s"] <= e["time_s"] < until
+        e["axis"]
+        for e in view.events
+        if e["kind"] == "release"
+        and flag["time_s"] <= e["time_s"] < until
+        and (released := view.log[f"{e['axis']}_released"])[first:end].mean() >= 0.5
+        and not released[max(first - 1, 0)]
     ]
 
 
