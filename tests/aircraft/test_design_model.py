@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import math
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import numpy as np
@@ -200,6 +201,13 @@ def test_anything_else_is_refused(text: str, tmp_path: Path) -> None:
         load_design_model(file)
 
 
+@pytest.mark.parametrize("key", ["stall_alpha_rad", "span_m", "identified_from"])
+def test_a_list_in_the_place_of_one_value_is_refused(model: DesignModel, tmp_path: Path, key: str) -> None:
+    (tmp_path / "m.json").write_text(json.dumps({**asdict(model), key: []}))
+    with pytest.raises(BadInput, match=rf"m\.json: is no design model: {key} "):
+        load_design_model(tmp_path / "m.json")
+
+
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
@@ -207,6 +215,10 @@ def test_anything_else_is_refused(text: str, tmp_path: Path) -> None:
         ('"airspeed_m_s": 18.0', '"airspeed_m_s": 1e999', "airspeed_m_s is not finite"),
         ('"diameter_m": 0.4826', '"diameter_m": NaN', r"propulsors\.2 is not finite"),
         ('"kinds": [', '"kinds": ["servo", ', "4 entries"),
+        ('"kinds": [', '"kinds": [1e300, ', r"kinds has 1e\+300, expected servo, motor, engine"),
+        ('"airspeed_m_s": 18.0', '"airspeed_m_s": -18.0', "airspeed_m_s is not positive"),
+        ('"airspeed_m_s": 18.0', '"airspeed_m_s": 1e300', "airspeed_m_s is beyond"),
+        ('"span_m": 2', '"span_m": -2', "span_m is not positive"),
     ],
 )
 def test_numbers_that_no_identification_gives_are_refused(

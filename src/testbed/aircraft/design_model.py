@@ -35,6 +35,11 @@ DESIGN_MODEL = "design_model.json"
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
 
+_KINDS = ("servo", "motor", "engine")
+_POSITIVE = ("airspeed_m_s", "density_kg_m3", "span_m")
+_LARGEST = 1e12
+"""No number of an identified aircraft comes near it; beyond, products overflow."""
+
 Vector = Sequence[float] | np.ndarray
 
 
@@ -185,12 +190,13 @@ def _from_tree(data: dict[str, Any]) -> DesignModel:
 
 
 def _impossible(model: DesignModel) -> Iterator[str]:
-    """What no identification writes: numbers that are not finite, and arrays of another shape than the actuators ask for."""
+    """What no identification writes: numbers that are not finite or too large, kinds that there are not, arrays of other shapes."""
     n = len(model.actuators)
     shapes = {
         "trim": (n,), "bias": (len(ROWS),), "sideslip": (len(ROWS),), "derivatives": (len(ROWS), len(COLUMNS)),
         "input_matrix": (len(ROWS), n), "torque_matrix": (len(ROWS), n), "offset_matrix": (len(ROWS), n),
-        "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (),
+        "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (), "stall_alpha_rad": (),
+        **({} if model.span_m is None else {"span_m": ()}),
     }  # fmt: skip
     for name, shape in shapes.items():
         values = np.array(getattr(model, name), dtype=float)
@@ -198,6 +204,14 @@ def _impossible(model: DesignModel) -> Iterator[str]:
             yield f"{name} has the shape {list(values.shape)}, expected {list(shape)}"
         elif not np.all(np.isfinite(values)):
             yield f"{name} is not finite"
+        elif np.any(np.abs(values) > _LARGEST):
+            yield f"{name} is beyond {_LARGEST:g}"
+        elif name in _POSITIVE and values <= 0.0:
+            yield f"{name} is not positive"
+    if not isinstance(model.identified_from, str):
+        yield "identified_from is no text"
+    if unknown := [kind for kind in model.kinds if kind not in _KINDS]:
+        yield f"kinds has {unknown[0]!r}, expected {', '.join(_KINDS)}"
     if len(model.kinds) != n or len(model.propulsors) != n:
         yield f"kinds and propulsors must have {n} entries"
     for i, propulsor in enumerate(model.propulsors):
