@@ -168,7 +168,7 @@ def regulate(y, ref, m, c, k, s, f, nu):
         v -= k.K[i, HEADING] * e_heading + k.K[i, ALTITUDE] * e_height
         for j in range(len(s.position)):
             known = -1.0 if s.reversed[j] else 1.0  # without estimates
-            effective = s.position[j] * (known if c.uncompensated else s.lambda_hat[j])
+            effective = s.position[j] * (known if c.uncompensated else s.lambda_hat[j]) + s.shift[j]
             v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
         for j in range(len(integral)):
             v -= k.K_integral[i, j] * integral[j]

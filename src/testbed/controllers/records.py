@@ -270,6 +270,15 @@ MEMORY = (
         "offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"
     ),
     Field(
+        "moved", (_N,), "flag", "a surface has moved from its command; whether it still follows is not known"
+    ),
+    Field(
+        "shift",
+        (_N,),
+        "scaled",
+        "position beyond its command that commands make up for: of one that moved or is offset",
+    ),
+    Field(
         "at_stop",
         (_N,),
         "flag",

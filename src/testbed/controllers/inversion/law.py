@@ -173,18 +173,18 @@ def divisor(i, c, s):
 
 @compiled
 def reach(i, m, c, s):
-    """Lowest and highest reference of actuator i: its stops times `divisor`."""
+    """Lowest and highest reference of actuator i: its stops times `divisor`, and its `shift`."""
     lam = divisor(i, c, s)
     if lam < 0.0:
-        return m.high[i] * lam, m.low[i] * lam
-    return m.low[i] * lam, m.high[i] * lam
+        return m.high[i] * lam + s.shift[i], m.low[i] * lam + s.shift[i]
+    return m.low[i] * lam + s.shift[i], m.high[i] * lam + s.shift[i]
 
 
 @compiled
 def compensate(m, c, k, s):
     """Section 2.2.1: u = Lambda_hat^-1 r, within the stops; a failed actuator is sent to its trim position."""
     for i in range(len(s.u)):
-        u = s.r[i] / divisor(i, c, s) if k.available[i] else m.trim_position[i]
+        u = (s.r[i] - s.shift[i]) / divisor(i, c, s) if k.available[i] else m.trim_position[i]
         s.u[i] = min(max(u, m.low[i]), m.high[i])
 
 

@@ -51,7 +51,11 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
     if s.lambda_hat[i] >= min(BETWEEN, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
         return 0.0
     ratio = offset_in_model_error(i, pressure_ratio, m, s)[1] / (c.jam_sigma * c.jam_sigma)
-    return c.persistence / ratio if ratio > 1.0 else 0.0
+    if ratio > 1.0:
+        return c.persistence / ratio
+    if not s.moved[i] or s.lambda_hat[i] > BEYOND_SIGMAS * deviation(i, s):
+        return 0.0
+    return c.persistence if s.lambda_hat[i] < -BEYOND_SIGMAS * deviation(i, s) else c.jam_time
 
 
 @compiled
@@ -87,18 +91,23 @@ def offset_in_model_error(i, pressure_ratio, m, s):
 def take_for_offset(i, offset, c, s):
     """Use surface i with this offset [scaled]. It becomes the standard deviation of the model error b along its column of B: so
     b does not fade, and effectiveness does not take its place."""
-    s.offset[i], s.jam_timer[i] = offset, 0.0
+    s.offset[i], s.jam_timer[i], s.moved[i] = offset, 0.0, 0
     s.own_noise[i] = 2.0 * c.model_error_rate * offset * offset
     for row in range(4):
         s.residual[row] = 0.0
 
 
 @compiled
-def follow_offsets(pressure_ratio, m, s):
+def follow_offsets(pressure_ratio, m, c, s):
     """Update the known offsets by the model error b."""
     for i in range(len(s.offset)):
-        if s.offset[i] != 0.0:
-            s.offset[i] = offset_in_model_error(i, pressure_ratio, m, s)[0]
+        s.shift[i] = 0.0
+        if s.offset[i] != 0.0 or s.moved[i]:
+            found, ratio = offset_in_model_error(i, pressure_ratio, m, s)
+            if ratio < 1.0 and s.lambda_hat[i] > BETWEEN:
+                s.moved[i] = 0
+            s.shift[i] = 0.0 if c.uncompensated else found
+            s.offset[i] = found if s.offset[i] != 0.0 else 0.0
 
 
 @compiled
