@@ -264,7 +264,7 @@ MEMORY = (
         "own_noise",
         (_N,),
         "scaled2/s",
-        "process noise of the model error along the column of B of one that swings or is offset; 0 for others",
+        "process noise of the model error along the column of B of one that swings by itself; 0 for others",
     ),
     Field(
         "offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"

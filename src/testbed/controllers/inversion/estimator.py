@@ -85,9 +85,6 @@ def expect_change(e, phi, m, c, s):
     if first > c.change_sigma * c.change_sigma and first > c.change_lead * c.change_lead * second:
         if no_effectiveness(best, s.lambda_hat[best] + change, m, c, s):
             expect_offset(best, change, phi, s)
-            if not s.moved[best]:
-                lost = 1.0 - s.lambda_hat[best]
-                s.P[best, best], s.moved[best] = max(s.P[best, best], lost * lost), 1
         else:
             most = JAM_VARIANCE if s.jammed[best] else UNKNOWN_VARIANCE
             s.P[best, best] = max(s.P[best, best], min(change * change, most))

@@ -57,7 +57,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
     An actuator is taken for jammed when it has been the `likeliest_jam` for `jam_time`, unless it is a surface that `follows` its
     command: then it has an offset. The timer runs down while it is not. It is also taken for jammed when for `persistence` it
     `acts_reversed` or `has_force_of_its_own`; on an aircraft that is unstable in pitch `REVERSED_S` is enough of the former. A
-    surface that stands still while it is commanded needs the `time_to_stand_still`.
+    surface that stands still while it is commanded needs the `time_to_stand_still`. Of one that has moved, and may still follow,
+    nothing else is believed.
     """
     follow_offsets(pressure_ratio, m, c, s)
     for row in range(4):
@@ -66,9 +67,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
     likeliest, offset = likeliest_jam(pressure_ratio, m, c, s)
     changed = 0
     for i in range(len(s.lambda_hat)):
-        if (
-            s.own_noise[i] > 0.0 and s.offset[i] == 0.0
-        ):  # it swings: its force is not that of its command, and it is no jam
+        if s.own_noise[i] > 0.0:  # it swings: its force is not that of its command, and it is no jam
             continue
         still = time_to_stand_still(i, pressure_ratio, m, c, s)
         time = still if still > 0.0 else time_to_jam(i, m, c, s)
@@ -76,7 +75,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         explained = s.jam_timer[i] > c.jam_time
         if explained and follows(i, m, c, s):
-            take_for_offset(i, s.offset[i] + offset, c, s)
+            take_for_offset(i, s.offset[i] + offset, s)
             changed = 1
         elif (explained and not s.moved[i]) or (time > 0.0 and s.reversal_timer[i] > time + 1e-9):
             position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)

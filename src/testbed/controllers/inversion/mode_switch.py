@@ -129,7 +129,7 @@ class ModeSwitch:
         s, names = self._memory[0], self._setup.model.actuators
         swings = "its force swings while its command stands still: not lost, used again"
         reversed_ = "its force goes against its command: reversed, used again with the opposite sign"
-        for of, text in (((s.own_noise > 0.0) & (s.offset == 0.0), swings), (s.reversed, reversed_)):
+        for of, text in ((s.own_noise > 0.0, swings), (s.reversed, reversed_)):
             for i in np.flatnonzero(of):
                 self._report(step, f"{names[i]}: {text}")
 

@@ -34,8 +34,14 @@ def no_effectiveness(i, estimate, m, c, s):
 
 @compiled
 def expect_offset(i, change, phi, s):
-    """Give the model error b, along column i of Phi, the variance of a force of `change` times that column [4, n]."""
+    """Give the model error b, along column i of Phi, the variance of a force of `change` times that column [4, n].
+
+    What was learned of surface i while its force was taken for effectiveness is doubted: the variance of its estimate becomes at
+    least the square of its distance from 1."""
     n = len(s.lambda_hat)
+    if not s.moved[i]:
+        lost = 1.0 - s.lambda_hat[i]
+        s.P[i, i], s.moved[i] = max(s.P[i, i], lost * lost), 1
     for row in range(4):
         for other in range(4):
             s.P[n + row, n + other] += phi[row, i] * phi[other, i] * change * change
@@ -43,9 +49,10 @@ def expect_offset(i, change, phi, s):
 
 @compiled
 def time_to_stand_still(i, pressure_ratio, m, c, s):
-    """How long surface i must look jammed to be jammed [s]; 0 where it does not: effectiveness 1 is out of question, and the force
-    in the model error is beyond `jam_sigma`. There it is `persistence`, and less in proportion the likelier that force is one of
-    its own: a hardover leaves no time."""
+    """How long surface i must look jammed to be jammed [s]; 0 where it does not. Effectiveness 1 must be out of question, and the
+    force in the model error beyond `jam_sigma`: then it is `persistence`, and less in proportion the likelier that force is one of
+    its own, since a hardover leaves no time. With less force it must have moved: `persistence` if its effectiveness is negative
+    beyond doubt, and `jam_time` if it may be 0."""
     if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
     if s.lambda_hat[i] >= min(BETWEEN, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
@@ -53,9 +60,10 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
     ratio = offset_in_model_error(i, pressure_ratio, m, s)[1] / (c.jam_sigma * c.jam_sigma)
     if ratio > 1.0:
         return c.persistence / ratio
-    if not s.moved[i] or s.lambda_hat[i] > BEYOND_SIGMAS * deviation(i, s):
+    sure = BEYOND_SIGMAS * deviation(i, s)
+    if not s.moved[i] or s.lambda_hat[i] > sure:
         return 0.0
-    return c.persistence if s.lambda_hat[i] < -BEYOND_SIGMAS * deviation(i, s) else c.jam_time
+    return c.persistence if s.lambda_hat[i] < -sure else c.jam_time
 
 
 @compiled
@@ -88,18 +96,33 @@ def offset_in_model_error(i, pressure_ratio, m, s):
 
 
 @compiled
-def take_for_offset(i, offset, c, s):
-    """Use surface i with this offset [scaled]. It becomes the standard deviation of the model error b along its column of B: so
-    b does not fade, and effectiveness does not take its place."""
+def take_for_offset(i, offset, s):
+    """Use surface i with this offset [scaled]."""
     s.offset[i], s.jam_timer[i], s.moved[i] = offset, 0.0, 0
-    s.own_noise[i] = 2.0 * c.model_error_rate * offset * offset
     for row in range(4):
         s.residual[row] = 0.0
 
 
 @compiled
+def keep_offsets(pressure_ratio, m, c, s):
+    """Keep the offsets of surfaces in the model error b: along their columns of B it does not fade, and its standard deviation is
+    the offset. Where b faded, effectiveness would slowly take its place."""
+    n = len(s.lambda_hat)
+    for i in range(n):
+        if s.moved[i] or s.offset[i] != 0.0:
+            offset = offset_in_model_error(i, pressure_ratio, m, s)[0]
+            rate = c.model_error_rate * c.dt
+            for row in range(4):
+                force = pressure_ratio * m.B[row, i] * offset
+                s.b[row] += rate * force
+                for other in range(4):
+                    s.P[n + row, n + other] += 2.0 * rate * force * pressure_ratio * m.B[other, i] * offset
+
+
+@compiled
 def follow_offsets(pressure_ratio, m, c, s):
-    """Update the known offsets by the model error b."""
+    """Update the offsets by the model error b, and `shift`, by which commands make up for them. A surface that works, and whose
+    offset is within one standard deviation of the model error, has not moved: gusts look like it for a moment."""
     for i in range(len(s.offset)):
         s.shift[i] = 0.0
         if s.offset[i] != 0.0 or s.moved[i]:

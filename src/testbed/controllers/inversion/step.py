@@ -23,6 +23,7 @@ from testbed.controllers.inversion.law import (
     state_function,
     take_for_ideal,
 )
+from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
 from testbed.controllers.outer_loops import pid_loops, regulate
 
@@ -78,6 +79,7 @@ def estimate(y, m, c, s, w):
         estimate_lateness(e, c, s)
         expect_change(e, phi, m, c, s)
         expect_swings(pressure_ratio, m, c, s)
+        keep_offsets(pressure_ratio, m, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)

@@ -16,7 +16,6 @@ import math
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, forget_model_error, reset_covariance
 from testbed.controllers.inversion.jam_detection import filtered_position, settle_regression
-from testbed.controllers.inversion.offset_detection import offset_in_model_error
 
 FORCE_TIME_S = 0.15
 """Time constant of the mean of a given-up actuator's force: gusts at 25 ft/s leave .02 scaled units of a ruddervator."""
@@ -120,15 +119,9 @@ def expect_swings(pressure_ratio, m, c, s):
     """Add the process noise of actuators that swing by themselves to the model error, along their columns of B."""
     n = len(s.lambda_hat)
     for i in range(n):
-        own = s.own_noise[i]
-        if s.moved[i]:
-            offset = offset_in_model_error(i, pressure_ratio, m, s)[0]
-            own = 2.0 * c.model_error_rate * offset * offset
-            for row in range(4):
-                s.b[row] += c.model_error_rate * c.dt * offset * m.B[row, i] * pressure_ratio
-        if own > 0.0:
+        if s.own_noise[i] > 0.0:
             pressure = pressure_ratio if m.servo[i] else 1.0
-            noise = own * c.dt * pressure * pressure
+            noise = s.own_noise[i] * c.dt * pressure * pressure
             for row in range(4):
                 for other in range(4):
                     s.P[n + row, n + other] += noise * m.B[row, i] * m.B[other, i]
