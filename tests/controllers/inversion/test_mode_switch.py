@@ -99,7 +99,7 @@ def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
 
 def test_an_offset_is_said_and_changes_no_mode() -> None:
     modes, s = switch_of(vtail_setup(WEATHER))
-    s.offset[1], s.own_noise[1], s.heading_integral = -0.8, 0.1, 0.02
+    s.offset[1], s.heading_integral = -0.8, 0.02
     modes.switch(5)
     assert modes.reasons == [
         (5, "right_ruddervator: its force follows its command with an offset: not jammed, used on")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,13 +11,15 @@ from command_line import ROOT
 from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, vtail_setup
 
-from testbed.controllers.inversion.estimator import adapt_weighted, expect_change
+from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, predict
 from testbed.controllers.inversion.jam_detection import detect_jam
-from testbed.controllers.inversion.law import measured_error, regressor
+from testbed.controllers.inversion.law import compensate, measured_error, reach, regressor
 from testbed.controllers.inversion.offset_detection import (
     BEYOND_SIGMAS,
     expect_offset,
+    follow_offsets,
     follows,
+    keep_offsets,
     offset_in_model_error,
     time_to_stand_still,
 )
@@ -176,22 +179,110 @@ def flown(value: float, gust: tuple[float, float]) -> Flight:
 
 
 @pytest.mark.parametrize(
-    ("value", "gust"),
+    ("value", "gust", "sure"),
     [
-        (9.987, (-0.26, 0.35)),
-        (9.625, (-0.07, -0.009)),
-        (3.39, (2.34, 0.03)),
-        (7.46, (-1.88, 0.38)),
-        (13.5, (-1.11, 0.55)),
+        (9.987, (-0.26, 0.35), True),
+        (9.625, (-0.07, -0.009), True),
+        (3.39, (2.34, 0.03), True),
+        (7.46, (-1.88, 0.38), False),
+        (13.5, (-1.11, 0.55), True),
     ],
 )
-def test_a_biased_surface_is_flown_with(value: float, gust: tuple[float, float]) -> None:
-    """Each was beyond 8 deg of heading when it was given up as jammed."""
+def test_a_biased_surface_is_flown_with(value: float, gust: tuple[float, float], sure: bool) -> None:
+    """Each was beyond 8 deg of heading when it was given up as jammed. It is used on before it is sure that it follows."""
     flight = flown(value, gust)
     altitude, heading, _ = worst_errors(flight, 2.0)
     assert flight.outcome is Outcome.completed
     assert altitude < 3.0 and heading < 8.0
     assert not flight.log["left_ruddervator_failed"].any()
-    assert [e["text"] for e in flight.events if "with an offset" in e.get("text", "")] == [
-        "left_ruddervator: its force follows its command with an offset: not jammed, used on"
+    said = "left_ruddervator: its force follows its command with an offset: not jammed, used on"
+    assert [e["text"] for e in flight.events if "with an offset" in e.get("text", "")] == [said] * sure
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("surface", "value"), [("rudder", 8.0), ("rudder", -5.0), ("elevator", 4.0)])
+def test_commands_make_up_for_an_offset(tmp_path: Path, surface: str, value: float) -> None:
+    """Without it, the integrals of the outer loops take seconds: the rudder's offset turned the aircraft by 40 deg."""
+    file = tmp_path / "offset.yaml"
+    file.write_text(
+        f"""
+name: offset
+aircraft: aerosonde
+duration_s: 60
+controller: {{type: adaptive_inversion}}
+commands: [{{at_s: 0, altitude_m: 200, airspeed_m_s: 25, heading_deg: 0}}]
+failures: [{{type: bias, actuator: {surface}, at_s: 10, value: {value}}}]
+"""
+    )
+    flight = fly(load_scenario(file))
+    altitude, heading, _ = worst_errors(flight, 10.0)
+    assert flight.outcome is Outcome.completed
+    assert altitude < 2.0 and heading < 12.0
+    assert not flight.log[f"{surface}_failed"].any()
+
+
+def test_an_offset_does_not_fade() -> None:
+    """While nothing is measured it stays what it is, and its variance grows by twice its square in each correlation time."""
+    m, c, _, s, _ = records()
+    s.offset[0], s.b[:] = 1.0, 0.8 * np.array(m.B)[:, 0]
+    column, variance = np.array(m.B)[:, 0], s.P[N:, N:].copy()
+    keep_offsets(1.0, m, c, s)
+    grown = 2.0 * c.model_error_rate * c.dt * 0.8**2 * np.outer(column, column)
+    assert s.P[N:, N:] - variance == pytest.approx(grown)
+    for _ in range(round(60.0 / c.dt)):
+        predict(m, c, s)
+        keep_offsets(1.0, m, c, s)
+        follow_offsets(1.0, m, c, s)
+    assert s.offset[0] == s.shift[0] == pytest.approx(0.8, rel=0.01)
+
+
+@pytest.mark.parametrize("estimate", [0.5, 1.0])
+def test_commands_are_shifted_by_what_the_surface_has_moved(estimate: float) -> None:
+    m, c, k, s, _ = records()
+    s.lambda_hat[0], s.shift[0] = estimate, 0.3
+    s.r[:] = [0.2, 0.2, 1.0, 1.0]
+    compensate(m, c, k, s)
+    assert s.lambda_hat * s.u + s.shift == pytest.approx(s.r)
+    low, high = reach(0, m, c, s)
+    assert (low, high) == pytest.approx((m.low[0] * estimate + 0.3, m.high[0] * estimate + 0.3))
+
+
+def test_a_surface_that_works_has_not_moved_when_its_offset_is_that_of_a_gust() -> None:
+    m, c, _, s, _ = records()
+    column = np.array(m.B)[:, 0]
+    one = 1.0 / np.sqrt(np.sum(column**2 / s.model_error_variance))
+    for offset, estimate, moved in ((0.9, 1.0, 0), (1.1, 1.0, 1), (0.9, 0.3, 1)):
+        s.moved[0], s.lambda_hat[0] = 1, estimate
+        s.b[:] = offset * one * column
+        follow_offsets(1.0, m, c, s)
+        assert s.moved[0] == moved and s.shift[0] == pytest.approx(offset * one)
+
+
+def test_of_a_surface_that_has_moved_a_small_force_is_enough() -> None:
+    m, c, _, s, _ = records()
+    s.P[0, 0] = 0.01
+    for moved, estimate, time in (
+        (0, -1.0, 0.0),
+        (1, -1.0, c.persistence),
+        (1, 0.1, c.jam_time),
+        (1, 0.4, 0.0),
+    ):
+        s.moved[0], s.lambda_hat[0] = moved, estimate
+        assert time_to_stand_still(0, 1.0, m, c, s) == time
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("surface", ["left", "right"])
+@pytest.mark.parametrize("value", [-20.0, 11.0, 20.0])
+def test_a_jam_in_flight_is_not_taken_for_an_offset(surface: str, value: float) -> None:
+    name = f"{surface}_ruddervator"
+    changes = [
+        f"failures=[{{type: stuck_at, actuator: {name}, at_s: 2, value: {value}}}]",
+        "controller={type: adaptive_inversion}",
+        "commands=[]",
+        "requirements=[]",
+        "duration_s=6",
     ]
+    flight = fly(load_scenario(ROOT / "scenarios" / "jammed_ruddervator.yaml", changes))
+    assert flight.log[f"{name}_failed"].iloc[-1] == 1
+    assert not any("with an offset" in e.get("text", "") for e in flight.events)
