@@ -81,3 +81,15 @@ def test_without_thrust_the_path_is_the_one_designed() -> None:
     said = next(e["text"] for e in flight.events if "path angle" in e.get("text", ""))
     assert float(said.rsplit("about", 1)[1].split()[0]) == pytest.approx(-slope_deg, abs=0.4)
     assert 17.0 < late.airspeed_m_s.mean() < 19.5
+
+
+def test_a_climb_is_flown_where_there_is_no_level_trim_and_the_reason_is_said() -> None:
+    flight = flown("left_ruddervator", 25.8)
+    (said,) = [e["text"] for e in flight.events if "altitude cannot be held" in e.get("text", "")]
+    assert "path angle" in said
+    assert flight.log["altitude_m"].iloc[-1] > 350.0
+
+
+def test_a_healthy_surface_is_never_taken_for_jammed() -> None:
+    flight = fly(load_scenario(SCENARIO, ["failures=[]", "requirements=[]", "duration_s=20"]))
+    assert not [event for event in flight.events if event["kind"] in ("diagnosis", "false_alarm")]
