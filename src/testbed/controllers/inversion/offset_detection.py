@@ -3,7 +3,8 @@
 A sudden force along a surface's column of B is either a jam or an offset: position = p, or position = command + d. At that moment
 no test can tell them apart. The commands that follow do: the force of an offset surface changes with them, that of a jammed one
 does not. So a change that no effectiveness explains goes to the model error b, and the effectiveness is judged by what follows.
-An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when the other is `BEYOND_SIGMAS` away.
+An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when the other is `BEYOND_SIGMAS` away. Until then, and
+after an offset is believed, commands make up for it by its `shift`.
 
 Motors and engines are left out: what they give beside their throttle is a jam.
 
