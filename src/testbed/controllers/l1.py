@@ -32,6 +32,7 @@ from testbed.controllers.diagnosis import Diagnosis
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.allocation import allocate
 from testbed.controllers.inversion.law import (
+    effect_ratio,
     measured_error,
     modified_inverse,
     pressure_ratio_of,
@@ -61,8 +62,7 @@ def adapt_fast(e, pressure_ratio, m, c, k, s):
         x = 0.0
         for j in range(4):
             x += k.B_hat_inv[i, j] * e[j]
-        if m.servo[i]:
-            x /= pressure_ratio
+        x /= effect_ratio(i, pressure_ratio, m)
         change = c.dt * c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon[i])
         s.lambda_hat[i] = min(max(s.lambda_hat[i] + change, c.lambda_min), c.lambda_max)
 

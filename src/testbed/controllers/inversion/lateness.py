@@ -26,8 +26,8 @@ from testbed.common.jit import compiled
 from testbed.controllers.inversion.law import low_pass
 
 LATENESS_MAX = 5.0
-"""Largest lateness [1/w_f], 0.25 s with the default filter: the largest that was flown. There the all-pass lacks phase already, at the
-frequency of the oscillations that a delay causes."""
+"""Largest lateness [1/w_f], 0.25 s with the default filter: the largest that was flown. There the all-pass already lacks phase at
+the frequency of the oscillations that a delay causes."""
 LATENESS_MIN = 1e-3
 """Least lateness [1/w_f] for the lags of rho, so that nothing is divided by zero."""
 VARIANCE_MAX = 0.05

@@ -24,6 +24,13 @@ def pressure_ratio_of(y, m):
 
 
 @compiled
+def effect_ratio(i, pressure_ratio, m):
+    """Effect of actuator i at this airspeed in units of that at V_0 [1]: a surface's force goes with dynamic pressure, and the
+    position of a motor or engine is its thrust."""
+    return pressure_ratio if m.servo[i] else 1.0
+
+
+@compiled
 def state_function(y, m, f):
     """f_m of (2) at the measured state, into f [4]."""
     speed, pressure_ratio = y.airspeed / m.airspeed, pressure_ratio_of(y, m)
@@ -51,19 +58,17 @@ def assume_ideal_actuators(m, c, k, s):
 def regressor(pressure_ratio, m, s, phi):
     """Phi = B_m diag(a), into phi [4, n]: what each actuator adds to the rates at its modelled position a, if fully effective.
 
-    The effect of a surface is proportional to dynamic pressure. A propeller acts by its thrust, which lags, and by the motor's
-    torque, which does not. The position of a jammed actuator does not follow from its command: its column is the effect of one
-    scaled unit, so that its "effectiveness" estimate is its position.
+    A propeller acts by its thrust, which lags, and by the motor's torque, which does not. The position of a jammed actuator does
+    not follow from its command: its column is the effect of one scaled unit, so that its "effectiveness" estimate is its position.
     """
     for j in range(len(s.position)):
-        factor = pressure_ratio if m.servo[j] else 1.0
-        a, transient = s.position[j], 0.0
+        a, transient, ratio = s.position[j], 0.0, effect_ratio(j, pressure_ratio, m)
         if s.jammed[j]:
             a = 1.0
         elif not m.servo[j]:
             transient = s.torque[j] - m.torque_slope[j] * s.position[j]
         for i in range(4):
-            phi[i, j] = m.B[i, j] * factor * a + m.B_torque[i, j] * transient
+            phi[i, j] = m.B[i, j] * ratio * a + m.B_torque[i, j] * transient
 
 
 @compiled
@@ -119,8 +124,7 @@ def adapt(e, pressure_ratio, m, c, s):
         x = 0.0
         for j in range(4):
             x += m.B_inv[i, j] * e[j]
-        if m.servo[i]:
-            x /= pressure_ratio
+        x /= effect_ratio(i, pressure_ratio, m)
         if s.jammed[i]:
             s.lambda_hat[i] = min(max(s.lambda_hat[i] + c.dt * c.gamma[i] * x, m.low[i]), m.high[i])
             continue
@@ -167,8 +171,7 @@ def invert(nu, pressure_ratio, m, k, s):
         s.r[i] = k.trim_effect[i]
         for j in range(4):
             s.r[i] += k.B_hat_inv[i, j] * nu[j]
-        if m.servo[i]:
-            s.r[i] /= pressure_ratio
+        s.r[i] /= effect_ratio(i, pressure_ratio, m)
 
 
 @compiled
