@@ -40,7 +40,7 @@ from testbed.controllers.inversion.law import (
 )
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.step import regression
-from testbed.controllers.outer_loops import pid_loops, regulate
+from testbed.controllers.outer_loops import virtual_control
 from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
 
@@ -108,10 +108,7 @@ def l1_step(step, parts):
     forget_lost(w.phi, s)
     measured_error(w.z, w.phi, s, w.e)
     adapt_fast(w.e, pressure_ratio, m, c, k, s)
-    if k.regulated:
-        regulate(y, ref, m, c, k, s, w.f, w.nu)
-    else:
-        pid_loops(y, ref, c, s, w.f, w.nu)
+    virtual_control(y, ref, m, c, k, s, w)
     allocate(w.nu, pressure_ratio, m, c, k, s, w)
     low_pass_channel(m, c, k, s)
     command_actuators(axial, m, s)

@@ -146,23 +146,32 @@ class ModeSwitch:
             return regulator_for(self._setup, mode, {})
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
-        k, s, setup = self.record[0], self._memory[0], self._setup
-        loops = setup.control.loops
-        motor_lost = any(setup.model.kinds[i] != "servo" for i in failed)
+        s = self._memory[0]
+        s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
+        s.pitch_integral = self._setup.trim_pitch
+        s.integral[:] = self._carried_over(mode, regulator)  # by the gains of the mode before
+        self._set_allocation(mode, failed)
+        self._set_regulator(regulator, failed)
+        self.mode = mode
+
+    def _set_allocation(self, mode: Mode, failed: tuple[int, ...]) -> None:
+        """The actuators that are used, and how the virtual control is shared among them."""
+        k, setup = self.record[0], self._setup
+        k.available[:] = [i not in failed for i in range(len(setup.actuators))]
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
-        b = np.array(setup.model.input_matrix)[:4] * setup.scale
-        k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, setup.control.allocation)
+        b, weights = np.array(setup.model.input_matrix)[:4] * setup.scale, setup.control.allocation
+        k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, weights)
         turning = np.outer([axis != "u_dot" for axis in RATES], mode.thrust_alone)
         k.thrust_alone[:] = mode.thrust_alone
-        k.thrust_hessian[:] = allocation_of(
-            np.where(turning, 0.0, b), mode.released, setup.control.allocation
-        )[1]
-        k.available[:] = [i not in failed for i in range(len(setup.actuators))]
+        k.thrust_hessian[:] = allocation_of(np.where(turning, 0.0, b), mode.released, weights)[1]
+
+    def _set_regulator(self, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
+        """Trim, gains and airspeed of the regulator; without one, the paper's outer loops at any airspeed."""
+        k, setup = self.record[0], self._setup
+        loops = setup.control.loops
+        motor_lost = any(setup.model.kinds[i] != "servo" for i in failed)
         k.slow_descent = loops.slow_descent_s
         k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s
-        s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
-        s.pitch_integral = setup.trim_pitch
-        s.integral[:] = self._carried_over(mode, regulator)
         k.regulated, k.r_trim[:], k.trim_effect[:], k.airspeed_offset = regulator is not None, 0.0, 0.0, 0.0
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast, k.fast_climb = 0.0, math.inf, math.inf, 0.0
         if regulator is not None:
@@ -170,7 +179,6 @@ class ModeSwitch:
             k.trim_effect[:] = regulator.trim_effect
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
             self._choose_airspeed(regulator, failed)
-        self.mode = mode
 
     def _choose_airspeed(self, regulator: Regulator, failed: tuple[int, ...]) -> None:
         """How the mode's airspeed follows from its reference, and what is done above the airspeeds at which it can be flown."""

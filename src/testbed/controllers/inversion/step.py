@@ -25,7 +25,7 @@ from testbed.controllers.inversion.law import (
 )
 from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
-from testbed.controllers.outer_loops import pid_loops, regulate
+from testbed.controllers.outer_loops import virtual_control
 
 
 @compiled
@@ -98,9 +98,6 @@ def command_step(step, parts):
     states, setpoints, telemetry, models, settings, modes, memories, works = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
-    if k.regulated:
-        regulate(y, ref, m, c, k, s, w.f, w.nu)
-    else:
-        pid_loops(y, ref, c, s, w.f, w.nu)
+    virtual_control(y, ref, m, c, k, s, w)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
