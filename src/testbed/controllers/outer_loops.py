@@ -100,11 +100,12 @@ def accumulate(integral, error, most, dt, free=False):
 
 @compiled
 def given_up(altitude, c, s):
-    """Altitude [m] that is given up so far, if `altitude` is to be: a first-order lag of `give_up_time`, at most half of
-    `altitude_error_max` behind it, so that an aircraft that is very slow gains airspeed at once.
+    """Altitude [m] that is given up in this step, where `altitude` [m] is to be given up: that through a first-order lag of
+    `give_up_time`, at most half of `altitude_error_max` behind it, so that an aircraft that is very slow gains airspeed at once.
 
-    Without it each m/s of a gust is a step of altitude, and so is the loss of a propeller: the nose went down by ten degrees within
-    half a second of it, and most of the altitude that was lost was lost then."""
+    Without the lag each m/s of a gust is a step of altitude. So is the loss of a propeller: the nose went down by ten degrees
+    within half a second of it, and most of the altitude that was lost was lost then.
+    """
     share = c.dt / c.give_up_time if c.give_up_time > 0.0 else 1.0
     lagged = altitude if share >= 1.0 else s.given_up + share * (altitude - s.given_up)
     s.given_up = max(lagged, altitude - 0.5 * c.altitude_error_max)
@@ -120,7 +121,9 @@ def traded(e_height, airspeed, y, c, k, s):
     it can fly level it climbs, and does not descend to its reference.
 
     Args:
-        airspeed: which is wanted [m/s]. A mode that must be flown faster gives up no altitude for that: it has thrust enough.
+        e_height: altitude less its reference, limited [m].
+        airspeed: the wanted one: the reference plus the mode's offset, at most the mode's highest [m/s]. Where the mode's lowest
+            is above that, no altitude is given up to reach it: there is thrust enough.
     """
     e_height += given_up(k.slow_descent * max(airspeed - y.airspeed - k.slow_descent_from, 0.0), c, s)
     fast = y.airspeed - k.airspeed_too_fast
