@@ -134,11 +134,10 @@ def _released_axes(
     listed = _listed_axes(names, b.shape[1], control)
     if any(name in key.split("+") for key in control.release for name in names):
         return listed
+    available = [i for i in range(b.shape[1]) if i not in failed]
     fast = b * np.where([[axis != "u_dot"] for axis in RATES], _fast(model), 1.0)
     given_up = [axis for axis in RATES if axis in always or axis not in control.priorities]
-    derived = _controllable(
-        fast[:, [i for i in range(b.shape[1]) if i not in failed]], fast, given_up, control
-    )
+    derived = _controllable(fast[:, available], fast, given_up, control)
     return listed if derived is None else derived
 
 
