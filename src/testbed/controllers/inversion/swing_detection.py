@@ -1,7 +1,7 @@
 """Swing detection: an actuator that oscillates by itself while it follows its command, position = command + d(t), is not lost.
 
-In the literature this is an oscillatory failure case, of the liquid kind, which adds to the command (Goupil, Control Engineering
-Practice 18 (2010) 1110). It is at first taken for lost effectiveness, or for the force of a jam. But the command of an actuator
+The literature calls it an oscillatory failure case (Lavigne, Zolghadri, Goupil and Simon 2011, doi:10.1007/s12555-011-0106-6). It
+is at first taken for lost effectiveness, or for the force of a jam. But the command of an actuator
 that is given up stands still at its trim position. Then a lost actuator has no force, the force of a jammed one stays, and that
 of one that swings oscillates. Such an actuator is used again. From then on its swings are part of the model error b along its
 column of B, so that its effectiveness is judged by what follows the command alone.
