@@ -127,17 +127,17 @@ def take_for_offset(i, offset, s):
 @compiled
 def keep_offsets(pressure_ratio, m, c, s):
     """Keep the offsets of surfaces in the model error b: along their columns of B it does not fade, and its standard deviation is
-    the offset. Where b faded, effectiveness would slowly take its place."""
-    n = len(s.lambda_hat)
+    the offset. Where b faded, effectiveness would slowly take its place. Of a surface that has moved it is no more than what was
+    seen at first: with more, the offset of a jammed surface would follow the commands, and it would seem to work."""
+    n, rate = len(s.lambda_hat), c.model_error_rate * c.dt
     for i in range(n):
         if s.moved[i] != 0.0 or s.offset[i] != 0.0:
-            offset = offset_in_model_error(i, pressure_ratio, m, s)[0]
-            rate = c.model_error_rate * c.dt
+            force = pressure_ratio * offset_in_model_error(i, pressure_ratio, m, s)[0]
+            size = abs(force) if s.moved[i] == 0.0 else min(abs(force), abs(s.moved[i]))
             for row in range(4):
-                force = pressure_ratio * m.B[row, i] * offset
-                s.b[row] += rate * force
+                s.b[row] += rate * m.B[row, i] * force
                 for other in range(4):
-                    s.P[n + row, n + other] += 2.0 * rate * force * pressure_ratio * m.B[other, i] * offset
+                    s.P[n + row, n + other] += 2.0 * rate * m.B[row, i] * m.B[other, i] * size * size
 
 
 @compiled
