@@ -270,7 +270,10 @@ MEMORY = (
         "offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"
     ),
     Field(
-        "moved", (_N,), "flag", "a surface has moved from its command; whether it still follows is not known"
+        "moved",
+        (_N,),
+        "scaled",
+        "how far a surface seems to have moved from its command, at the reference airspeed; 0: not, or it is known what it does",
     ),
     Field(
         "shift",

@@ -86,7 +86,7 @@ def expect_change(e, phi, m, c, s):
             second = ratio
     if first > c.change_sigma * c.change_sigma and first > c.change_lead * c.change_lead * second:
         if no_effectiveness(best, s.lambda_hat[best] + change, m, c, s):
-            expect_offset(best, change, phi, s)
+            expect_offset(best, change, phi, m, s)
         else:
             most = JAM_VARIANCE if s.jammed[best] else UNKNOWN_VARIANCE
             s.P[best, best] = max(s.P[best, best], min(change * change, most))

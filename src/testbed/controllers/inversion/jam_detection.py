@@ -78,7 +78,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         if explained and follows(i, m, c, s):
             take_for_offset(i, s.offset[i] + offset, s)
             changed = 1
-        elif (explained and not s.moved[i]) or (time > 0.0 and s.reversal_timer[i] > time + 1e-9):
+        elif (explained and s.moved[i] == 0.0) or (time > 0.0 and s.reversal_timer[i] > time + 1e-9):
             position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)
             if still > 0.0:
                 position += offset_in_model_error(i, pressure_ratio, m, s)[0]
@@ -231,7 +231,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
     Until now its force has biased the estimates of the other actuators. So the estimates of those that are not flagged start
     again at 1, and flags raised less than `RECENT_FLAG_S` ago are removed.
     """
-    s.jammed[i], s.failed[i], s.moved[i] = 1, 1, 0
+    s.jammed[i], s.failed[i], s.moved[i] = 1, 1, 0.0
     s.jam_timer[i], s.reversal_timer[i], s.offset[i], s.own_noise[i], s.shift[i] = 0.0, 0.0, 0.0, 0.0, 0.0
     for j in range(len(s.failed)):
         if not (s.jammed[j] or s.reversed[j]) and s.since_flag[j] < RECENT_FLAG_S:

@@ -3,8 +3,9 @@
 A sudden force along a surface's column of B is either a jam or an offset: position = p, or position = command + d. At that moment
 no test can tell them apart. The commands that follow do: the force of an offset surface changes with them, that of a jammed one
 does not. So a change that no effectiveness explains goes to the model error b, and the effectiveness is judged by what follows.
-An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when the other is `BEYOND_SIGMAS` away. Until then, and
-after an offset is believed, commands make up for it by its `shift`.
+An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when the other is `BEYOND_SIGMAS` away. A gust passes:
+it is believed when an offset of the size seen at first is as far away. Until then, and after an offset is believed, commands make
+up for it by its `shift`.
 
 Motors and engines are left out: what they give beside their throttle is a jam.
 
@@ -34,15 +35,20 @@ def no_effectiveness(i, estimate, m, c, s):
 
 
 @compiled
-def expect_offset(i, change, phi, s):
+def expect_offset(i, change, phi, m, s):
     """Give the model error b, along column i of Phi, the variance of a force of `change` times that column [4, n].
 
     What was learned of surface i while its force was taken for effectiveness is doubted: the variance of its estimate becomes at
-    least the square of its distance from 1."""
+    least the square of its distance from 1. How far it has moved by the first such force is kept."""
     n = len(s.lambda_hat)
-    if not s.moved[i]:
+    if s.moved[i] == 0.0:
         lost = 1.0 - s.lambda_hat[i]
-        s.P[i, i], s.moved[i] = max(s.P[i, i], lost * lost), 1
+        s.P[i, i] = max(s.P[i, i], lost * lost)
+        projection, square = 0.0, 1e-12
+        for row in range(4):
+            projection += m.B[row, i] * phi[row, i] * change
+            square += m.B[row, i] * m.B[row, i]
+        s.moved[i] = projection / square
     for row in range(4):
         for other in range(4):
             s.P[n + row, n + other] += phi[row, i] * phi[other, i] * change * change
@@ -66,7 +72,7 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
     if ratio > 1.0:
         return c.persistence / ratio
     sure = BEYOND_SIGMAS * deviation(i, s)
-    if not s.moved[i] or s.lambda_hat[i] > sure:
+    if s.moved[i] == 0.0 or s.lambda_hat[i] > sure:
         return 0.0
     return c.persistence if s.lambda_hat[i] < -sure else c.jam_time
 
@@ -101,9 +107,23 @@ def offset_in_model_error(i, pressure_ratio, m, s):
 
 
 @compiled
+def was_a_gust(i, offset, pressure_ratio, m, s):
+    """Whether a surface that has moved turns out not to have: an offset as large as the one that was seen at first is out of
+    question. It is `BEYOND_SIGMAS` of what is unknown of the `offset_in_model_error` larger than that."""
+    n, information, variance = len(s.lambda_hat), 0.0, 0.0
+    for row in range(4):
+        weight = m.B[row, i] / s.model_error_variance[row]
+        information += weight * m.B[row, i]
+        for other in range(4):
+            variance += weight * s.P[n + row, n + other] * m.B[other, i] / s.model_error_variance[other]
+    missing = abs(s.moved[i]) - pressure_ratio * offset * math.copysign(1.0, s.moved[i])
+    return missing * information > BEYOND_SIGMAS * math.sqrt(max(variance, 0.0))
+
+
+@compiled
 def take_for_offset(i, offset, s):
     """Use surface i with this offset [scaled]."""
-    s.offset[i], s.jam_timer[i], s.moved[i] = offset, 0.0, 0
+    s.offset[i], s.jam_timer[i], s.moved[i] = offset, 0.0, 0.0
     for row in range(4):
         s.residual[row] = 0.0
 
@@ -111,29 +131,28 @@ def take_for_offset(i, offset, s):
 @compiled
 def keep_offsets(pressure_ratio, m, c, s):
     """Keep the offsets of surfaces in the model error b: along their columns of B it does not fade, and its standard deviation is
-    the offset. Where b faded, effectiveness would slowly take its place."""
-    n = len(s.lambda_hat)
+    the offset. Where b faded, effectiveness would slowly take its place. Of a surface that has moved it is no more than what was
+    seen at first: with more, the offset of a jammed surface would follow the commands, and it would seem to work."""
+    n, rate = len(s.lambda_hat), c.model_error_rate * c.dt
     for i in range(n):
-        if s.moved[i] or s.offset[i] != 0.0:
-            offset = offset_in_model_error(i, pressure_ratio, m, s)[0]
-            rate = c.model_error_rate * c.dt
+        if s.moved[i] != 0.0 or s.offset[i] != 0.0:
+            force = pressure_ratio * offset_in_model_error(i, pressure_ratio, m, s)[0]
+            size = abs(force) if s.moved[i] == 0.0 else min(abs(force), abs(s.moved[i]))
             for row in range(4):
-                force = pressure_ratio * m.B[row, i] * offset
-                s.b[row] += rate * force
+                s.b[row] += rate * m.B[row, i] * force
                 for other in range(4):
-                    s.P[n + row, n + other] += 2.0 * rate * force * pressure_ratio * m.B[other, i] * offset
+                    s.P[n + row, n + other] += 2.0 * rate * m.B[row, i] * m.B[other, i] * size * size
 
 
 @compiled
 def follow_offsets(pressure_ratio, m, c, s):
-    """Update the offsets by the model error b, and `shift`, by which commands make up for them. A surface that works, and whose
-    offset is within one standard deviation of the model error, has not moved: gusts look like it for a moment."""
+    """Update the offsets by the model error b, and `shift`, by which commands make up for them."""
     for i in range(len(s.offset)):
         s.shift[i] = 0.0
-        if s.offset[i] != 0.0 or s.moved[i]:
-            found, ratio = offset_in_model_error(i, pressure_ratio, m, s)
-            if ratio < 1.0 and s.lambda_hat[i] > BETWEEN:
-                s.moved[i] = 0
+        if s.offset[i] != 0.0 or s.moved[i] != 0.0:
+            found = offset_in_model_error(i, pressure_ratio, m, s)[0]
+            if s.moved[i] != 0.0 and was_a_gust(i, found, pressure_ratio, m, s):
+                s.moved[i] = 0.0
             s.shift[i] = 0.0 if c.uncompensated else found
             s.offset[i] = found if s.offset[i] != 0.0 else 0.0
 
