@@ -25,7 +25,7 @@ from testbed.controllers.config import ImmInversionSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.inversion.controller import InversionController
 from testbed.controllers.inversion.estimator import update_model_error_variance
-from testbed.controllers.inversion.law import pressure_ratio_of, state_function
+from testbed.controllers.inversion.law import TIMER_ROUNDING, pressure_ratio_of, state_function
 from testbed.controllers.inversion.step import command_step, regression
 from testbed.controllers.setup import Setup
 
@@ -131,7 +131,7 @@ def conclude(c, s, h):
             s.lambda_hat[i] += h.probability[j] * h.effectiveness[j, i]
         probable = h.probability[1 + 2 * i] > h.probability_min  # of a total loss, or of a recovery
         h.timer[i] = h.timer[i] + c.dt if probable else 0.0
-        if h.timer[i] > h.persistence + 1e-9:
+        if h.timer[i] > h.persistence + TIMER_ROUNDING:
             s.failed[i] = 0 if s.failed[i] else 1
             changed = 1
     if changed:

@@ -10,8 +10,6 @@ pressure_ratio is (V/V_0)^2.
 
 from __future__ import annotations
 
-import math
-
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import (
     HEALTHY_VARIANCE,
@@ -20,7 +18,9 @@ from testbed.controllers.inversion.estimator import (
     forget_model_error,
     reset_covariance,
 )
+from testbed.controllers.inversion.law import TIMER_ROUNDING, effect_ratio
 from testbed.controllers.inversion.offset_detection import (
+    deviation,
     follow_offsets,
     follows,
     force_of_offsets,
@@ -78,20 +78,24 @@ def detect_jam(e, pressure_ratio, m, c, s):
         if explained and follows(i, m, c, s):
             take_for_offset(i, s.offset[i] + offset, s)
             changed = 1
-        elif (explained and s.moved[i] == 0.0) or (time > 0.0 and s.reversal_timer[i] > time + 1e-9):
+        elif (explained and s.moved[i] == 0.0) or (
+            time > 0.0 and s.reversal_timer[i] > time + TIMER_ROUNDING
+        ):
             position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)
             if still > 0.0:
                 position += offset_in_model_error(i, pressure_ratio, m, s)[0]
             elif i == likeliest:
                 position += offset
             take_for_jammed(i, position, pressure_ratio, m, s)
-        elif s.jammed[i] and turns_out_reversed(i, m, c, s):
-            take_for_reversed(i, pressure_ratio, m, s)
-            changed = 1
+        elif s.jammed[i]:
+            follow_way_back(i, m, c, s)
+            if turns_out_reversed(i, m, c, s):
+                take_for_reversed(i, pressure_ratio, m, s)
+                changed = 1
+            elif abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
+                changed = 1
         elif s.reversed[i] and no_longer_reversed(i, s):
             s.reversed[i], changed = 0, 1
-        elif s.jammed[i] and abs(s.lambda_hat[i] - s.designed_position[i]) > REDESIGN_AFTER:
-            changed = 1
     return changed
 
 
@@ -115,7 +119,7 @@ def filtered_position(i, pressure_ratio, m, c, s):
         return s.position[i]
     projection, square = 0.0, 0.0
     for row in range(4):
-        b = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
+        b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
         projection += b * s.filtered_phi[1, row, i]
         square += b * b
     return projection / square
@@ -125,7 +129,7 @@ def filtered_position(i, pressure_ratio, m, c, s):
 def settle_regression(i, position, pressure_ratio, m, s):
     """Set the filtered column of Phi of an actuator to what it is after a long time at this position [scaled]."""
     for row in range(4):
-        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0) * position
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) * position
         s.filtered_phi[0, row, i], s.filtered_phi[1, row, i] = column, column
         s.late_rate[i, 0, row], s.late_rate[i, 1, row] = 0.0, 0.0
 
@@ -133,7 +137,7 @@ def settle_regression(i, position, pressure_ratio, m, s):
 @compiled
 def acts_reversed(i, m, c, s):
     """Whether the estimate of an actuator that is not known to be jammed or reversed is below zero beyond doubt."""
-    sigma = math.sqrt(max(s.P[i, i], 0.0))
+    sigma = deviation(i, s)
     sure = sigma <= c.flag_std_max or (unstable(m) and s.lambda_hat[i] < -REVERSED_SIGMA * sigma)
     return s.lambda_hat[i] < REVERSED_BELOW and sure and not (s.jammed[i] or s.reversed[i])
 
@@ -145,22 +149,26 @@ def unstable(m):
 
 
 @compiled
+def follow_way_back(i, m, c, s):
+    """Advance the time since actuator i was taken for jammed, and the position it was jammed at as long as it is still on its way
+    there: when a jam is flagged, the command of a reversed actuator may still move away from the trim position."""
+    s.since_flag[i] += c.dt
+    farther = abs(m.trim_position[i] + s.lambda_hat[i]) > abs(m.trim_position[i] + s.jammed_at[i])
+    if s.since_flag[i] < REVERSAL_S and farther:
+        s.jammed_at[i] = s.lambda_hat[i]
+
+
+@compiled
 def turns_out_reversed(i, m, c, s):
     """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes: to minus its trim position.
 
     At the moment of detection the two cannot be told apart. The command has run away from the aircraft's motion, and is often at a
-    stop, so a reversed actuator stands as still as a jammed one. A motor cannot push the other way: it stays jammed.
-
-    Advances `since_flag`, and moves the start of the way, `jammed_at`, while the command is still going to the trim position."""
-    s.since_flag[i] += c.dt
-    if s.since_flag[i] < REVERSAL_S and abs(m.trim_position[i] + s.lambda_hat[i]) > abs(
-        m.trim_position[i] + s.jammed_at[i]
-    ):
-        s.jammed_at[i] = s.lambda_hat[i]  # farther from the end of the way: the command had not arrived
+    stop, so a reversed actuator stands as still as a jammed one. A motor cannot push the other way: it stays jammed."""
+    if not c.weighted or not m.servo[i] or s.since_flag[i] >= REVERSAL_S:
+        return False
     way = -m.trim_position[i] - s.jammed_at[i]
     gone = s.lambda_hat[i] - s.jammed_at[i]
-    late = s.since_flag[i] >= REVERSAL_S or not m.servo[i]
-    return c.weighted and not late and abs(way) > REVERSED_FROM and gone / way > RETURNED
+    return abs(way) > REVERSED_FROM and gone / way > RETURNED
 
 
 @compiled
@@ -177,7 +185,7 @@ def take_for_reversed(i, pressure_ratio, m, s):
 def no_longer_reversed(i, s):
     """Whether the estimate of an actuator that is used with the opposite sign is above `REVERSED_BELOW` beyond doubt. It is given
     up as lost then, until `monitor` finds that it works."""
-    return s.lambda_hat[i] - REVERSED_SIGMA * math.sqrt(max(s.P[i, i], 0.0)) > REVERSED_BELOW
+    return s.lambda_hat[i] - REVERSED_SIGMA * deviation(i, s) > REVERSED_BELOW
 
 
 @compiled
@@ -194,7 +202,7 @@ def keeps_thrust(i, m, c, s):
     than one that works again: its thrust has not followed its command down."""
     thrust = abs(s.lambda_hat[i])
     unexplained = s.failed[i] and not s.jammed[i] and not s.reversed[i] and s.lambda_hat[i] < c.recovery
-    sure = thrust > THRUST_LEFT and thrust > THRUST_SIGMA * math.sqrt(max(s.P[i, i], 0.0))
+    sure = thrust > THRUST_LEFT and thrust > THRUST_SIGMA * deviation(i, s)
     return c.weighted and not m.servo[i] and unexplained and sure
 
 
@@ -213,7 +221,7 @@ def likeliest_jam(pressure_ratio, m, c, s):
     for i in range(len(s.lambda_hat)):
         projection, information = 0.0, 0.0
         for row in range(4):
-            b = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
+            b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
             gusts = 0.5 * c.noise[row] * c.noise[row] / c.residual_time
             weight = 1.0 / (gusts + s.model_error_variance[row])
             projection += b * weight * s.residual[row]

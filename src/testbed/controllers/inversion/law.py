@@ -16,6 +16,10 @@ from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
 
+TIMER_ROUNDING = (
+    1e-9  # s added to a time, so that a timer of so many control steps has not passed it by rounding
+)
+
 
 @compiled
 def pressure_ratio_of(y, m):
@@ -154,7 +158,7 @@ def monitor(c, s):
             beyond, time = low and certain, c.persistence
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
-        if s.flag_timer[i] > time + 1e-9:
+        if s.flag_timer[i] > time + TIMER_ROUNDING:
             s.failed[i] = 0 if s.failed[i] else 1
             s.flag_timer[i], s.since_flag[i] = 0.0, 0.0
             changed = 1

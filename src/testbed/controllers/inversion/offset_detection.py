@@ -18,6 +18,7 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
+from testbed.controllers.inversion.law import effect_ratio
 
 BETWEEN = 0.5
 """Effectiveness as far from that of a jammed surface, 0, as from that of one that follows, 1."""
@@ -99,7 +100,7 @@ def offset_in_model_error(i, pressure_ratio, m, s):
     """
     projection, information = 0.0, 0.0
     for row in range(4):
-        column = m.B[row, i] * (pressure_ratio if m.servo[i] else 1.0)
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
         weight = 1.0 / s.model_error_variance[row]
         projection += column * weight * s.b[row]
         information += column * weight * column
