@@ -44,6 +44,15 @@ def test_words_of_each_example(name: str) -> None:
         assert words[0].islower() and "None" not in words
 
 
+@pytest.mark.parametrize(
+    ("shape", "words"), [("linear", "within 3.3 s"), ("exponential", "with a time constant of 3.3 s")]
+)
+def test_a_time_constant_is_not_called_an_end(shape: str, words: str) -> None:
+    fields = {"type": "decay", "actuator": "a", "at_s": 1, "value": 0.05, "over_s": 3.3, "shape": shape}
+    failure: Failure = FAILURES["decay"].model_validate(fields)
+    assert predicate(failure, {"kind": "motor"}) == f"began to lose its effect (to 5 % {words})"
+
+
 def test_what_failed_and_when_it_was_noticed() -> None:
     noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
     gave_up = {"time_s": 2.3, "kind": "release", "axis": "r_dot"}
@@ -85,6 +94,15 @@ def test_a_lasting_difference_of_airspeed_is_said_as_the_mean_it_is() -> None:
     last_s = 0.25 * (end_s - 2.0)
     mean = 0.5 * (end_s - 2.0 - 0.5 * last_s)
     assert f"On average it flew {mean:.1f} m/s slower than its reference in the last {last_s:.1f} s." in text
+
+
+def test_too_short_a_time_since_the_failure_tells_no_mean_and_no_settling() -> None:
+    log = lost(9.9)
+    log["airspeed_m_s"] += 1.2
+    log["altitude_m"][at(9.9) : at(9.92)] += 0.4
+    text = told(log, injection(9.9))
+    assert "Worst: 0.40 m of altitude" in text
+    assert "On average" not in text and "ettle" not in text
 
 
 def test_drift_of_what_did_not_settle() -> None:

@@ -182,12 +182,12 @@ def _estimates(view: Readings) -> Iterator[str]:
 
 
 def _errors(view: Readings) -> Iterator[str]:
-    """The worst errors since the first failure, and whether they settled."""
+    """The worst errors since the first failure, and whether they settled; too short a time since then does not tell."""
     first = min(view.first_failed_row(), len(view.time_s) - 1) if view.failure_times_s() else 0
     worst = {q: float(np.abs(view.error(q)[first:]).max()) for q in _TRACKED}
     round_ = " (it turned all the way round)" if worst["heading"] > _ROUND_DEG else ""
     yield f"Worst: {_amount(worst['altitude'])} m of altitude, {_amount(worst['heading'])} deg of heading{round_}."
-    if view.survived:
+    if view.survived and view.time_s[-1] - view.time_s[first] >= DWELL_S:
         yield from _settled(view, slice(first, len(view.time_s)), worst)
         yield from _speed(view, first)
 
