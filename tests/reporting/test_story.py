@@ -53,6 +53,13 @@ def test_a_time_constant_is_not_called_an_end(shape: str, words: str) -> None:
     assert predicate(failure, {"kind": "motor"}) == f"began to lose its effect (to 5 % {words})"
 
 
+@pytest.mark.parametrize(("value", "words"), [(0.4, "followed only 40 %"), (1.5, "followed 150 %")])
+def test_more_than_all_of_a_command_is_not_called_only_so_much(value: float, words: str) -> None:
+    fields = {"type": "command_scale", "actuator": "a", "at_s": 1, "value": value}
+    failure: Failure = FAILURES["command_scale"].model_validate(fields)
+    assert predicate(failure, {"kind": "servo"}) == f"{words} of its commands"
+
+
 def test_what_failed_and_when_it_was_noticed() -> None:
     noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
     gave_up = {"time_s": 2.3, "kind": "release", "axis": "r_dot"}

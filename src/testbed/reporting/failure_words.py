@@ -71,7 +71,9 @@ TABLE: dict[str, Words] = {
     "prop_loss": lambda f, kind, unit: "was lost completely (its propeller is gone)",
     "motor_stop": lambda f, kind, unit: f"stopped{' and was braked' if f.braked else ''}",
     "surface_lost": lambda f, kind, unit: "broke off",
-    "command_scale": lambda f, kind, unit: f"followed only {100 * f.value:.0f} % of its commands",
+    "command_scale": lambda f, kind, unit: (
+        f"followed {'only ' if f.value < 1.0 else ''}{100 * f.value:.0f} % of its commands"
+    ),
     "reversal": lambda f, kind, unit: "acted against its commands",
     "stuck": lambda f, kind, unit: "got stuck where it was",
     "stuck_at": lambda f, kind, unit: f"got stuck at {f.value:g} {unit}",
