@@ -112,6 +112,14 @@ def test_too_short_a_time_since_the_failure_tells_no_mean_and_no_settling() -> N
     assert "On average" not in text and "ettle" not in text
 
 
+@pytest.mark.parametrize(
+    ("count", "words"),
+    [(4, "1 more failure followed, at 5.0 s."), (5, "2 more failures followed, the last at 6.0 s.")],
+)
+def test_of_many_failures_the_last_is_told(count: int, words: str) -> None:
+    assert words in told(lost(2.0), *(injection(2.0 + k) for k in range(count)))
+
+
 def test_drift_of_what_did_not_settle() -> None:
     log = lost(2.0)
     log["heading_deg"] = np.mod(350.0 + 4.0 * np.maximum(log["time_s"] - 2.0, 0.0), 360.0)
@@ -133,6 +141,12 @@ def test_an_estimate_is_told_only_where_there_is_one() -> None:
     log = level_log()
     log["elevon_effectiveness"][at(2) :] = 0.5
     assert "does not look for failures" in told(log, injection(2.0))
+    log["elevon_effectiveness_estimate"][at(2) :] = math.nan
+    assert "does not look for failures" in told(log, injection(2.0))
+    log["elevon_effectiveness_estimate"][at(2) :] = (
+        1.0 - 3e-5
+    )  # in calm air an estimator has nothing to learn from
+    assert "does not look for failures" not in told(log, injection(2.0))
     log["elevon_effectiveness_estimate"][at(3) :] = 0.48
     assert "At the end it estimated 48 % for the elevon (true 50 %)." in told(log, injection(2.0))
 
