@@ -80,7 +80,7 @@ Part = Literal["estimate", "monitor", "model_error", "speed_rule", "jam_test", "
 
 
 class AdaptiveInversionSettings(ControllerSettings):
-    """The paper's controller: inversion (6), adaptation (13), monitor (29); and what weather and real sensors add to it."""
+    """The paper's controller, inversion (6), (29), adaptation (13) and monitor, and what weather and real sensors add to it."""
 
     type: Literal["adaptive_inversion"] = "adaptive_inversion"
     preset: Literal["default", "paper"] = "default"

@@ -32,6 +32,7 @@ from testbed.controllers.setup import Setup
 PARTIAL = 0.4
 """Effectiveness in the model of a partial loss, and of a partial recovery."""
 LOST, RECOVERED = 0.0, 1.0
+"""Effectiveness in the model of a total loss, and in that of a total recovery."""
 _RATE_KEYS = ("probability_min", "persistence", "failure_rate")
 
 
@@ -106,11 +107,17 @@ def update(z, phi, c, s, h):
             logarithm -= 0.5 * (error * error / expected + math.log(expected))
         h.probability[j] = logarithm
         most = max(most, logarithm)
+    normalise(most, h)
+
+
+@compiled
+def normalise(most, h):
+    """Turn the logarithms in `probability`, of which `most` is the largest, into probabilities that add up to 1."""
     total = 0.0
-    for j in range(k):
-        h.probability[j] = math.exp(h.probability[j] - most)
+    for j in range(len(h.probability)):
+        h.probability[j] = math.exp(h.probability[j] - most)  # at most 1: nothing overflows
         total += h.probability[j]
-    for j in range(k):
+    for j in range(len(h.probability)):
         h.probability[j] /= total
 
 

@@ -33,7 +33,7 @@ from testbed.controllers.initial_records import model_record, settings_record, t
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import low_pass, pressure_ratio_of, regressor, state_function
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.outer_loops import pid_loops, regulate
+from testbed.controllers.outer_loops import virtual_control
 from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
 
@@ -68,10 +68,7 @@ def indi_step(step, parts):
     advance_actuators(c.dt, axial, m, s)
     state_function(y, m, w.f)
     measured_remainder(y, pressure_ratio, m, c, k, s, w.f, w.phi, w.z)
-    if k.regulated:
-        regulate(y, ref, m, c, k, s, w.f, w.nu)
-    else:
-        pid_loops(y, ref, c, s, w.f, w.nu)
+    virtual_control(y, ref, m, c, k, s, w)
     for i in range(4):
         w.nu[i] = (w.nu[i] if k.regulated else s.x_dc_dot[i]) - w.z[i]
     allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s, w)

@@ -32,6 +32,7 @@ from testbed.controllers.diagnosis import Diagnosis
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
 from testbed.controllers.inversion.allocation import allocate
 from testbed.controllers.inversion.law import (
+    effect_ratio,
     measured_error,
     modified_inverse,
     pressure_ratio_of,
@@ -39,7 +40,7 @@ from testbed.controllers.inversion.law import (
 )
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.step import regression
-from testbed.controllers.outer_loops import pid_loops, regulate
+from testbed.controllers.outer_loops import virtual_control
 from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
 
@@ -61,8 +62,7 @@ def adapt_fast(e, pressure_ratio, m, c, k, s):
         x = 0.0
         for j in range(4):
             x += k.B_hat_inv[i, j] * e[j]
-        if m.servo[i]:
-            x /= pressure_ratio
+        x /= effect_ratio(i, pressure_ratio, m)
         change = c.dt * c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon[i])
         s.lambda_hat[i] = min(max(s.lambda_hat[i] + change, c.lambda_min), c.lambda_max)
 
@@ -108,10 +108,7 @@ def l1_step(step, parts):
     forget_lost(w.phi, s)
     measured_error(w.z, w.phi, s, w.e)
     adapt_fast(w.e, pressure_ratio, m, c, k, s)
-    if k.regulated:
-        regulate(y, ref, m, c, k, s, w.f, w.nu)
-    else:
-        pid_loops(y, ref, c, s, w.f, w.nu)
+    virtual_control(y, ref, m, c, k, s, w)
     allocate(w.nu, pressure_ratio, m, c, k, s, w)
     low_pass_channel(m, c, k, s)
     command_actuators(axial, m, s)

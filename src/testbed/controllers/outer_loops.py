@@ -100,11 +100,12 @@ def accumulate(integral, error, most, dt, free=False):
 
 @compiled
 def given_up(altitude, c, s):
-    """Altitude [m] that is given up so far, if `altitude` is to be: a first-order lag of `give_up_time`, at most half of
-    `altitude_error_max` behind it, so that an aircraft that is very slow gains airspeed at once.
+    """Altitude [m] that is given up in this step, where `altitude` [m] is to be given up: that through a first-order lag of
+    `give_up_time`, at most half of `altitude_error_max` behind it, so that an aircraft that is very slow gains airspeed at once.
 
-    Without it each m/s of a gust is a step of altitude, and so is the loss of a propeller: the nose went down by ten degrees within
-    half a second of it, and most of the altitude that was lost was lost then."""
+    Without the lag each m/s of a gust is a step of altitude. So is the loss of a propeller: the nose went down by ten degrees
+    within half a second of it, and most of the altitude that was lost was lost then.
+    """
     share = c.dt / c.give_up_time if c.give_up_time > 0.0 else 1.0
     lagged = altitude if share >= 1.0 else s.given_up + share * (altitude - s.given_up)
     s.given_up = max(lagged, altitude - 0.5 * c.altitude_error_max)
@@ -120,7 +121,9 @@ def traded(e_height, airspeed, y, c, k, s):
     it can fly level it climbs, and does not descend to its reference.
 
     Args:
-        airspeed: which is wanted [m/s]. A mode that must be flown faster gives up no altitude for that: it has thrust enough.
+        e_height: altitude less its reference, limited [m].
+        airspeed: the wanted one: the reference plus the mode's offset, at most the mode's highest [m/s]. Where the mode's lowest
+            is above that, no altitude is given up to reach it: there is thrust enough.
     """
     e_height += given_up(k.slow_descent * max(airspeed - y.airspeed - k.slow_descent_from, 0.0), c, s)
     fast = y.airspeed - k.airspeed_too_fast
@@ -137,18 +140,40 @@ def regulate(y, ref, m, c, k, s, f, nu):
     f_m is kept and not cancelled, so natural stability and damping remain. `law.invert` adds trim_effect, the effect of the
     actuators at the trim, that of a jammed one included. So nu is only
 
-        nu = -K (x - x_trim) - K_actuator (a lambda_hat - r_trim) - K_integral integral
+        nu = -K (x - x_trim) - K_actuator (a lambda_hat + shift - r_trim) - K_integral integral
 
-    where x_trim has the airspeed, altitude, heading, climb rate and turn rate of the references.
-    Fills nu [4] and `s.x_dc_dot` [4].
+    where x_trim has the airspeed, altitude, heading, climb rate and turn rate of the references. Beyond the stall angle a
+    nose-down acceleration is added. Fills nu [4] and `s.x_dc_dot` [4].
     """
     wanted = min(ref.airspeed + k.airspeed_offset, k.airspeed_high)
     e_speed = clip(y.airspeed - max(wanted, k.airspeed_low), c.airspeed_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
-    bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)
     e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, c, k, s)
+    integrate_errors(e_speed, e_height, e_heading, c, k, s)
+    bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)  # of a coordinated turn
+    for i in range(4):
+        v = state_feedback(i, e_speed, e_height, e_heading, bank, y, ref, k)
+        for j in range(len(s.position)):
+            known = -1.0 if s.reversed[j] else 1.0  # without estimates
+            effective = s.position[j] * (known if c.uncompensated else s.lambda_hat[j]) + s.shift[j]
+            v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
+        for j in range(len(s.integral)):
+            v -= k.K_integral[i, j] * s.integral[j]
+        if i == Q_DOT:
+            v -= STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
+        nu[i] = v
+        s.x_dc_dot[i] = f[i] + v
+        for j in range(len(s.position)):
+            if k.available[j] or s.jammed[j]:
+                s.x_dc_dot[i] += m.B[i, j] * k.trim_effect[j]
+
+
+@compiled
+def integrate_errors(e_speed, e_height, e_heading, c, k, s):
+    """Advance the regulator's integrals of airspeed [m], altitude [m s] and heading [rad s] by one control step."""
     integral = s.integral
-    # Nor can it slow down by winding up the integral, with which it would be slow to open the throttle in sinking air.
+    # An aircraft that is held too fast by its jam cannot slow down by winding up the integral: it would only be slow to open the
+    # throttle in sinking air.
     if k.fast_climb == 0.0 or e_speed < 0.0 or integral[AIRSPEED_INTEGRAL] < 0.0:
         integral[AIRSPEED_INTEGRAL] = accumulate(
             integral[AIRSPEED_INTEGRAL], e_speed, c.airspeed_error_max, c.dt, not s.saturated
@@ -157,25 +182,30 @@ def regulate(y, ref, m, c, k, s, f, nu):
         integral[ALTITUDE_INTEGRAL], e_height, c.altitude_error_max, c.dt
     )
     integral[HEADING_INTEGRAL] = accumulate(integral[HEADING_INTEGRAL], e_heading, c.heading_error_max, c.dt)
-    for i in range(4):
-        v = -k.K[i, AIRSPEED] * e_speed
-        v -= k.K[i, ALPHA] * (y.alpha - k.x_trim[ALPHA])
-        v -= k.K[i, BETA] * (y.beta - k.x_trim[BETA])
-        v -= k.K[i, P] * y.p + k.K[i, Q] * (y.q - ref.heading_rate * math.sin(bank))
-        v -= k.K[i, R] * (y.r - ref.heading_rate * math.cos(bank))
-        v -= k.K[i, ROLL] * (y.roll - k.x_trim[ROLL] - bank)
-        v -= k.K[i, PITCH] * (y.pitch - k.x_trim[PITCH] - ref.altitude_rate / max(y.airspeed, 1.0))
-        v -= k.K[i, HEADING] * e_heading + k.K[i, ALTITUDE] * e_height
-        for j in range(len(s.position)):
-            known = -1.0 if s.reversed[j] else 1.0  # without estimates
-            effective = s.position[j] * (known if c.uncompensated else s.lambda_hat[j]) + s.shift[j]
-            v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
-        for j in range(len(integral)):
-            v -= k.K_integral[i, j] * integral[j]
-        if i == Q_DOT:
-            v -= STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
-        nu[i] = v
-        s.x_dc_dot[i] = f[i] + v
-        for j in range(len(s.position)):
-            if k.available[j] or s.jammed[j]:
-                s.x_dc_dot[i] += m.B[i, j] * k.trim_effect[j]
+
+
+@compiled
+def state_feedback(i, e_speed, e_height, e_heading, bank, y, ref, k):
+    """-K (x - x_trim) of `regulate` for one rate i of `signals.RATES`.
+
+    Args:
+        e_speed, e_height, e_heading: limited errors, state less reference [m/s, m, rad].
+        bank: of a coordinated turn at the heading rate of the reference [rad].
+    """
+    v = -k.K[i, AIRSPEED] * e_speed
+    v -= k.K[i, ALPHA] * (y.alpha - k.x_trim[ALPHA])
+    v -= k.K[i, BETA] * (y.beta - k.x_trim[BETA])
+    v -= k.K[i, P] * y.p + k.K[i, Q] * (y.q - ref.heading_rate * math.sin(bank))
+    v -= k.K[i, R] * (y.r - ref.heading_rate * math.cos(bank))
+    v -= k.K[i, ROLL] * (y.roll - k.x_trim[ROLL] - bank)
+    v -= k.K[i, PITCH] * (y.pitch - k.x_trim[PITCH] - ref.altitude_rate / max(y.airspeed, 1.0))
+    return v - (k.K[i, HEADING] * e_heading + k.K[i, ALTITUDE] * e_height)
+
+
+@compiled
+def virtual_control(y, ref, m, c, k, s, w):
+    """Fill the virtual control w.nu [4] by the outer loop of the mode in force; w.f is f_m at the measured state."""
+    if k.regulated:
+        regulate(y, ref, m, c, k, s, w.f, w.nu)
+    else:
+        pid_loops(y, ref, c, s, w.f, w.nu)

@@ -234,7 +234,7 @@ MEMORY = (
         "jammed",
         (_N,),
         "flag",
-        "the force of the actuator does not follow its command: jammed, offset or reversed",
+        "the force of the actuator does not follow its command, so its position is estimated",
     ),
     Field("saturated", (), "flag", "in the last step an actuator would have had to pass a stop"),
     Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),

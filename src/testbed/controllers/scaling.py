@@ -157,20 +157,12 @@ def excess_u_dot(model: DesignModel, limits: np.ndarray) -> float:
 def _loops(
     model: DesignModel, limits: np.ndarray, lags: Sequence[float], released: Sequence[str]
 ) -> dict[str, float]:
+    """Gains and limits of the outer loops, as `Loops`."""
     v, excess = model.airspeed_m_s, excess_u_dot(model, limits)
     kept = [axis for axis in RATES if axis not in released]
     found = authorities(model, limits, kept, range(len(lags)))
     authority = {each.axis: each.authority for each in found}
-    slowest = min((lag for lag, k in zip(lags, model.kinds, strict=True) if k != "servo"), default=math.inf)
-    pace = {axis: _pace(authority.get(axis, math.inf), demand) for axis, demand in _DEMANDS.items()}
-    pace["u_dot"] = min(1.0, slowest / _ENGINE_MARGIN / _LOOPS["airspeed_kp"])
-    gains = {
-        name: _LOOPS[name] * (pace[axis] ** 2 if name.endswith("_ki") else pace[axis])
-        for axis, names in _CASCADES.items()
-        for name in names
-    }
-    for name, own in _dampings(model).items():
-        gains[name] = max(gains[name], own)
+    gains = _gains(model, authority, lags)
     climb = v / 9.0 if not excess else min(v / 9.0, _THRUST_SHARE * excess / GRAVITY_M_S2 * v)
     return {
         **gains,
@@ -182,6 +174,21 @@ def _loops(
         "protect_from_m_s": v / 9.0,
         "fast_climb_s": v / 36.0,
     }
+
+
+def _gains(model: DesignModel, authority: Mapping[str, float], lags: Sequence[float]) -> dict[str, float]:
+    """`_LOOPS` at the pace that authority and engines allow, with rate loops no slower than the aircraft's damping."""
+    slowest = min((lag for lag, k in zip(lags, model.kinds, strict=True) if k != "servo"), default=math.inf)
+    pace = {axis: _pace(authority.get(axis, math.inf), demand) for axis, demand in _DEMANDS.items()}
+    pace["u_dot"] = min(1.0, slowest / _ENGINE_MARGIN / _LOOPS["airspeed_kp"])
+    gains = {
+        name: _LOOPS[name] * (pace[axis] ** 2 if name.endswith("_ki") else pace[axis])
+        for axis, names in _CASCADES.items()
+        for name in names
+    }
+    for name, own in _dampings(model).items():
+        gains[name] = max(gains[name], own)
+    return gains
 
 
 def _dampings(model: DesignModel) -> dict[str, float]:

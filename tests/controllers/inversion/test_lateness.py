@@ -10,7 +10,12 @@ import pytest
 from command_line import ROOT
 from short_flights import worst_errors
 
-from testbed.controllers.inversion.lateness import LATEST, MOST_VARIANCE, act_late, estimate_lateness
+from testbed.controllers.inversion.lateness import (
+    LATENESS_MAX,
+    VARIANCE_MAX,
+    delay_regressor,
+    estimate_lateness,
+)
 from testbed.controllers.inversion.law import low_pass
 from testbed.controllers.records import memory_dtype, settings_dtype, work_dtype
 from testbed.flight.flight import Outcome
@@ -41,7 +46,7 @@ def oscillation(
         low_pass(z, z_lags, CORNER * DT)
         for i in range(4):
             low_pass(phi[i], s.filtered_phi[:, i], CORNER * DT)
-        act_late(phi, c, s, w)
+        delay_regressor(phi, c, s, w)
         e[:] = z - phi @ s.lambda_hat
         estimate_lateness(e, c, s)
         if t > seconds - 2.0:
@@ -79,7 +84,7 @@ def test_a_weak_actuator_is_not_called_late() -> None:
 
 def test_lateness_and_its_variance_are_bounded() -> None:
     s, _ = oscillation(0.45, 1.0, 5.0)
-    assert np.all((s.late >= 0.0) & (s.late <= LATEST)) and np.all(s.late_variance <= MOST_VARIANCE)
+    assert np.all((s.late >= 0.0) & (s.late <= LATENESS_MAX)) and np.all(s.late_variance <= VARIANCE_MAX)
 
 
 @pytest.mark.parametrize("late", ["left_ruddervator", "left_ruddervator, right_ruddervator"])

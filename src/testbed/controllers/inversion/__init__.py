@@ -1,8 +1,14 @@
 """The paper's adaptive control inversion, and what weather and real failures add to it.
 
-`step` is one control step, in order. It calls `law` (the paper's equations), `lateness` (delayed actuators), `estimator`
-(weighted estimation), `jam_detection` (the test for jams), `swing_detection` (what swings is not jammed) and `allocation` (what
-to give up when an actuator reaches a stop, by `bounded_least_squares`). `modes` says which axes are released after a failure and
-how the others are inverted. `mode_trim` and `regulator` design the outer loop of such a mode, and `mode_switch` puts a mode in
-force.
+`controller` is what a flight calls, and `step` one control step of it, in order. In each step `step` calls
+
+* `law`: the paper's equations;
+* `lateness`: actuators that act late are not weak;
+* `estimator`: weighted estimation, a Kalman filter, in place of the paper's (13);
+* `swing_detection`, `offset_detection` and `jam_detection`: failures that are no loss of effectiveness;
+* `allocation`: what to give up when an actuator reaches a stop, by `bounded_least_squares`.
+
+When a failure is flagged, `mode_switch` puts another control mode in force. `modes` says which axes it releases and how the others
+are inverted. `regulator` designs the outer loop of a mode with released axes, about the trim that `mode_trim` chooses among the
+`steady_flights` of the design model, to which `forward_force` adds a term for glides.
 """

@@ -1,9 +1,9 @@
 """Allocation: from the virtual control nu to actuator positions within the stops, and to the commands for them.
 
 The paper inverts (29) and compensates (section 2.2.1). Added here is what to do when an actuator would pass its stop: of all
-positions within the stops, those are taken whose rates are closest to nu, by weighted least squares. The weights
-(`control.allocation` of the aircraft) say which axis gives way: airspeed before attitude. So nothing that the actuators cannot
-give is ever asked of them. An actuator at its stop is made up for by the others as far as they can.
+positions within the stops, those are taken whose rates are closest to nu, by weighted least squares. So the others make up for an
+actuator at its stop as far as they can. Where they cannot, the weights (`control.allocation` of the aircraft) say which axis gives
+way: airspeed before attitude.
 
 Letters: m design model, c settings, k control mode, s memory, w working memory; their fields, shapes and units are in
 `records`.
@@ -14,7 +14,7 @@ from __future__ import annotations
 from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
 from testbed.controllers.inversion.bounded_least_squares import bounded_least_squares
-from testbed.controllers.inversion.law import compensate, invert, reach
+from testbed.controllers.inversion.law import compensate, effect_ratio, invert, reach
 from testbed.controllers.records import U_DOT
 
 
@@ -24,6 +24,7 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
 
     Args:
         nu: [4] virtual control [rad/s2, m/s2].
+        pressure_ratio: (V/V_0)^2 [1].
         axial: airspeed along the propellers' axis [m/s].
     """
     allocate(nu, pressure_ratio, m, c, k, s, w)
@@ -52,40 +53,44 @@ def passes_a_stop(m, c, k, s):
 
 @compiled
 def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
-    """References r within the stops whose rates are closest to nu: minimises
+    """References r within the stops whose rates are closest to nu [4]: minimises
 
-        sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = pressure r - trim_effect,
+        sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = effect_ratio r - trim_effect.
 
-    where pressure is `pressure_ratio` for a servo and 1 for a motor. A weak actuator has lambda_hat times its travel.
     Actuators that answer to u_dot alone are found first, as if they did not turn the aircraft; then the others, which make up for
-    what they turn.
+    what they turn. Because d is the effective deviation, a weak actuator has lambda_hat times its travel.
     """
-    for i in range(len(s.r)):
-        pressure = pressure_ratio if m.servo[i] else 1.0
-        used = pressure if k.available[i] else 0.0
-        trim = k.trim_effect[i] if k.available[i] else 0.0
-        low, high = reach(i, m, c, s)
-        w.low[i], w.high[i] = low * used - trim, high * used - trim
-        w.d[i] = s.r[i] * pressure - trim
+    set_bounds(pressure_ratio, m, c, k, s, w)
     if k.thrust_alone.any():
-        gradient(nu, True, m, k, w)
+        right_hand_side(nu, True, m, k, w)
         bounded_least_squares(k.thrust_hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
         for i in range(len(s.r)):
             if k.thrust_alone[i]:
                 w.low[i] = w.high[i] = w.d[i]
-    gradient(nu, False, m, k, w)
+    right_hand_side(nu, False, m, k, w)
     bounded_least_squares(k.hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
     for i in range(len(s.r)):
-        pressure = pressure_ratio if m.servo[i] else 1.0
-        s.r[i] = (k.trim_effect[i] + w.d[i]) / pressure
+        s.r[i] = (k.trim_effect[i] + w.d[i]) / effect_ratio(i, pressure_ratio, m)
         if k.thrust_alone[i]:
-            s.at_stop[i] = 0
+            s.at_stop[i] = 0  # its bounds were made equal above, which is no stop
 
 
 @compiled
-def gradient(nu, thrust_first, m, k, w):
-    """Fill w.g [n] with B' diag(row_weight) nu; with `thrust_first` as if those that answer to u_dot alone did not turn the
-    aircraft."""
+def set_bounds(pressure_ratio, m, c, k, s, w):
+    """Fill w.low and w.high [n] with the stops of d, 0 for actuators that are not available, and w.d [n] with the d of (29)."""
+    for i in range(len(s.r)):
+        ratio = effect_ratio(i, pressure_ratio, m)
+        used = ratio if k.available[i] else 0.0
+        trim = k.trim_effect[i] if k.available[i] else 0.0
+        low, high = reach(i, m, c, s)
+        w.low[i], w.high[i] = low * used - trim, high * used - trim
+        w.d[i] = s.r[i] * ratio - trim
+
+
+@compiled
+def right_hand_side(nu, thrust_first, m, k, w):
+    """Fill w.g [n] with B' diag(row_weight) nu, of the normal equations hessian d = g; with `thrust_first` as if the actuators that
+    answer to u_dot alone did not turn the aircraft."""
     for i in range(len(w.g)):
         w.g[i] = 0.0
         for row in range(4):

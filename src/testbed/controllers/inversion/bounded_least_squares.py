@@ -17,6 +17,8 @@ from testbed.common.jit import compiled
 
 MOST_ITERATIONS = 200
 """Far more than are needed: with 12 variables, at most about 40 were seen. A loop without an end must not fly."""
+ROUNDING = 1e-12
+"""Cost of a bound, in units of the largest term that it is the sum of, which is taken for rounding."""
 
 
 @compiled
@@ -107,7 +109,7 @@ def release_costliest(H, g, low, high, d, at_bound):
             slope += H[i, j] * d[j]
             size = max(size, abs(H[i, j] * d[j]))
         cost = at_bound[i] * slope  # above zero where the function falls towards the inside
-        if cost > most and cost > 1e-12 * size:
+        if cost > most and cost > ROUNDING * size:
             costliest, most = i, cost
     if costliest < 0:
         return 0

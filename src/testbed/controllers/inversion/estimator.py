@@ -21,13 +21,13 @@ HEALTHY_VARIANCE = 0.01
 UNKNOWN_VARIANCE = 1.0
 """Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
 AGAIN = 4.0
-"""Factor on the likelihood ratio of a change of a jammed actuator's position: what is broken moves again sooner than what is
-healthy breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
+"""Factor on the test value of a change of a jammed actuator's position: what is broken moves again sooner than what is healthy
+breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
 JAM_VARIANCE = 16.0
 """Initial and largest variance of a jammed actuator's estimated position [scaled^2]."""
 REVERSAL_S = 0.6
-"""How long after an actuator was taken for jammed it may turn out to be reversed. Its command goes to the trim position at once, so
-the estimate shows where its force goes within this time."""
+"""How long after an actuator was taken for jammed it may turn out to be reversed [s]. Its command goes to the trim position at
+once, so the estimate shows where its force goes within this time."""
 REVERSAL_NOISE = 5.0
 """Process noise of a surface's position in that time [scaled/sqrt(s)]: what is reversed goes back with its command within 0.1 s.
 With the noise of a jam the estimate was 0.2 s late."""
@@ -59,11 +59,13 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
 def expect_change(e, phi, m, c, s):
     """Give the effectiveness that has just changed the variance of that change, so that the filter follows it at once.
 
-    A random walk is slow to believe in a sudden loss, and spreads it over all actuators meanwhile. So the mean of the innovation
-    e - b over the last `change_time` is explained by a change of each effectiveness alone, by weighted least squares. The
-    likelihood ratio is (change / its standard deviation)^2, times `AGAIN` for a jammed actuator. If the best is above
-    `change_sigma`^2, and `change_lead`^2 times the next best, the variance of that estimate becomes at least the square of the
-    change. If no effectiveness explains the change, that variance goes to the model error along the actuator's column of Phi.
+    A random walk follows a sudden loss slowly, and spreads it over all actuators meanwhile. So the mean of the innovation e - b
+    over the last `change_time` T is explained by a change of each effectiveness alone, by weighted least squares. The weight of a
+    rate is one over the variance of its mean: gusts of two-sided density S leave S / 2T, and b adds its own. The test value is
+    (change / its standard deviation)^2, twice the logarithm of the likelihood ratio, times `AGAIN` for a jammed actuator. If the
+    best is above `change_sigma`^2, and `change_lead`^2 times the next best, the variance of that estimate becomes at least the
+    square of the change. If no effectiveness explains the change, that variance goes to the model error along the actuator's
+    column of Phi.
     """
     for row in range(4):
         s.recent[row] += c.dt / c.change_time * (e[row] - s.b[row] - s.recent[row])

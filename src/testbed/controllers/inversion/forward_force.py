@@ -1,7 +1,7 @@
-"""How the forward force curves with the angle of attack, which the linear design model leaves out.
+"""The forward force's second derivative by the angle of attack, which the linear design model leaves out.
 
-Body axes turn with the angle of attack, so lift leans forward by its sine. Both lift and that sine grow with the angle: X is
-a parabola of it. Its tangent at the reference trim gives an aircraft that glides slower than that far too much drag.
+Along the body's x axis, X = L sin(alpha) - D cos(alpha). Both lift L and the sine grow with the angle, so X is about a parabola of
+it. Its tangent at the reference trim gives an aircraft that glides slower than that far too much drag.
 """
 
 from __future__ import annotations
@@ -16,10 +16,15 @@ _X, _Z, _ALPHA = ROWS.index("u_dot"), ROWS.index("w_dot"), COLUMNS.index("alpha"
 
 
 def forward_curvature(model: DesignModel) -> float:
-    """Half the second derivative of u_dot by alpha at the reference trim [m/s2], without thrust.
+    """Half the second derivative of u_dot by alpha at the reference trim [m/s2 per rad^2], without thrust.
 
-    X = L sin(alpha) - D cos(alpha) is differentiated twice with lift linear in alpha, and with drag a parabola of lift,
-    D = D_0 + k L^2 (Etkin and Reid, Dynamics of Flight, sec. 2.1). So D'' = D' L' / L. The model has L, D, L' and D' at the trim.
+    Lift is taken as linear in alpha, and drag as a parabola of lift, D = D_0 + k L^2 (Etkin and Reid, Dynamics of Flight,
+    sec. 2.1). Then D'' = D' L' / L, where ' is the derivative by alpha, and
+
+        X'' = 2 L' cos(alpha) - L sin(alpha) - D'' cos(alpha) + 2 D' sin(alpha) + D cos(alpha).
+
+    L, D, L' and D' at the trim, all per mass, follow from the model's X and Z. A model whose lift does not grow has no such polar:
+    0.
     """
     servos = np.array([kind == "servo" for kind in model.kinds])
     surfaces = np.array(model.input_matrix)[:, servos] @ np.array(model.trim)[servos]

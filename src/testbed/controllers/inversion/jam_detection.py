@@ -54,11 +54,12 @@ REDESIGN_AFTER = 0.3
 def detect_jam(e, pressure_ratio, m, c, s):
     """Look for jammed actuators in the error e [4]; returns 1 when the mode's regulator must be designed, or designed again.
 
-    An actuator is taken for jammed when it has been the `likeliest_jam` for `jam_time`, unless it is a surface that `follows` its
-    command: then it has an offset. The timer runs down while it is not. It is also taken for jammed when for `persistence` it
-    `acts_reversed` or `has_force_of_its_own`; on an aircraft that is unstable in pitch `REVERSED_S` is enough of the former. A
-    surface that stands still while it is commanded needs the `time_to_stand_still`. Of one that has moved, and may still follow,
-    nothing else is believed.
+    An actuator is taken for jammed
+
+    * when it has been the `likeliest_jam` for `jam_time`; the timer runs down while it is not. A surface that `follows` its command
+      has an offset instead, and one that has `moved` is left to what its commands show;
+    * when a surface has stood still under its commands for the `time_to_stand_still`;
+    * when it looks jammed in another way for the `time_to_jam`.
     """
     follow_offsets(pressure_ratio, m, c, s)
     for row in range(4):
@@ -96,7 +97,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
 @compiled
 def time_to_jam(i, m, c, s):
-    """How long what is seen of actuator i must last until it is taken for jammed [s]; 0 where it does not look jammed."""
+    """How long an actuator that `acts_reversed`, `has_force_of_its_own` or `keeps_thrust` must do so until it is taken for jammed
+    [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough."""
     backwards = acts_reversed(i, m, c, s)
     if backwards and unstable(m):
         return REVERSED_S
@@ -107,8 +109,8 @@ def time_to_jam(i, m, c, s):
 
 @compiled
 def filtered_position(i, pressure_ratio, m, c, s):
-    """Modelled position of an actuator [scaled] through the lags of the regression, by its column of Phi: the one that its estimate
-    belongs to. A servo moves by a scaled unit within that time."""
+    """Modelled position of an actuator [scaled] through the lags of the regression, from its column of Phi. Its estimate belongs to
+    this position and not to the present one: a servo moves by a scaled unit within the lags' delay."""
     if c.filter_rate == 0.0:
         return s.position[i]
     projection, square = 0.0, 0.0
@@ -147,12 +149,14 @@ def turns_out_reversed(i, m, c, s):
     """Whether the force of an actuator that was taken for jammed has gone where a reversed one's goes: to minus its trim position.
 
     At the moment of detection the two cannot be told apart. The command has run away from the aircraft's motion, and is often at a
-    stop, so a reversed actuator stands as still as a jammed one. A motor cannot push the other way: it stays jammed."""
+    stop, so a reversed actuator stands as still as a jammed one. A motor cannot push the other way: it stays jammed.
+
+    Advances `since_flag`, and moves the start of the way, `jammed_at`, while the command is still going to the trim position."""
     s.since_flag[i] += c.dt
     if s.since_flag[i] < REVERSAL_S and abs(m.trim_position[i] + s.lambda_hat[i]) > abs(
         m.trim_position[i] + s.jammed_at[i]
     ):
-        s.jammed_at[i] = s.lambda_hat[i]  # the command was still on its way when the jam was flagged
+        s.jammed_at[i] = s.lambda_hat[i]  # farther from the end of the way: the command had not arrived
     way = -m.trim_position[i] - s.jammed_at[i]
     gone = s.lambda_hat[i] - s.jammed_at[i]
     late = s.since_flag[i] >= REVERSAL_S or not m.servo[i]
@@ -178,8 +182,8 @@ def no_longer_reversed(i, s):
 
 @compiled
 def has_force_of_its_own(i, c, s):
-    """Whether a flagged actuator's estimate is at its limits: it stands still at its trim position, and a force that effectiveness
-    there cannot explain is that of another position."""
+    """Whether a flagged actuator's estimate is at a limit. It is commanded to its trim position, and a force that no effectiveness
+    there explains is that of another position."""
     at_limit = s.lambda_hat[i] <= c.lambda_min or s.lambda_hat[i] >= c.lambda_max
     return c.weighted and s.failed[i] and not s.jammed[i] and not s.reversed[i] and at_limit
 
@@ -199,10 +203,11 @@ def likeliest_jam(pressure_ratio, m, c, s):
     """The actuator for which an offset of its position explains the residual best, and that offset.
 
     For each actuator i, B_i offset is fitted to the residual by weighted least squares. The weight of a row is one over its
-    variance, which comes from gusts and from the model error. The likelihood ratio is (offset / its standard deviation)^2.
+    variance, which comes from gusts (S / 2T for a two-sided density S and the mean's time constant T) and from the model error. The
+    test value is (offset / its standard deviation)^2, twice the logarithm of the likelihood ratio.
 
     Returns:
-        Index of the actuator with the largest ratio, if that is above `jam_sigma`^2, or -1; and its offset [scaled].
+        Index of the actuator with the largest test value, if that is above `jam_sigma`^2, or -1; and its offset [scaled].
     """
     likeliest, largest, offset = -1, c.jam_sigma * c.jam_sigma, 0.0
     for i in range(len(s.lambda_hat)):

@@ -24,10 +24,16 @@ def pressure_ratio_of(y, m):
 
 
 @compiled
+def effect_ratio(i, pressure_ratio, m):
+    """Effect of actuator i at this airspeed in units of that at V_0 [1]: a surface's force goes with dynamic pressure, and the
+    position of a motor or engine is its thrust."""
+    return pressure_ratio if m.servo[i] else 1.0
+
+
+@compiled
 def state_function(y, m, f):
     """f_m of (2) at the measured state, into f [4]."""
-    speed = y.airspeed / m.airspeed
-    pressure_ratio = speed * speed
+    speed, pressure_ratio = y.airspeed / m.airspeed, pressure_ratio_of(y, m)
     for i in range(4):
         angles = m.bias[i] + m.A[i, D_ALPHA] * (y.alpha - m.alpha) + m.A[i, D_BETA] * y.beta
         angles += m.sideslip[i] * abs(y.beta)
@@ -39,30 +45,30 @@ def state_function(y, m, f):
 
 
 @compiled
-def modified_inverse(alpha, epsilon):
-    """g of (14): 1/alpha, but linear through zero where |alpha| <= epsilon."""
-    if abs(alpha) > epsilon:
-        return 1.0 / alpha
-    return alpha / (epsilon * epsilon)
+def assume_ideal_actuators(m, c, k, s):
+    """Positions as if nothing lagged or stopped, a = u = r / lambda_hat of the last step. (10) is then x_c_dot - f_m - B_m r, which
+    the paper writes x_c_dot - x_dc_dot."""
+    for i in range(len(s.position)):
+        if k.available[i]:
+            s.position[i] = s.r[i] / divisor(i, c, s)
+        s.torque[i] = m.torque_slope[i] * s.position[i]
 
 
 @compiled
 def regressor(pressure_ratio, m, s, phi):
     """Phi = B_m diag(a), into phi [4, n]: what each actuator adds to the rates at its modelled position a, if fully effective.
 
-    The effect of a surface is proportional to dynamic pressure. A propeller acts by its thrust, which lags, and by the motor's
-    torque, which does not. The position of a jammed actuator does not follow from its command: its column is the effect of one
-    scaled unit, so that its "effectiveness" estimate is its position.
+    A propeller acts by its thrust, which lags, and by the motor's torque, which does not. The position of a jammed actuator does
+    not follow from its command: its column is the effect of one scaled unit, so that its "effectiveness" estimate is its position.
     """
     for j in range(len(s.position)):
-        factor = pressure_ratio if m.servo[j] else 1.0
-        a, transient = s.position[j], 0.0
+        a, transient, ratio = s.position[j], 0.0, effect_ratio(j, pressure_ratio, m)
         if s.jammed[j]:
             a = 1.0
         elif not m.servo[j]:
             transient = s.torque[j] - m.torque_slope[j] * s.position[j]
         for i in range(4):
-            phi[i, j] = m.B[i, j] * factor * a + m.B_torque[i, j] * transient
+            phi[i, j] = m.B[i, j] * ratio * a + m.B_torque[i, j] * transient
 
 
 @compiled
@@ -95,6 +101,14 @@ def measured_error(z, phi, s, e):
 
 
 @compiled
+def modified_inverse(alpha, epsilon):
+    """g of (14): 1/alpha, but linear through zero where |alpha| <= epsilon."""
+    if abs(alpha) > epsilon:
+        return 1.0 / alpha
+    return alpha / (epsilon * epsilon)
+
+
+@compiled
 def adapt(e, pressure_ratio, m, c, s):
     """(13), lambda_hat' = gamma (B_m^-1 e) lambda_hat g(r, epsilon), with the modelled position a in place of r.
 
@@ -102,16 +116,15 @@ def adapt(e, pressure_ratio, m, c, s):
     are within epsilon, kappa of (17) is a^2 / epsilon^2, and the estimate adapts 1 / lambda_hat^2 times as fast as in the paper.
     The reason is that the deflection a excites the rates, not the reference r.
 
-    The logarithm of lambda_hat is integrated. This keeps the estimates positive, and unbiased under differentiated noise. They
+    The logarithm of lambda_hat is integrated, which keeps the estimates positive, and unbiased under differentiated noise. They
     are projected onto [lambda_min, lambda_max], because without bounds they can diverge however good B_m is. For a jammed
-    actuator lambda_hat is its position, which is integrated directly and kept within the stops.
+    actuator lambda_hat is its position, which is integrated itself and kept within the stops.
     """
     for i in range(len(s.lambda_hat)):
         x = 0.0
         for j in range(4):
             x += m.B_inv[i, j] * e[j]
-        if m.servo[i]:
-            x /= pressure_ratio
+        x /= effect_ratio(i, pressure_ratio, m)
         if s.jammed[i]:
             s.lambda_hat[i] = min(max(s.lambda_hat[i] + c.dt * c.gamma[i] * x, m.low[i]), m.high[i])
             continue
@@ -132,7 +145,7 @@ def monitor(c, s):
     changed = 0
     for i in range(len(s.lambda_hat)):
         if s.jammed[i]:
-            continue
+            continue  # its estimate is a position; `jam_detection` has its timers
         if s.failed[i]:
             beyond, time = s.lambda_hat[i] > c.recovery, c.recovery_time
         else:
@@ -158,14 +171,13 @@ def invert(nu, pressure_ratio, m, k, s):
         s.r[i] = k.trim_effect[i]
         for j in range(4):
             s.r[i] += k.B_hat_inv[i, j] * nu[j]
-        if m.servo[i]:
-            s.r[i] /= pressure_ratio
+        s.r[i] /= effect_ratio(i, pressure_ratio, m)
 
 
 @compiled
 def divisor(i, c, s):
-    """What the reference of actuator i is divided by: its estimate, at least `divisor_min`; 1 without adaptation. Of a reversed
-    one it is negative."""
+    """What the reference of actuator i is divided by [1]: its estimate, at least `divisor_min`, or 1 if references are not
+    compensated. For a reversed actuator it is negative: at most -`divisor_min`, or -1."""
     if s.reversed[i]:
         return -1.0 if c.uncompensated else min(s.lambda_hat[i], -c.divisor_min)
     return 1.0 if c.uncompensated else max(s.lambda_hat[i], c.divisor_min)
@@ -173,7 +185,7 @@ def divisor(i, c, s):
 
 @compiled
 def reach(i, m, c, s):
-    """Lowest and highest reference of actuator i: its stops times `divisor`, and its `shift`."""
+    """Lowest and highest reference r of actuator i that `compensate` can turn into a position within its stops [scaled]."""
     lam = divisor(i, c, s)
     if lam < 0.0:
         return m.high[i] * lam + s.shift[i], m.low[i] * lam + s.shift[i]
@@ -182,17 +194,10 @@ def reach(i, m, c, s):
 
 @compiled
 def compensate(m, c, k, s):
-    """Section 2.2.1: u = Lambda_hat^-1 r, within the stops; a failed actuator is sent to its trim position."""
+    """Section 2.2.1: u = Lambda_hat^-1 (r - shift), within the stops; a failed actuator is sent to its trim position.
+
+    `shift` is the offset of a surface that has moved from its command (`offset_detection`), and 0 for all others.
+    """
     for i in range(len(s.u)):
         u = (s.r[i] - s.shift[i]) / divisor(i, c, s) if k.available[i] else m.trim_position[i]
         s.u[i] = min(max(u, m.low[i]), m.high[i])
-
-
-@compiled
-def take_for_ideal(m, c, k, s):
-    """The paper's regressor, as if nothing lagged or stopped: a = u = r / lambda_hat of the last step. (10) is x_c_dot - f_m - B r
-    then, and x_c_dot - x_dc_dot in the paper's words."""
-    for i in range(len(s.position)):
-        if k.available[i]:
-            s.position[i] = s.r[i] / divisor(i, c, s)
-        s.torque[i] = m.torque_slope[i] * s.position[i]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -18,6 +18,11 @@ from testbed.inputs.problems import BadInput, Problem
 
 _WORTH_SAYING_M_S = 0.5  # difference of airspeed from its reference
 _SLOWEST = 0.3  # measured airspeed that is believed, in units of the reference airspeed
+
+_JAMMED = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
+_SWINGS = "its force swings while its command stands still: not lost, used again"
+_REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
+_OFFSET = "its force follows its command with an offset: not jammed, used on"
 
 
 class ModeSwitch:
@@ -71,11 +76,11 @@ class ModeSwitch:
         s = self._memory[0]
         failed = tuple(int(i) for i in np.flatnonzero(s.failed & ~s.reversed))  # these are used
         jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i]}
-        self._note_jams(step, jammed)
+        for i, position in jammed.items():
+            s.designed_position[i] = position
+        self._note_findings(step, jammed)
         if airspeed is not None:
             jammed = {i: self._at_reference(i, position, airspeed) for i, position in jammed.items()}
-        self._note_used_again(step)
-        self._note_offsets(step)
         if not failed and not self.mode.failed:
             return None  # the mode in force is the one for no failure: its integrals go on
         mode = self._modes.get(failed)
@@ -118,25 +123,19 @@ class ModeSwitch:
         height = ((v + faster) ** 2 - v * v) / (2.0 * GRAVITY_M_S2)
         return f"flies {faster:.1f} m/s faster than commanded, to have {height:.0f} m of altitude stored as airspeed"
 
-    def _note_jams(self, step: int, jammed: Mapping[int, float]) -> None:
-        for i, position in jammed.items():
-            self._memory[0].designed_position[i] = position
-            name = self._setup.model.actuators[i]
-            what = "not a loss of effectiveness: its force does not follow its command (jammed, offset or reversed)"
-            self._report(step, f"{name}: {what}")
-
-    def _note_used_again(self, step: int) -> None:
+    def _note_findings(self, step: int, jammed: Iterable[int]) -> None:
+        """Note each actuator whose failure is no loss of effectiveness."""
         s, names = self._memory[0], self._setup.model.actuators
-        swings = "its force swings while its command stands still: not lost, used again"
-        reversed_ = "its force goes against its command: reversed, used again with the opposite sign"
-        for of, text in ((s.own_noise > 0.0, swings), (s.reversed, reversed_)):
-            for i in np.flatnonzero(of):
+        swings, offset = np.flatnonzero(s.own_noise > 0.0), np.flatnonzero(s.offset)
+        found = (
+            (jammed, _JAMMED),
+            (swings, _SWINGS),
+            (np.flatnonzero(s.reversed), _REVERSED),
+            (offset, _OFFSET),
+        )
+        for actuators, text in found:
+            for i in actuators:
                 self._report(step, f"{names[i]}: {text}")
-
-    def _note_offsets(self, step: int) -> None:
-        for i in np.flatnonzero(self._memory[0].offset):
-            name = self._setup.model.actuators[i]
-            self._report(step, f"{name}: its force follows its command with an offset: not jammed, used on")
 
     def _regulator(self, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
         """The mode's regulator. Where no trim balances the jammed actuators' forces, it is designed without them."""
@@ -146,23 +145,32 @@ class ModeSwitch:
             return regulator_for(self._setup, mode, {})
 
     def _put_in_force(self, mode: Mode, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
-        k, s, setup = self.record[0], self._memory[0], self._setup
-        loops = setup.control.loops
-        motor_lost = any(setup.model.kinds[i] != "servo" for i in failed)
+        s = self._memory[0]
+        s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
+        s.pitch_integral = self._setup.trim_pitch
+        s.integral[:] = self._carried_over(mode, regulator)  # by the gains of the mode before
+        self._set_allocation(mode, failed)
+        self._set_regulator(regulator, failed)
+        self.mode = mode
+
+    def _set_allocation(self, mode: Mode, failed: tuple[int, ...]) -> None:
+        """The actuators that are used, and how the virtual control is shared among them."""
+        k, setup = self.record[0], self._setup
+        k.available[:] = [i not in failed for i in range(len(setup.actuators))]
         k.B_hat_inv[:], k.released[:] = mode.inverse, [axis in mode.released for axis in RATES]
-        b = np.array(setup.model.input_matrix)[:4] * setup.scale
-        k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, setup.control.allocation)
+        b, weights = np.array(setup.model.input_matrix)[:4] * setup.scale, setup.control.allocation
+        k.row_weight[:], k.hessian[:] = allocation_of(b, mode.released, weights)
         turning = np.outer([axis != "u_dot" for axis in RATES], mode.thrust_alone)
         k.thrust_alone[:] = mode.thrust_alone
-        k.thrust_hessian[:] = allocation_of(
-            np.where(turning, 0.0, b), mode.released, setup.control.allocation
-        )[1]
-        k.available[:] = [i not in failed for i in range(len(setup.actuators))]
+        k.thrust_hessian[:] = allocation_of(np.where(turning, 0.0, b), mode.released, weights)[1]
+
+    def _set_regulator(self, regulator: Regulator | None, failed: tuple[int, ...]) -> None:
+        """Trim, gains and airspeed of the regulator; without one, the paper's outer loops at any airspeed."""
+        k, setup = self.record[0], self._setup
+        loops = setup.control.loops
+        motor_lost = any(setup.model.kinds[i] != "servo" for i in failed)
         k.slow_descent = loops.slow_descent_s
         k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s
-        s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
-        s.pitch_integral = setup.trim_pitch
-        s.integral[:] = self._carried_over(mode, regulator)
         k.regulated, k.r_trim[:], k.trim_effect[:], k.airspeed_offset = regulator is not None, 0.0, 0.0, 0.0
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast, k.fast_climb = 0.0, math.inf, math.inf, 0.0
         if regulator is not None:
@@ -170,7 +178,6 @@ class ModeSwitch:
             k.trim_effect[:] = regulator.trim_effect
             k.K[:], k.K_actuator[:], k.K_integral[:] = regulator.K, regulator.K_actuator, regulator.K_integral
             self._choose_airspeed(regulator, failed)
-        self.mode = mode
 
     def _choose_airspeed(self, regulator: Regulator, failed: tuple[int, ...]) -> None:
         """How the mode's airspeed follows from its reference, and what is done above the airspeeds at which it can be flown."""

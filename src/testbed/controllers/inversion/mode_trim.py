@@ -43,6 +43,7 @@ _MARGIN_TO_DESCEND = 0.3
 _NEARLY_LEVEL = 0.03
 """Path angle [rad] of a flight with a stuck motor that may be level flight: a third of an aircraft's drag over its weight. Altitude
 is held, and given up only while the aircraft is too slow."""
+_ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its stop is within it
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same without thrust: half of it is worth less than the altitude that it costs
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
@@ -226,8 +227,9 @@ def _shallowest(left: Remaining) -> Preference:
 def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:
     """[m] scaled distance to the nearest stop, or to the largest plausible angle, of each of m flights; negative beyond it.
 
-    A stop is as far as the gusts that may be balanced before it: their moments grow with airspeed, those of surfaces with its
-    square, and thrust does not. So a distance of thrust counts less above the reference airspeed, and one of a surface below it.
+    A distance to a stop is worth what it balances of gusts, whose moments grow with airspeed. The moments of surfaces grow with its
+    square, and thrust does not grow. So a distance of thrust counts less above the reference airspeed, in proportion to V_0/V, and
+    one of a surface less below it, in proportion to V/V_0.
 
     Args:
         stop_factor: the stops are multiplied by this.
@@ -236,12 +238,12 @@ def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) ->
     low = np.maximum(stop_factor * left.limits[:, 0], left.least_positions(state[:, AIRSPEED]))[:, used]
     high = np.minimum(stop_factor * left.limits[:, 1], left.most_positions(state[:, AIRSPEED]))[:, used]
     positions = flights.positions[:, used]
-    faster = state[:, [AIRSPEED]] / left.model.airspeed_m_s
-    worth = np.minimum(np.where(left.servos[used], faster, 1.0 / faster), 1.0)
+    airspeed_ratio = state[:, [AIRSPEED]] / left.model.airspeed_m_s
+    worth = np.minimum(np.where(left.servos[used], airspeed_ratio, 1.0 / airspeed_ratio), 1.0)
     to_stops = (worth * np.minimum(positions - low, high - positions)).min(axis=1, initial=np.inf)
     to_stall = (left.model.stall_alpha_rad - state[:, ALPHA]) / _ANGLE
     to_sideslip = (_BETA_MAX - np.abs(state[:, BETA])) / _ANGLE
-    return np.minimum(np.minimum(to_stops, to_stall), to_sideslip) + 1e-9
+    return np.minimum(np.minimum(to_stops, to_stall), to_sideslip) + _ROUNDING
 
 
 def lost_thrust(model: DesignModel, failed: Sequence[int], forces: np.ndarray) -> bool:

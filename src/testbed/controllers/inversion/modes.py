@@ -18,6 +18,9 @@ from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 
+_CLEARLY = 0.5
+"""Share of the largest authority that can be left, with which less important axes are given up in place of others."""
+
 
 @dataclass(frozen=True)
 class Mode:
@@ -78,8 +81,6 @@ class Modes(Mapping[tuple[int, ...], Mode]):
 
 
 _modes: Cache[Modes] = Cache(32)
-_CLEARLY = 0.5
-"""Share of the most authority that less important axes to give up must leave, to be preferred."""
 
 
 def enumerate_modes(
@@ -103,26 +104,65 @@ def _mode(
     released: Sequence[str],
 ) -> Mode:
     names = tuple(model.actuators[i] for i in failed)
-    axes = _released_axes(names, b.shape[1], control, released)
+    axes = _released_axes(model, b, failed, control, released)
     available = [i for i in range(b.shape[1]) if i not in failed]
-    if failed and not any(name in part.split("+") for part in control.release for name in names):
-        rotating = np.where([[axis != "u_dot"] for axis in RATES], _fast(model), 1.0)
-        given_up = [axis for axis in RATES if axis in released or axis not in control.priorities]
-        fast = b * rotating
-        derived = _controllable(fast[:, available], fast, given_up, control)
-        axes = axes if derived is None else derived
     kept = [i for i, axis in enumerate(RATES) if axis not in axes]
-    remaining = b[np.ix_(kept, available)]
-    condition = float(np.linalg.cond(remaining)) if kept else math.inf
-    refused = _refusal(len(kept), len(available), condition, control.condition_max)
-    inverse = np.zeros((b.shape[1], 4))
+    condition = float(np.linalg.cond(b[np.ix_(kept, available)])) if kept else math.inf
     alone = _thrust_alone(b, _fast(model), kept, available, control.condition_max)
-    mode = Mode(names, axes, inverse, condition, thrust_alone=tuple(map(bool, alone)))
+    mode = Mode(names, axes, np.zeros((b.shape[1], 4)), condition, thrust_alone=tuple(map(bool, alone)))
+    refused = _refusal(len(kept), len(available), condition, control.condition_max)
     if refused:
         return replace(mode, refused=f"{mode.title}: {refused}")
-    basis = _basis(b[RATES.index("u_dot")] * ("u_dot" not in axes), alone, available)
-    inverse[np.ix_(available, kept)] = basis @ np.linalg.pinv(remaining @ basis)
-    return mode
+    return replace(mode, inverse=_inverse(b, kept, available, alone))
+
+
+def _released_axes(
+    model: DesignModel,
+    b: np.ndarray,
+    failed: tuple[int, ...],
+    control: ControlDesign,
+    always: Sequence[str],
+) -> tuple[str, ...]:
+    """Axes to give up. While nothing has failed, these are `always`.
+
+    After a failure of actuators that the aircraft's `release` does not name, they are those that `_controllable` finds. For all
+    others, and where it finds none, they are those that the aircraft lists.
+    """
+    if not failed:
+        return tuple(axis for axis in RATES if axis in always)
+    names = [model.actuators[i] for i in failed]
+    listed = _listed_axes(names, b.shape[1], control)
+    if any(name in key.split("+") for key in control.release for name in names):
+        return listed
+    available = [i for i in range(b.shape[1]) if i not in failed]
+    fast = b * np.where([[axis != "u_dot"] for axis in RATES], _fast(model), 1.0)
+    given_up = [axis for axis in RATES if axis in always or axis not in control.priorities]
+    derived = _controllable(fast[:, available], fast, given_up, control)
+    return listed if derived is None else derived
+
+
+def _listed_axes(failed: Sequence[str], n: int, control: ControlDesign) -> tuple[str, ...]:
+    """The axes that the aircraft's `release` lists for this combination, or else those that it lists for each failed actuator.
+
+    More axes are given up, lowest priority first, until no more are kept than actuators are left of n.
+    """
+    listed = control.release.get("+".join(failed))
+    if listed is None:
+        listed = tuple(axis for name in failed for axis in control.release.get(name, ()))
+    axes = set(listed) | (set(RATES) - set(control.priorities))  # those that the aircraft does not have
+    for axis in reversed(control.priorities):
+        if len(RATES) - len(axes) <= n - len(failed):
+            break
+        axes.add(axis)
+    return tuple(axis for axis in RATES if axis in axes)
+
+
+def _inverse(b: np.ndarray, kept: Sequence[int], available: Sequence[int], alone: np.ndarray) -> np.ndarray:
+    """[n, 4] `Mode.inverse`: the pseudo-inverse of the kept rows of b [4, n], with what is moved independently."""
+    u_dot, inverse = RATES.index("u_dot"), np.zeros((b.shape[1], 4))
+    basis = _basis(b[u_dot] * (u_dot in kept), alone, available)
+    inverse[np.ix_(available, kept)] = basis @ np.linalg.pinv(b[np.ix_(kept, available)] @ basis)
+    return inverse
 
 
 def _thrust_alone(
@@ -139,8 +179,12 @@ def _thrust_alone(
 
 
 def _basis(thrust: np.ndarray, alone: np.ndarray, available: Sequence[int]) -> np.ndarray:
-    """[available, independent] what is moved independently: each actuator by itself, but those that answer to u_dot alone together,
-    in proportion to their effect on it, `thrust` [n]."""
+    """[available, independent] what is moved independently: each actuator by itself, but all that answer to u_dot alone as one.
+
+    Args:
+        thrust: [n] effect on u_dot, to which these are moved in proportion.
+        alone: [n] which actuators answer to u_dot alone.
+    """
     unit = np.eye(len(thrust))[:, ~alone]
     together = np.where(alone, thrust, 0.0)[:, None]
     columns = np.hstack([unit, together / max(float(np.linalg.norm(together)), 1e-12)])[list(available)]
@@ -155,9 +199,10 @@ def _fast(model: DesignModel) -> np.ndarray:
 def _controllable(
     b: np.ndarray, healthy: np.ndarray, first: Sequence[str], control: ControlDesign
 ) -> tuple[str, ...] | None:
-    """Axes to give up so that the others can be controlled: the fewest, and of those the least important, unless others leave
-    clearly more of the aircraft's authority; None where none suffice. An aileron yaws a little, so without a rudder roll could be
-    given up in place of yaw, but the aileron is the better control of roll.
+    """Axes to give up so that the others can be controlled, or None where none suffice.
+
+    They are the fewest, and of those the least important, unless others leave clearly more of the aircraft's authority. An aileron
+    yaws a little, so without a rudder roll could be given up in place of yaw, but the aileron is the better control of roll.
 
     Args:
         b: [4, available] scaled input matrix, of those effects that are fast enough.
@@ -197,7 +242,7 @@ def _refusal(axes: int, actuators: int, condition: float, condition_max: float) 
 def allocation_of(
     b: np.ndarray, released: Sequence[str], weights: AllocationWeights
 ) -> tuple[np.ndarray, np.ndarray]:
-    """[4] weight of each rate in the allocation within the stops, squared, and [n, n] the Hessian of its sum of squares.
+    """[4] squared weight of each rate in the allocation within the stops, and [n, n] the Hessian of half its sum of squares.
 
     Args:
         b: [4, n] scaled input matrix.
@@ -205,26 +250,3 @@ def allocation_of(
     """
     row_weight = np.array([0.0 if axis in released else getattr(weights, axis) ** 2 for axis in RATES])
     return row_weight, b.T @ np.diag(row_weight) @ b + weights.deviation**2 * np.eye(b.shape[1])
-
-
-def _released_axes(
-    failed: tuple[str, ...], n: int, control: ControlDesign, always: Sequence[str]
-) -> tuple[str, ...]:
-    """Axes to give up.
-
-    While nothing has failed, these are `always`. After a failure, they are those that the aircraft's `release` lists for this
-    combination. If it does not list the combination, they are those that it lists for each failed actuator. In both cases more
-    axes are given up, lowest priority first, until no more axes are kept than actuators are left. For actuators that it does not
-    name `_controllable` finds better ones where it can.
-    """
-    if not failed:
-        return tuple(axis for axis in RATES if axis in always)
-    listed = control.release.get("+".join(failed))
-    if listed is None:
-        listed = tuple(axis for name in failed for axis in control.release.get(name, ()))
-    axes = set(listed) | (set(RATES) - set(control.priorities))  # those that the aircraft does not have
-    for axis in reversed(control.priorities):
-        if len(RATES) - len(axes) <= n - len(failed):
-            break
-        axes.add(axis)
-    return tuple(axis for axis in RATES if axis in axes)

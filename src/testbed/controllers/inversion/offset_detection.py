@@ -50,10 +50,14 @@ def expect_offset(i, change, phi, s):
 
 @compiled
 def time_to_stand_still(i, pressure_ratio, m, c, s):
-    """How long surface i must look jammed to be jammed [s]; 0 where it does not. Effectiveness 1 must be out of question, and the
-    force in the model error beyond `jam_sigma`: then it is `persistence`, and less in proportion the likelier that force is one of
-    its own, since a hardover leaves no time. With less force it must have moved: `persistence` if its effectiveness is negative
-    beyond doubt, and `jam_time` if it may be 0."""
+    """How long surface i must look jammed until it is taken for jammed [s]; 0 where it does not look jammed.
+
+    Effectiveness 1 must be out of question, and one of these hold:
+
+    * the force in the model error is beyond `jam_sigma` standard deviations: `persistence` at that force, and less as one over the
+      square of a larger one, since a hardover leaves no time;
+    * with less force, it has `moved`: `persistence` if its effectiveness is negative beyond doubt, `jam_time` if it may be 0.
+    """
     if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
     if s.lambda_hat[i] >= min(BETWEEN, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
@@ -76,7 +80,7 @@ def follows(i, m, c, s):
 
 @compiled
 def deviation(i, s):
-    """Standard deviation of the estimate of actuator i."""
+    """Standard deviation of the effectiveness estimate of actuator i [1]."""
     return math.sqrt(max(s.P[i, i], 0.0))
 
 
@@ -85,7 +89,7 @@ def offset_in_model_error(i, pressure_ratio, m, s):
     """The offset of actuator i that explains the estimated model error b best, by least squares weighted with its variance.
 
     Returns:
-        The offset [scaled], and the square of it in its standard deviations.
+        The offset [scaled], and the square of the offset over its standard deviation [1].
     """
     projection, information = 0.0, 0.0
     for row in range(4):
@@ -136,7 +140,7 @@ def follow_offsets(pressure_ratio, m, c, s):
 
 @compiled
 def force_of_offsets(row, pressure_ratio, m, s):
-    """What the known offsets of surfaces add to one rate."""
+    """What the known offsets of surfaces add to one rate [rad/s2; u_dot m/s2]."""
     force = 0.0
     for i in range(len(s.offset)):
         if s.offset[i] != 0.0:

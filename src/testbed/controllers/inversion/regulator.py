@@ -59,103 +59,15 @@ class Regulator:
     airspeeds: AirspeedRange
 
 
-def linearise(
-    left: Remaining, lags: np.ndarray, flight: SteadyFlight, held: Sequence[str]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Matrices A, B of the plant about a trim: states z = (x [10], a [n], integrals of the held outputs), inputs r [n].
-
-    Args:
-        left: the actuators that are left.
-        lags: [n] corner of each actuator's first-order lag, a' = lag (r - a) [rad/s].
-        flight: the trim.
-        held: names of the outputs whose errors are integrated.
-    """
-    nx, n = len(REGULATOR_STATE), len(lags)
-    x0, a0 = flight
-    rows = [REGULATOR_STATE.index(name) for name in held]
-
-    def plant(z: np.ndarray, r: np.ndarray) -> np.ndarray:
-        x, a = z[:nx], z[nx : nx + n]
-        return np.concatenate([left.motion(x, a), lags * (r - a), x[rows] - x0[rows]])
-
-    z0 = np.concatenate([x0, a0, np.zeros(len(held))])
-    return jacobian(lambda z: plant(z, a0), z0), jacobian(lambda r: plant(z0, r), a0)
-
-
-def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Gains K of u = -K x that minimise the integral of x'Qx + u'Ru, and the eigenvalues of A - B K
-    (Bryson and Ho, Applied Optimal Control, sec. 5.2).
-
-    Raises:
-        numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach.
-    """
-    with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so a flight's bytes
-        K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
-        return K, np.linalg.eigvals(A - B @ K)
-
-
-def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-    """Linear-quadratic regulator for a mode, with weights by Bryson's rule (Bryson and Ho, sec. 5.2).
-
-    Args:
-        jammed: scaled position of each jammed actuator, by its index; the trim balances its effect.
-
-    Raises:
-        NoSteadyFlight: no steady flight within the stops, or none that can be stabilised.
-    """
-    left, weights = Remaining.after(setup, mode, jammed), setup.control.regulator
-    flight, held = steady_flight(left, setup.control.loops, mode.title)
-    nx, n = len(REGULATOR_STATE), len(left.scale)
-    A, B = linearise(left, setup.lags, flight, held)
-    # Inputs are nu. The law divides positions of surfaces by (V/V_0)^2, so that their effect is what nu demands.
-    pressure_ratio = (flight.state[AIRSPEED] / setup.model.airspeed_m_s) ** 2
-    pressure = np.array([pressure_ratio if kind == "servo" else 1.0 for kind in setup.model.kinds])
-    inverse = mode.inverse / pressure[:, None]
-    B = B @ inverse
-    # Actuators that are not used, and released axes, are left out of the feedback. So is altitude in a descent: it is the
-    # energy that keeps the airspeed up, and cannot be held.
-    unused = {ALTITUDE} if "altitude" not in held else set()
-    unused |= {nx + i for i in range(n) if not left.available[i]}
-    states = [i for i in range(len(A)) if i not in unused]
-    kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
-    Q = np.diag(1.0 / np.square(_largest_deviations(weights, n, held)[states]))
-    into = inverse[:, kept]  # the weights are on actuator positions; these are r = into nu
-    R = into.T @ np.diag(left.available / weights.actuator**2) @ into
-    try:
-        K, eigenvalues = lq_gains(A[np.ix_(states, states)], B[np.ix_(states, kept)], Q, R)
-    except np.linalg.LinAlgError:
-        what = "what is left cannot stabilise the aircraft about its trim"
-        raise NoSteadyFlight(f"{mode.title}: {what}") from None
-    gains = np.zeros((4, len(A)))
-    gains[np.ix_(kept, states)] = K
-    integral = np.zeros((4, len(INTEGRALS)))
-    integral[:, [INTEGRALS.index(name) for name in held]] = gains[:, nx + n :]
-    return Regulator(
-        *flight,
-        flight.positions * pressure,
-        gains[:, :nx],
-        gains[:, nx : nx + n],
-        integral,
-        eigenvalues,
-        held,
-        airspeed_range(left, flight, held),
-    )
-
-
-def _largest_deviations(weights: RegulatorWeights, n: int, held: Sequence[str]) -> np.ndarray:
-    """[10 + n + number held] largest acceptable deviation of each state of `linearise`."""
-    states = [getattr(weights.states, name) for name in REGULATOR_STATE]
-    return np.array([*states, *[weights.actuator] * n, *(getattr(weights.integrals, name) for name in held)])
-
-
 _regulators: Cache[Regulator | str] = Cache(256)
 
 
 def regulator_for(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
-    """As `design_regulator`, cached: to compute a design takes longer than to simulate a second of flight, and it is the same in
-    every flight. A mode without steady flight is cached too.
+    """As `design_regulator`, cached: a design takes longer than the simulation of a second of flight, and is the same in every
+    flight. That a mode has no steady flight is cached too.
 
-    Positions of jammed actuators are rounded by `_JAM_STEPS`, so that the flights of a sweep share designs."""
+    Positions of jammed actuators are rounded by `_JAM_STEPS`, so that the flights of a sweep share designs.
+    """
     rounded = {i: round(position * _JAM_STEPS) / _JAM_STEPS for i, position in jammed.items()}
     arrays = (setup.scale, mode.inverse, setup.limits, setup.lags)
     control = setup.control.model_dump_json()
@@ -180,6 +92,92 @@ def regulator_for(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regu
     return found
 
 
+def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
+    """Linear-quadratic regulator for a mode, with weights by Bryson's rule (Bryson and Ho, sec. 5.2).
+
+    Args:
+        jammed: scaled position of each jammed actuator, by its index; the trim balances its effect.
+
+    Raises:
+        NoSteadyFlight: no steady flight within the stops, or none that can be stabilised.
+    """
+    left = Remaining.after(setup, mode, jammed)
+    flight, held = steady_flight(left, setup.control.loops, mode.title)
+    A, B = linearise(left, setup.lags, flight, held)
+    # Inputs are nu. The law divides positions of surfaces by (V/V_0)^2, so that their effect is what nu demands.
+    pressure_ratio = (flight.state[AIRSPEED] / setup.model.airspeed_m_s) ** 2
+    effect_ratio = np.where(left.servos, pressure_ratio, 1.0)
+    inverse = mode.inverse / effect_ratio[:, None]
+    B = B @ inverse
+    states = _fed_back(left, held)
+    kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
+    Q, R = _weights(setup.control.regulator, left, held, inverse[:, kept])
+    try:
+        K, eigenvalues = lq_gains(A[np.ix_(states, states)], B[np.ix_(states, kept)], np.diag(Q[states]), R)
+    except np.linalg.LinAlgError:
+        what = "what is left cannot stabilise the aircraft about its trim"
+        raise NoSteadyFlight(f"{mode.title}: {what}") from None
+    gains = np.zeros((4, len(A)))
+    gains[np.ix_(kept, states)] = K
+    trim_effect, airspeeds = flight.positions * effect_ratio, airspeed_range(left, flight, held)
+    return Regulator(*flight, trim_effect, *_by_part(gains, held), eigenvalues, held, airspeeds)
+
+
+def _fed_back(left: Remaining, held: Sequence[str]) -> list[int]:
+    """Indices of the states of `linearise` that are fed back: all but the actuators that are not used.
+
+    In a descent altitude is not fed back: it is the energy that keeps the airspeed up, and cannot be held.
+    """
+    nx, n = len(REGULATOR_STATE), len(left.scale)
+    unused = {nx + i for i in left.unused} | (set() if "altitude" in held else {ALTITUDE})
+    return [i for i in range(nx + n + len(held)) if i not in unused]
+
+
+def _weights(
+    weights: RegulatorWeights, left: Remaining, held: Sequence[str], into: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Bryson's weights: [10 + n + number held] diagonal of Q, and [kept, kept] R, one over the squares of acceptable deviations.
+
+    Args:
+        into: [n, kept] from nu to scaled positions, r = into nu: the weights of R are on actuator positions.
+    """
+    states = [getattr(weights.states, name) for name in REGULATOR_STATE]
+    integrals = [getattr(weights.integrals, name) for name in held]
+    Q = 1.0 / np.square(np.array([*states, *[weights.actuator] * len(left.scale), *integrals]))
+    return Q, into.T @ np.diag(left.available / weights.actuator**2) @ into
+
+
+def _by_part(gains: np.ndarray, held: Sequence[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """K, K_actuator and K_integral of `Regulator` from the [4, 10 + n + number held] gains on the states of `linearise`."""
+    nx, first_integral = len(REGULATOR_STATE), gains.shape[1] - len(held)
+    K_integral = np.zeros((4, len(INTEGRALS)))
+    K_integral[:, [INTEGRALS.index(name) for name in held]] = gains[:, first_integral:]
+    return gains[:, :nx], gains[:, nx:first_integral], K_integral
+
+
+def linearise(
+    left: Remaining, lags: np.ndarray, flight: SteadyFlight, held: Sequence[str]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Matrices A, B of the plant about a trim: states z = (x [10], a [n], integrals of the held outputs), inputs r [n].
+
+    Args:
+        left: the actuators that are left.
+        lags: [n] corner of each actuator's first-order lag, a' = lag (r - a) [rad/s].
+        flight: the trim.
+        held: names of the outputs whose errors are integrated.
+    """
+    nx, n = len(REGULATOR_STATE), len(lags)
+    x0, a0 = flight
+    rows = [REGULATOR_STATE.index(name) for name in held]
+
+    def plant(z: np.ndarray, r: np.ndarray) -> np.ndarray:
+        x, a = z[:nx], z[nx : nx + n]
+        return np.concatenate([left.motion(x, a), lags * (r - a), x[rows] - x0[rows]])
+
+    z0 = np.concatenate([x0, a0, np.zeros(len(held))])
+    return jacobian(lambda z: plant(z, a0), z0), jacobian(lambda r: plant(z0, r), a0)
+
+
 def jacobian(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray) -> np.ndarray:
     """[m, n] derivatives of a function with m values, at x [n], by central differences."""
     columns = []
@@ -188,3 +186,15 @@ def jacobian(function: Callable[[np.ndarray], np.ndarray], x: np.ndarray) -> np.
         step[i] = _STEP
         columns.append((function(x + step) - function(x - step)) / (2.0 * _STEP))
     return np.array(columns).T
+
+
+def lq_gains(A: np.ndarray, B: np.ndarray, Q: np.ndarray, R: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Gains K of u = -K x that minimise the integral of x'Qx + u'Ru, and the eigenvalues of A - B K
+    (Bryson and Ho, Applied Optimal Control, sec. 5.2).
+
+    Raises:
+        numpy.linalg.LinAlgError: no gains stabilise the plant, as it has an unstable mode that B cannot reach.
+    """
+    with threadpool_limits(1):  # the number of BLAS threads changes the last bits, and so a flight's bytes
+        K = np.linalg.solve(R, B.T @ solve_continuous_are(A, B, Q, R))
+        return K, np.linalg.eigvals(A - B @ K)

@@ -27,9 +27,8 @@ _LARGEST_STEP = 1.0  # of an unknown in one iteration, in its unit
 _DIFFERENCE = 1e-6  # of the central differences, in each unknown's unit
 _RESIDUAL_MAX = 1e-7  # largest rate that may remain [rad/s2, m/s2, m/s]
 _DAMPING = 1e-10  # of the Gauss-Newton steps, so that too few actuators are no error
-_THRUST_AIRSPEEDS = np.linspace(
-    0.3, 2.1, 73
-)  # of the thrust of a jammed motor, in units of the reference airspeed
+_THRUST_AIRSPEEDS = np.linspace(0.3, 2.1, 73)
+"""Airspeeds of the thrust table of a jammed motor, in units of the reference airspeed: more than are searched for a trim."""
 
 
 @dataclass(frozen=True)
@@ -126,7 +125,7 @@ class Remaining:
 
     @cached_property
     def curvature(self) -> float:
-        """Half the second derivative of u_dot by alpha [m/s2] where drag decides: without a motor that could make up for it."""
+        """`forward_curvature` [m/s2 per rad^2] where drag decides, without a motor that could make up for it; else 0."""
         powered = bool(np.any((self.available > 0.0) & ~self.servos))
         return 0.0 if powered else forward_curvature(self.model)
 
@@ -149,7 +148,7 @@ def at_path_angles(left: Remaining, airspeeds: np.ndarray, path_angles: np.ndarr
 
 
 def level(left: Remaining, airspeeds: np.ndarray) -> SteadyFlight:
-    """Level flights at airspeeds that are unknown; [m] first guesses of them [m/s]."""
+    """The level flights with the airspeed as an unknown; `airspeeds` [m] are its first guesses [m/s]."""
     return _solved(left, airspeeds, lambda climb: climb, with_airspeed=True)
 
 
@@ -220,7 +219,7 @@ def motion(
         x: [..., 10] state by `records.REGULATOR_STATE`.
         a: [..., n] actuator positions [rad, N].
         effectiveness: [n] of each actuator, 1 healthy, 0 lost.
-        curvature: half the second derivative of u_dot by alpha at the reference airspeed [m/s2].
+        curvature: half the second derivative of u_dot by alpha at the reference airspeed [m/s2 per rad^2].
     """
     speed, alpha, beta, p, q, r, roll, pitch, _, _ = np.moveaxis(x, -1, 0)
     p_dot, q_dot, r_dot, u_dot, v_dot, w_dot = np.moveaxis(
@@ -261,9 +260,8 @@ def _rates(
 ) -> np.ndarray:
     columns = np.moveaxis(x, -1, 0)
     rates = model.rates(dict(zip(REGULATOR_STATE[:8], columns, strict=False)), a, effectiveness)
-    pressure = np.square(x[..., AIRSPEED] / model.airspeed_m_s)
-    beyond = np.maximum(
-        x[..., ALPHA] - model.alpha_rad, 0.0
-    )  # below the trim the tangent asks for more drag: the safe side
-    rates[..., ROWS.index("u_dot")] += curvature * pressure * np.square(beyond)
+    pressure_ratio = np.square(x[..., AIRSPEED] / model.airspeed_m_s)
+    # Only beyond the trim: at smaller angles the tangent has more drag than the parabola, which is the safe side.
+    beyond = np.maximum(x[..., ALPHA] - model.alpha_rad, 0.0)
+    rates[..., ROWS.index("u_dot")] += curvature * pressure_ratio * np.square(beyond)
     return rates

@@ -12,20 +12,20 @@ from testbed.controllers.commands import write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
 from testbed.controllers.inversion.jam_detection import detect_jam
-from testbed.controllers.inversion.lateness import act_late, estimate_lateness
+from testbed.controllers.inversion.lateness import delay_regressor, estimate_lateness
 from testbed.controllers.inversion.law import (
     adapt,
+    assume_ideal_actuators,
     low_pass,
     measured_error,
     monitor,
     pressure_ratio_of,
     regressor,
     state_function,
-    take_for_ideal,
 )
 from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
-from testbed.controllers.outer_loops import pid_loops, regulate
+from testbed.controllers.outer_loops import virtual_control
 
 
 @compiled
@@ -44,25 +44,12 @@ def adaptive_step(step, parts):
     y, m, c, k, s, w = states[step], models[0], settings[0], modes[0], memories[0], works[0]
     advance_actuators(c.dt, axial_speed(y), m, s)
     if c.ideal_actuators:
-        take_for_ideal(m, c, k, s)
+        assume_ideal_actuators(m, c, k, s)
     state_function(y, m, w.f)
     if c.adapts and estimate(y, m, c, s, w):
         return 1
     command_step(step, parts)
     return 0
-
-
-@compiled
-def regression(y, pressure_ratio, m, c, s, w):
-    """The two sides of (10), z = x_c_dot - f_m and Phi, both filtered alike, into z [4] and phi [4, n] of `w`."""
-    f, z, phi = w.f, w.z, w.phi
-    z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
-    for i in range(4):  # both f and Phi contain the constant part of the propellers' torque: count it once
-        z[i] += m.offset[i] * pressure_ratio
-    regressor(pressure_ratio, m, s, phi)
-    low_pass(z, s.filtered, c.filter_rate * c.dt)
-    for i in range(4):
-        low_pass(phi[i], s.filtered_phi[:, i], c.filter_rate * c.dt)
 
 
 @compiled
@@ -72,7 +59,7 @@ def estimate(y, m, c, s, w):
     pressure_ratio = pressure_ratio_of(y, m)
     regression(y, pressure_ratio, m, c, s, w)
     if c.weighted:
-        act_late(phi, c, s, w)
+        delay_regressor(phi, c, s, w)
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
     measured_error(z, phi, s, e)
     if c.weighted:
@@ -93,14 +80,24 @@ def estimate(y, m, c, s, w):
 
 
 @compiled
+def regression(y, pressure_ratio, m, c, s, w):
+    """The two sides of (10), z = x_c_dot - f_m and Phi, both filtered alike, into z [4] and phi [4, n] of `w`."""
+    f, z, phi = w.f, w.z, w.phi
+    z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
+    for i in range(4):  # both f and Phi contain the constant part of the propellers' torque: count it once
+        z[i] += m.offset[i] * pressure_ratio
+    regressor(pressure_ratio, m, s, phi)
+    low_pass(z, s.filtered, c.filter_rate * c.dt)
+    for i in range(4):
+        low_pass(phi[i], s.filtered_phi[:, i], c.filter_rate * c.dt)
+
+
+@compiled
 def command_step(step, parts):
     """Outer loops, inversion and commands with the mode in force; arguments as in `adaptive_step`."""
     states, setpoints, telemetry, models, settings, modes, memories, works = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
-    if k.regulated:
-        regulate(y, ref, m, c, k, s, w.f, w.nu)
-    else:
-        pid_loops(y, ref, c, s, w.f, w.nu)
+    virtual_control(y, ref, m, c, k, s, w)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
