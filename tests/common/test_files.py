@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from testbed.common.files import plain, replacing, slug
+from testbed.common.files import cache_home, plain, replacing, slug
 
 
 @pytest.mark.parametrize(
@@ -62,3 +62,24 @@ def test_what_is_not_finite_is_none_at_any_depth() -> None:
     found = plain(value)
     assert found == {"a": None, "b": [None, {"c": None}], "d": [1.0, None]}
     json.dumps(found, allow_nan=False)
+
+
+@pytest.mark.parametrize(
+    ("chosen", "home", "expected"),
+    [
+        ("/caches", "/home/me", "/caches"),
+        ("", "/home/me", "/home/me/.cache"),
+        (None, "/home/me", "/home/me/.cache"),
+        ("caches", "/home/me", "/home/me/.cache"),
+        ("caches", "", None),
+        (None, "me", None),
+    ],
+)
+def test_caches_are_neither_in_the_working_folder_nor_in_the_root_folder(
+    chosen: str | None, home: str, expected: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    if chosen is not None:
+        monkeypatch.setenv("XDG_CACHE_HOME", chosen)
+    monkeypatch.setenv("HOME", home)
+    assert cache_home() == (None if expected is None else Path(expected))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -104,6 +105,20 @@ def test_a_click_on_a_phase_moves_panels_and_replay(window: Window) -> None:
     assert high - low < value(window, "r.clock.end")
     window.page.get_by_role("button", name="Whole flight").click()
     assert value(window, "r.clock.range[1]") == value(window, "r.clock.end")
+
+
+def test_times_of_failures_in_quick_succession_do_not_stand_in_each_other(
+    browser: Any, tmp_path: Path
+) -> None:
+    failure = {"type": "effectiveness", "actuator": "left_ruddervator"}
+    failures = [{**failure, "at_s": at, "value": left} for at, left in ((0.5, 0.5), (0.51, 0.2), (0.8, 0.1))]
+    settings = {"duration_s": 1, "failures": failures, "requirements": []}
+    folder = write_run_folder(fly(load_scenario("scenarios/left_tail_fail.yaml", settings)), tmp_path / "run")
+    with drawn(browser, write_report(folder), 390) as made:
+        shown = made.page.locator(".times span:visible")
+        boxes = [shown.nth(i).bounding_box() for i in range(shown.count())]
+        assert len(boxes) == 4 and "0.5 s" in shown.all_inner_texts()
+        assert all(a["x"] + a["width"] < b["x"] for a, b in pairwise(sorted(boxes, key=lambda b: b["x"])))
 
 
 def test_any_column_can_be_drawn(window: Window) -> None:

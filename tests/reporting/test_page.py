@@ -93,6 +93,14 @@ def test_a_lost_flight_is_lost_from_its_end_on() -> None:
     ]
 
 
+def test_what_ended_unnoticed_leaves_what_was_broken_before() -> None:
+    second = {"actuator": "fan", "type": "motor_stop", "failure": 1}
+    short = (injection(5.0, **second), injection(6.0, **second, active=False))
+    assert named(injection(2.0), NOTICED, *short)[-2:] == [("unnoticed", 5.0, 6.0), ("flagged", 6.0, 10.0)]
+    assert named(injection(2.0), *short)[-2:] == [("unnoticed", 2.0, 5.0), ("unnoticed", 5.0, 10.0)]
+    assert named(*short)[-2:] == [("unnoticed", 5.0, 6.0), ("healthy", 6.0, 10.0)]
+
+
 def test_nothing_broken_is_healthy_all_the_time() -> None:
     assert named() == [("healthy", 0.0, 10.0)]
 

@@ -44,6 +44,22 @@ def test_words_of_each_example(name: str) -> None:
         assert words[0].islower() and "None" not in words
 
 
+@pytest.mark.parametrize(
+    ("shape", "words"), [("linear", "within 3.3 s"), ("exponential", "with a time constant of 3.3 s")]
+)
+def test_a_time_constant_is_not_called_an_end(shape: str, words: str) -> None:
+    fields = {"type": "decay", "actuator": "a", "at_s": 1, "value": 0.05, "over_s": 3.3, "shape": shape}
+    failure: Failure = FAILURES["decay"].model_validate(fields)
+    assert predicate(failure, {"kind": "motor"}) == f"began to lose its effect (to 5 % {words})"
+
+
+@pytest.mark.parametrize(("value", "words"), [(0.4, "followed only 40 %"), (1.5, "followed 150 %")])
+def test_more_than_all_of_a_command_is_not_called_only_so_much(value: float, words: str) -> None:
+    fields = {"type": "command_scale", "actuator": "a", "at_s": 1, "value": value}
+    failure: Failure = FAILURES["command_scale"].model_validate(fields)
+    assert predicate(failure, {"kind": "servo"}) == f"{words} of its commands"
+
+
 def test_what_failed_and_when_it_was_noticed() -> None:
     noticed = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
     gave_up = {"time_s": 2.3, "kind": "release", "axis": "r_dot"}
@@ -87,6 +103,23 @@ def test_a_lasting_difference_of_airspeed_is_said_as_the_mean_it_is() -> None:
     assert f"On average it flew {mean:.1f} m/s slower than its reference in the last {last_s:.1f} s." in text
 
 
+def test_too_short_a_time_since_the_failure_tells_no_mean_and_no_settling() -> None:
+    log = lost(9.9)
+    log["airspeed_m_s"] += 1.2
+    log["altitude_m"][at(9.9) : at(9.92)] += 0.4
+    text = told(log, injection(9.9))
+    assert "Worst: 0.40 m of altitude" in text
+    assert "On average" not in text and "ettle" not in text
+
+
+@pytest.mark.parametrize(
+    ("count", "words"),
+    [(4, "1 more failure followed, at 5.0 s."), (5, "2 more failures followed, the last at 6.0 s.")],
+)
+def test_of_many_failures_the_last_is_told(count: int, words: str) -> None:
+    assert words in told(lost(2.0), *(injection(2.0 + k) for k in range(count)))
+
+
 def test_drift_of_what_did_not_settle() -> None:
     log = lost(2.0)
     log["heading_deg"] = np.mod(350.0 + 4.0 * np.maximum(log["time_s"] - 2.0, 0.0), 360.0)
@@ -108,6 +141,12 @@ def test_an_estimate_is_told_only_where_there_is_one() -> None:
     log = level_log()
     log["elevon_effectiveness"][at(2) :] = 0.5
     assert "does not look for failures" in told(log, injection(2.0))
+    log["elevon_effectiveness_estimate"][at(2) :] = math.nan
+    assert "does not look for failures" in told(log, injection(2.0))
+    log["elevon_effectiveness_estimate"][at(2) :] = (
+        1.0 - 3e-5
+    )  # in calm air an estimator has nothing to learn from
+    assert "does not look for failures" not in told(log, injection(2.0))
     log["elevon_effectiveness_estimate"][at(3) :] = 0.48
     assert "At the end it estimated 48 % for the elevon (true 50 %)." in told(log, injection(2.0))
 

@@ -76,9 +76,25 @@ export function timeline(root, flight, clock) {
   button("Whole flight", () => clock.show(clock.start, clock.end));
   root.append(bar, times, legend, buttons);
   const fit = () => bar.querySelectorAll(".phase").forEach((phase) => phase.classList.toggle("narrow", phase.clientWidth < phase.firstChild.offsetWidth + 12));
-  new ResizeObserver(fit).observe(bar); // a title that does not fit is left to the legend
+  new ResizeObserver(() => {
+    fit(); // a title that does not fit is left to the legend
+    thin(times);
+  }).observe(bar);
   clock.listen(() => {
     hand.style.left = share(clock.now);
   });
   clock.go(flight.failures_s[0] ?? clock.start);
 }
+
+// Hides each time that would stand in another: the first and the last one stay.
+function thin(times) {
+  const marks = [...times.children];
+  marks.forEach((mark) => (mark.style.visibility = ""));
+  const kept = [marks[0], marks[marks.length - 1]];
+  for (const mark of marks.slice(1, -1)) {
+    if (kept.every((other) => apart(mark.getBoundingClientRect(), other.getBoundingClientRect()))) kept.push(mark);
+    else mark.style.visibility = "hidden";
+  }
+}
+
+const apart = (a, b) => a.right + 4 < b.left || b.right + 4 < a.left;

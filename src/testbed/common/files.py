@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
@@ -18,6 +19,21 @@ _LONGEST_SLUG = 100
 def slug(name: str, otherwise: str) -> str:
     """A name as a file name: at most 100 lower case letters, digits and hyphens; `otherwise` when nothing of it is left."""
     return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:_LONGEST_SLUG].strip("-") or otherwise
+
+
+def cache_home() -> Path | None:
+    """The folder in which programs of this user keep what they can make again; None without a home folder.
+
+    A relative `XDG_CACHE_HOME` is ignored, as the XDG base directory specification asks. An empty `HOME` is none: Python would
+    take it for the root folder.
+    """
+    if (chosen := Path(os.environ.get("XDG_CACHE_HOME", ""))).is_absolute():
+        return chosen
+    try:
+        home = Path.home()
+    except RuntimeError:
+        return None
+    return home / ".cache" if os.environ.get("HOME") != "" and home.is_absolute() else None
 
 
 @contextmanager

@@ -19,6 +19,7 @@ import numba
 import numpy as np
 
 from testbed.common.cache import Cache
+from testbed.common.files import cache_home
 from testbed.common.jit_cache import CodeCache
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -52,8 +53,8 @@ def _cache_folder() -> Path | None:
 
 def _roots() -> Iterator[Path]:
     """Where compiled code may be kept, best first. There may be no home folder, and no temporary folder either."""
-    with contextlib.suppress(RuntimeError):
-        yield Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "testbed"
+    if home := cache_home():
+        yield home / "testbed"
     with contextlib.suppress(OSError):
         yield Path(tempfile.gettempdir()) / f"testbed-{_user()}"
 

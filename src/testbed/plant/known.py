@@ -17,6 +17,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from testbed.common.files import cache_home
+
 Record = Mapping[str, Any]
 """What was found, as JSON can hold it. Of a first load: `properties`, the name of each property of the model, and whether it
 can be written."""
@@ -65,12 +67,13 @@ def _prune(folder: Path) -> None:
 
 def _file_of(digest: str) -> Path | None:
     """The file of a record; None where there is no home folder, or where the folder is somebody else's."""
+    if (home := cache_home()) is None:
+        return None
+    folder = home / "testbed" / "models"
     try:
-        home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-        folder = home / "testbed" / "models"
         if folder.is_dir() and hasattr(os, "getuid") and folder.stat().st_uid != os.getuid():
             return None
-    except (RuntimeError, OSError):
+    except OSError:
         return None
     return folder / f"{digest}-{_rules()}.json"
 

@@ -32,6 +32,11 @@ def _share(value: float) -> str:
     return f"kept {100 * value:.0f} % of its effect"
 
 
+def _decay(failure: Any, *_: str) -> str:
+    how = "within" if failure.shape == "linear" else "with a time constant of"
+    return f"began to lose its effect (to {100 * failure.value:.0f} % {how} {failure.over_s:g} s)"
+
+
 def _stop(failure: Any, kind: str, _: str) -> str:
     if kind == "servo":
         return f"ran to its {'highest' if failure.to == 'max' else 'lowest'} stop"
@@ -59,16 +64,16 @@ def _properties(failure: Any, *_: str) -> str:
 
 TABLE: dict[str, Words] = {
     "effectiveness": lambda f, kind, unit: _share(f.value),
-    "decay": lambda f, kind, unit: (
-        f"began to lose its effect (to {100 * f.value:.0f} % within {f.over_s:g} s)"
-    ),
+    "decay": _decay,
     "intermittent": lambda f, kind, unit: (
         f"began to fail on and off (at {100 * f.value:.0f} % for {f.off_s:g} s, healthy for {f.on_s:g} s on average)"
     ),
     "prop_loss": lambda f, kind, unit: "was lost completely (its propeller is gone)",
     "motor_stop": lambda f, kind, unit: f"stopped{' and was braked' if f.braked else ''}",
     "surface_lost": lambda f, kind, unit: "broke off",
-    "command_scale": lambda f, kind, unit: f"followed only {100 * f.value:.0f} % of its commands",
+    "command_scale": lambda f, kind, unit: (
+        f"followed {'only ' if f.value < 1.0 else ''}{100 * f.value:.0f} % of its commands"
+    ),
     "reversal": lambda f, kind, unit: "acted against its commands",
     "stuck": lambda f, kind, unit: "got stuck where it was",
     "stuck_at": lambda f, kind, unit: f"got stuck at {f.value:g} {unit}",

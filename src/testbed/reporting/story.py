@@ -31,7 +31,6 @@ _LAST = 0.25  # share of the time since a failure from which the final state is 
 _MOST = 3  # failures that are told one by one
 _ROUND_DEG = 170.0  # heading is measured the short way, so that it cannot be much further off
 _STEEP_DEG = 30.0  # of bank or pitch, worth a word when the aircraft is lost
-_WHOLE = 1e-3  # an estimate that never differs from 1 by more is none
 _LIMITS = {
     "alpha_max_deg": "angle of attack",
     "beta_max_deg": "sideslip",
@@ -67,9 +66,12 @@ def diagnoses(flight: Flight) -> list[str]:
 
 
 def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bool:
-    """Whether the controller estimated effectiveness: some estimate was not 1 all the time."""
+    """Whether the controller estimated effectiveness: some estimate was not 1 all the time.
+
+    A controller without estimates has exactly 1; in calm air those of an estimator differ from it by 1e-5 or less.
+    """
     columns = (log.get(f"{name}_effectiveness_estimate") for name in actuators)
-    return any(c is not None and bool(np.any(np.abs(c - 1.0) > _WHOLE)) for c in columns)
+    return any(c is not None and bool(np.any(np.abs(c - 1.0) > 0.0)) for c in columns)
 
 
 def title(name: str) -> str:
@@ -98,8 +100,9 @@ def _failures(flight: Flight) -> Iterator[str]:
         late = " This had no effect on the aircraft." if event.get("verified") is False else ""
         until = f", until {ends[event['failure']]:.1f} s" if event["failure"] in ends else ""
         yield f"At {event['time_s']:.1f} s{who} {what}{until}.{late}"
-    if len(starts) > _MOST:
-        yield f"{len(starts) - _MOST} more failures followed, the last at {starts[-1]['time_s']:.1f} s."
+    if more := starts[_MOST:]:
+        failures = "failure followed," if len(more) == 1 else "failures followed, the last"
+        yield f"{len(more)} more {failures} at {more[-1]['time_s']:.1f} s."
 
 
 def stretches_of(view: Readings) -> list[Stretch]:
@@ -182,12 +185,12 @@ def _estimates(view: Readings) -> Iterator[str]:
 
 
 def _errors(view: Readings) -> Iterator[str]:
-    """The worst errors since the first failure, and whether they settled."""
+    """The worst errors since the first failure, and whether they settled; too short a time since then does not tell."""
     first = min(view.first_failed_row(), len(view.time_s) - 1) if view.failure_times_s() else 0
     worst = {q: float(np.abs(view.error(q)[first:]).max()) for q in _TRACKED}
     round_ = " (it turned all the way round)" if worst["heading"] > _ROUND_DEG else ""
     yield f"Worst: {_amount(worst['altitude'])} m of altitude, {_amount(worst['heading'])} deg of heading{round_}."
-    if view.survived:
+    if view.survived and view.time_s[-1] - view.time_s[first] >= DWELL_S:
         yield from _settled(view, slice(first, len(view.time_s)), worst)
         yield from _speed(view, first)
 

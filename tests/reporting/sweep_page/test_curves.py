@@ -42,6 +42,14 @@ def test_a_band_has_quantiles_of_those_still_flying_and_the_worst(tmp_path: Path
     assert none is None or np.isnan(none.median).all()
 
 
+def test_a_choice_of_numbers_has_a_share_for_each() -> None:
+    frame = pd.DataFrame({"w20": [7.62] * 45 + [15.24] * 15, "passed": [True] * 40 + [False] * 20})
+    assert [(point.at, point.share.successes, point.share.n) for point in pass_shares(frame, "w20")] == [
+        (pytest.approx(7.62), 40, 45),
+        (pytest.approx(15.24), 0, 15),
+    ]
+
+
 def test_shares_of_numbers_and_of_names() -> None:
     frame = pd.DataFrame({"x": np.linspace(0, 1, 200), "name": ["a", "b"] * 100, "same": 1.0})
     frame["passed"] = (frame["x"] > 0.5) & (frame["name"] == "a")

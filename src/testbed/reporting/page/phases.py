@@ -13,8 +13,9 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
     """{name, from_s, until_s} of each phase, in order, without gaps.
 
     From a failure on the flight is `unnoticed` until an actuator is flagged, `flagged` from then on, and `recovered` once it has
-    recovered and, if anything is ever flagged for this failure, been flagged. A flight that ended early is `lost` from its end
-    to where it should have ended.
+    recovered and, if anything is ever flagged for this failure, been flagged. Once a failure ends that was neither, the phase
+    is what is left of the earlier ones: `flagged` if what is broken is, `unnoticed` if not, `healthy` if nothing is broken.
+    A flight that ended early is `lost` from its end to where it should have ended.
 
     Args:
         end_s: when the flight ended [s].
@@ -29,6 +30,9 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
             found.append((flagged, "flagged"))
         if recovered is not None:
             found.append((max(recovered, flagged if flagged is not None else recovered), "recovered"))
+        if flagged is None and recovered is None:
+            left = ((time, _left(events, time)) for time in _ends(events, begin, end))
+            found.extend((time, name) for time, name in left if name != "unnoticed")
     ends = [time for time, _ in found[1:]] + [end_s]
     made = [
         {"name": name, "from_s": begin, "until_s": end}
@@ -38,6 +42,36 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
     if any(event["kind"] == "lost" for event in events):
         made.append({"name": "lost", "from_s": end_s, "until_s": max(planned_s, end_s)})
     return made
+
+
+def _ends(events: Sequence[Mapping[str, Any]], begin: float, end: float) -> list[float]:
+    """Times in a stretch at which failures ended."""
+    return sorted(
+        {e["time_s"] for e in events if e["kind"] == "injection" and not e.get("active", True)
+         and begin < e["time_s"] < end}
+    )  # fmt: skip
+
+
+def _left(events: Sequence[Mapping[str, Any]], time_s: float) -> str:
+    """The phase that the failures make which are active after this time."""
+    active: dict[int, Mapping[str, Any]] = {}
+    for event in events:
+        if event["kind"] == "injection" and event["time_s"] <= time_s:
+            active.pop(event["failure"], None)
+            if event.get("active", True):
+                active[event["failure"]] = event
+    if not active:
+        return "healthy"
+    return "flagged" if all(_noticed(events, event, time_s) for event in active.values()) else "unnoticed"
+
+
+def _noticed(events: Sequence[Mapping[str, Any]], failure: Mapping[str, Any], time_s: float) -> bool:
+    """Whether the failure's actuator was flagged from its beginning to this time."""
+    return any(
+        e["kind"] == "detection" and e["actuator"] == failure["actuator"]
+        and failure["time_s"] <= e["time_s"] <= time_s
+        for e in events
+    )  # fmt: skip
 
 
 def _first(events: Sequence[Mapping[str, Any]], kind: str, begin: float, end: float) -> float | None:

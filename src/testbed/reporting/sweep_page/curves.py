@@ -58,7 +58,8 @@ def drawn_inputs(frame: pd.DataFrame, paths: list[str]) -> list[str]:
 def pass_shares(rows: pd.DataFrame, path: str) -> list[Point]:
     """The share of flights that pass in each part of an input's values, or for each of its names.
 
-    The parts have as equal numbers of flights as can be: ten, or fewer so that each has 8 flights.
+    The parts have as equal numbers of flights as can be: ten, or fewer so that each has 8 flights. Of ten different numbers or
+    fewer, such as those of a choice, each is a part.
     """
     passed = rows["passed"].to_numpy(dtype=bool)
     if is_number(rows[path]):
@@ -68,11 +69,19 @@ def pass_shares(rows: pd.DataFrame, path: str) -> list[Point]:
 
 
 def _of_numbers(x: np.ndarray, passed: np.ndarray) -> Iterator[Point]:
-    parts = min(_BINS, max(2, len(x) // _FLIGHTS_OF_A_BIN))
-    edges = np.unique(np.quantile(x, np.linspace(0, 1, parts + 1)))
-    which = np.clip(np.searchsorted(edges, x, side="right") - 1, 0, max(len(edges) - 2, 0))
+    which = _parts(x)
     for part in np.unique(which):
         yield Point(float(x[which == part].mean()), _proportion(passed[which == part]))
+
+
+def _parts(x: np.ndarray) -> np.ndarray:
+    """[flights] the number of the part in which each value is."""
+    levels, of_level = np.unique(x, return_inverse=True)
+    if len(levels) <= _BINS:
+        return of_level
+    parts = min(_BINS, max(2, len(x) // _FLIGHTS_OF_A_BIN))
+    edges = np.unique(np.quantile(x, np.linspace(0, 1, parts + 1)))
+    return np.clip(np.searchsorted(edges, x, side="right") - 1, 0, max(len(edges) - 2, 0))
 
 
 def _proportion(passed: np.ndarray) -> Proportion:
