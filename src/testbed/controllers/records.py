@@ -224,6 +224,7 @@ MEMORY = (
     Field("torque", (_N,), "N m", "modelled motor torque"),
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),
+    Field("lambda_before", (_N,), "1", "effectiveness estimate before: through a lag of `law.BEFORE_S`"),
     Field(
         "since_flag",
         (_N,),

@@ -245,7 +245,7 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
         if not (s.jammed[j] or s.reversed[j]) and s.since_flag[j] < RECENT_FLAG_S:
             s.failed[j] = 0
         if not s.failed[j]:
-            s.lambda_hat[j] = 1.0
+            s.lambda_hat[j], s.lambda_before[j] = 1.0, 1.0
             reset_covariance(j, HEALTHY_VARIANCE, s)
     s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
     s.jammed_at[i], s.since_flag[i], s.reversed[i] = s.lambda_hat[i], 0.0, 0
