@@ -44,6 +44,28 @@ def test_heading_is_held_from_40_s_after_a_jam(actuator: str, value: float) -> N
         assert altitude < 1.0
 
 
+@pytest.mark.parametrize("seed", [3, 8, 10])
+def test_a_weak_tail_is_not_given_up_for_a_propeller_that_sticks(seed: int) -> None:
+    """Heading strayed by 16 to 30 deg when it was: yaw was given up with it."""
+    changes = [
+        "sensors={model: mems}",
+        "atmosphere={turbulence_w20_m_s: 7.62}",
+        f"seed={seed}",
+        "controller={type: adaptive_inversion}",
+        "commands=[{at_s: 3, heading_deg: 120}, {at_s: 12, altitude_m: 307}]",
+        "command_rates={heading_deg_s: 7, altitude_m_s: 1}",
+        "failures=[{type: effectiveness, actuator: left_ruddervator, at_s: 8, value: 0.2}, "
+        "{type: stuck, actuator: left_propeller, at_s: 18}]",
+        "requirements=[]",
+        "duration_s=31",
+    ]
+    flight = fly(load_scenario(SCENARIO, changes))
+    altitude, heading, _ = worst_errors(flight, 8.0)
+    assert flight.outcome is Outcome.completed
+    assert altitude < 4.0 and heading < 8.0
+    assert not flight.log["left_ruddervator_failed"].any()
+
+
 def flown_by_aerosonde(failure: str, duration_s: float) -> Flight:
     changes = [
         "aircraft=aerosonde",

@@ -146,6 +146,25 @@ def test_only_an_estimate_that_is_certain_flags() -> None:
     assert s.jammed[0] == 0
 
 
+@pytest.mark.parametrize(
+    ("before", "others", "failed"),
+    [
+        (0.15, (1.0, 1.0, 1.0), 1),
+        (0.15, (1.0, 0.7, 1.0), 0),  # another one has changed more
+        (0.15, (1.2, 1.0, 1.0), 0),  # another one is at its limit
+        (0.9, (1.2, 0.7, 1.0), 1),  # so much is lost at once by a failure alone
+    ],
+)
+def test_a_weak_actuator_is_flagged_only_if_it_is_to_blame(
+    before: float, others: tuple[float, ...], failed: int
+) -> None:
+    _, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    s.lambda_before[0], s.lambda_hat[0], s.lambda_hat[1:] = before, 0.05, others
+    s.lambda_before[1] = others[0]
+    changed = [monitor(c, s) for _ in range(22)]
+    assert s.failed[0] == failed and sum(changed) == failed
+
+
 def test_a_flag_is_taken_back_after_the_recovery_time() -> None:
     _, c, _, s, _ = records_of(SETUP)
     s.failed[2], s.lambda_hat[2] = 1, 0.7

@@ -142,17 +142,21 @@ def adapt(e, pressure_ratio, m, c, s):
 
 
 @compiled
-def fell_most(i, s):
-    """Whether the estimate of actuator i fell by more than `SUDDENLY`, or by more than that of any other in use has changed.
+def is_to_blame(i, c, s):
+    """Whether a low estimate of actuator i is its own failure: it fell by more than `SUDDENLY`, or by more than any other estimate in
+    use has changed, and none of those is at its upper limit.
 
-    When another actuator fails, its force is at first explained by all estimates. That of a weak one has little way to go, and
-    went below the threshold: a surface that had kept 0.1 to 0.25 was given up for a propeller that stuck."""
+    When another actuator fails, all estimates share the explanation of its force at first, and at the limit is one whose force is
+    more than effectiveness explains. That of a weak actuator has little way to go until it is below the threshold: a surface that
+    had kept 0.1 to 0.25 was given up for a propeller that stuck."""
     fell = s.lambda_before[i] - s.lambda_hat[i]
-    if fell > SUDDENLY:
+    if fell > SUDDENLY or not c.weighted:
         return True
     for j in range(len(s.lambda_hat)):
-        if j != i and not s.failed[j] and abs(s.lambda_before[j] - s.lambda_hat[j]) > fell:
-            return False
+        if j != i and not s.failed[j]:
+            changed = abs(s.lambda_before[j] - s.lambda_hat[j]) > fell
+            if changed or s.lambda_hat[j] >= c.lambda_max:
+                return False
     return True
 
 
@@ -163,7 +167,7 @@ def monitor(c, s):
 
     An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
     hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
-    infinite. With `weighted` its estimate must also be the one that `fell_most`.
+    infinite. With `weighted` it must also be the one that `is_to_blame`.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
@@ -175,8 +179,7 @@ def monitor(c, s):
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
             low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]
-            blamed = not c.weighted or fell_most(i, s)
-            beyond, time = low and certain and blamed, c.persistence
+            beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:
