@@ -20,9 +20,8 @@ BEFORE_S = 3.0
 """Time constant of the estimate that an actuator had before [s]: several times the memory of the filter, 0.6 s."""
 SUDDENLY = 0.5
 """Effectiveness that is lost at once if an actuator fails: a fall by more than this is no error of its estimate."""
-TIMER_ROUNDING = (
-    1e-9  # s added to a time, so that a timer of so many control steps has not passed it by rounding
-)
+TIMER_ROUNDING = 1e-9
+"""Added to a time [s], so that a timer of so many control steps has not passed it by rounding."""
 
 
 @compiled
@@ -143,8 +142,8 @@ def adapt(e, pressure_ratio, m, c, s):
 
 @compiled
 def is_to_blame(i, c, s):
-    """Whether a low estimate of actuator i is its own failure: it fell by more than `SUDDENLY`, or by more than any other estimate in
-    use has changed, and none of those is at its upper limit.
+    """Whether a low estimate of actuator i is its own failure: it fell by more than `SUDDENLY`, or by more than any other estimate
+    in use has changed, and none of those is at its upper limit.
 
     When another actuator fails, all estimates share the explanation of its force at first, and at the limit is one whose force is
     more than effectiveness explains. That of a weak actuator has little way to go until it is below the threshold: a surface that
