@@ -143,7 +143,7 @@ def adapt(e, pressure_ratio, m, c, s):
 @compiled
 def is_to_blame(i, c, s):
     """Whether a low estimate of actuator i is its own failure: it fell by more than `SUDDENLY`, or by more than any other estimate
-    in use has changed, and none of those is at its upper limit.
+    in use has changed, and none of those is at its upper limit. An estimate with a larger standard deviation says nothing.
 
     When another actuator fails, all estimates share the explanation of its force at first, and at the limit is one whose force is
     more than effectiveness explains. That of a weak actuator has little way to go until it is below the threshold: a surface that
@@ -152,7 +152,7 @@ def is_to_blame(i, c, s):
     if fell > SUDDENLY or not c.weighted:
         return True
     for j in range(len(s.lambda_hat)):
-        if j != i and not s.failed[j]:
+        if j != i and not s.failed[j] and s.P[j, j] < SUDDENLY * SUDDENLY:
             changed = abs(s.lambda_before[j] - s.lambda_hat[j]) > fell
             if changed or s.lambda_hat[j] >= c.lambda_max:
                 return False
