@@ -144,6 +144,10 @@ MISSIONS: tuple[Mission, ...] = (
     Mission("cruise_second_tail_after_propeller", [_loss(LEFT_P, 0.0), _loss(LEFT, 0.5, SECOND_S)]),
     Mission("cruise_second_opposite_after_propeller", [_loss(LEFT_P, 0.0), _loss(RIGHT, 0.5, SECOND_S)]),
     Mission("cruise_second_propeller_stuck_after_tail", [_loss(LEFT, 0.2), _failure("stuck", LEFT_P, at_s=SECOND_S)]),
+    Mission(
+        "cruise_second_propeller_intermittent_after_tail",
+        [_loss(LEFT, 0.0), _failure("intermittent", RIGHT_P, at_s=SECOND_S, off_s=0.5, on_s=1.0)],
+    ),
     Mission("cruise_tail_reversed", [_failure("reversal", LEFT)]),
     Mission("hard_tail_reversed", [_failure("reversal", RIGHT)]),
     Mission("slow_tail_reversed", [_failure("reversal", RIGHT)]),

@@ -69,6 +69,6 @@ class Diagnosis:
         s, d = self._control[0], self.memory[0]
         s.lambda_hat[(s.failed == 1) | (d.failed == 1)] = 1.0
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
-        s.failed[:], s.jammed[:] = d.failed, d.jammed
+        s.failed[:], s.jammed[:], s.early[:] = d.failed, d.jammed, d.early
         self._modes.switch(step, float(self._parts[0][step].airspeed))
-        d.designed_position[:] = s.designed_position
+        d.designed_position[:], d.failed[:] = s.designed_position, s.failed

@@ -224,6 +224,12 @@ MEMORY = (
     Field("torque", (_N,), "N m", "modelled motor torque"),
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),
+    Field(
+        "early",
+        (_N,),
+        "flag",
+        "a flag was set after `persistence`, and may be taken back once: the next then comes after `law.WAIT_S`",
+    ),
     Field("lambda_before", (_N,), "1", "effectiveness estimate before: through a lag of `law.BEFORE_S`"),
     Field(
         "since_flag",

@@ -66,6 +66,28 @@ def test_a_weak_tail_is_not_given_up_for_a_propeller_that_sticks(seed: int) -> N
     assert not flight.log["left_ruddervator_failed"].any()
 
 
+@pytest.mark.parametrize("controller", ["{type: adaptive_inversion}", "{type: indi, monitor: true}"])
+@pytest.mark.parametrize("seed", [3, 8])
+def test_a_propeller_that_fails_on_and_off_after_a_tail_is_used_on(controller: str, seed: int) -> None:
+    """Given up, with level flight, it left the aircraft 23 to 32 m too low."""
+    changes = [
+        "sensors={model: mems}",
+        "atmosphere={turbulence_w20_m_s: 7.62}",
+        f"seed={seed}",
+        f"controller={controller}",
+        "commands=[{at_s: 3, heading_deg: 120}]",
+        "failures=[{type: effectiveness, actuator: left_ruddervator, at_s: 5, value: 0}, "
+        "{type: intermittent, actuator: right_propeller, at_s: 12, off_s: 0.5, on_s: 1.0}]",
+        "requirements=[]",
+        "duration_s=30",
+    ]
+    flight = fly(load_scenario(SCENARIO, changes))
+    altitude, heading, _ = worst_errors(flight, 12.0)
+    assert flight.outcome is Outcome.completed
+    assert altitude < 4.0 and heading < 14.0
+    assert any("seems lost" in event.get("text", "") for event in flight.events)
+
+
 def flown_by_aerosonde(failure: str, duration_s: float) -> Flight:
     changes = [
         "aircraft=aerosonde",

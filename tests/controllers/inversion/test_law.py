@@ -14,6 +14,7 @@ from scipy.signal import lfilter
 from vtail_setup import WEATHER, records_of, trim_state, vtail_setup
 
 from testbed.controllers.inversion.law import (
+    WAIT_S,
     adapt,
     compensate,
     invert,
@@ -163,6 +164,17 @@ def test_a_weak_actuator_is_flagged_only_if_it_is_to_blame(
     s.lambda_before[1] = others[0]
     changed = [monitor(c, s) for _ in range(22)]
     assert s.failed[0] == failed and sum(changed) == failed
+
+
+def test_a_flag_that_came_early_and_was_taken_back_comes_again_only_after_a_wait() -> None:
+    _, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    s.lambda_hat[0] = 0.03
+    first = [monitor(c, s) for _ in range(100)].index(1)
+    assert first == round(c.persistence / c.dt) and s.early[0] == 1
+    s.failed[0] = 0
+    s.lambda_before[0] = 0.03  # it no longer falls
+    second = [monitor(c, s) for _ in range(1000)].index(1)
+    assert second == round(WAIT_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
 
 
 def test_a_flag_is_taken_back_after_the_recovery_time() -> None:

@@ -86,6 +86,24 @@ def test_a_descent_is_said_with_its_angle() -> None:
     assert text.endswith("deg") and "path angle of about -" in text
 
 
+def test_level_flight_is_not_given_up_for_a_flag_that_came_early() -> None:
+    modes, s = switch_of()
+    s.failed[0] = s.early[0] = 1
+    modes.switch(1)  # without one tail there is level flight
+    assert modes.mode.failed == ("left_ruddervator",) and s.failed.tolist() == [1, 0, 0, 0]
+    s.failed[3] = s.early[3] = 1
+    modes.switch(2)
+    assert modes.mode.failed == ("left_ruddervator",) and s.failed.tolist() == [1, 0, 0, 0]
+    assert modes.record[0].available.tolist() == [0, 1, 1, 1]
+    ((step, text),) = modes.reasons
+    assert step == 2 and text.startswith(
+        "right_propeller: seems lost, but without it altitude cannot be held"
+    )
+    s.failed[3], s.early[3] = 1, 0  # it has stayed low for so long
+    modes.switch(3)
+    assert modes.mode.failed == ("left_ruddervator", "right_propeller")
+
+
 def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:
     modes, s = switch_of(vtail_setup(WEATHER))
     s.failed[0], s.jammed[0], s.lambda_hat[0] = 1, 1, 0.6
