@@ -20,7 +20,13 @@ from testbed.controllers.inversion.mode_trim import (
     steady_flight,
 )
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
-from testbed.controllers.inversion.steady_flights import Remaining, SteadyFlight, at_path_angles, motion
+from testbed.controllers.inversion.steady_flights import (
+    Remaining,
+    SteadyFlight,
+    at_path_angles,
+    motion,
+    path_angles,
+)
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, PITCH, REGULATOR_STATE, ROLL
 from testbed.controllers.setup import Setup
 
@@ -174,6 +180,18 @@ def test_gliding_has_a_path_angle_and_does_not_hold_altitude() -> None:
     assert held == ("airspeed", "heading")
     assert_steady(left, flight, flight.state[PITCH] - flight.state[ALPHA])
     assert flight.state[PITCH] < flight.state[ALPHA]
+
+
+@pytest.mark.parametrize("failed", [(0, 2), (0, 3), (1, 2), (1, 3)])
+def test_two_actuators_that_cannot_fly_level_descend_slowly_and_with_margin(failed: tuple[int, ...]) -> None:
+    """At the reference airspeed a tail and the opposite propeller sink by 2.6 m/s, with a margin of 0.04."""
+    left = remaining(*failed)
+    flight, held = steady_flight(left, LOOPS, "")
+    path_angle = float(path_angles(flight.only(None))[0])
+    assert held == ("airspeed", "heading")
+    assert_steady(left, flight, path_angle)
+    assert -1.8 < flight.state[AIRSPEED] * math.sin(path_angle) < -1.0
+    assert mode_trim.margins(left, flight.only(None))[0] > 0.7
 
 
 def test_one_actuator_is_not_enough() -> None:

@@ -71,7 +71,7 @@ def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlig
     with any number of surfaces and a motor that is stuck: drag balances its thrust at one airspeed.
     Without a motor the flight is a glide; airspeed and heading are held.
 
-    Where there is no level trim, the flight climbs or descends; airspeed and heading are held.
+    Where there is no level trim, the flight climbs or descends, at any airspeed; airspeed and heading are held.
 
     Args:
         title: what failed, for the message.
@@ -139,6 +139,7 @@ def _after_losses(left: Remaining, loops: Loops) -> Iterator[Attempt]:
     if left.available.sum() < 3 or not motor:
         if motor:
             yield level(left, around), ("altitude", "heading"), _nearest(reference), 1.0
+            yield _at_any_airspeed(left), ("airspeed", "heading"), _slowest_descent(left), 1.0
         elif not left.servos.all():
             yield _at_any_airspeed(left), ("airspeed", "heading"), _shallowest(left), 1.0
         yield at_airspeeds(left, around), ("airspeed", "heading"), _nearest(reference), 1.0
@@ -222,6 +223,17 @@ def _shallowest(left: Remaining) -> Preference:
     return lambda flights: (
         np.minimum(margins(left, flights), _MARGIN_OF_A_GLIDE) + _MARGIN_FOR_SLOPE * path_angles(flights)
     )
+
+
+def _slowest_descent(left: Remaining) -> Preference:
+    """Most margin up to `_MARGIN_ENOUGH`, but not for a fast descent, at any airspeed."""
+
+    def preference(flights: SteadyFlight) -> np.ndarray:
+        climb = np.sin(path_angles(flights)) * flights.state[:, AIRSPEED] / left.model.airspeed_m_s
+        preferred: np.ndarray = np.minimum(margins(left, flights), _MARGIN_ENOUGH) + _MARGIN_FOR_SLOPE * climb
+        return preferred
+
+    return preference
 
 
 def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:
