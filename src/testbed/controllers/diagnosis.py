@@ -71,4 +71,4 @@ class Diagnosis:
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
         s.failed[:], s.jammed[:], s.early[:] = d.failed, d.jammed, d.early
         self._modes.switch(step, float(self._parts[0][step].airspeed))
-        d.designed_position[:], d.failed[:] = s.designed_position, s.failed
+        d.designed_position[:], d.failed[:], d.early[:] = s.designed_position, s.failed, s.early

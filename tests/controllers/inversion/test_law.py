@@ -14,6 +14,7 @@ from scipy.signal import lfilter
 from vtail_setup import WEATHER, records_of, trim_state, vtail_setup
 
 from testbed.controllers.inversion.law import (
+    STILL_LOW,
     WAIT_S,
     adapt,
     compensate,
@@ -172,7 +173,9 @@ def test_a_flag_that_came_early_and_was_taken_back_comes_again_only_after_a_wait
     first = [monitor(c, s) for _ in range(100)].index(1)
     assert first == round(c.persistence / c.dt) and s.early[0] == 1
     s.failed[0] = 0
-    s.lambda_before[0] = 0.03  # it no longer falls
+    s.lambda_hat[0] = STILL_LOW + 0.01
+    assert not any(monitor(c, s) for _ in range(1000))
+    s.lambda_hat[0] = STILL_LOW - 0.01
     second = [monitor(c, s) for _ in range(1000)].index(1)
     assert second == round(WAIT_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
 

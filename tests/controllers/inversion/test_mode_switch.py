@@ -101,7 +101,7 @@ def test_level_flight_is_not_given_up_for_a_flag_that_came_early() -> None:
     )
     s.failed[3], s.early[3] = 1, 0  # it has stayed low for so long
     modes.switch(3)
-    assert modes.mode.failed == ("left_ruddervator", "right_propeller")
+    assert modes.mode.failed == ("left_ruddervator", "right_propeller") and not s.early.any()
 
 
 def test_a_jam_is_said_and_the_mode_is_designed_for_its_position() -> None:

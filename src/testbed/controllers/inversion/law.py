@@ -20,9 +20,10 @@ BEFORE_S = 3.0
 """Time constant of the estimate that an actuator had before [s]: several times the memory of the filter, 0.6 s."""
 SUDDENLY = 0.5
 """Effectiveness that is lost at once if an actuator fails: a fall by more than this is no error of its estimate."""
-WAIT_S = 3.0
-"""How long the estimate of an actuator must stay low before it is given up if level flight is given up with it [s]: longer than
-most pauses of one that fails on and off. Waiting as long for one that is lost cost no altitude that was worth more."""
+WAIT_S, STILL_LOW = 3.0, 0.15
+"""How long the estimate of an actuator must stay below `STILL_LOW` [1] before it is given up if level flight is given up with it
+[s]: longer than most pauses of one that fails on and off. What keeps more than `STILL_LOW` is worth using. The estimate of an
+engine takes up errors of the drag, so that of a lost one does not stay below `threshold`."""
 TIMER_ROUNDING = 1e-9
 """Added to a time [s], so that a timer of so many control steps has not passed it by rounding."""
 
@@ -170,7 +171,7 @@ def monitor(c, s):
     An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
     hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
     infinite. With `weighted` it must also be the one that `is_to_blame`. A flag that `ModeSwitch` has taken back as `early` comes
-    again when the estimate has stayed low for `WAIT_S`; by then `lambda_before` no longer tells who is to blame.
+    again when the estimate has stayed low for `WAIT_S`.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
@@ -182,8 +183,9 @@ def monitor(c, s):
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
             low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]
-            beyond = low and certain and (s.early[i] or is_to_blame(i, c, s))
-            time = WAIT_S if s.early[i] else c.persistence
+            beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
+            if s.early[i]:
+                beyond, time = certain and s.lambda_hat[i] < STILL_LOW, WAIT_S
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:

@@ -168,6 +168,8 @@ class ModeSwitch:
         s.airspeed_integral = s.heading_integral = s.sideslip_integral = 0.0
         s.pitch_integral = self._setup.trim_pitch
         s.integral[:] = self._carried_over(mode, regulator)  # by the gains of the mode before
+        if mode.failed != self.mode.failed:
+            s.early[:] = 0  # whether level flight is given up is asked anew
         self._set_allocation(mode, failed)
         self._set_regulator(regulator, failed)
         self.mode, self._holds_altitude = mode, _holds_altitude(regulator)
