@@ -90,7 +90,8 @@ FINDINGS = (
         "bound",
         "How far the bound is",
         "`oracle` is told the true effectiveness and the true failures at once. What it holds more is about what better "
-        "diagnosis could still gain; single flights go the other way too.",
+        "diagnosis could still gain. It knows the moment, not what follows: it gives up a propeller that works on and off "
+        "each time that it stops, where `default` waits.",
         "oracle",
         "default",
     ),
