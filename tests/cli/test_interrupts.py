@@ -13,6 +13,7 @@ import pytest
 from command_line import interruptible
 
 _FLIGHT = ["run", "scenarios/left_tail_fail.yaml", "--out", "out", "--set", "requirements=[]"]
+_FLIGHT += ["--set", "duration_s=3600"]  # longer than any of the waits below
 
 
 def interrupted(folder: Path, after_s: float, *arguments: str) -> tuple[int, str]:
