@@ -27,15 +27,17 @@ def diagnose(step, parts):
 
     Args:
         step: row of the channels.
-        parts: states, then model, settings of the diagnosis, memory of the control, memory of the diagnosis, and working memory.
+        parts: states, setpoints, then model, settings of the diagnosis, memory of the control, memory of the diagnosis, and working
+            memory.
     """
-    states, models, settings, memories, diagnoses, works = parts
-    y, m, c, s, d, w = states[step], models[0], settings[0], memories[0], diagnoses[0], works[0]
+    states, setpoints, models, settings, memories, diagnoses, works = parts
+    y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
+    s, d, w = memories[0], diagnoses[0], works[0]
     for i in range(len(d.command)):
         d.command[i] = s.command[i]
     advance_actuators(c.dt, axial_speed(y), m, d)
     state_function(y, m, w.f)
-    return estimate(y, m, c, d, w)
+    return estimate(y, ref, m, c, d, w)
 
 
 class Diagnosis:
@@ -53,9 +55,9 @@ class Diagnosis:
         settings = settings_record(setup, AdaptiveInversionSettings())
         self._own = (model, settings, memory, self.memory, work)
 
-    def bind(self, states: np.ndarray) -> None:
-        """Take the measured states of a flight (see `controllers.Controller.bind`)."""
-        self._parts = (states, *self._own)
+    def bind(self, states: np.ndarray, setpoints: np.ndarray) -> None:
+        """Take the measured states and the references of a flight (see `controllers.Controller.bind`)."""
+        self._parts = (states, setpoints, *self._own)
         self._diagnose = bound(diagnose, 0, self._parts)
 
     def step(self, step: int) -> None:

@@ -104,7 +104,7 @@ class IndiController:
         self._parts = (states, setpoints, telemetry, *self._own)
         self._step = bound(indi_step, 0, self._parts)
         if self._diagnosis is not None:
-            self._diagnosis.bind(states)
+            self._diagnosis.bind(states, setpoints)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""

@@ -145,7 +145,7 @@ class L1Controller:
         """Take the channels of a flight (see `controllers.Controller`)."""
         self._parts = (states, setpoints, telemetry, *self._own)
         self._step = bound(l1_step, 0, self._parts)
-        self._diagnosis.bind(states)
+        self._diagnosis.bind(states, setpoints)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""

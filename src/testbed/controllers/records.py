@@ -228,7 +228,7 @@ MEMORY = (
         "early",
         (_N,),
         "flag",
-        "a flag was set after `persistence`, and may be taken back once: the next then comes after `law.WAIT_S`",
+        "a flag was set after `persistence`, and may be taken back once: the next then waits as `monitor` says",
     ),
     Field("lambda_before", (_N,), "1", "effectiveness estimate before: through a lag of `law.BEFORE_S`"),
     Field(

@@ -86,6 +86,6 @@ def follow_loss(truth, ratio, phi_0, force, w, m, c, s, out, flagged):
             adapt_weighted(w.z, w.phi, w.P_h, m, c, s)
         else:
             adapt(w.e, ratio, m, c, s)
-        monitor(c, s)
+        monitor(False, c, s)
         for j in range(n):
             out[k, j], flagged[k, j] = s.lambda_hat[j], s.failed[j]

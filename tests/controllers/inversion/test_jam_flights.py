@@ -88,6 +88,31 @@ def test_a_propeller_that_fails_on_and_off_after_a_tail_is_used_on(controller: s
     assert any("seems lost" in event.get("text", "") for event in flight.events)
 
 
+@pytest.mark.parametrize(
+    ("controller", "seed"),
+    [("adaptive_inversion", 6), ("adaptive_inversion", 11), ("indi, monitor: true", 8)],
+)
+def test_a_tail_that_fails_on_and_off_after_a_propeller_is_used_as_long_as_the_flight_is_steady(
+    controller: str, seed: int
+) -> None:
+    """Given up after it had seemed lost for 3 s in all, it left the aircraft 8 to 25 m too low."""
+    changes = [
+        "sensors={model: mems}",
+        "atmosphere={turbulence_w20_m_s: 7.62}",
+        f"seed={seed}",
+        f"controller={{type: {controller}}}",
+        "commands=[{at_s: 3, heading_deg: 120}]",
+        "failures=[{type: effectiveness, actuator: left_propeller, at_s: 5, value: 0}, "
+        "{type: intermittent, actuator: left_ruddervator, at_s: 12, off_s: 0.5, on_s: 1.0}]",
+        "requirements=[]",
+        "duration_s=30",
+    ]
+    flight = fly(load_scenario(SCENARIO, changes))
+    altitude, heading, _ = worst_errors(flight, 12.0)
+    assert flight.outcome is Outcome.completed
+    assert altitude < 4.0 and heading < 14.0
+
+
 def flown_by_aerosonde(failure: str, duration_s: float) -> Flight:
     changes = [
         "aircraft=aerosonde",

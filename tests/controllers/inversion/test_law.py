@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.signal import lfilter
-from vtail_setup import WEATHER, records_of, trim_state, vtail_setup
+from vtail_setup import WEATHER, records_of, setpoint, trim_state, vtail_setup
 
 from testbed.controllers.inversion.law import (
     STILL_LOW,
@@ -19,6 +19,7 @@ from testbed.controllers.inversion.law import (
     adapt,
     compensate,
     invert,
+    is_steady,
     low_pass,
     measured_error,
     modified_inverse,
@@ -143,7 +144,7 @@ def test_only_an_estimate_that_is_certain_flags() -> None:
     s.lambda_hat[0] = 0.05
     for variance, failed in ((0.16**2, 0), (0.14**2, 1)):
         s.P[0, 0] = variance
-        changed = [monitor(c, s) for _ in range(41)]
+        changed = [monitor(False, c, s) for _ in range(41)]
         assert s.failed[0] == failed and sum(changed) == failed
     assert s.jammed[0] == 0
 
@@ -163,27 +164,45 @@ def test_a_weak_actuator_is_flagged_only_if_it_is_to_blame(
     _, c, _, s, _ = records_of(vtail_setup(WEATHER))
     s.lambda_before[0], s.lambda_hat[0], s.lambda_hat[1:] = before, 0.05, others
     s.lambda_before[1] = others[0]
-    changed = [monitor(c, s) for _ in range(22)]
+    changed = [monitor(False, c, s) for _ in range(22)]
     assert s.failed[0] == failed and sum(changed) == failed
 
 
 def test_a_flag_that_came_early_and_was_taken_back_comes_again_only_after_a_wait() -> None:
     _, c, _, s, _ = records_of(vtail_setup(WEATHER))
     s.lambda_hat[0] = 0.03
-    first = [monitor(c, s) for _ in range(100)].index(1)
+    first = [monitor(False, c, s) for _ in range(100)].index(1)
     assert first == round(c.persistence / c.dt) and s.early[0] == 1
     s.failed[0] = 0
     s.lambda_hat[0] = STILL_LOW + 0.01
-    assert not any(monitor(c, s) for _ in range(1000))
+    assert not any(monitor(False, c, s) for _ in range(1000))
     s.lambda_hat[0] = STILL_LOW - 0.01
-    second = [monitor(c, s) for _ in range(1000)].index(1)
+    second = [monitor(False, c, s) for _ in range(1000)].index(1)
     assert second == round(WAIT_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
+
+
+def test_what_was_taken_back_is_not_given_up_as_long_as_the_flight_is_steady() -> None:
+    _, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    s.lambda_hat[0], s.early[0] = 0.03, 1
+    assert not any(monitor(True, c, s) for _ in range(5000))
+    assert monitor(False, c, s) == 1 and s.failed[0] == 1
+
+
+@pytest.mark.parametrize(
+    ("too_low_m", "airspeed_m_s", "steady"),
+    [(1.9, 18.0, True), (2.1, 18.0, False), (-2.1, 18.0, False), (0.0, 25.0, True), (0.0, 16.8, False)],
+)
+def test_a_steady_flight_has_its_altitude_and_its_airspeed(
+    too_low_m: float, airspeed_m_s: float, steady: bool
+) -> None:
+    y = trim_state(MODEL, altitude=300.0, airspeed=airspeed_m_s)
+    assert is_steady(y, setpoint(altitude=300.0 + too_low_m, airspeed=18.0)) == steady
 
 
 def test_a_flag_is_taken_back_after_the_recovery_time() -> None:
     _, c, _, s, _ = records_of(SETUP)
     s.failed[2], s.lambda_hat[2] = 1, 0.7
-    changed = [monitor(c, s) for _ in range(300)]
+    changed = [monitor(False, c, s) for _ in range(300)]
     assert changed.index(1) == round(c.recovery_time / c.dt)
     assert s.failed[2] == 0 and s.since_flag[2] == pytest.approx((300 - 201) * c.dt)
 
@@ -191,7 +210,7 @@ def test_a_flag_is_taken_back_after_the_recovery_time() -> None:
 def test_a_jammed_actuator_is_not_monitored() -> None:
     _, c, _, s, _ = records_of(SETUP)
     s.jammed[1], s.failed[1], s.lambda_hat[1] = 1, 1, 2.0
-    assert not any(monitor(c, s) for _ in range(1000))
+    assert not any(monitor(False, c, s) for _ in range(1000))
     assert s.failed[1] == 1
 
 

@@ -57,7 +57,7 @@ def test_the_lost_actuator_is_the_one_whose_estimate_falls(setup: Setup) -> None
 
     state_function(y, m, w.f)
     for _ in range(200):
-        estimate(y, m, c, s, w)
+        estimate(y, parts[1][0], m, c, s, w)
     assert s.lambda_hat[0] < 0.9
     assert s.lambda_hat[0] == min(s.lambda_hat)
 

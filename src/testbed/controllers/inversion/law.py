@@ -24,6 +24,8 @@ WAIT_S, STILL_LOW = 3.0, 0.15
 """How long the estimate of an actuator must stay below `STILL_LOW` [1] before it is given up if level flight is given up with it
 [s]: longer than most pauses of one that fails on and off. What keeps more than `STILL_LOW` is worth using. The estimate of an
 engine takes up errors of the drag, so that of a lost one does not stay below `threshold`."""
+STEADY_M = 2.0
+"""Altitude, or the altitude that missing airspeed is worth, that a level flight loses at most [m]."""
 TIMER_ROUNDING = 1e-9
 """Added to a time [s], so that a timer of so many control steps has not passed it by rounding."""
 
@@ -164,14 +166,23 @@ def is_to_blame(i, c, s):
 
 
 @compiled
-def monitor(c, s):
+def is_steady(y, ref):
+    """Whether the flight goes on as it should: altitude within `STEADY_M` of its reference, and no more than that stored less as
+    airspeed. One that lost its engine keeps altitude until it has lost its airspeed."""
+    missing = (ref.airspeed * ref.airspeed - y.airspeed * y.airspeed) / (2.0 * GRAVITY_M_S2)
+    return abs(ref.altitude - y.altitude) < STEADY_M and missing < STEADY_M
+
+
+@compiled
+def monitor(steady, c, s):
     """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when the estimate
     stays above `recovery`. Returns 1 if a flag changed.
 
     An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
     hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
     infinite. With `weighted` it must also be the one that `is_to_blame`. A flag that `ModeSwitch` has taken back as `early` comes
-    again when the estimate has stayed low for `WAIT_S`.
+    again when the estimate has stayed low for `WAIT_S` and the flight is no longer `steady`: one that holds its altitude would lose
+    it by giving up what seems lost.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
@@ -185,7 +196,7 @@ def monitor(c, s):
             low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]
             beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
             if s.early[i]:
-                beyond, time = certain and s.lambda_hat[i] < STILL_LOW, WAIT_S
+                beyond, time = certain and s.lambda_hat[i] < STILL_LOW, math.inf if steady else WAIT_S
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:

@@ -24,7 +24,8 @@ _JAMMED = "not a loss of effectiveness: its force does not follow its command (j
 _SWINGS = "its force swings while its command stands still: not lost, used again"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
 _SEEMS_LOST = (
-    f"seems lost, but without it altitude cannot be held: used until it has seemed so for {WAIT_S:g} s"
+    f"seems lost, but without it altitude cannot be held: used until it has seemed so for {WAIT_S:g} s "
+    "and altitude or airspeed is lost"
 )
 _OFFSET = "its force follows its command with an offset: not jammed, used on"
 

@@ -16,6 +16,7 @@ from testbed.controllers.inversion.lateness import delay_regressor, estimate_lat
 from testbed.controllers.inversion.law import (
     adapt,
     assume_ideal_actuators,
+    is_steady,
     low_pass,
     measured_error,
     monitor,
@@ -40,20 +41,21 @@ def adaptive_step(step, parts):
         parts: states, setpoints and telemetry (see `Controller.bind`), then model, settings, mode, memory and working
             memory, each an array of one record. They are one tuple because a call with it takes a third of the time.
     """
-    states, _, _, models, settings, modes, memories, works = parts
-    y, m, c, k, s, w = states[step], models[0], settings[0], modes[0], memories[0], works[0]
+    states, setpoints, _, models, settings, modes, memories, works = parts
+    y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
+    k, s, w = modes[0], memories[0], works[0]
     advance_actuators(c.dt, axial_speed(y), m, s)
     if c.ideal_actuators:
         assume_ideal_actuators(m, c, k, s)
     state_function(y, m, w.f)
-    if c.adapts and estimate(y, m, c, s, w):
+    if c.adapts and estimate(y, ref, m, c, s, w):
         return 1
     command_step(step, parts)
     return 0
 
 
 @compiled
-def estimate(y, m, c, s, w):
+def estimate(y, ref, m, c, s, w):
     """Estimate effectiveness from the measured rates, then monitor it and look for jams; returns 1 as `adaptive_step` does."""
     z, e, phi = w.z, w.e, w.phi
     pressure_ratio = pressure_ratio_of(y, m)
@@ -70,7 +72,7 @@ def estimate(y, m, c, s, w):
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)
-    if c.monitors and monitor(c, s):
+    if c.monitors and monitor(is_steady(y, ref), c, s):
         return 1
     if not c.tests_jams:
         return 0
