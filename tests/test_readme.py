@@ -43,7 +43,7 @@ def test_the_lines_that_are_run_from_scratch_are_marked() -> None:
         assert re.search(rf"<!-- {marker} -->\n```bash\npython3 -m venv [^\n]+\n```", README)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize(("what", "command"), COMMANDS, ids=[what for what, _ in COMMANDS])
 def test_its_commands_run(what: str, command: str, tmp_path: Path) -> None:
     """As written, in a folder with the checkout's examples and an aircraft of one's own."""
@@ -62,7 +62,6 @@ def test_its_commands_run(what: str, command: str, tmp_path: Path) -> None:
     assert (folder / "report.html").is_file()
 
 
-@pytest.mark.slow
 def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (block,) = blocks(README, "python")
     monkeypatch.chdir(tmp_path)

@@ -11,7 +11,7 @@ import pytest
 from hold_it import LONG, LOST, Cell, Result
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_campaigns_fly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Few cells of each, written where asked."""
     monkeypatch.setattr(sys, "argv", ["test"])
