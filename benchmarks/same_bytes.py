@@ -3,20 +3,29 @@
     python benchmarks/same_bytes.py BEFORE [AFTER] [--runs 64]
 
 BEFORE and AFTER are commits; AFTER is the working tree if it is left out. Each commit flies every scenario in its own
-scenarios/, the further flights of HARD and the shipped sweep, with its own src/ and this Python. Compared are log.csv and
-summary.json of each flight, and results.csv of the sweep. Exit status: 0 if all files are the same, 1 if one differs or is missing.
+scenarios/, the further flights of HARD and the shipped sweep, with its own src/ and this Python. Compared are summary.json of
+each flight, and the columns of log.csv and of the sweep's results.csv that BEFORE has; further columns and scenarios are named.
+Exit status: 0 if all are the same, 1 if something differs or is missing.
+
+If all are the same, the digests of both programs are added to proven_equal.json, so that the pages flown with BEFORE count as
+flown with AFTER (`digests.py`).
 """
 
 from __future__ import annotations
 
 import argparse
+import csv
+import io
+import json
 import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+
+from digests import EQUAL, PROVABLE, digest, proofs
 
 ROOT = Path(__file__).parents[1]
 SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
@@ -75,6 +84,45 @@ def flown(tree: Path, out: Path, runs: int) -> dict[str, bytes]:
     return {str(file.relative_to(out)): file.read_bytes() for file in files}
 
 
+def common(before: bytes, after: bytes) -> tuple[bool, list[str]]:
+    """Whether two tables are the same in the columns of the first, text by text, and the further columns of the second."""
+    old, new = (list(csv.reader(io.StringIO(text.decode()))) for text in (before, after))
+    if not set(old[0]) <= set(new[0]):
+        return False, []
+    places = [new[0].index(name) for name in old[0]]
+    same = before == after or old == [[row[place] for place in places] for row in new]
+    return same, [name for name in new[0] if name not in old[0]]
+
+
+def compared(before: Mapping[str, bytes], after: Mapping[str, bytes]) -> tuple[list[str], list[str]]:
+    """What differs or is missing, and what AFTER has more, each as a line."""
+    differing: list[str] = []
+    further = [f"only after: {name}" for name in sorted(after.keys() - before.keys())]
+    columns: set[str] = set()
+    for name in sorted(before):
+        if name not in after:
+            differing.append(f"missing: {name}")
+            continue
+        same = before[name] == after[name]
+        if name.endswith(".csv"):
+            same, more = common(before[name], after[name])
+            columns |= set(more)
+        differing += [] if same else [f"differs: {name}"]
+    return differing, further + [f"only after: column {name}" for name in sorted(columns)]
+
+
+def prove(before: str, after: str | None, files: int) -> None:
+    """Add to EQUAL that the two programs fly the same."""
+    trees = []
+    for commit in (before, after):
+        with checked_out(commit) as tree:
+            trees.append({part: value for part in PROVABLE if (value := digest(part, tree))})
+    entry = {"commit": before, "files": files, "before": trees[0], "after": trees[1]}
+    if entry not in proofs():
+        EQUAL.write_text(json.dumps([*proofs(), entry], indent=1) + "\n", encoding="utf-8")
+        print(f"wrote {EQUAL}")
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -87,13 +135,12 @@ def main() -> int:
     for commit in (options.before, options.after):
         with checked_out(commit) as tree, tempfile.TemporaryDirectory() as out:
             results.append(flown(tree, Path(out), options.runs))
-    before, after = results
-    differing = sorted(name for name in before.keys() | after.keys() if before.get(name) != after.get(name))
-    for name in differing:
-        print(f"differs: {name}" if name in before and name in after else f"in one only: {name}")
-    print(
-        f"{len(before.keys() | after.keys()) - len(differing)} of {len(before.keys() | after.keys())} files are the same"
-    )
+    differing, further = compared(*results)
+    for line in [*differing, *further]:
+        print(line)
+    print(f"{len(results[0]) - len(differing)} of {len(results[0])} files are the same")
+    if not differing:
+        prove(options.before, options.after, len(results[0]))
     return 1 if differing else 0
 
 
