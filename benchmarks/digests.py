@@ -23,10 +23,10 @@ CODE: Mapping[str, tuple[str, ...]] = {
     "simulation": ("simulation", "scenario", "aircraft", "flight", "metrics", "common"),
     "searches": ("reliability", "searches"),
     "sweeps": ("sweeps", "monte_carlo"),
-    "theory": ("theory",),
+    "theory": ("theory", "gains", "margins", "../../benchmarks/paper"),
     "adoption": ("adoption",),
 }
-"""Parts of the program: packages and modules below src/testbed."""
+"""Parts of the program: packages and modules, from src/testbed; those of earlier versions too, where it was flown with them."""
 PROVABLE = ("law", "plant", "simulation", "sweeps")
 """Parts whose work the flights and the sweep of `same_bytes.py` show."""
 FLOWN = ("law", "plant", "simulation", "aircraft/vtail")
@@ -82,7 +82,7 @@ def _said(node: ast.AST) -> Iterator[str]:
     yield f"({type(node).__name__}"
     for name, value in ast.iter_fields(node):
         if isinstance(node, ast.ImportFrom) and name in ("module", "level"):
-            value = None if node.level or (node.module or "").startswith("testbed") else value
+            value = None if node.level or (node.module or "").startswith(("testbed", "paper")) else value
         if value not in (None, []) and name not in ("ctx", "kind", "type_comment"):
             yield f" {name}="
             yield from _value(value)

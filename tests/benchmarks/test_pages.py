@@ -8,7 +8,6 @@ from pathlib import Path
 
 import digests
 import pytest
-import same_bytes
 import stamps
 from blocks import block, with_block
 from command_line import ROOT
@@ -98,15 +97,6 @@ def test_the_committed_proofs_are_of_parts_that_flights_show() -> None:
     for proof in digests.proofs():
         assert proof["files"] > 20
         assert proof["before"].keys() <= set(digests.PROVABLE) <= set(CODE)
-
-
-def test_flights_are_compared_in_the_columns_that_both_have() -> None:
-    before = {"a/log.csv": b'"t","x"\n0,1\n', "a/summary.json": b"{}"}
-    more = {"a/log.csv": b'"t","new","x"\n0,5,1\n', "a/summary.json": b"{}", "b/log.csv": b""}
-    assert same_bytes.compared(before, more) == ([], ["only after: b/log.csv", "only after: column new"])
-    for wrong in (b'"t","x"\n0,2\n', b'"t"\n0\n', b'"t","x"\n0,1\n1,1\n'):
-        assert same_bytes.compared(before, {**more, "a/log.csv": wrong})[0] == ["differs: a/log.csv"]
-    assert same_bytes.compared(before, {})[0] == ["missing: a/log.csv", "missing: a/summary.json"]
 
 
 def test_a_block_is_replaced_and_nothing_else() -> None:
