@@ -8,6 +8,8 @@ import shutil
 from pathlib import Path
 
 import pytest
+import readme
+from blocks import block
 from command_line import ROOT, testbed
 from pages import blocks
 
@@ -69,3 +71,32 @@ def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     names: dict[str, object] = {}
     exec(block, names)
     assert names["flight"].passed  # type: ignore[attr-defined]
+
+
+def test_its_table_of_missions_is_that_of_the_page() -> None:
+    assert block(README, "missions") == readme.table(readme.MISSIONS.read_text(encoding="utf-8"))
+
+
+SAID = {
+    "adoption": (r"\[(\d+) of 48 fixed-wing models\]", r"(\d+) of the 48 fixed-wing models"),
+    "gallery": (
+        r"(\d+) of 76 lost ailerons",
+        r"aileron \| turbulent \| default \| \d+ \| 76 \| .*? \| (\d+) \(",
+    ),
+}
+"""Numbers of pages that the README says: how it says them, and how the page does."""
+
+
+@pytest.mark.parametrize("page", SAID)
+def test_its_numbers_are_those_of_the_pages(page: str) -> None:
+    text = (ROOT / "docs" / "results" / f"{page}.md").read_text(encoding="utf-8")
+    here, there = (re.search(pattern, each) for pattern, each in zip(SAID[page], (README, text), strict=True))
+    assert here and there and here[1] == there[1]
+
+
+@pytest.mark.slow
+def test_its_picture_and_sentences_are_those_of_a_flight_of_today() -> None:
+    default = readme.flown(readme.DEFAULT)
+    rivals = {name: readme.at_its_best(controller) for name, controller in readme.RIVALS.items()}
+    assert block(README, "picture") == readme.sentences(default, rivals)
+    assert readme.sentences(rivals["indi"], rivals) != readme.sentences(default, rivals)  # negative control

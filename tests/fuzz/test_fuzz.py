@@ -10,7 +10,7 @@ import yaml
 from mutants import KINDS, scenario_bases, search_bases, sweep_bases
 from run import Examiner, examiners, fuzz
 
-from testbed.cli.checked import _valid
+from testbed.cli.validate import valid
 
 
 @pytest.fixture(scope="module")
@@ -43,4 +43,4 @@ def test_the_unspoilt_bases_are_valid(tmp_path: Path) -> None:
     for i, tree in enumerate([*scenario_bases(), *sweep_bases(), *search_bases()]):
         file = tmp_path / f"{i}.yaml"
         file.write_text(yaml.safe_dump(tree), encoding="utf-8")
-        _valid(str(file))
+        valid(str(file))

@@ -11,7 +11,7 @@ import pytest
 from command_line import ROOT, Called, in_this_process, testbed
 from handmade import make_flight
 
-from testbed.cli.flight import write
+from testbed.cli.run import write
 from testbed.flight.folder import write_run_folder
 
 
