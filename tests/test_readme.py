@@ -94,6 +94,7 @@ def test_its_numbers_are_those_of_the_pages(page: str) -> None:
     assert here and there and here[1] == there[1]
 
 
+@pytest.mark.nightly
 def test_its_picture_and_sentences_are_those_of_a_flight_of_today() -> None:
     default = readme.flown(readme.DEFAULT)
     rivals = {name: readme.at_its_best(controller) for name, controller in readme.RIVALS.items()}
