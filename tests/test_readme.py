@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 import readme
 from blocks import block
+from code_blocks import blocks
 from command_line import ROOT, testbed
-from pages import blocks
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"^\| ([a-z ]+) \| `testbed (.+)` \|$", README, flags=re.MULTILINE)
@@ -45,7 +45,7 @@ def test_the_lines_that_are_run_from_scratch_are_marked() -> None:
         assert re.search(rf"<!-- {marker} -->\n```bash\npython3 -m venv [^\n]+\n```", README)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize(("what", "command"), COMMANDS, ids=[what for what, _ in COMMANDS])
 def test_its_commands_run(what: str, command: str, tmp_path: Path) -> None:
     """As written, in a folder with the checkout's examples and an aircraft of one's own."""
@@ -64,7 +64,6 @@ def test_its_commands_run(what: str, command: str, tmp_path: Path) -> None:
     assert (folder / "report.html").is_file()
 
 
-@pytest.mark.slow
 def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (block,) = blocks(README, "python")
     monkeypatch.chdir(tmp_path)

@@ -128,7 +128,7 @@ def test_the_truth_has_a_trim_with_a_lost_tail_and_none_without_actuators() -> N
     assert not steady_flights("vtail", failures_of(Mission("hard_none", jams)), (18,))
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_it_flies_resumes_and_compares_with_before(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

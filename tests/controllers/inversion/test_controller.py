@@ -41,7 +41,6 @@ HARD = [
 ]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("actuator", "seed"), HARD)
 def test_a_total_loss_is_held_with_a_model_that_is_20_percent_off(actuator: str, seed: int) -> None:
     flight = flown(seed, loss(actuator), model_off(seed))
@@ -52,7 +51,6 @@ def test_a_total_loss_is_held_with_a_model_that_is_20_percent_off(actuator: str,
     assert not texts_of(flight, "false_alarm")
 
 
-@pytest.mark.slow
 def test_sinking_air_costs_height_but_not_the_aircraft() -> None:
     """One propeller left while the air sinks at 3.5 m/s for 15 s: more than full throttle can climb against."""
     gust = {"at_s": 70.0, "magnitude_m_s": [0.0, 0.0, 3.5], "frame": "ned", "duration_s": 3.0, "hold_s": 9.0}
@@ -72,7 +70,6 @@ BROKEN: dict[str, Mapping[str, Any]] = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", BROKEN)
 def test_what_is_no_loss_of_effectiveness_is_recognised_and_held(name: str) -> None:
     failure = BROKEN[name]
@@ -88,7 +85,6 @@ def test_what_is_no_loss_of_effectiveness_is_recognised_and_held(name: str) -> N
     assert failed == {failure["actuator"]}
 
 
-@pytest.mark.slow
 def test_an_offset_surface_is_held_and_kept() -> None:
     flight = flown(6, {"type": "bias", "actuator": "left_ruddervator", "value": 5.0})
     altitude, heading = worst(flight)
@@ -98,7 +94,6 @@ def test_an_offset_surface_is_held_and_kept() -> None:
     assert any("left_ruddervator: its force follows" in text for text in texts_of(flight, "diagnosis"))
 
 
-@pytest.mark.slow
 def test_a_loss_is_not_called_a_jam() -> None:
     """Negative control of the last: a lost surface, and one that keeps 30 %."""
     for value in (0.0, 0.3):

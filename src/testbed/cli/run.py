@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import sys
+from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Collection
 from functools import partial
 from itertools import count
@@ -12,14 +12,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.checked import checked, collect
+from testbed.cli.command import Command, add_file, add_origin, add_out, add_set
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.terminal import print_verdict_word
 from testbed.cli.working import working
-from testbed.flight.folder import FolderExists, load, refuse_existing, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import number
-from testbed.reporting.present import present
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -28,8 +27,23 @@ if TYPE_CHECKING:
     from testbed.scenario.load import Scenario
 
 
-def fly(options: argparse.Namespace) -> bool:
-    """Fly one scenario into a run folder; returns whether it passed. Raises BadInput with every problem at once."""
+def _arguments(command: ArgumentParser) -> None:
+    add_file(command, "scenario")
+    add_out(command, "DIR", "run folder to make (default: runs/<name>)")
+    command.add_argument("--no-plots", action="store_true", help="draw no figures")
+    own = "fly a controller class of your own in place of the scenario's"
+    command.add_argument("--controller", metavar="FILE.py:CLASS", help=own)
+    watched = "show the flight in FlightGear while it is flown, in real time"
+    command.add_argument("--flightgear", metavar="HOST:PORT", help=watched)
+    add_origin(command, "with --flightgear")
+    add_set(command)
+
+
+def _run(options: Namespace) -> int:
+    """Fly one scenario into a run folder; raises BadInput with every problem at once."""
+    from testbed.flight.folder import refuse_existing, refuse_unwritable
+    from testbed.reporting.present import present
+
     problems: list[Problem] = []
     if options.out is not None:  # before the flight, not after it
         collect(problems, lambda: refuse_existing(options.out))
@@ -55,11 +69,14 @@ def fly(options: argparse.Namespace) -> bool:
         folder = write(flight, options.out, partial(present, flight, figures=not options.no_plots))
     print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
-    return flight.passed
+    return MET if flight.passed else NOT_MET
 
 
 def report(folder: Path) -> int:
     """Draw the figures and write the report of a run folder again; returns the exit status."""
+    from testbed.flight.folder import load
+    from testbed.reporting.present import present
+
     flight = load(folder)
     with working("drawing and writing"), tidily():
         shown = present(flight, folder)
@@ -96,6 +113,8 @@ def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) 
 
 def write(flight: Flight, out: Path | None, add: Callable[[Path], object]) -> Path:
     """Write the run folder: `out`, or else the first of runs/<name>, runs/<name>-2, ... that does not exist; returns it."""
+    from testbed.flight.folder import FolderExists, write_run_folder
+
     if out is not None:
         return write_run_folder(flight, out, add)
     for i in count(1):
@@ -128,3 +147,14 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     print(met)
     for warning in [text for text in flight.warnings if text not in said]:
         print(f"WARNING: {warning}", file=sys.stderr)
+
+
+COMMAND = Command(
+    "fly one scenario",
+    _arguments,
+    _run,
+    (
+        "testbed run left_tail_fail.yaml",
+        "testbed run my_scenario.yaml --set controller.type=pid --set failures.0.at_s=8 --out runs/pid",
+    ),
+)

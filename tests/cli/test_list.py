@@ -8,7 +8,7 @@ import pytest
 from command_line import Called
 
 from testbed.aircraft.shipped import find_scenario, scenario_files, search_files, sweep_files
-from testbed.cli.catalogue import TABLE
+from testbed.cli.list import TABLE
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.metrics import TABLE as METRICS
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterable, Mapping
 from itertools import takewhile
 from pathlib import Path
 
+from testbed.aircraft import shipped
+from testbed.cli.command import Command
+from testbed.cli.status import MET
 from testbed.common.docstrings import first_line
 
 Entries = list[tuple[str, str]]
@@ -14,9 +18,8 @@ Entries = list[tuple[str, str]]
 
 def _aircraft() -> Entries:
     from testbed.aircraft.description import load_aircraft
-    from testbed.aircraft.shipped import aircraft_names
 
-    return [(name, load_aircraft(name).description) for name in aircraft_names()]
+    return [(name, load_aircraft(name).description) for name in shipped.aircraft_names()]
 
 
 def _controllers() -> Entries:
@@ -38,21 +41,15 @@ def _metrics() -> Entries:
 
 
 def _scenarios() -> Entries:
-    from testbed.aircraft.shipped import scenario_files
-
-    return _files(scenario_files())
+    return _files(shipped.scenario_files())
 
 
 def _searches() -> Entries:
-    from testbed.aircraft.shipped import search_files
-
-    return _files(search_files())
+    return _files(shipped.search_files())
 
 
 def _sweeps() -> Entries:
-    from testbed.aircraft.shipped import sweep_files
-
-    return _files(sweep_files())
+    return _files(shipped.sweep_files())
 
 
 def _described(table: Mapping[str, object]) -> Entries:
@@ -62,9 +59,7 @@ def _described(table: Mapping[str, object]) -> Entries:
 
 def _files(files: Iterable[Path]) -> Entries:
     """Shipped files by the path that commands take, each with the first paragraph of its comment or, without one, its name."""
-    from testbed.aircraft.shipped import data_root
-
-    return [(str(file.relative_to(data_root())), _about(file)) for file in files]
+    return [(str(file.relative_to(shipped.data_root())), _about(file)) for file in files]
 
 
 def _about(file: Path) -> str:
@@ -85,3 +80,25 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "sweeps": _sweeps,
 }
 """The lists that `testbed list` can show."""
+
+
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("what", nargs="?", choices=TABLE, help="default: everything")
+
+
+def _run(options: Namespace) -> int:
+    for what in [options.what] if options.what else TABLE:
+        print(what)
+        entries = TABLE[what]()
+        width = max((len(name) for name, _ in entries), default=0) + 2
+        for name, meaning in entries:
+            print(f"  {name:<{width}}{meaning}")
+    return MET
+
+
+COMMAND = Command(
+    "list the names that scenarios and commands can use, with their meanings",
+    _arguments,
+    _run,
+    ("testbed list", "testbed list failures"),
+)

@@ -5,18 +5,39 @@ It also prints what the actuators can do about each axis, and which axes control
 
 from __future__ import annotations
 
-from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel, load_design_model
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from testbed.cli.command import Command
 from testbed.cli.interrupts import tidily
-from testbed.common.signals import RATES
+from testbed.cli.status import MET, NOT_MET
+from testbed.cli.working import working
 from testbed.inputs.problems import BadInput, Problem
 
+if TYPE_CHECKING:
+    from testbed.aircraft.description import Aircraft
+    from testbed.aircraft.design_model import DesignModel
 
-def identify(name: str, *, check: bool) -> bool:
+
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("aircraft", help="name, or path of a folder such as ./name")
+    check = "only compare with the stored model; exit status 1 if it differs"
+    command.add_argument("--check", action="store_true", help=check)
+
+
+def _run(options: Namespace) -> int:
+    with working("identifying"):
+        same = _identify(options.aircraft, check=options.check)
+    return MET if same else NOT_MET
+
+
+def _identify(name: str, *, check: bool) -> bool:
     """Identify the design model and store it; with `check`, only compare it with the stored one.
 
     Returns False if the stored model differs. Raises BadInput when the aircraft has no trim or the file cannot be written.
     """
+    from testbed.aircraft.description import load_aircraft
+    from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
     from testbed.plant.identification import identify
 
     aircraft = load_aircraft(name)
@@ -38,6 +59,7 @@ def identify(name: str, *, check: bool) -> bool:
 
 def _authority_table(aircraft: Aircraft, model: DesignModel) -> str:
     """Authority and disturbance by gusts of each axis, and the axes that `released: auto` gives up."""
+    from testbed.common.signals import RATES
     from testbed.controllers import released_axes
     from testbed.controllers.setup import stops
 
@@ -55,3 +77,11 @@ def _authority_table(aircraft: Aircraft, model: DesignModel) -> str:
         )
     lines.append(f"given up from the start: {', '.join(released) or 'nothing'}")
     return "\n".join(lines)
+
+
+COMMAND = Command(
+    "find an aircraft's design model and store it in the aircraft's folder",
+    _arguments,
+    _run,
+    ("testbed identify ./my_aircraft", "testbed identify vtail --check"),
+)

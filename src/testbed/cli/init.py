@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.shipped import data_root
+from testbed.cli.command import Command
 from testbed.cli.schema import TABLE, text_of
+from testbed.cli.status import MET
 from testbed.inputs.problems import BadInput, Problem
+
+if TYPE_CHECKING:
+    from testbed.aircraft.description import Aircraft
 
 TEMPLATES = Path(__file__).parent / "template"
 """The files that a new project begins with, beside the example of a controller."""
 EXAMPLE = Path("examples/my_controller.py")
-USUAL = "vtail"
+_USUAL = "vtail"
 """The aircraft of a project for which none is chosen."""
 _CLIMB_M = 10
 
 
-def make(folder: Path, choice: str = USUAL) -> None:
-    """Fill a new or empty folder; raises BadInput if it holds something already, or cannot be written.
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("folder", type=Path, help="new or empty folder")
+    command.add_argument("--aircraft", metavar="AIRCRAFT", help="name or folder of the one that is flown")
 
-    Args:
-        choice: name or folder of the aircraft that is flown; raises BadInput if there is none.
-    """
+
+def _run(options: Namespace) -> int:
+    """Fill a new or empty folder; raises BadInput if it holds something, cannot be written, or there is no such aircraft."""
+    from testbed.aircraft.description import load_aircraft
+
+    folder, choice = options.folder, options.aircraft or _USUAL
     aircraft = load_aircraft(choice)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -38,6 +48,7 @@ def make(folder: Path, choice: str = USUAL) -> None:
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
     print(f"wrote {folder}: README.md says what to run")
+    return MET
 
 
 def _filled(text: str, choice: str, aircraft: Aircraft) -> str:
@@ -50,3 +61,11 @@ def _filled(text: str, choice: str, aircraft: Aircraft) -> str:
     for word, fact in facts.items():
         text = text.replace(word, fact)
     return text
+
+
+COMMAND = Command(
+    "make a small project: a scenario, a sweep, a controller, and schemas for editors",
+    _arguments,
+    _run,
+    ("testbed init my_project", "testbed init my_project --aircraft ./my_aircraft"),
+)
