@@ -9,7 +9,7 @@ with the better of the two. A test flies all of it again and compares the senten
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -80,7 +80,7 @@ class Tally:
         return max(flight.metrics[metric] for flight in self.flights)
 
 
-def flown(controller: Mapping[str, Any]) -> Tally:
+def flown(controller: Mapping[str, Any], seeds: Sequence[int] = SEEDS) -> Tally:
     """The scenario, flown by a controller with each seed."""
     settings = ", ".join(
         f"{key}: {value}".lower() if value is True else f"{key}: {value}" for key, value in controller.items()

@@ -278,7 +278,8 @@ Broken means an altitude error above 3 m, a heading error above 8 deg, or the lo
 
 The number is the distance, in standard deviations of these distributions, from no failure and no gust to the nearest flight
 that breaks a requirement: larger is better. In brackets is what this flight has: the severity, the gust in m/s
-towards north and down, and, unless all do, how many of {beside} flights beside it break a requirement too. These {beside} are {apart:g} standard
+towards north and down, and, unless all do, how many of {beside} flights beside it break a requirement too. These {beside} are
+{apart:g} standard
 deviations from it, and none is nearer to the origin: beside a region that fails they all fail, and beside a failure that stands
 alone among flights that pass, hardly any. *Breaks last* names all controllers within 5 % of the largest distance. The last
 column is the distance found over that of a search of at most {check} flights with the same seed, where one was made.

@@ -28,10 +28,10 @@ SENTENCES = [
     f"and explains it {initial_records._CHANGE_LEAD:g} times better",
     f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
     f"or {SET.propeller_threshold:g} for a propeller, for {SET.persistence_s:g} s",
-    f"its estimate has fallen by more than {law.SUDDENLY:g} within a few seconds",
+    f"its estimate has fallen by more than {law.SUDDEN_LOSS:g} within a few seconds",
     f"once the estimate has been above {SET.recovery:g} (`recovery`) for {SET.recovery_s:g} s",
     f"`lambda_min` is {SET.lambda_min:g} here",
-    f"until its estimate has stayed below {law.STILL_LOW:g} for {law.WAIT_S:g} s and the flight is no longer steady",
+    f"until its estimate has stayed below {law.CONFIRM_BELOW:g} for {law.CONFIRM_S:g} s and the flight is no longer steady",
     f"is {law.STEADY_M:g} m from its reference",
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
     f"Altitude is given up with a lag of {initial_records._GIVE_UP_TIME_S:g} s",
@@ -39,7 +39,7 @@ SENTENCES = [
     f"When the value has been above {initial_records._JAM_SIGMA:g} for {initial_records._JAM_TIME_S:g} s",
     f"below {jam_detection.REVERSED_BELOW:g} is {NUMBER[jam_detection.REVERSED_SIGMA]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
-    f"gives {jam_detection.THRUST_LEFT:g} or more of its trim thrust",
+    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust",
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
     f"each is believed when the other is {NUMBER[offset_detection.BEYOND_SIGMAS]} standard deviations away",
