@@ -44,7 +44,6 @@ def test_a_damaged_run_folder_is_reported(tmp_path: Path) -> None:
     assert result.stderr == "run/summary.json: is missing from the run folder\n"
 
 
-@pytest.mark.slow
 def test_what_the_controller_says_of_a_failure_is_printed(tmp_path: Path) -> None:
     shipped = (ROOT / "scenarios" / "mems_turbulence.yaml").read_text()
     lost = "{type: effectiveness, actuator: left_ruddervator, at_s: 40, value: 0.0}"
@@ -58,7 +57,7 @@ def test_what_the_controller_says_of_a_failure_is_printed(tmp_path: Path) -> Non
     assert "left_ruddervator: not a loss of effectiveness" in said[0]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_first_flight_says_that_it_compiles(tmp_path: Path) -> None:
     """With nothing compiled before, one line on stderr; with it, nothing."""
     environment = {**os.environ, "XDG_CACHE_HOME": str(tmp_path / "cache")}

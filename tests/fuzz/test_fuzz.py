@@ -19,7 +19,7 @@ def examiner() -> Iterator[Examiner]:
         yield one
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner) -> None:
     found = fuzz(kind, 40, 1, examiner, fly_every=5)
@@ -27,7 +27,7 @@ def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner
     assert sum(found.outcomes.values()) == 40 and found.outcomes["refused"] > 8
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_defect_a_hang_and_a_dead_process_are_noticed(examiner: Examiner) -> None:
     """The negative control: requests that the process cannot answer."""
     good = {"kind": "scenario", "files": {"s.yaml": "a: 1"}, "fly": False}
