@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 import readme
 from blocks import block
+from code_blocks import blocks
 from command_line import ROOT, testbed
-from pages import blocks
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"^\| ([a-z ]+) \| `testbed (.+)` \|$", README, flags=re.MULTILINE)
