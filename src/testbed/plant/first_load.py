@@ -1,7 +1,7 @@
-"""The first load of an aircraft's model happens in a child process, because what is wrong with a model can end the process.
+"""The first load of an aircraft's model happens in a child process, because a mistake in a model can end the process.
 
-An aircraft is known by the digest of its files. What the first load showed is recorded in the user's cache folder, so that a
-known aircraft costs one look for a file in a new process, and nothing but its digest in a process that has seen it.
+What it showed is recorded in the user's cache folder, under the digest of the aircraft's files. So a later process only looks
+whether there is such a record, and looks once.
 """
 
 from __future__ import annotations
