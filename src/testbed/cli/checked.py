@@ -32,7 +32,7 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     from testbed.aircraft.changes import chosen
     from testbed.flight.columns import all_columns
     from testbed.metrics import TABLE as METRICS
-    from testbed.plant.rehearsal import rehearse
+    from testbed.plant.start_check import check_start
     from testbed.scenario import conditions
     from testbed.scenario.checks import unknown_names
     from testbed.scenario.load import load_scenario
@@ -43,7 +43,7 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     at, initial = scenario.initial, ("initial",)
     properties = collect(
         found,
-        lambda: rehearse(
+        lambda: check_start(
             aircraft, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, math.radians(at.heading_deg)
         ),
     )

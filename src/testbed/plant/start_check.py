@@ -1,6 +1,7 @@
-"""What a flight needs of the plant before it begins, tried ahead of the flight: its trimmed start and the design model.
+"""The check that a flight can begin: that there are a trimmed start and a design model.
 
-Both are recorded as found in the user's cache folder, so that to check a known scenario again imports neither JSBSim nor scipy.
+That both were found is recorded in the user's cache folder. A scenario that was checked before is then checked again without
+JSBSim and scipy.
 """
 
 from __future__ import annotations
@@ -10,11 +11,11 @@ import hashlib
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.aircraft.model_files.safe_xml import read_bytes
-from testbed.plant import known
+from testbed.plant import model_cache
 from testbed.plant.first_load import property_catalog
 
 
-def rehearse(
+def check_start(
     aircraft: Aircraft, physics_hz: float, airspeed_m_s: float, altitude_m: float, heading_rad: float
 ) -> dict[str, bool]:
     """Name of each property of the aircraft's model, and whether it can be written, if a flight can begin.
@@ -27,14 +28,14 @@ def rehearse(
     stored_text = _design_model(aircraft)
     start = (physics_hz, airspeed_m_s, altitude_m, heading_rad)
     key = f"{aircraft.fingerprint()}-{hashlib.sha256(repr((start, stored_text)).encode()).hexdigest()[:16]}"
-    if not known.holds(key):
+    if not model_cache.has(key):
         from testbed.plant.identification import stored
         from testbed.plant.trim import trimmed_start
 
         trimmed_start(aircraft, *start)
         trimmed_start(aircraft.nominal, *start)
         stored(aircraft.nominal)
-        known.keep(key, {})
+        model_cache.write(key, {})
     return catalog
 
 
