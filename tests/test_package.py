@@ -17,7 +17,7 @@ def run(program: str) -> str:
 
 
 def test_its_names_are_shown_and_there() -> None:
-    raised = ["BadInput", "Stopped"]
+    raised = ["BadInput", "Session", "Stopped"]
     called = ["adopt", "compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
     assert dir(testbed) == [*raised, "__version__", *called]
     assert all(callable(getattr(testbed, name)) for name in called)
