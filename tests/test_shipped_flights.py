@@ -29,8 +29,6 @@ from testbed.scenario.load import load_scenario
 from testbed.simulation import Assembly, assemble, fly
 from testbed.simulation.lockstep import Lockstep
 
-pytestmark = pytest.mark.slow
-
 TAIL, PROPELLER = "scenarios/left_tail_fail.yaml", "scenarios/left_propeller_fail.yaml"
 ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")
 FILES = ("scenario.yaml", "log.csv", "summary.json")

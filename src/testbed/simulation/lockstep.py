@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from testbed.common.jit import bound
-from testbed.common.signals import SETPOINT, STATE, as_records, longer, telemetry_width
+from testbed.common.signals import SETPOINT, STATE, as_records, longer, telemetry_rows
 from testbed.flight.columns import Recorded
 from testbed.flight.flight import Outcome
 from testbed.plant.envelope import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENVELOPE, limits_of, observe
@@ -36,7 +36,7 @@ class Lockstep:
         n, steps = len(parts.aircraft.actuators), parts.scenario.steps
         truth = np.zeros((steps, len(STATE) + 2 * n))
         measured = np.zeros((steps, len(STATE)))
-        self._bind(Recorded(truth, measured, parts.references, np.zeros((steps, telemetry_width(n)))))
+        self._bind(Recorded(truth, measured, parts.references, telemetry_rows(steps, n)))
 
     def _bind(self, rows: Recorded) -> None:
         """Give the parts the rows that the flight fills."""
@@ -56,7 +56,10 @@ class Lockstep:
 
     def lengthen(self, references: np.ndarray) -> None:
         """Take more control steps: `references` [steps, 6] begin with those so far, and weather and sensors have theirs."""
-        truth, measured, _, telemetry = (longer(rows, len(references)) for rows in self.rows)
+        so_far, steps = self.rows, len(references)
+        telemetry = telemetry_rows(steps, len(self.parts.aircraft.actuators))
+        telemetry[: len(so_far.telemetry)] = so_far.telemetry
+        truth, measured = longer(so_far.truth, steps), longer(so_far.measured, steps)
         self.parts.references = references
         self._bind(Recorded(truth, measured, references, telemetry))
 
