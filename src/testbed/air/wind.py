@@ -55,7 +55,9 @@ class Weather:
             self.wind = self._turbulence.wind
             self.apply = self._turbulence.step
         self._starts = list[int]()
-        self._gusts = list[tuple[float, float, np.ndarray] | None]()
+        self._gusts = list[tuple[float, float, list[float]] | None]()
+        # The first of them, whose velocity does not change now; its sum, and until when it is so if it is not zero.
+        self._settled, self._held, self._held_until_s = 0, (0.0, 0.0, 0.0), math.inf
         for gust in settings.gusts:
             self._expect(gust)
         if not settings.is_calm:
@@ -122,6 +124,8 @@ class Weather:
 
     def _blowing(self, step: int) -> bool:
         """Whether any gust has begun and is not over."""
+        if self._held_until_s < math.inf:
+            return True
         for start, begun in zip(self._starts, self._gusts, strict=True):
             if step >= start and (begun is None or step < start + (2.0 * begun[0] + begun[1]) * self.rate_hz):
                 return True
@@ -136,15 +140,29 @@ class Weather:
 
         A gust begins with the first step at or after its `at_s`.
         """
-        total = np.zeros(3)
-        for i, gust in enumerate(self.settings.gusts):
+        time_s = (step + 1) / self.rate_hz
+        if time_s >= self._held_until_s:
+            self._settled, self._held, self._held_until_s = 0, (0.0, 0.0, 0.0), math.inf
+        north, east, down = self._held
+        for i in range(self._settled, len(self._gusts)):
             if step < self._starts[i]:
                 continue
-            begun = self._gusts[i] or self._begin(i, gust)
-            total += profile((step + 1) / self.rate_hz - gust.at_s, begun[0], begun[1]) * begun[2]
-        return total
+            rise_s, hold_s, velocity = self._gusts[i] or self._begin(i, self.settings.gusts[i])
+            since_s = time_s - self.settings.gusts[i].at_s
+            share = profile(since_s, rise_s, hold_s)
+            north, east, down = (
+                north + share * velocity[0], east + share * velocity[1], down + share * velocity[2],
+            )  # fmt: skip
+            if i == self._settled and since_s > rise_s and share in (0.0, 1.0):
+                self._settle(north, east, down, time_s - since_s + rise_s + hold_s if share else math.inf)
+        return np.array([north, east, down])
 
-    def _begin(self, i: int, gust: Gust) -> tuple[float, float, np.ndarray]:
+    def _settle(self, north: float, east: float, down: float, until_s: float) -> None:
+        """Add the first gust that changes to those that do not change until then: they need not be summed in each step."""
+        self._settled += 1
+        self._held, self._held_until_s = (north, east, down), min(self._held_until_s, until_s)
+
+    def _begin(self, i: int, gust: Gust) -> tuple[float, float, list[float]]:
         """Rise and hold [s] and full velocity [m/s, north, east, down] of a gust that begins now."""
         airspeed, alpha, beta, *attitude = self.plant.air_data()
         velocity = np.array(gust.magnitude_m_s)
@@ -152,7 +170,7 @@ class Weather:
             velocity = body_from_wind(alpha, beta) @ velocity
         if gust.frame != "ned":
             velocity = body_from_ned(*attitude).T @ velocity
-        begun = (gust.rise_s(airspeed), gust.hold_s, velocity)
+        begun = (gust.rise_s(airspeed), gust.hold_s, velocity.tolist())
         self._gusts[i] = begun
         return begun
 
