@@ -116,7 +116,7 @@ REFUSED = [
     ("at_s: 5, value", "when: {signal: altitude_m}, value", 14, "failures.0.when", "either above or below"),
     ("at_s: 15, value", "at_s: 60, value", 15, "failures.1.at_s", "less than duration_s 60"),
     ("at_s: 15, value", "at_s: 5, value", 15, "failures.1", "overlaps failures.0"),
-    ("at_s: 15, value", "at_s: 15, until_s: 20, value", 15, "failures.1", "overlaps failures.0"),
+    ("at_s: 5, value", "at_s: 5, until_s: 16, value", 15, "failures.1", "overlaps failures.0"),
     (
         "at_s: 15, value",
         "when: {signal: altitude_m, below: 9}, value",
