@@ -16,11 +16,12 @@ actuators.
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
+from testbed.aircraft.control_design import LOOP_GAINS
 from testbed.aircraft.design_model import COLUMNS
 from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, PROPELLER_POINTS
 
@@ -151,22 +152,13 @@ SETTINGS = (
     Field("late_noise", (), "1/sqrt(s)", "process noise of lateness, modelled as a random walk"),
     Field("jam_sigma", (), "1", "fitted offset over its standard deviation that indicates a jam"),
     Field("jam_time", (), "s", "how long an offset must stay beyond `jam_sigma` to be a jam"),
-    Field("airspeed_kp", (), "1/s", "u_dot for airspeed error"),
-    Field("airspeed_ki", (), "1/s2", "integral gain of the airspeed loop"),
+    *(
+        Field(name, (), "as in `Loops`", f"gain of the {gain.axis} loops")
+        for name, gain in LOOP_GAINS.items()
+    ),
     Field("u_dot_max", (), "m/s2", "largest u_dot that airspeed may ask for"),
-    Field("altitude_kp", (), "1/s", "climb rate for altitude error"),
-    Field("altitude_ki", (), "rad/(m s)", "integral gain of the altitude loop, on pitch"),
     Field("climb_max", (), "m/s", "largest climb rate that altitude may ask for"),
-    Field("pitch_kp", (), "1/s", "pitch rate for pitch error"),
-    Field("q_kp", (), "1/s", "q_dot for pitch-rate error"),
-    Field("heading_kp", (), "1/s", "turn rate for heading error"),
-    Field("heading_ki", (), "1/s2", "integral gain of the heading loop"),
     Field("roll_max", (), "rad", "largest bank that heading may ask for"),
-    Field("roll_kp", (), "1/s", "roll rate for bank error"),
-    Field("p_kp", (), "1/s", "p_dot for roll-rate error"),
-    Field("sideslip_kp", (), "1/s", "yaw rate for sideslip"),
-    Field("sideslip_ki", (), "1/s2", "integral gain of the sideslip loop"),
-    Field("r_kp", (), "1/s", "r_dot for yaw-rate error"),
     Field("give_up_time", (), "s", "time constant with which a regulator gives altitude up for airspeed"),
     Field("heading_error_max", (), "rad", "heading error is limited to this"),
     Field("altitude_error_max", (), "m", "altitude error is limited to this"),
@@ -336,6 +328,7 @@ WORK = (
 """w: working memory of one step, so that nothing is allocated in flight."""
 
 
+@cache
 def _dtype(fields: tuple[Field, ...], n: int) -> np.dtype:
     sizes = {"n": n, "n+4": n + 4}
     columns = [
@@ -349,31 +342,7 @@ def _dtype(fields: tuple[Field, ...], n: int) -> np.dtype:
     return np.dtype((np.record, np.dtype(columns, align=True)))
 
 
-@cache
-def model_dtype(n: int) -> np.dtype:
-    """MODEL for n actuators. Cached, as the other dtypes: numba recognises the types of a call by their dtype objects."""
-    return _dtype(MODEL, n)
-
-
-@cache
-def settings_dtype(n: int) -> np.dtype:
-    """SETTINGS for n actuators."""
-    return _dtype(SETTINGS, n)
-
-
-@cache
-def mode_dtype(n: int) -> np.dtype:
-    """MODE for n actuators."""
-    return _dtype(MODE, n)
-
-
-@cache
-def memory_dtype(n: int) -> np.dtype:
-    """MEMORY for n actuators."""
-    return _dtype(MEMORY, n)
-
-
-@cache
-def work_dtype(n: int) -> np.dtype:
-    """WORK for n actuators."""
-    return _dtype(WORK, n)
+model_dtype, settings_dtype, mode_dtype, memory_dtype, work_dtype = (
+    partial(_dtype, table) for table in (MODEL, SETTINGS, MODE, MEMORY, WORK)
+)
+"""Dtype of each record for n actuators. It is made once: numba recognises the types of a call by their dtype objects."""

@@ -15,7 +15,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from testbed.aircraft.control_design import ControlDesign, Loops
+from testbed.aircraft.control_design import LOOP_GAINS, ControlDesign, Loops
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
@@ -43,21 +43,10 @@ _MODEL_ANGLE = 0.005
 """Error of the design model at its own trim, as an angle of attack and of sideslip [rad]."""
 _MODEL_U_DOT = 0.1  # m/s2
 _ENGINE_MARGIN = 3.0  # the airspeed loop is this much slower than the slowest engine
-_LOOPS = {
-    "airspeed_kp": 0.8, "airspeed_ki": 0.1, "altitude_kp": 0.7, "altitude_ki": 0.18, "pitch_kp": 3.0, "q_kp": 8.0,
-    "heading_kp": 0.5, "heading_ki": 0.02, "roll_kp": 1.5, "p_kp": 4.0, "sideslip_kp": 1.0, "sideslip_ki": 0.2, "r_kp": 4.0,
-}  # fmt: skip
-"""Gains of an aircraft with ample authority and fast engines [1/s; integrals 1/s2, that of altitude as a rate of climb]."""
-_CASCADES = {
-    "u_dot": ("airspeed_kp", "airspeed_ki"),
-    "q_dot": ("altitude_kp", "altitude_ki", "pitch_kp", "q_kp"),
-    "p_dot": ("heading_kp", "heading_ki", "roll_kp", "p_kp"),
-    "r_dot": ("sideslip_kp", "sideslip_ki", "r_kp"),
-}
 _DEMANDS = {
-    "q_dot": _LOOPS["pitch_kp"] * _LOOPS["q_kp"] * 0.11,
-    "p_dot": _LOOPS["roll_kp"] * _LOOPS["p_kp"] * math.radians(25.0),
-    "r_dot": _LOOPS["sideslip_kp"] * _LOOPS["r_kp"] * 0.15,
+    "q_dot": LOOP_GAINS["pitch_kp"].ample * LOOP_GAINS["q_kp"].ample * 0.11,
+    "p_dot": LOOP_GAINS["roll_kp"].ample * LOOP_GAINS["p_kp"].ample * math.radians(25.0),
+    "r_dot": LOOP_GAINS["sideslip_kp"].ample * LOOP_GAINS["r_kp"].ample * 0.15,
 }
 """Acceleration that each cascade asks for at once [rad/s2]: for a climb at its limit (0.11 rad of path), a bank at its limit, and
 0.15 rad of sideslip."""
@@ -177,14 +166,13 @@ def _loops(
 
 
 def _gains(model: DesignModel, authority: Mapping[str, float], lags: Sequence[float]) -> dict[str, float]:
-    """`_LOOPS` at the pace that authority and engines allow, with rate loops no slower than the aircraft's damping."""
+    """`LOOP_GAINS` at the pace that authority and engines allow, with rate loops no slower than the aircraft's damping."""
     slowest = min((lag for lag, k in zip(lags, model.kinds, strict=True) if k != "servo"), default=math.inf)
     pace = {axis: _pace(authority.get(axis, math.inf), demand) for axis, demand in _DEMANDS.items()}
-    pace["u_dot"] = min(1.0, slowest / _ENGINE_MARGIN / _LOOPS["airspeed_kp"])
+    pace["u_dot"] = min(1.0, slowest / _ENGINE_MARGIN / LOOP_GAINS["airspeed_kp"].ample)
     gains = {
-        name: _LOOPS[name] * (pace[axis] ** 2 if name.endswith("_ki") else pace[axis])
-        for axis, names in _CASCADES.items()
-        for name in names
+        name: gain.ample * (pace[gain.axis] ** 2 if name.endswith("_ki") else pace[gain.axis])
+        for name, gain in LOOP_GAINS.items()
     }
     for name, own in _dampings(model).items():
         gains[name] = max(gains[name], own)
