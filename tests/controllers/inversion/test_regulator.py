@@ -136,7 +136,7 @@ def test_a_regulator_is_kept_and_so_is_that_there_is_none() -> None:
             regulator_for(SETUP, hopeless, {})
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_number_of_blas_threads_changes_no_bit() -> None:
     """A flight alone has all threads, a sweep's worker one. With two, LAPACK solves larger problems in another order."""
     code = (
