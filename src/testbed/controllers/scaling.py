@@ -32,11 +32,14 @@ _ROTARY_GUSTS = {D_P: 1.64, D_Q: math.pi / 4.0, D_R: math.pi / 3.0}
 """Rotation of the air about each axis of the aircraft, by gusts that vary along it: this times gust velocity over span, above the
 corner of its spectrum, pi V / 4 b (after MIL-F-8785C, 3.7.5). Below the corner its density is constant."""
 _LOUD_RAD_S, _WIDE_RAD_S, _ESTIMATES_RAD_S = 7.1, 4.0, 1.0
-"""Corners at which a rotation of the air counts as above it, one of rolling second, and frequency at which effectiveness is
-estimated. The rotation is not measured, as the velocity is by alpha, beta and airspeed: it counts with its density at the latter,
-and with the margin that the v-tail's settings have over the density that was measured in its flights, whose corner is the first.
-Rolling has a smaller margin, and at least its density above the corner: with the first, the flag of a lost aileron comes too late
-for light aircraft; without any, whole gliders and wide biplanes lost their aileron to slow gusts."""
+"""Corners of the rotation of the air that were met in the v-tail's flights and by rolling, and the frequency at which effectiveness
+is estimated [rad/s].
+
+The velocity of the air is measured by alpha, beta and airspeed, its rotation is not. So the rotation counts with its density at
+the frequency of the estimates. The v-tail's settings have a margin over the density that was measured in its flights, and the
+first corner gives other aircraft the same margin. Rolling has less of it, by the second corner, and at least its density above the
+corner: with the first, the flag of a lost aileron came too late for light aircraft; without any, whole gliders and wide biplanes
+lost their aileron to slow gusts."""
 _TURNING_RAD_S = 0.3
 """Pitching and yawing of an aircraft in gusts, by which their velocity enters forward acceleration [rad/s]."""
 _MODEL_ANGLE = 0.005
