@@ -19,7 +19,7 @@ from unittest import mock
 from testbed import simulation
 from testbed.plant import jsbsim
 from testbed.scenario.load import Scenario
-from testbed.sweeps.load import load_sweep
+from testbed.studies.load import load_sweep
 
 SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
 CHECKS = ((jsbsim, "assure"), (simulation, "_check_names"))

@@ -40,7 +40,7 @@ from testbed.inputs.overrides import apply
 from testbed.plant.jsbsim import Plant
 from testbed.scenario.load import Scenario, load_scenario
 from testbed.simulation import Assembly, assemble, conclude, fly, lockstep
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 SCENARIO = "scenarios/left_tail_fail.yaml"
 _clock = time.thread_time

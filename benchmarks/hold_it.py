@@ -26,7 +26,7 @@ from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.flight.flight import Outcome
 from testbed.inputs.yaml_source import parse
 from testbed.simulation import fly
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 CONTROLLER = "{type: adaptive_inversion}"
 BASE = """\

@@ -11,7 +11,7 @@ from bandwidth_page import Row, page, relative
 from section4_bandwidth import MOVING, flights
 
 from testbed.inputs.yaml_source import parse
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 from testbed.theory import bandwidth
 
 

@@ -32,7 +32,7 @@ def search(options: argparse.Namespace) -> int:
 
 
 def report(options: argparse.Namespace) -> int:
-    from testbed.loading import is_search_folder, is_sweep_folder, names_kept_log
+    from testbed.api.load import is_search_folder, is_sweep_folder, names_kept_log
 
     if names_kept_log(options.folder):
         from testbed.cli import sweep

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from testbed.api.load import load_flight
 from testbed.cli.checked import collect
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
-from testbed.loading import load_flight
 from testbed.reporting.comparison import MOST, Comparison
 from testbed.reporting.html import is_page
 

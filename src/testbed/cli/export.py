@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from testbed.loading import load_flight
+from testbed.api.load import load_flight
 from testbed.reporting.export import export as write
 from testbed.reporting.export import format_of
 from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin

@@ -6,18 +6,20 @@ import argparse
 from pathlib import Path
 from typing import Any
 
-from testbed import monte_carlo
+from testbed.api import sweep as study
+from testbed.api.options import checked_options
 from testbed.cli.flight import print_verdict
 from testbed.cli.interrupts import later, tidily
-from testbed.cli.keeping import flying, writing
 from testbed.cli.status import MET, NOT_MET
+from testbed.cli.study import flying, writing
 from testbed.cli.working import working
 from testbed.common.files import slug
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
 from testbed.reporting.sweep_page.answer import answer
-from testbed.sweeps.run import Options, fly_sweep
+from testbed.studies.run import Options
+from testbed.studies.sweep import fly_sweep
 
 
 def fly(options: argparse.Namespace) -> int:
@@ -25,12 +27,12 @@ def fly(options: argparse.Namespace) -> int:
 
     Raises BadInput when nothing can be flown, and Ended when it ends early.
     """
-    how = monte_carlo.options(options.jobs, options.cluster, options.save_logs)
+    how = checked_options(options.jobs, options.cluster, options.save_logs)
     if options.only is None and options.variant is not None:
         raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
     if options.only is not None:
         return _fly_only(options, how)
-    plan, folder = monte_carlo.prepare(
+    plan, folder = study.prepare(
         options.sweep,
         options.out,
         options.set,
@@ -43,7 +45,7 @@ def fly(options: argparse.Namespace) -> int:
         with flying():
             flights = fly_sweep(plan, folder, how, resume=options.resume)
         with writing(folder, f"`testbed report {folder}` writes the rest"):
-            summary = monte_carlo.finish(plan, folder, figures=not options.no_plots)
+            summary = study.finish(plan, folder, figures=not options.no_plots)
     print_answer(summary)
     print(flights if flights.count else "no flight was missing")
     print(f"wrote {folder}")
@@ -53,7 +55,7 @@ def fly(options: argparse.Namespace) -> int:
 def report(folder: Path) -> int:
     """Write table, summary, figures and report of a sweep folder again; returns the exit status."""
     with working("drawing and writing"), tidily():
-        summary = monte_carlo.rebuild(folder)
+        summary = study.rebuild(folder)
     print_answer(summary)
     return _status(summary)
 
@@ -85,7 +87,7 @@ def _status(summary: dict[str, Any]) -> int:
 
 def _fly_only(options: argparse.Namespace, how: Options) -> int:
     """Fly one run alone, tell each of its flights, and return the exit status."""
-    plan, usual = monte_carlo.prepare(
+    plan, usual = study.prepare(
         options.sweep, None, options.set, runs=options.runs, seed=options.seed, controllers=options.controller
     )
     folder = options.out or usual.with_name(_name(usual.name, options.only, options.variant))
@@ -93,7 +95,7 @@ def _fly_only(options: argparse.Namespace, how: Options) -> int:
     with later():
         refuse_unwritable(folder)
     with tidily():
-        passed, flights = monte_carlo.fly_run(
+        passed, flights = study.fly_run(
             plan, options.only, folder, how, variant=options.variant, figures=not options.no_plots
         )
     for flight in flights:
@@ -110,7 +112,7 @@ def _name(sweep: str, run: int, variant: str | None) -> str:
 def report_run(path: Path) -> int:
     """Write the page of each kept log of a run in a sweep; returns the exit status."""
     with tidily():
-        made = monte_carlo.report_run(path)
+        made = study.report_run(path)
     for flight, file in made:
         print_verdict(flight)
         print(f"wrote {file}")

@@ -12,6 +12,7 @@ import math
 import numpy as np
 from threadpoolctl import threadpool_limits
 
+from testbed.common.statistics import CONFIDENCE
 from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend, Mixture, fitted
@@ -19,7 +20,6 @@ from testbed.reliability.results import FailureProbability
 from testbed.reliability.rounds import Rounds
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
-from testbed.sweeps.statistics import CONFIDENCE
 
 ROUND = 500
 LEAST = 3 * ROUND

@@ -13,6 +13,7 @@ from scipy import stats
 from scipy.special import logsumexp
 from threadpoolctl import threadpool_limits
 
+from testbed.common.statistics import CONFIDENCE
 from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import FailureProbability
@@ -20,7 +21,6 @@ from testbed.reliability.smallest import search_from
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
 from testbed.reliability.surface import Search
-from testbed.sweeps.statistics import CONFIDENCE
 
 EXPLORED = 1 / 8
 """Points a level of the subset simulation that looks for regions, as a share of the budget."""

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import stats
 
+from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.subset_run import LENGTH, Run, run_levels
-from testbed.sweeps.statistics import CONFIDENCE, proportion
 
 LEAST = 100
 """Fewest points a level: ten chains."""

@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from testbed.common.statistics import proportion
 from testbed.reliability.conditional import Spread, run_chains
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import Level
-from testbed.sweeps.statistics import proportion
 
 LENGTH = 10
 """Points of each chain with its seed; 1 / LENGTH is the probability of each level given the one before."""

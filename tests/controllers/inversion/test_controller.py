@@ -19,7 +19,7 @@ from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.problems import BadInput
 from testbed.inputs.yaml_source import parse
 from testbed.simulation import fly
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 W25 = 25.0
 
