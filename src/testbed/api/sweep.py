@@ -15,9 +15,7 @@ from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.attempt import attempt
 from testbed.reporting.kept_report import write_kept_page
 from testbed.reporting.present import present
-from testbed.reporting.sweep_figures import draw_sweep
 from testbed.reporting.sweep_report import write_sweep_report
-from testbed.reporting.sweep_table import table_of
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, fly_task
@@ -79,6 +77,8 @@ def sweep(
     )
     fly_sweep(plan, folder, how, resume=resume)
     finish(plan, folder, figures=figures)
+    from testbed.reporting.sweep_table import table_of  # with pandas
+
     return table_of(reading.load(folder))
 
 
@@ -118,6 +118,8 @@ def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
     found = summary.summarize(plan, frame)
     summary.write(found, folder)
     if figures and len(frame):
+        from testbed.reporting.sweep_figures import draw_sweep  # with matplotlib
+
         attempt("the figures", lambda: draw_sweep(plan, frame, folder))
         attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
         attempt("the report", lambda: write_sweep_report(folder))

@@ -127,8 +127,3 @@ def _spec(distribution: Any) -> dict[str, Any]:
     if distribution.weights is not None:
         spec["weights"] = list(distribution.weights)
     return spec
-
-
-def key_of(k: int) -> bytes:
-    """The key by which flight number k is stored (see `folder.store`)."""
-    return k.to_bytes(8, "big")

@@ -49,5 +49,10 @@ class Flown:
     log: bytes = b""
 
 
+def key_of(k: int) -> bytes:
+    """The key by which flight number k of a sweep is stored (see `folder.store`)."""
+    return k.to_bytes(8, "big")
+
+
 CHECKED = TypeAdapter(Record)
 """Reads a record from JSON, with the type and the range of each value checked."""

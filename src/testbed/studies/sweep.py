@@ -16,8 +16,9 @@ from testbed.studies.folder.begin import SWEEP
 from testbed.studies.folder.names import log_file
 from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
-from testbed.studies.plan import Plan, key_of
+from testbed.studies.plan import Plan
 from testbed.studies.progress import Progress
+from testbed.studies.record import key_of
 from testbed.studies.run import Options, flying_into
 from testbed.studies.stopping import Stopping
 

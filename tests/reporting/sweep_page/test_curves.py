@@ -11,8 +11,7 @@ import pytest
 
 from testbed.reporting.sweep_page.curves import drawn_inputs, error_band, pass_shares, unwrapped
 from testbed.studies.folder import histories, store
-from testbed.studies.plan import key_of
-from testbed.studies.record import Record
+from testbed.studies.record import Record, key_of
 
 
 def test_headings_go_on_beyond_a_half_turn() -> None:

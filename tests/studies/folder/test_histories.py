@@ -17,8 +17,7 @@ from testbed.studies.folder.histories import (
     read,
     times_s,
 )
-from testbed.studies.plan import key_of
-from testbed.studies.record import Record
+from testbed.studies.record import Record, key_of
 
 
 def record(rows: int = 1000, heading_deg: float = 350.0) -> np.ndarray:

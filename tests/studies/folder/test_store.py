@@ -26,8 +26,8 @@ from testbed.studies.folder.begin import SWEEP, begin
 from testbed.studies.folder.reading import records
 from testbed.studies.folder.table import write
 from testbed.studies.load import load_sweep
-from testbed.studies.plan import Plan, key_of
-from testbed.studies.record import CHECKED, Record
+from testbed.studies.plan import Plan
+from testbed.studies.record import CHECKED, Record, key_of
 
 RECORD = Record(
     3, 1, 2**70, {"a": 0.1 + 0.2, "b": [None, {"c": "ü \n"}], "d": -0.0}, "completed", True, "", 1e-300,
@@ -93,7 +93,7 @@ WRITER = """
 import sys
 from pathlib import Path
 from testbed.studies.folder import store
-from testbed.studies.record import Record
+from testbed.studies.record import Record, key_of
 flights = store.opened(Path(sys.argv[1]))
 print("ready", flush=True)
 for k in range(len(flights), 100_000):

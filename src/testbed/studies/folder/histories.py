@@ -9,7 +9,7 @@ import numpy as np
 from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
 from testbed.studies.folder import store
-from testbed.studies.plan import key_of
+from testbed.studies.record import key_of
 
 CHANNELS = {
     "altitude_error_m": ("altitude_m", "altitude_command_m"),

@@ -13,8 +13,8 @@ from testbed.common.units import unit as unit
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.folder import store, table
 from testbed.studies.load import load_sweep
-from testbed.studies.plan import Plan, key_of
-from testbed.studies.record import Record
+from testbed.studies.plan import Plan
+from testbed.studies.record import Record, key_of
 
 if TYPE_CHECKING:
     import pandas as pd
