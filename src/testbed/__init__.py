@@ -10,12 +10,12 @@ if TYPE_CHECKING:
     from testbed.api.load import load as load
     from testbed.api.search import search as search
     from testbed.api.sweep import sweep as sweep
+    from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison import compare as compare
     from testbed.simulation import fly as fly
     from testbed.studies.run import Stopped as Stopped
-    from testbed.theory.gain_design import design as design
 
     __version__: str
 
@@ -24,7 +24,7 @@ _MODULES = {
     "Stopped": "testbed.studies.run",
     "adopt": "testbed.adoption.entry",
     "compare": "testbed.reporting.comparison",
-    "design": "testbed.theory.gain_design",
+    "design": "testbed.gains.design",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
     "load": "testbed.api.load",
