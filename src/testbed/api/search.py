@@ -23,7 +23,7 @@ from testbed.reporting.search_page.page import write_search_page
 from testbed.reporting.search_page.words import answer, settings_of
 from testbed.studies import summary as sweep_summary
 from testbed.studies.checks import check
-from testbed.studies.flying.flight import Fly, Job, fly_task
+from testbed.studies.flying.flight import Fly, Job, flight_of
 from testbed.studies.folder.names import in_file_names
 from testbed.studies.model import GOALS, Goal
 from testbed.studies.search.load import load_search
@@ -33,8 +33,6 @@ from testbed.studies.search.summary import nearest, summarize
 
 if TYPE_CHECKING:
     import pandas as pd
-
-    from testbed.flight.flight import Flight
 
 
 @dataclass(frozen=True)
@@ -167,20 +165,12 @@ def _write_found(
     origin = np.zeros(len(found.part.space))
     for kind, point in (("origin", origin), ("found", found.answer.design_point)):
         target = folder / (f"{kind}-{label}" if label else kind)
-        flight = _flown_again(plan, found, point, job)
+        # Flown again, because a worker has sent a record and not the whole log.
+        flight = flight_of(job, plan.tasks(found.part, np.array([point]), 0)[0])
         shutil.rmtree(target, ignore_errors=True)  # of a search that has gone on
         add = partial(present, flight, figures=figures)
         write_run_folder(flight, target, add if figures and flight.actuators else lambda _: None)
     return target.name, settings_of(flight, [each.path for each in found.part.space.coordinates])
-
-
-def _flown_again(plan: SearchPlan, found: Found, point: np.ndarray | None, job: Job) -> Flight:
-    """The whole flight, of which a worker has sent a record only; raises BadInput when it has no result this time."""
-    kept: list[Flight] = []
-    flown = fly_task(job, plan.tasks(found.part, np.array([point]), 0)[0], keep=kept.append)
-    if not kept:
-        raise BadInput([Problem(f"the flight found has no result: {flown.record.reason}", plan.name)])
-    return kept[0]
 
 
 def write_report(folder: Path) -> None:

@@ -18,12 +18,13 @@ from testbed.reporting.present import present
 from testbed.reporting.sweep_report import write_sweep_report
 from testbed.studies import summary
 from testbed.studies.checks import check
-from testbed.studies.flying.flight import Fly, fly_task
+from testbed.studies.flying.flight import Fly, flight_of
 from testbed.studies.folder import logs, reading, store, table
 from testbed.studies.folder.begin import runs_of
 from testbed.studies.folder.names import flight_label, in_file_names, log_file
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
+from testbed.studies.record import NO_RESULT
 from testbed.studies.run import Options
 from testbed.studies.sweep import fly_only, fly_sweep
 
@@ -163,11 +164,10 @@ def fly_run(
     """
     done = fly_only(plan, run, how, None if variant is None else _numbered(plan, variant))
     records = [flown.record for _, flown in done]
-    flights: dict[int, Flight] = {}
-    for task, flown in done:
-        # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.
-        if flown.record.outcome not in ("timeout", "crashed"):
-            fly_task(how.job(plan), task, keep=partial(flights.__setitem__, task.variant))
+    # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.
+    job = how.job(plan)
+    again = [task for task, flown in done if flown.record.outcome not in NO_RESULT]
+    flights = {task.variant: flight_of(job, task) for task in again}
     if variant is None:
         folder.mkdir(parents=True)
         table.write(plan, lambda: records, folder)

@@ -7,7 +7,7 @@ independent draws; for these the intervals tend to be too wide, not too narrow.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
@@ -132,28 +132,26 @@ def runs_needed(claim: float, failures: int = 0, confidence: float = CONFIDENCE)
     One-sided Clopper-Pearson: P(at most `failures` fail | P(pass) = claim) <= 1 - confidence. Without
     failures this is ln(1 - confidence) / ln(claim): 299 runs for 0.99, 2995 for 0.999.
     """
-    low, high = failures + 1, failures + 2
-    while stats.binom.cdf(failures, high, 1.0 - claim) > 1.0 - confidence:
-        low, high = high, 2 * high
-    while low < high:
-        middle = (low + high) // 2
-        enough = stats.binom.cdf(failures, middle, 1.0 - claim) <= 1.0 - confidence
-        low, high = (low, middle) if enough else (middle + 1, high)
-    return low
+    return _least(failures + 1, lambda n: stats.binom.cdf(failures, n, 1.0 - claim) <= 1.0 - confidence)
 
 
 def runs_for_half_width(estimate: float, half_width: float, confidence: float = CONFIDENCE) -> int:
     """Least number of runs after which a probability near `estimate` is known to +- half_width (Wilson)."""
     z = float(stats.norm.ppf(0.5 + confidence / 2.0))
-    low, high = 1, 2
 
-    def wide(n: int) -> bool:
+    def narrow(n: int) -> bool:
         spread = estimate * (1.0 - estimate) / n + z * z / (4.0 * n * n)
-        return z * math.sqrt(spread) / (1.0 + z * z / n) > half_width
+        return z * math.sqrt(spread) / (1.0 + z * z / n) <= half_width
 
-    while wide(high):
+    return _least(1, narrow)
+
+
+def _least(low: int, enough: Callable[[int], bool]) -> int:
+    """The least number from `low` on that is enough, as all greater ones are."""
+    high = low + 1
+    while not enough(high):
         low, high = high, 2 * high
     while low < high:
         middle = (low + high) // 2
-        low, high = (middle + 1, high) if wide(middle) else (low, middle)
+        low, high = (low, middle) if enough(middle) else (middle + 1, high)
     return low

@@ -9,9 +9,8 @@ from sweep_files import SWEEP, fly_here, table, written
 from sweep_flights import quick
 
 import testbed
-from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput
-from testbed.studies.flying.flight import Job, fly_reference, fly_task
+from testbed.studies.flying.flight import Job, flight_of, fly_reference, fly_task
 from testbed.studies.load import load_sweep
 
 
@@ -42,12 +41,11 @@ def test_an_exception_is_a_record_with_its_reason_in_bounds(tmp_path: Path) -> N
         assert record.passed in ((True, False) if outcome == "completed" else (False,))
 
 
-def test_the_flight_itself_is_handed_to_whoever_wants_it(tmp_path: Path) -> None:
+def test_the_record_is_that_of_the_flight_itself(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
-    flights: list[Flight] = []
-    flown = fly_task(Job(plan.builder, "sweep_flights:quick"), plan.task(0), keep=flights.append)
-    (flight,) = flights
-    assert flight.passed == flown.record.passed and flight.scenario.seed == flown.record.seed
+    job = Job(plan.builder, "sweep_flights:quick")
+    flight, record = flight_of(job, plan.task(0)), fly_task(job, plan.task(0)).record
+    assert flight.passed == record.passed and flight.scenario.seed == record.seed
 
 
 def test_functions_are_named_so_that_a_worker_can_import_them() -> None:

@@ -49,14 +49,17 @@ def fly_reference(fly: Fly | None) -> str:
     return f"{module}:{name}"
 
 
-def fly_task(job: Job, task: Task, keep: Callable[[Flight], object] = lambda _: None) -> Flown:
-    """Fly one task; an exception becomes a record with the reason. `keep` is called with the whole flight."""
+def flight_of(job: Job, task: Task) -> Flight:
+    """Fly one task; raises BadInput, or whatever the user's function or controller raises."""
+    scenario = job.builder.scenario(task)
+    own = job.builder.own_controller(task)
+    return _function(job.fly)(scenario) if own is None else _fly_own(scenario, own)
+
+
+def fly_task(job: Job, task: Task) -> Flown:
+    """Fly one task; an exception becomes a record with the reason."""
     try:
-        scenario = job.builder.scenario(task)
-        own = job.builder.own_controller(task)
-        flight = _function(job.fly)(scenario) if own is None else _fly_own(scenario, own)
-        keep(flight)
-        return _flown(job, task, flight)
+        return _flown(job, task, flight_of(job, task))
     except BadInput as error:
         return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
     except Exception as error:
