@@ -17,7 +17,7 @@ from testbed.studies.progress import bar
 from testbed.studies.sweep import Passed
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("terminal", [True, False])
 def test_progress_on_a_terminal_only(tmp_path: Path, terminal: bool) -> None:
     flying = flown(written(tmp_path), tmp_path / "out", "runs=20")

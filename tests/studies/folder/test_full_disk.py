@@ -30,7 +30,7 @@ def test_a_sweep_goes_on_after_a_full_disk(tmp_path: Path) -> None:
         goes_on(plan, whole, tmp_path / "out", limit)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_sweep_goes_on_where_the_disk_was_full_within_a_page(tmp_path: Path) -> None:
     """Pages have 4096 bytes, and 24 more each in the log: limits about the ends of some."""
     plan = load_sweep(written(tmp_path))

@@ -102,12 +102,11 @@ for k in range(len(flights), 100_000):
 """
 
 
-@pytest.mark.slow
 def test_what_was_stored_outlasts_a_kill_at_any_moment(tmp_path: Path) -> None:
     """Whatever a flight's size, and whether its page had been moved into the file or not."""
     store.create(tmp_path, {})
     instants, told = random.Random(7), -1
-    for _ in range(12):
+    for _ in range(6):
         process = subprocess.Popen(
             [sys.executable, "-c", WRITER, tmp_path], stdout=subprocess.PIPE, text=True
         )
@@ -273,7 +272,7 @@ def test_a_study_that_begins_twice_at_once_has_one_store(tmp_path: Path) -> None
     assert [file.name for file in tmp_path.iterdir()] == [store.NAME]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_flights_are_neither_held_nor_rewritten(tmp_path: Path) -> None:
     """The parent's memory does not grow with the flights, nor the log of the database beyond some megabytes."""
     plan = load_sweep(written(tmp_path), ["runs=20000"])
