@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import islice
 from typing import Any
 
 from testbed.aircraft.changes import chosen
-from testbed.aircraft.description import Aircraft
 from testbed.controllers.user.loader import undeclared
 from testbed.controllers.user.own import not_given, unused_parameters
-from testbed.flight.columns import all_columns
 from testbed.inputs.problems import BadInput, Problem
-from testbed.metrics import TABLE as METRICS
-from testbed.scenario.checks import unknown_names
+from testbed.simulation.check import name_problems
 from testbed.studies.drawing.builder import Task
 from testbed.studies.plan import Plan
 
@@ -53,7 +50,6 @@ def _once(problems: Iterable[Problem]) -> list[Problem]:
 class _Checker:
     def __init__(self, plan: Plan) -> None:
         self._plan = plan
-        self._catalogs: dict[str, Mapping[str, bool]] = {}
 
     def draws(self) -> Iterator[Problem]:
         """Problems of the first runs; with a table of cases, of all runs up to _MOST_CHECKED scenarios."""
@@ -105,23 +101,11 @@ class _Checker:
         try:
             scenario = self._plan.builder.scenario(task)
             aircraft = chosen(scenario.aircraft)
+            own = self._plan.builder.own_controller(task)
+            if own is not None:
+                unknown = undeclared(own.load(), scenario.controller.parameters)
+            else:
+                unknown = unused_parameters(scenario.controller)
+            return unknown or name_problems(scenario, aircraft)
         except BadInput as error:
             return list(error.problems)
-        signals = all_columns(aircraft, scenario)
-        own = self._plan.builder.own_controller(task)
-        if own is not None:
-            unknown = undeclared(own.load(), scenario.controller.parameters)
-        else:
-            unknown = unused_parameters(scenario.controller)
-        if unknown:
-            return unknown
-        return unknown_names(scenario, aircraft, signals, METRICS, self._catalog(aircraft))
-
-    def _catalog(self, aircraft: Aircraft) -> Mapping[str, bool]:
-        """Properties of the JSBSim model, loaded once for each aircraft because loading is slow."""
-        key = str(aircraft.folder)
-        if key not in self._catalogs:
-            from testbed.plant.first_load import property_catalog
-
-            self._catalogs[key] = property_catalog(aircraft)
-        return self._catalogs[key]
