@@ -1,4 +1,5 @@
 """Dryden turbulence in flight: in each control step the gusts at the present airspeed and altitude, turned to the ground's axes."""
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -3,6 +3,7 @@
 Plain Python that numba compiles. A row of truth has `signals.STATE`, then the position and then the effectiveness of each
 actuator (see `Plant.raw`).
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

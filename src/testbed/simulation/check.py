@@ -15,7 +15,7 @@ from testbed.flight.columns import all_columns, columns
 from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
 from testbed.plant.first_load import property_catalog
-from testbed.plant.rehearsal import rehearse
+from testbed.plant.start_check import check_start
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.model import Scenario
 
@@ -52,7 +52,7 @@ def _checked(scenario: Scenario, aircraft: Aircraft, remembered: bool) -> Scenar
     start = (scenario.physics_hz, at.airspeed_m_s, at.altitude_m, math.radians(at.heading_deg))
     named = scenario
     try:
-        properties = rehearse(aircraft, *start, remembered=remembered)
+        properties = check_start(aircraft, *start, remembered=remembered)
     except BadInput as error:
         found += error.problems
         named, properties = scenario.model_copy(update={"failures": ()}), {}

@@ -1,6 +1,7 @@
-"""What a flight needs of the plant before it begins, tried ahead of the flight: its trimmed start and the design model.
+"""The check that a flight can begin: that there are a trimmed start and a design model.
 
-Both are recorded as found in the user's cache folder, so that to check a known scenario again imports neither JSBSim nor scipy.
+That both were found is recorded in the user's cache folder. A scenario that was checked before is then checked again without
+JSBSim and scipy.
 """
 
 from __future__ import annotations
@@ -10,11 +11,11 @@ import hashlib
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.aircraft.model_files.safe_xml import read_bytes
-from testbed.plant import known
+from testbed.plant import model_cache
 from testbed.plant.first_load import property_catalog
 
 
-def rehearse(
+def check_start(
     aircraft: Aircraft,
     physics_hz: float,
     airspeed_m_s: float,
@@ -39,9 +40,9 @@ def rehearse(
         return catalog
     stored_text = _design_model(aircraft)
     key = f"{aircraft.fingerprint()}-{hashlib.sha256(repr((start, stored_text)).encode()).hexdigest()[:16]}"
-    if not known.holds(key):
+    if not model_cache.has(key):
         _begin(aircraft, start)
-        known.keep(key, {})
+        model_cache.write(key, {})
     return catalog
 
 
