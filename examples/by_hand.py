@@ -1,6 +1,6 @@
 """Fly by hand: break a surface when you like, look at what the controller believes, mend it, and keep the flight.
 
-    python by_hand.py
+python by_hand.py
 """
 
 import testbed
