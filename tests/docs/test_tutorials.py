@@ -8,8 +8,8 @@ import shutil
 from pathlib import Path
 
 import pytest
+from code_blocks import all_blocks
 from command_line import ROOT, in_this_process
-from pages import all_blocks
 
 TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
 

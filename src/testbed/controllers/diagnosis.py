@@ -6,6 +6,7 @@ own purpose, can be compared with the adaptive law at the same diagnosis.
 Letters: y measured state, m design model, c settings of the diagnosis, s memory of the control law, d memory of the diagnosis,
 w working memory; their fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -17,6 +17,7 @@ separates what diagnosis brings from what compensation brings.
 Letters: y state, ref references, m design model, c settings, k control mode, s memory, w working memory; their fields,
 shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -17,6 +17,7 @@ v' = k (r - z) is integral control on the measured rates: incremental inversion 
 Letters: y state, ref references, m design model, c settings, k control mode, s memory, d memory of the diagnosis, w working
 memory; their fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

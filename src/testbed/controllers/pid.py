@@ -14,6 +14,7 @@ dihedral as on a two-axis glider. How the gains were found: `PidSettings`.
 Letters: y measured state, ref references, m design model, c settings, k control mode, s memory (`records`), g gains
 (`PidSettings`).
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

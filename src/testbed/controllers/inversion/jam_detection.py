@@ -7,6 +7,7 @@ effectiveness: its column of `law.regressor` is the effect of one scaled unit.
 Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

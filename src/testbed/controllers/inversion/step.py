@@ -3,6 +3,7 @@
 Letters: y measured state, ref references, m design model, c settings, k control mode, s memory, w working memory; their
 fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
