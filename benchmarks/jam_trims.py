@@ -22,9 +22,10 @@ from scipy.optimize import least_squares
 from testbed.aircraft.description import Aircraft, Servo, load_aircraft
 from testbed.common.frames import level_pitch
 from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.inversion.steady_flights import DegradedAircraft, SteadyFlight, path_angles
+from testbed.controllers.inversion.steady_flights import SteadyFlight, path_angles
 from testbed.controllers.records import AIRSPEED, ALPHA
 from testbed.controllers.setup import Setup, setup_for
 from testbed.plant.identification import stored

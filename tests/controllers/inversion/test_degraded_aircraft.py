@@ -10,7 +10,7 @@ import pytest
 from vtail_setup import vtail_setup
 
 from testbed.aircraft.design_model import ROWS, DesignModel
-from testbed.controllers.inversion.forward_force import forward_curvature
+from testbed.controllers.inversion.degraded_aircraft import forward_curvature
 
 X, Z = ROWS.index("u_dot"), ROWS.index("w_dot")
 LIFT, LIFT_SLOPE, LEAST_DRAG, INDUCED = 9.8, 90.0, 0.7, 0.004
