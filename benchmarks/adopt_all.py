@@ -17,7 +17,7 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from testbed.adoption.child import adopted_card
+from testbed.adoption.entry import adopted_card
 from testbed.adoption.source import find_source, package_root
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.inputs.problems import BadInput
