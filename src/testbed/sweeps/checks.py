@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import islice
 from typing import Any
 
-from testbed.aircraft.changes import chosen
+from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import Aircraft
 from testbed.controllers.user.loader import undeclared
 from testbed.controllers.user.own import not_given, unused_parameters
@@ -104,7 +104,7 @@ class _Checker:
         """Everything wrong with one flight's scenario."""
         try:
             scenario = self._plan.builder.scenario(task)
-            aircraft = chosen(scenario.aircraft)
+            aircraft = load_with_changes(scenario.aircraft)
         except BadInput as error:
             return list(error.problems)
         signals = all_columns(aircraft, scenario)
