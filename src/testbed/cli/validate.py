@@ -6,11 +6,11 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 
 from testbed.aircraft.shipped import find_scenario
-from testbed.cli.checked import checked, collect
+from testbed.cli.checked import checked
 from testbed.cli.command import Command, add_file
 from testbed.cli.status import MET
 from testbed.cli.working import working
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, collect
 
 
 def _arguments(command: ArgumentParser) -> None:

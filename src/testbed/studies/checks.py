@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import islice
 from typing import Any
 
-from testbed.aircraft.changes import chosen
+from testbed.aircraft.changes import load_with_changes
 from testbed.controllers.user.loader import undeclared
 from testbed.controllers.user.own import not_given, unused_parameters
 from testbed.inputs.problems import BadInput, Problem
@@ -100,7 +100,7 @@ class _Checker:
         """Everything wrong with one flight's scenario."""
         try:
             scenario = self._plan.builder.scenario(task)
-            aircraft = chosen(scenario.aircraft)
+            aircraft = load_with_changes(scenario.aircraft)
             own = self._plan.builder.own_controller(task)
             if own is not None:
                 unknown = undeclared(own.load(), scenario.controller.parameters)

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from pydantic import ValidationError
 
-from testbed.aircraft.changes import chosen
+from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.shipped import find_scenario
 from testbed.controllers.user.own import OwnController
 from testbed.inputs import yaml_source as yamlfile
@@ -145,7 +145,7 @@ def _neutral(search: Search, builder: Builder, variant: int, options: Mapping[st
     middle = {path: d.at_normal(np.zeros(1))[0] for path, d in search.vary.items() if path not in options}
     try:
         scenario = builder.scenario(Task(0, variant, 2, {**options, **middle}))
-        actuators = chosen(scenario.aircraft).actuators
+        actuators = load_with_changes(scenario.aircraft).actuators
     except BadInput:  # which the check of the plan refuses, with its place
         return {}
     found = {}
