@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
-# Builds the scripts and the style that the reports carry: flight.js, sweep.js, compare.js and uplot.css in src/testbed/reporting/assets.
+# Builds the scripts and the style that the reports carry: flight.js, sweep.js, compare.js, uplot.css and LICENSES.txt.
+# Writes them into src/testbed/reporting/assets, or into the folder that is given. The same sources give the same bytes:
+# package-lock.json has the version and the checksum of every library and of the bundler.
 set -euo pipefail
+out=$(realpath -m "${1:-"$(dirname "$0")/../src/testbed/reporting/assets"}")
 cd "$(dirname "$0")"
 npm ci --silent
-out=../src/testbed/reporting/assets
+mkdir -p "$out"
 build() { # ENTRY OUT
-  npx esbuild "src/$1.js" --bundle --minify --format=iife --target=es2020 --charset=utf8 --legal-comments=none --outfile="$out/$2.js"
+  npx esbuild "src/$1.js" --bundle --minify --format=iife --target=es2020 --charset=utf8 --legal-comments=none --log-level=warning --outfile="$out/$2.js"
 }
 build main flight
 build sweep sweep

@@ -13,7 +13,7 @@ import numpy as np
 
 from testbed.aircraft.shape import Shape
 from testbed.common.files import plain
-from testbed.flight import display
+from testbed.flight import columns, display
 from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
@@ -124,6 +124,11 @@ class Flight:
         import pandas as pd
 
         return pd.DataFrame(self.data, columns=list(self.columns))
+
+    def beliefs(self) -> list[dict[str, Any]]:
+        """What the controller took each actuator for, and when: see `flight.columns.beliefs`."""
+        log = dict(zip(self.columns, self.data.T, strict=True))
+        return columns.beliefs(log, self.actuators)
 
     @property
     def passed(self) -> bool:
