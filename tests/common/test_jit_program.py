@@ -9,7 +9,8 @@ import pytest
 from numba.core.errors import NumbaError
 from numba.core.types.functions import BaseFunction
 
-from testbed.common.jit_program import Function
+from testbed.common.jit_program import Estimate, Function, _parts_of
+from testbed.controllers.inversion.step import adaptive_step
 
 
 @Function
@@ -58,3 +59,20 @@ def test_compiling_leaves_the_collector_and_numba_as_they_were() -> None:
             assert BaseFunction.get_call_type is plain
         finally:
             gc.enable()
+
+
+def test_the_time_of_a_long_program_is_told_once() -> None:
+    """The law's; a program of two functions takes no time worth telling."""
+    estimate, told = Estimate(), []
+    estimate.tell = told.append
+    for entry in (adaptive_step.py_func, quartered.py_func):
+        estimate.begin(entry)
+        for part in _parts_of(entry):
+            estimate.add(part)
+    assert len(told) == 1
+    assert told[0] > 0.0
+
+
+def test_the_parts_of_a_program_are_those_that_are_compiled() -> None:
+    assert _parts_of(quartered.py_func) == {halved.py_func}
+    assert not _parts_of(halved.py_func)

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import gc
+import time
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -32,6 +33,56 @@ _OPTIONS = {
     "no_cfunc_wrapper": True,
     "_nrt": False,  # compiled code allocates nothing, so nothing is counted or freed
 }
+
+
+class Estimate:
+    """How long it takes to compile a program: the time of its first parts, scaled by the length of all.
+
+    `tell` is called with that time [s], once in each program that is worth it. It is None at first: nobody is told.
+    """
+
+    WORTH_IT = 20  # functions
+    FIRST = 0.25  # of the length of all parts: from here on the estimate is within a third of what it takes
+    TRANSLATION = (
+        0.7  # of the time of a program; the rest is optimisation and machine code, which come at its end
+    )
+
+    def __init__(self) -> None:
+        self.tell: Callable[[float], None] | None = None
+        self._start = self._length = self._done = 0.0
+
+    def begin(self, entry: Callable[..., Any]) -> None:
+        """A program begins, with the parts of this function."""
+        parts = _parts_of(entry)
+        self._start, self._done = time.perf_counter(), 0.0
+        self._length = sum(map(_length, parts)) if len(parts) >= self.WORTH_IT else 0.0
+
+    def add(self, part: Callable[..., Any]) -> None:
+        """A part has been translated."""
+        before, self._done = self._done, self._done + _length(part)
+        if self.tell and before < self.FIRST * self._length <= self._done:
+            spent = time.perf_counter() - self._start
+            self.tell(spent * self._length / self._done / self.TRANSLATION)
+
+
+estimate = Estimate()
+
+
+def _length(function: Callable[..., Any]) -> int:
+    return len(function.__code__.co_code)
+
+
+def _parts_of(function: Callable[..., Any]) -> set[Callable[..., Any]]:
+    """The functions that a function calls, and those that they call, found by their names."""
+    found: set[Callable[..., Any]] = set()
+    waiting = [function]
+    while waiting:
+        caller = waiting.pop()
+        called = {caller.__globals__.get(name) for name in caller.__code__.co_names}
+        new = {other.py_func for other in called if isinstance(other, Function)} - found
+        found |= new
+        waiting += new
+    return found
 
 
 class _Program(JITCodeLibrary):
@@ -114,6 +165,7 @@ class _EntryCompiler(_Compiler):
     lowering = _EntryLowering
 
     def compile_extra(self, func: Callable[..., Any]) -> Any:
+        estimate.begin(func)
         with _no_collection(), _remembered_types():
             return super().compile_extra(func)
 
@@ -147,6 +199,7 @@ class Function(CPUDispatcher):
         types, name = tuple(args), self.py_func.__name__
         if types not in self._parts:
             self._parts[types] = self._part_compiler.compile(types, None)
+            estimate.add(self.py_func)
         template = make_concrete_template(name, key=name, signatures=[self._parts[types].signature])
         return template, signature, args, {}
 
