@@ -36,14 +36,14 @@ def valid(file: str) -> object:
 
     tree = yaml_source.read(find_scenario(file)).tree
     if is_search(tree):
-        from testbed import searching
+        from testbed.api import search
 
-        return searching.prepare(file)
+        return search.prepare(file)
     if not is_sweep(tree):
         return checked(file)
-    from testbed import monte_carlo
+    from testbed.api import sweep
 
-    return monte_carlo.prepare(file)
+    return sweep.prepare(file)
 
 
 COMMAND = Command(

@@ -11,7 +11,7 @@ import math
 from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
-from testbed.flight.columns import all_columns
+from testbed.flight.columns import all_columns, columns
 from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
 from testbed.plant.first_load import property_catalog
@@ -64,4 +64,5 @@ def _checked(scenario: Scenario, aircraft: Aircraft, remembered: bool) -> Scenar
 
 
 def _unknown(scenario: Scenario, aircraft: Aircraft, properties: dict[str, bool]) -> list[Problem]:
-    return unknown_names(scenario, aircraft, all_columns(aircraft, scenario), METRICS, properties)
+    every, in_flight = all_columns(aircraft, scenario), columns(aircraft)
+    return unknown_names(scenario, aircraft, every, METRICS, properties, in_flight)
