@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from testbed.aircraft.changes import chosen
+from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
 from testbed.flight.columns import all_columns, columns
@@ -33,7 +33,7 @@ def check(scenario: Scenario, *, remembered: bool = True) -> Aircraft:
     Raises:
         BadInput: with every problem: unknown names, a model that cannot be loaded, no trimmed flight to begin with.
     """
-    aircraft = chosen(scenario.aircraft)
+    aircraft = load_with_changes(scenario.aircraft)
     _sound.get((id(scenario), aircraft.fingerprint()), lambda: _checked(scenario, aircraft, remembered))
     return aircraft
 
