@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from functools import cached_property
 from typing import Any
@@ -65,7 +66,8 @@ class Distribution(Settings):
             "weights": {"type": "array", "items": {"type": "number"}},
         }
         return {
-            "type": "object", "title": cls.__name__, "description": cls.__doc__, "minProperties": 1, "maxProperties": 2,
+            "type": "object", "title": cls.__name__, "description": inspect.cleandoc(cls.__doc__ or ""),
+            "minProperties": 1, "maxProperties": 2,
             "properties": {**own, **choice}, "additionalProperties": parameters,
         }  # fmt: skip
 
