@@ -114,7 +114,8 @@ def compiled(function: F) -> F:
     made = Function(function)
     if _FOLDER is not None:
         ours = _OURS and function.__module__.startswith("testbed.")
-        made._cache = CodeCache(function, _FOLDER if ours else None)  # no public way to give numba another
+        cache = CodeCache(function, _FOLDER if ours else None)
+        made._cache = cache  # type: ignore[attr-defined]  # no public way to give numba another
     return made  # type: ignore[no-any-return, return-value]
 
 
