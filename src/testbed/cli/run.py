@@ -11,13 +11,13 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from testbed.cli.checked import checked, collect
+from testbed.cli.checked import checked
 from testbed.cli.command import Command, add_file, add_origin, add_out, add_set
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.terminal import print_verdict_word
 from testbed.cli.working import erase, working
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, collect
 from testbed.reporting.numbers import number
 
 if TYPE_CHECKING:
@@ -106,13 +106,13 @@ def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) 
         )
     if address is None or scenario is None:
         return None
-    from testbed.aircraft.changes import chosen
+    from testbed.aircraft.changes import load_with_changes
     from testbed.plant.identification import stored
     from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
     from testbed.reporting.flightgear import Viewer, address_of, facts_of
 
     place = DEFAULT_ORIGIN if origin is None else parse_origin(origin)
-    aircraft = chosen(scenario.aircraft)
+    aircraft = load_with_changes(scenario.aircraft)
     return Viewer(address_of(address), facts_of(aircraft.actuators, stored(aircraft)), place)
 
 
