@@ -10,8 +10,8 @@ import pytest
 from sweep_files import fly_here, table, written
 
 from testbed.reporting.sweep_figures import TABLE, draw_sweep
-from testbed.sweeps.load import load_sweep
-from testbed.sweeps.plan import Plan
+from testbed.studies.load import load_sweep
+from testbed.studies.plan import Plan
 
 Flown = tuple[Plan, pd.DataFrame, Path]
 

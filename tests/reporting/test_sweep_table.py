@@ -9,7 +9,7 @@ from sweep_files import fly_here, written
 import testbed
 from testbed.inputs.problems import BadInput
 from testbed.reporting.sweep_table import SweepTable
-from testbed.sweeps.load import load_sweep
+from testbed.studies.load import load_sweep
 
 
 @pytest.fixture(scope="module")

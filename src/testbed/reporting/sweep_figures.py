@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from testbed.common.statistics import proportion
 from testbed.reporting.figures.page import Drawing, plain_text, save
 from testbed.reporting.sweep_page.curves import Band, Point, drawn_inputs, error_band, is_number, pass_shares
 from testbed.reporting.sweep_page.flights import LINEAR, limits
-from testbed.sweeps.folder import histories
-from testbed.sweeps.folder.reading import groups_of, unit
-from testbed.sweeps.plan import Plan
-from testbed.sweeps.statistics import proportion
-from testbed.sweeps.summary import requirement_titles
-from testbed.sweeps.verdicts import requirements_of, state
+from testbed.studies.folder import histories
+from testbed.studies.folder.reading import groups_of, unit
+from testbed.studies.plan import Plan
+from testbed.studies.summary import requirement_titles
+from testbed.studies.verdicts import requirements_of, state
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -212,7 +212,7 @@ def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | N
 
 def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """PAWN sensitivity of passing to each varied value, with the index that chance alone would give."""
-    from testbed.sweeps.sensitivity import sensitivity
+    from testbed.studies.sensitivity import sensitivity
 
     found = {
         label: sensitivity(rows, plan.paths, ["passed"])["passed"] for label, rows in groups_of(plan, frame)

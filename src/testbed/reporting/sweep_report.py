@@ -12,9 +12,9 @@ from testbed.reporting import html
 from testbed.reporting.kept_report import FOLDER
 from testbed.reporting.sweep_page import sections
 from testbed.reporting.sweep_page.flights import PAGE, for_the_script, kept_of
-from testbed.sweeps.folder import reading
-from testbed.sweeps.folder.names import flight_label
-from testbed.sweeps.plan import Plan
+from testbed.studies.folder import reading
+from testbed.studies.folder.names import flight_label
+from testbed.studies.plan import Plan
 
 Summary = dict[str, Any]
 

@@ -11,11 +11,11 @@ import pytest
 from html_page import Page
 from search_files import searched, written
 
+from testbed.api.search import SearchResult
 from testbed.flight.flight import Flight, Outcome
 from testbed.reporting.search_page.page import write_search_page
 from testbed.reporting.search_page.words import answer, settings_of
 from testbed.scenario.load import load_scenario
-from testbed.searching import SearchResult
 
 
 @pytest.fixture(scope="module")

@@ -18,11 +18,11 @@ from testbed.reporting.sweep_page.curves import (
     pass_shares,
 )
 from testbed.scenario.requirement import Requirement
-from testbed.sweeps.folder import histories
-from testbed.sweeps.folder.names import flight_label, in_file_names
-from testbed.sweeps.folder.reading import groups_of, unit
-from testbed.sweeps.plan import Plan
-from testbed.sweeps.verdicts import STATES, missed, requirements_of, state
+from testbed.studies.folder import histories
+from testbed.studies.folder.names import flight_label, in_file_names
+from testbed.studies.folder.reading import groups_of, unit
+from testbed.studies.plan import Plan
+from testbed.studies.verdicts import STATES, missed, requirements_of, state
 
 if TYPE_CHECKING:
     import pandas as pd
