@@ -18,7 +18,7 @@ import threading
 from multiprocessing.connection import Connection
 from typing import IO
 
-from testbed.common.child import environment, signal_name
+from testbed.common.child import command, environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job, fly_task, not_flown
@@ -115,10 +115,10 @@ class Child:
         theirs_in, ours_out = os.pipe()
         ours_in, theirs_out = os.pipe()
         self._to, self._from = Connection(ours_out, readable=False), Connection(ours_in, writable=False)
-        command = [sys.executable, "-m", "testbed.studies.flying.worker", str(theirs_in), str(theirs_out)]
         with _scratch_file() as words:
             self._process = subprocess.Popen(
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,
+                command("testbed.studies.flying.worker", str(theirs_in), str(theirs_out)),
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,
                 pass_fds=(theirs_in, theirs_out), env=environment(), close_fds=True,
             )  # fmt: skip
             os.close(theirs_in)
