@@ -155,10 +155,10 @@ def withstanding() -> list[str]:
 
 
 def table(rows: Sequence[Row]) -> list[str]:
-    head = ("condition", "predicted", "ideal plant", "flown", "error", "(13) with the flown r")
+    head = ("condition", "predicted", "flown", "error", "(13) with the flown r")
     lines = [f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}"]
     for row in rows:
-        numbers = (row.predicted, row.ideal, row.flown)
+        numbers = (row.predicted, row.flown)
         cells = (row.what, *map(number, numbers), relative(row.flown, row.predicted), number(row.same_r))
         lines.append(f"| {' | '.join(cells)} |")
     return lines

@@ -43,7 +43,7 @@ def design_rows(quick: bool, seeds: int, jobs: int | None) -> Iterator[str]:
     """Design, paste, fly healthy, and with each kind of actuator at half and lost; compare with the predictions."""
     yield from head(
         "law", "errors", "tolerated", "gain", "actuator", "deviation: predicted", "flown", "converges: predicted [s]",
-        "flown [s]", "flagged: predicted [s]", "range", "flown [s]",
+        "flown [s]", "flagged: predicted [s]", "flown [s]",
     )  # fmt: skip
     cases, flights = [], []
     for law, words, values, tolerated in DESIGNS[::3] if quick else DESIGNS:
@@ -91,7 +91,6 @@ def _design_rows(
         delay = float(np.median(delays))
         gain = gains.get("servo" if kind == "tail" else "motor", gains.get("every"))
         share = f"{seconds(delay)} ({np.isfinite(delays).sum()}/{len(delays)})"
-        spread = f"{seconds(one.soonest_s)} to {seconds(one.latest_s)}"
         for name, pair in (
             ("deviation", (one.noise, std)),
             ("convergence", (one.convergence_s, converged)),
@@ -100,7 +99,7 @@ def _design_rows(
             pairs.setdefault(f"{name}, {law}", []).append(pair)
         yield row(
             law, words, tolerated, gain, kind, one.noise, std, one.convergence_s, converged,
-            seconds(one.detection_s), spread, share,
+            seconds(one.detection_s), share,
         )  # fmt: skip
 
 
