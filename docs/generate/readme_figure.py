@@ -10,8 +10,8 @@ from pathlib import Path
 import testbed
 from testbed.common.files import replacing
 from testbed.flight.flight import Flight
-from testbed.reporting.comparison import Comparison
-from testbed.reporting.comparison.picture import png
+from testbed.reporting.comparison.compare import Comparison
+from testbed.reporting.comparison.figure import picture
 from testbed.scenario.load import load_scenario
 
 SCENARIO = "scenarios/reversed_ruddervator.yaml"
@@ -27,7 +27,7 @@ def flights() -> list[Flight]:
 def main() -> None:
     """Write the picture."""
     with replacing(FILE) as partial:
-        partial.write_bytes(png(Comparison(flights())))
+        partial.write_bytes(picture(Comparison(flights())))
     print(f"wrote {FILE}")
 
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from testbed.loading import load as load
     from testbed.monte_carlo import sweep as sweep
     from testbed.reliability.probability import failure_probability as failure_probability
-    from testbed.reporting.comparison import compare as compare
+    from testbed.reporting.comparison.compare import compare as compare
     from testbed.searching import search as search
     from testbed.simulation import fly as fly
     from testbed.sweeps.run import Stopped as Stopped
@@ -23,7 +23,7 @@ _MODULES = {
     "BadInput": "testbed.inputs.problems",
     "Stopped": "testbed.sweeps.run",
     "adopt": "testbed.adoption.entry",
-    "compare": "testbed.reporting.comparison",
+    "compare": "testbed.reporting.comparison.compare",
     "design": "testbed.theory.gain_design",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",

@@ -17,14 +17,13 @@ from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
 from testbed.monte_carlo import options, own_options, written
-from testbed.reporting.attempt import attempt
-from testbed.reporting.present import present
-from testbed.reporting.search_page.words import settings_of
+from testbed.reporting.attempt import add_report, attempt
 from testbed.searches.load import load_search
 from testbed.searches.model import GOALS, Goal
 from testbed.searches.plan import SearchPlan
 from testbed.searches.run import Found, run_search
 from testbed.searches.summary import nearest, summarize
+from testbed.study_reports.search.words import settings_of
 from testbed.sweeps import summary as sweep_summary
 from testbed.sweeps.checks import check
 from testbed.sweeps.folder.names import in_file_names
@@ -68,7 +67,7 @@ class SearchResult:
         return pd.read_parquet(self.folder / "results.parquet")
 
     def __repr__(self) -> str:
-        from testbed.reporting.search_page.words import answer
+        from testbed.study_reports.search.words import answer
 
         return "\n".join(answer(self.summary))
 
@@ -170,7 +169,7 @@ def _write_found(
         target = folder / (f"{kind}-{label}" if label else kind)
         flight = _flown_again(plan, found, point, job)
         shutil.rmtree(target, ignore_errors=True)  # of a search that has gone on
-        add = partial(present, flight, figures=figures)
+        add = partial(add_report, flight, figures=figures)
         write_run_folder(flight, target, add if figures and flight.actuators else lambda _: None)
     return target.name, settings_of(flight, [each.path for each in found.part.space.coordinates])
 
@@ -186,7 +185,7 @@ def _flown_again(plan: SearchPlan, found: Found, point: Sequence[float], job: Jo
 
 def write_report(folder: Path) -> None:
     """Draw the figures and write the page of a search folder, from its files."""
-    from testbed.reporting.search_page.page import write_search_page
+    from testbed.study_reports.search.report import write_search_page
 
     attempt("the report", lambda: write_search_page(folder))
 

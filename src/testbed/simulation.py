@@ -26,7 +26,7 @@ from testbed.controllers.user.loader import name_of
 from testbed.controllers.user.own import unused_parameters
 from testbed.flight.columns import Recorded, all_columns, table
 from testbed.flight.events import controller_events
-from testbed.flight.flight import Flight, Outcome
+from testbed.flight.flight import Outcome
 from testbed.flight.loss import loss_event
 from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
@@ -39,6 +39,7 @@ from testbed.plant.envelope import DIVERGED, GOES_ON, ON_THE_GROUND, OUTSIDE_ENV
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
+from testbed.reporting.flight import ReportedFlight
 from testbed.scenario import conditions
 from testbed.scenario.checks import unknown_names
 from testbed.scenario.load import Scenario, changed, load_scenario
@@ -84,7 +85,7 @@ def fly(
     *,
     set: Mapping[str, Any] | None = None,
     watch: Watch | None = None,
-) -> Flight:
+) -> ReportedFlight:
     """Fly a scenario. The same scenario, aircraft and controller give the same flight, to the last bit.
 
     Nothing is written; `Flight.save` writes a run folder as `testbed run` does.
@@ -193,7 +194,7 @@ def _loop(parts: Assembly, watch: Watch | None) -> tuple[Outcome, Recorded]:
     return _OUTCOMES[ending], recorded
 
 
-def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
+def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> ReportedFlight:
     """The flight, with its log, events, metrics and verdicts on the requirements."""
     scenario, aircraft, steps = parts.scenario, parts.aircraft, len(recorded[0])
     names = all_columns(aircraft, scenario)
@@ -210,7 +211,7 @@ def conclude(parts: Assembly, outcome: Outcome, recorded: Recorded) -> Flight:
     events = _events(parts, log, outcome, actuators)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
     metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))
-    return Flight(
+    return ReportedFlight(
         scenario=scenario,
         outcome=outcome,
         end_time_s=steps / scenario.rate_hz,

@@ -8,10 +8,7 @@ import numpy as np
 import pytest
 from handmade import at, flight_of, injection, level_log, lost
 
-from testbed.failures import TABLE as FAILURES
-from testbed.failures.base import Failure
 from testbed.flight.flight import Outcome
-from testbed.reporting.failure_words import TABLE, predicate
 from testbed.reporting.story import story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -29,35 +26,6 @@ def released(**axes: tuple[float, float]) -> dict[str, np.ndarray]:
         f"{axis}_released": ((time_s >= from_s - 1e-9) & (time_s < until_s - 1e-9)).astype(float)
         for axis, (from_s, until_s) in axes.items()
     }
-
-
-def test_every_type_of_failure_has_words() -> None:
-    assert TABLE.keys() == FAILURES.keys()
-
-
-@pytest.mark.parametrize("name", [n for n, kind in FAILURES.items() if kind.examples])
-def test_words_of_each_example(name: str) -> None:
-    for kind, fields in FAILURES[name].examples.items():
-        failure: Failure = FAILURES[name].model_validate({"type": name, "actuator": "a", "at_s": 1, **fields})
-        unit = "deg" if kind == "servo" else "N"
-        words = predicate(failure, {"kind": kind, "unit": unit})
-        assert words[0].islower() and "None" not in words
-
-
-@pytest.mark.parametrize(
-    ("shape", "words"), [("linear", "within 3.3 s"), ("exponential", "with a time constant of 3.3 s")]
-)
-def test_a_time_constant_is_not_called_an_end(shape: str, words: str) -> None:
-    fields = {"type": "decay", "actuator": "a", "at_s": 1, "value": 0.05, "over_s": 3.3, "shape": shape}
-    failure: Failure = FAILURES["decay"].model_validate(fields)
-    assert predicate(failure, {"kind": "motor"}) == f"began to lose its effect (to 5 % {words})"
-
-
-@pytest.mark.parametrize(("value", "words"), [(0.4, "followed only 40 %"), (1.5, "followed 150 %")])
-def test_more_than_all_of_a_command_is_not_called_only_so_much(value: float, words: str) -> None:
-    fields = {"type": "command_scale", "actuator": "a", "at_s": 1, "value": value}
-    failure: Failure = FAILURES["command_scale"].model_validate(fields)
-    assert predicate(failure, {"kind": "servo"}) == f"{words} of its commands"
 
 
 def test_what_failed_and_when_it_was_noticed() -> None:

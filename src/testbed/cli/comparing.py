@@ -11,7 +11,7 @@ from testbed.cli.status import MET
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.loading import load_flight
-from testbed.reporting.comparison import MOST, Comparison
+from testbed.reporting.comparison.compare import MOST, Comparison
 from testbed.reporting.html import is_page
 
 

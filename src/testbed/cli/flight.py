@@ -18,8 +18,8 @@ from testbed.cli.terminal import print_verdict_word
 from testbed.cli.working import working
 from testbed.flight.folder import FolderExists, load, refuse_existing, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput, Problem
+from testbed.reporting.attempt import add_report
 from testbed.reporting.numbers import number
-from testbed.reporting.present import present
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -52,7 +52,7 @@ def fly(options: argparse.Namespace) -> bool:
     with working("flying"), stay:
         flight = fly(scenario, controller, watch=viewer)
     with working("drawing and writing"), tidily():
-        folder = write(flight, options.out, partial(present, flight, figures=not options.no_plots))
+        folder = write(flight, options.out, partial(add_report, flight, figures=not options.no_plots))
     print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
     return flight.passed
@@ -62,7 +62,7 @@ def report(folder: Path) -> int:
     """Draw the figures and write the report of a run folder again; returns the exit status."""
     flight = load(folder)
     with working("drawing and writing"), tidily():
-        shown = present(flight, folder)
+        shown = add_report(flight, folder)
     print_verdict(flight)
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 

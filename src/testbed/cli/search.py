@@ -11,8 +11,8 @@ from testbed.cli.interrupts import tidily
 from testbed.cli.keeping import flying, writing
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
-from testbed.reporting.search_page.words import answer
 from testbed.searches.run import run_search
+from testbed.study_reports.search.words import answer
 
 
 def search(options: argparse.Namespace) -> int:

@@ -16,7 +16,7 @@ from testbed.common.files import slug
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
-from testbed.reporting.sweep_page.answer import answer
+from testbed.study_reports.sweep.answer import answer
 from testbed.sweeps.run import Options, fly_sweep
 
 

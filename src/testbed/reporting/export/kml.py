@@ -15,8 +15,8 @@ import numpy as np
 from testbed.common.text import printable
 from testbed.flight.flight import Flight
 from testbed.reporting.export.place import EPOCH_S, Origin, Poses, poses, wind
-from testbed.reporting.figures.marks import describe
 from testbed.reporting.story import story
+from testbed.reporting.words import describe
 
 RATE_HZ = 10.0
 _KML, _GX = "http://www.opengis.net/kml/2.2", "http://www.google.com/kml/ext/2.2"

@@ -12,8 +12,9 @@ from testbed.common.docstrings import first_line
 from testbed.flight.flight import Flight
 from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
-from testbed.reporting.figures.marks import describe
+from testbed.reporting.numbers import rounded
 from testbed.reporting.story import diagnoses, story
+from testbed.reporting.words import describe
 from testbed.scenario.load import dump
 
 _THEMES = {
@@ -39,12 +40,11 @@ def head(flight: Flight) -> str:
         if total
         else "the scenario has no requirements."
     )
-    lines = "".join(f"<li>{escape(line)}</li>" for line in story(flight))
     warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
     return (
         f"<h1>{escape(flight.scenario.name)}</h1>\n{html.chips(facts(flight))}\n"
         f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>\n'
-        f'<ul class="story">{lines}</ul>{_said(flight)}{warnings}'
+        f"{html.listed(story(flight), 'story')}{_said(flight)}{warnings}"
     )
 
 
@@ -53,9 +53,7 @@ def _said(flight: Flight) -> str:
     said = diagnoses(flight)
     if not said:
         return ""
-    more = "".join(f"<li>{escape(line)}</li>" for line in said[1:])
-    first = escape(said[0])
-    return f"<details><summary>{first}</summary><ul>{more}</ul></details>" if more else f"<p>{first}</p>"
+    return html.folded(said[0], html.listed(said[1:])) if said[1:] else f"<p>{escape(said[0])}</p>"
 
 
 def facts(flight: Flight) -> dict[str, str]:
@@ -83,9 +81,9 @@ def requirements(flight: Flight) -> str:
             [
                 "met" if r["passed"] else "NOT MET",
                 r["name"],
-                _rounded(r["value"]),
+                rounded(r["value"]),
                 _bar(r),
-                _rounded(r.get("robustness")),
+                rounded(r.get("robustness")),
                 r.get("reason", ""),
             ],
             "met" if r["passed"] else "missed",
@@ -115,13 +113,6 @@ def _bar(requirement: Mapping[str, Any]) -> html.Html | str:
     )
 
 
-def _rounded(value: float | None) -> str:
-    """A number with three digits, and 0 for what is only rounding."""
-    if value is None or not math.isfinite(value):
-        return "-"
-    return "0" if abs(value) < 1e-6 else f"{value:.3g}"
-
-
 def events(flight: Flight) -> str:
     """What happened, in order of time."""
     if not flight.events:
@@ -141,7 +132,7 @@ def metrics(flight: Flight) -> str:
         themes.setdefault(_THEMES.get(module, "Others"), []).append(name)
     parts = ["<h2>Metrics</h2>", html.note("A dash means that the metric has no value in this flight.")]
     for theme, names in themes.items():
-        rows = (html.row([name, definition(name), _rounded(flight.metrics[name])]) for name in names)
+        rows = (html.row([name, definition(name), rounded(flight.metrics[name])]) for name in names)
         parts.append(html.folded(theme, html.table(("metric", "definition and [unit]", "value"), rows)))
     return "\n".join(parts)
 
