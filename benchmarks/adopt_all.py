@@ -60,7 +60,7 @@ def _outcome(model: str, folder: Path) -> dict:
     before, started = _cpu_s(), time.monotonic()
     card = refusal = ""
     try:
-        card = adopted_card(find_source(model, package_root()), folder / model, longest_s=900.0)
+        card = adopted_card(find_source(model, package_root()), folder / model, longest_s=900)
     except BadInput as error:
         refusal = "; ".join(problem.what for problem in error.problems)
     outcome = {"model": model, "refusal": refusal, "card": card, "cpu_s": _cpu_s() - before}

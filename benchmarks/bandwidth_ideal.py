@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
+from paper.ideal import UNLIMITED, IdealLoop, IdealPlant, Tuning
 
-from testbed.theory import bandwidth, rate_limits
-from testbed.theory.ideal import UNLIMITED, IdealLoop, IdealPlant, Tuning
+from paper import bandwidth, rate_limits
 
 REMAINS = 0.2
 """Effectiveness after a loss."""

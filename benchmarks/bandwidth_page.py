@@ -14,7 +14,7 @@ from bandwidth_limits import ALTITUDE_M, HEADING_DEG, LIMITED, LOSS_S, OLDER, SL
 from matplotlib.axes import Axes
 from prediction_errors import summary
 
-from testbed.theory import bandwidth
+from paper import bandwidth
 
 matplotlib.use("agg")
 import matplotlib.pyplot as plt
@@ -27,7 +27,7 @@ class Row:
     Attributes:
         predicted: by a closed form, or by an equation integrated.
         ideal: by the flying law on the ideal plant, in the same condition.
-        same_r: by (13) alone for the reference that was flown (`theory.replay`).
+        same_r: by (13) alone for the reference that was flown (`benchmarks/paper/replay.py`).
         flown: in JSBSim.
     """
 
@@ -83,7 +83,7 @@ This page compares what [theory predicts](../explanation/bandwidth.md) of slow s
 and with flights in JSBSim.
 
 Calm air, ideal sensors, `preset: paper` without monitor and jam test. *(13) with the flown r* is the adaptive law alone, one
-actuator by itself, for the reference that was flown (`testbed.theory.replay`): what it has in common with the flight is due to
+actuator by itself, for the reference that was flown (`benchmarks/paper/replay.py`): what it has in common with the flight is due to
 servo and sensor. What the prediction lacks beside it is a reference that reacts to the error.
 
 ![Predictions as lines, the ideal plant as crosses, flights as dots](../figures/section4_bandwidth.png)"""

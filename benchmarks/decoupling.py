@@ -4,7 +4,7 @@
     python benchmarks/decoupling.py --tune --jobs 1
 
 Writes docs/results/decoupling.md and its figure: missions on reporting seeds, delay margins, recovery of the rates after a loss,
-and speed against noise with the bounds of `testbed.theory.decoupling`. `--tune` prints the margins of other corners of the
+and speed against noise with the bounds of `paper.decoupling`. `--tune` prints the margins of other corners of the
 control channel on tuning seeds, and writes nothing.
 """
 

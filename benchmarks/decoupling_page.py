@@ -11,9 +11,9 @@ import numpy as np
 from flights import Record
 from matplotlib.ticker import NullFormatter
 from mission_results import Row, by_mission, totals
+from paper.l1_plant import measured
 
-from testbed.theory import decoupling
-from testbed.theory.l1_plant import measured
+from paper import decoupling
 
 matplotlib.use("agg")
 import matplotlib.pyplot as plt

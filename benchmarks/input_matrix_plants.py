@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from paper.ideal import IdealLoop, IdealPlant, Tuning
+from paper.input_matrix import equilibrium
 
-from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
-from testbed.theory.input_matrix import equilibrium, mismatch
-from testbed.theory.input_matrix_bounds import certified_range, error_bound, largest_ratios, sector_bias
-from testbed.theory.matrix_classes import spectral_radius
+from testbed.margins.bounds import certified_range, error_bound, largest_ratios, mismatch, sector_bias
+from testbed.margins.matrix_classes import spectral_radius
 
 GAMMA, DT_S = 2.0, 0.01
 PHASES, JUMPS, JUMP_STEPS = 6, 24, 50

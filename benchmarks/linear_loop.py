@@ -13,12 +13,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from paper.input_matrix import modified_inverse
 
 from testbed.aircraft.design_model import DesignModel
 from testbed.aircraft.propulsors import Propulsor
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.setup import Setup
-from testbed.theory.input_matrix import modified_inverse
 
 MOTION, ACTUATORS, INTEGRALS, SLIPSTREAM, ESTIMATES = (
     slice(0, 10), slice(10, 14), slice(14, 18), slice(18, 22), slice(22, 26),

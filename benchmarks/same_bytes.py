@@ -4,12 +4,14 @@
 
 BEFORE and AFTER are commits; AFTER is the working tree if it is left out. Each commit flies every scenario in its own
 scenarios/, the further flights of HARD and the shipped sweep, with its own src/ and this Python. Compared are log.csv and
-summary.json of each flight, and results.csv of the sweep. Exit status: 0 if all files are the same, 1 if one differs or is missing.
+summary.json of each flight, and results.csv of the sweep. A table that has columns more than before is the same if the columns that
+both have are; the new ones are named. Exit status: 0 if all files are the same, 1 if one differs or is missing.
 """
 
 from __future__ import annotations
 
 import argparse
+import csv
 import os
 import subprocess
 import sys
@@ -75,6 +77,29 @@ def flown(tree: Path, out: Path, runs: int) -> dict[str, bytes]:
     return {str(file.relative_to(out)): file.read_bytes() for file in files}
 
 
+def columns_of(table: bytes) -> dict[str, list[str]]:
+    """The cells of a CSV file, as they are written, by column."""
+    names, *rows = csv.reader(table.decode().splitlines())
+    return dict(zip(names, map(list, zip(*rows, strict=True)), strict=True))
+
+
+def compared(name: str, before: bytes | None, after: bytes | None) -> tuple[bool, str]:
+    """Whether a file is the same before and after, and what is to be said of it; empty if nothing is."""
+    if before is None or after is None:
+        return False, f"in one only: {name}"
+    if before == after:
+        return True, ""
+    if not name.endswith(".csv"):
+        return False, f"differs: {name}"
+    old, new = columns_of(before), columns_of(after)
+    others = [column for column in old if old[column] != new.get(column)]
+    if others:
+        return False, f"differs: {name}: {', '.join(others)}"
+    added = [column for column in new if column not in old]
+    # The same cells of the same columns in other bytes: another order of the columns, or quotes.
+    return bool(added), f"columns added: {name}: {', '.join(added)}" if added else f"differs: {name}"
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -88,13 +113,12 @@ def main() -> int:
         with checked_out(commit) as tree, tempfile.TemporaryDirectory() as out:
             results.append(flown(tree, Path(out), options.runs))
     before, after = results
-    differing = sorted(name for name in before.keys() | after.keys() if before.get(name) != after.get(name))
-    for name in differing:
-        print(f"differs: {name}" if name in before and name in after else f"in one only: {name}")
-    print(
-        f"{len(before.keys() | after.keys()) - len(differing)} of {len(before.keys() | after.keys())} files are the same"
-    )
-    return 1 if differing else 0
+    names = sorted(before.keys() | after.keys())
+    found = [compared(name, before.get(name), after.get(name)) for name in names]
+    print(*(text for _, text in found if text), sep="\n")
+    same = sum(is_same for is_same, _ in found)
+    print(f"{same} of {len(names)} files are the same")
+    return 0 if same == len(names) else 1
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Bandwidth and saturation (the paper's 5.2): each prediction of `testbed.theory.bandwidth` beside the ideal plant and JSBSim.
+"""Bandwidth and saturation (the paper's 5.2): each prediction of `paper.bandwidth` beside the ideal plant and JSBSim.
 
     python benchmarks/section4_bandwidth.py --jobs 1
 
@@ -41,14 +41,14 @@ from bandwidth_limits import (
 )
 from bandwidth_page import Row, draw, page
 from flights import Record, fly_all
+from paper.replay import Behind, replay
 
+from paper import bandwidth, rate_limits
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.flight.flight import Flight
 from testbed.metrics import readings
 from testbed.scenario.model import Scenario
 from testbed.simulation import fly
-from testbed.theory import bandwidth, rate_limits
-from testbed.theory.replay import Behind, replay
 
 DOCS = Path(__file__).parents[1] / "docs"
 SCALE_DEG, TRAVEL_DEG = 11.459, 25.8

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from paper.ideal import IdealLoop, IdealPlant, Tuning
 from section4_flights import DT_S, at_speed, error, head, measured, over, row, with_values
 
+from paper import noise
 from testbed import fly
-from testbed.theory import noise
-from testbed.theory.gain_candidates import Errors
-from testbed.theory.gain_choice import Tolerance, choose
-from testbed.theory.gain_design import law_of
-from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
-from testbed.theory.trimmed_law import TrimmedLaw
+from testbed.gains.candidates import Errors
+from testbed.gains.choice import Tolerance, choose
+from testbed.gains.design import law_of
+from testbed.gains.trimmed_law import TrimmedLaw
 
 BIASES = (-0.45, -0.3, -0.15, 0.15, 0.3, 0.6)  # of the accelerometer [m/s2]
 MODEL_ERRORS = [

@@ -12,7 +12,7 @@ from prediction_errors import summary
 from section4_flights import error, head, measured, row, with_values
 
 from testbed import design
-from testbed.theory.gain_design import Design
+from testbed.gains.design import Design
 
 EVERY = {
     "accelerometer": {"noise_m_s2_rthz": 0.1},

@@ -10,17 +10,17 @@ from typing import Any
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from paper.ideal import IdealLoop, IdealPlant, Tuning
 from prediction_errors import summary as worst_and_median
 from scipy.signal import lfilter
 from section4_flights import ALARMS, DT_S, SETTLED_S, at_speed, error, head, measured, over, row, with_values
 
-from testbed.theory import noise
-from testbed.theory.error_sources import ErrorSource, sources
-from testbed.theory.false_alarms import POSITION, REFERENCE, false_alarm_rate
-from testbed.theory.gain_choice import LEAST_SHAPE
-from testbed.theory.gain_design import law_of
-from testbed.theory.ideal import IdealLoop, IdealPlant, Tuning
-from testbed.theory.trimmed_law import TrimmedLaw
+from paper import noise
+from testbed.gains.choice import LEAST_SHAPE
+from testbed.gains.design import law_of
+from testbed.gains.error_sources import ErrorSource, sources
+from testbed.gains.false_alarms import POSITION, REFERENCE, false_alarm_rate
+from testbed.gains.trimmed_law import TrimmedLaw
 
 KINDS = {"tail": slice(0, 2), "propeller": slice(2, 4)}
 WHITE = [(2.0, density, 18.0) for density in (0.02, 0.05, 0.1, 0.2, 0.3, 0.37, 0.45, 0.5, 0.55, 0.6, 0.8)] + [

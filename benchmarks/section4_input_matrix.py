@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from input_matrix_plants import PHASES, Found, draw, fly_one, study
 from linear_loop import LinearLoop, Slipstream
+from paper.matrix_classes import is_p_matrix
 from prediction_errors import summary
 
 from testbed.aircraft.changes import ChangedAircraft, chosen
@@ -24,15 +25,14 @@ from testbed.controllers.setup import Setup
 from testbed.flight.flight import Outcome
 from testbed.inputs.problems import BadInput
 from testbed.inputs.yaml_source import parse
+from testbed.margins.bounds import bias_bound, certified_range, error_bound, mismatch, uniform_limit
+from testbed.margins.matrix_classes import diagonal_stability, jacobi_radius, normalised
 from testbed.plant.identification import input_matrix
 from testbed.plant.jsbsim import Plant
 from testbed.plant.stand import stand_physics_hz
 from testbed.plant.trim import Trim, trim
 from testbed.scenario.load import Scenario, scenario_from
 from testbed.simulation import fly, start_and_setup
-from testbed.theory.input_matrix import mismatch
-from testbed.theory.input_matrix_bounds import bias_bound, certified_range, error_bound, uniform_limit
-from testbed.theory.matrix_classes import diagonal_stability, is_p_matrix, jacobi_radius, normalised
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "section4_input_matrix.md"
 BASE = """\

@@ -11,9 +11,9 @@ from section4_flights import DT_S, NAMES, error, head, row, with_values
 
 from testbed import fly
 from testbed.flight.flight import Flight
-from testbed.theory.gain_candidates import Errors
-from testbed.theory.gain_choice import Tolerance, choose
-from testbed.theory.gain_design import law_of
+from testbed.gains.candidates import Errors
+from testbed.gains.choice import Tolerance, choose
+from testbed.gains.design import law_of
 
 WRONG = {
     "Cm_alpha": ("q_dot", "alpha"), "Cl_beta": ("p_dot", "beta"), "Cl_p": ("p_dot", "p"), "Cn_beta": ("r_dot", "beta"),

@@ -22,10 +22,10 @@ class Equation(NamedTuple):
     tests: Sequence[str]
 
 
-_DEFINITIONS, _EQUATIONS = "theory/test_definitions.py", "theory/test_equations.py"
+_DEFINITIONS, _EQUATIONS = "paper/test_definitions.py", "paper/test_equations.py"
 _NOISE, _MATRIX, _LAW = (
-    "theory/test_equations_30_to_38.py",
-    "theory/test_input_matrix.py",
+    "paper/test_equations_30_to_38.py",
+    "paper/test_input_matrix.py",
     "controllers/inversion/test_law.py",
 )
 _FLOWN = "benchmarks/test_section4.py::test_eq_38_flown_the_jacobian_of_a_wrong_model"
@@ -35,7 +35,7 @@ _ERROR = f"{_DEFINITIONS}::test_eq_9_10_11_error_of_a_plant_that_is_not_the_mode
 _STEPS = f"{_EQUATIONS}::test_eq_18_19_every_step_whatever_r_does"
 
 TABLE: tuple[Equation, ...] = (
-    Equation((1, 1), "the system, healthy", "theory.ideal.ideal_loop", [_PLANT]),
+    Equation((1, 1), "the system, healthy", "benchmarks/paper/ideal.py", [_PLANT]),
     Equation((2, 2), "its model f_m, B_m", "inversion.law.state_function", [_MODEL]),
     Equation(
         (3, 4),
@@ -92,7 +92,7 @@ TABLE: tuple[Equation, ...] = (
         (17, 17),
         "kappa",
         "",
-        [f"{_EQUATIONS}::test_eq_17_kappa", "theory/test_erratum.py::test_eq_17_k_is_only_semidefinite"],
+        [f"{_EQUATIONS}::test_eq_17_kappa", "paper/test_erratum.py::test_eq_17_k_is_only_semidefinite"],
     ),
     Equation((18, 19), "the estimates follow the truth, each by itself", "", [_STEPS]),
     Equation(
@@ -104,7 +104,7 @@ TABLE: tuple[Equation, ...] = (
     Equation(
         (21, 22),
         "case 2: a first-order lag",
-        "theory.ideal.first_order",
+        "benchmarks/paper/ideal.py",
         [f"{_EQUATIONS}::test_eq_21_22_case_2_first_order_lag"],
     ),
     Equation(
@@ -125,7 +125,7 @@ TABLE: tuple[Equation, ...] = (
         "",
         [
             f"{_EQUATIONS}::test_eq_25_28_error_decays_as_the_eigenvalues_say",
-            "theory/test_erratum.py::test_eq_25_first_line_has_the_estimate_and_not_its_inverse",
+            "paper/test_erratum.py::test_eq_25_first_line_has_the_estimate_and_not_its_inverse",
         ],
     ),
     Equation(

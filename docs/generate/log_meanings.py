@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import re
 
+from testbed.common.signals import Belief
+
+_WORDS = "; ".join(f"{code.value} *{code.name}*: {code.meaning.replace('; ', ', ')}" for code in Belief)
 _MEANINGS = (
     (r"time_s", "Time since the start of the flight."),
     (r"north_m|east_m", "True position relative to the start of the flight."),
@@ -26,6 +29,11 @@ _MEANINGS = (
     (r"A_effectiveness", "True effectiveness: 1 is healthy, 0 is lost."),
     (r"A_effectiveness_estimate", "The controller's estimate of the effectiveness."),
     (r"A_failed", "1 while the controller's monitor flags the actuator as failed."),
+    (r"A_belief", f"What the controller takes the actuator for; NaN where it does not say. {_WORDS}."),
+    (
+        r"A_believed_position",
+        "Position at which a *held* actuator is thought to be, in the unit of the aircraft's YAML; NaN for others.",
+    ),
     (r"\w+_measured_\w+", "Sensor reading that the controller gets."),
     (r"\w_dot_true_\w+", "True state rate; the column without `_true` is measured."),
     (r"wind_(north|east|down)_m_s", "Velocity of the air over the ground, towards north, east, down, turbulence included."),

@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from testbed.adoption.entry import adopt as adopt
+    from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
     from testbed.loading import load as load
     from testbed.monte_carlo import sweep as sweep
@@ -15,7 +16,6 @@ if TYPE_CHECKING:
     from testbed.searching import search as search
     from testbed.simulation import fly as fly
     from testbed.sweeps.run import Stopped as Stopped
-    from testbed.theory.gain_design import design as design
 
     __version__: str
 
@@ -24,7 +24,7 @@ _MODULES = {
     "Stopped": "testbed.sweeps.run",
     "adopt": "testbed.adoption.entry",
     "compare": "testbed.reporting.comparison.compare",
-    "design": "testbed.theory.gain_design",
+    "design": "testbed.gains.design",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
     "load": "testbed.loading",

@@ -16,7 +16,7 @@ from testbed.aircraft.conventional_shape import drawn_by_effect
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shape import Shape, load_shape
 from testbed.common.jit import bound
-from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_width
+from testbed.common.signals import SETPOINT, STATE, as_records, telemetry_rows
 from testbed.controllers import Controller
 from testbed.controllers.config import OracleSettings
 from testbed.controllers.make import make_controller
@@ -165,7 +165,7 @@ def _loop(parts: Assembly, watch: Watch | None) -> tuple[Outcome, Recorded]:
     steps, n = parts.scenario.steps, len(parts.aircraft.actuators)
     truth = np.zeros((steps, len(STATE) + 2 * n))
     measured = np.zeros((steps, len(STATE)))
-    telemetry = np.zeros((steps, telemetry_width(n)))
+    telemetry = telemetry_rows(steps, n)
     controller.bind(as_records(measured, STATE), as_records(parts.references, SETPOINT), telemetry)
     sensors.bind(truth, measured)
     injector.observe(Recorded(truth, measured, parts.references, telemetry))

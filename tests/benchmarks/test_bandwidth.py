@@ -10,9 +10,9 @@ from bandwidth_limits import held, last_held
 from bandwidth_page import Row, page, relative
 from section4_bandwidth import MOVING, flights
 
+from paper import bandwidth
 from testbed.inputs.yaml_source import parse
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
-from testbed.theory import bandwidth
 
 
 def record(

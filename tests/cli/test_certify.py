@@ -10,7 +10,7 @@ import pytest
 from command_line import Called
 from short_flights import scenario
 
-from testbed.theory import mode_margins
+from testbed.margins import mode_margins
 
 
 @pytest.fixture

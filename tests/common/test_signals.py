@@ -8,13 +8,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from testbed.common.signals import (
+    BELIEFS,
     RATES,
     SETPOINT,
     STATE,
     TELEMETRY,
+    Belief,
     as_records,
     first_step_at,
     record_dtype,
+    telemetry_rows,
     telemetry_width,
 )
 
@@ -39,7 +42,17 @@ def test_names_are_distinct_and_rates_are_part_of_the_state() -> None:
     for names in (STATE, RATES, SETPOINT, TELEMETRY):
         assert len(set(names)) == len(names)
     assert set(RATES) <= set(STATE)
-    assert telemetry_width(4) == 4 * len(TELEMETRY) + 2 * len(RATES)
+    assert telemetry_width(4) == 4 * len(TELEMETRY) + 2 * len(RATES) + 4 * len(BELIEFS)
+
+
+def test_what_a_controller_does_not_fill_is_no_belief() -> None:
+    rows = telemetry_rows(3, 4)
+    assert rows.shape == (3, telemetry_width(4))
+    assert not rows[:, :-8].any() and np.isnan(rows[:, -8:]).all()
+
+
+def test_every_belief_is_explained() -> None:
+    assert len({belief.meaning for belief in Belief}) == len(Belief)
 
 
 @pytest.mark.parametrize(

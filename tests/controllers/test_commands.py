@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from vtail_setup import axial, records_of, vtail_setup
+from vtail_setup import WEATHER, axial, records_of, vtail_setup
 
-from testbed.common.signals import RATES, TELEMETRY, telemetry_width
+from testbed.common.signals import RATES, TELEMETRY, Belief, telemetry_rows, telemetry_width
 from testbed.controllers.actuator_model import throttle_for
-from testbed.controllers.commands import command_actuators, write_telemetry
+from testbed.controllers.commands import command_actuators, write_beliefs, write_telemetry
 
 
 def test_servos_get_angles_and_motors_the_throttle_for_their_thrust() -> None:
@@ -27,12 +27,13 @@ def test_the_row_has_the_order_of_the_signals() -> None:
     s.failed[:], s.x_dc_dot[:] = [0, 1, 0, 0], [10, 20, 30, 40]
     row = np.full(telemetry_width(4), np.nan)
     write_telemetry(row, np.array([0, 0, 1, 0], np.int8), s)
+    assert np.isnan(row[-8:]).all()
     of = {name: row[4 * i : 4 * i + 4].tolist() for i, name in enumerate(TELEMETRY)}
     assert of["reference"] == [1, 2, 3, 4] and of["command"] == [5, 6, 7, 8]
     assert of["effectiveness_estimate"] == [0.1, 0.2, 0.3, 0.4] and of["failed"] == [0, 1, 0, 0]
     rates = len(TELEMETRY) * 4
     assert row[rates : rates + len(RATES)].tolist() == [10, 20, 30, 40]
-    assert row[rates + len(RATES) :].tolist() == [0, 0, 1, 0]
+    assert row[rates + len(RATES) : -8].tolist() == [0, 0, 1, 0]
 
 
 def test_a_jammed_actuator_has_no_effectiveness() -> None:
@@ -42,3 +43,38 @@ def test_a_jammed_actuator_has_no_effectiveness() -> None:
     row = np.zeros(telemetry_width(4))
     write_telemetry(row, np.zeros(4, np.int8), s)
     assert row[8:12].tolist() == [1.0, 0.0, 1.0, 1.0]
+
+
+KNOWN = [
+    ({}, Belief.works),
+    ({"failed": 1, "early": 1, "lambda_hat": 0.0}, Belief.lost),
+    ({"early": 1, "lambda_hat": 0.1}, Belief.doubted),
+    ({"early": 1, "lambda_hat": 0.9}, Belief.works),  # it came back
+    ({"moved": -0.3}, Belief.doubted),
+    ({"failed": 1, "jammed": 1, "lambda_hat": 2.5}, Belief.held),
+    ({"failed": 1, "reversed": 1, "lambda_hat": -1.0}, Belief.reversed),
+    ({"offset": 0.4}, Belief.offset),
+    ({"own_noise": 2.0}, Belief.swings),
+    ({"late": 2.0, "late_variance": 0.01}, Belief.late),
+    ({"late": 0.2, "late_variance": 0.01}, Belief.works),  # 2 standard deviations
+]
+
+
+@pytest.mark.parametrize(("memory", "belief"), KNOWN)
+def test_what_the_memory_says_of_an_actuator_is_logged(memory: dict[str, float], belief: Belief) -> None:
+    _, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    for name, value in memory.items():
+        s[name][1] = value
+    (row,) = telemetry_rows(1, 4)
+    write_beliefs(row, c, s)
+    assert row[-8:-4].tolist() == [Belief.works, belief, Belief.works, Belief.works]
+    held = memory["lambda_hat"] if belief is Belief.held else np.nan
+    assert np.array_equal(row[-4:], [np.nan, held, np.nan, np.nan], equal_nan=True)
+
+
+def test_a_law_that_diagnoses_nothing_says_nothing() -> None:
+    _, c, _, s, _ = records_of(vtail_setup(WEATHER))
+    c.monitors, c.tests_jams = False, False
+    (row,) = telemetry_rows(1, 4)
+    write_beliefs(row, c, s)
+    assert np.isnan(row[-8:]).all()

@@ -14,16 +14,16 @@ def test_every_equation_has_a_test_that_names_it() -> None:
 
 def test_what_is_missing_is_said() -> None:
     """Negative controls: a missing number, a missing test, one that does not exist, and one that is of another equation."""
-    whole = Equation((1, LAST), "", "", ["theory/test_equations.py::test_eq_6_inverts_eq_5"])
+    whole = Equation((1, LAST), "", "", ["paper/test_equations.py::test_eq_6_inverts_eq_5"])
     assert list(problems([whole])) == []
     assert list(problems([whole._replace(numbers=(2, LAST))])) == ["(1) is not listed"]
     assert list(problems([whole._replace(tests=[])])) == [f"(1) to ({LAST}) has no test"]
-    nowhere = "theory/test_equations.py::test_eq_99"
+    nowhere = "paper/test_equations.py::test_eq_99"
     assert list(problems([whole._replace(tests=[nowhere])])) == [f"{nowhere} does not exist"]
     (other,) = problems(
         [
             whole,
-            Equation((7, 7), "", "", ["theory/test_equations.py::test_eq_20_case_1_nothing_moves_at_zero"]),
+            Equation((7, 7), "", "", ["paper/test_equations.py::test_eq_20_case_1_nothing_moves_at_zero"]),
         ]
     )
     assert other.endswith("test_eq_20_case_1_nothing_moves_at_zero does not name (7)")

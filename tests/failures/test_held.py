@@ -57,7 +57,7 @@ def test_reversal_reverses() -> None:
 def test_property_by_name_is_the_same_as_the_type_that_holds_it() -> None:
     by_name = fly({**PROPERTY, "at_s": START_S, "until_s": END_S})
     by_type = fly(example("command_scale", "left_ruddervator"))
-    assert np.array_equal(by_name.flight.data, by_type.flight.data)
+    assert np.array_equal(by_name.flight.data, by_type.flight.data, equal_nan=True)
     for of in ("effect", "actuator", "verified"):
         assert by_name.event()[of] == by_type.event()[of]
 

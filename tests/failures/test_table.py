@@ -38,7 +38,9 @@ def test_acts_in_its_window_only(name: str, actuator: str, rates: tuple[int, int
     well, broken = healthy(rates), fly(example(name, actuator), rates=rates)
     start = round(START_S * rates[0])
     assert broken.flight.end_time_s > END_S  # to keep flying after that is the controller's business
-    assert np.array_equal(broken.flight.data[:start], well.flight.data[:start]), "differs before it starts"
+    assert np.array_equal(broken.flight.data[:start], well.flight.data[:start], equal_nan=True), (
+        "differs before it starts"
+    )
     seen = [f"{actuator}_position", f"{actuator}_effectiveness"]
     until = round(END_S * rates[0])
     inside = [(broken.column(c)[start:until] != well.column(c)[start:until]).any() for c in seen]
@@ -93,7 +95,7 @@ def test_what_changes_nothing_leaves_the_flight_bit_identical(name: str, actuato
     fields = TABLE[name].neutral(AIRCRAFT.actuators[actuator])
     assert fields is not None
     same = fly({"type": name, "actuator": actuator, "at_s": START_S, "until_s": END_S, **fields})
-    assert np.array_equal(same.flight.data, healthy().flight.data)
+    assert np.array_equal(same.flight.data, healthy().flight.data, equal_nan=True)
     assert same.event()["verified"] is None
     assert "no observable effect" in same.flight.warnings[0]
 

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from testbed.air.config import COLUMNS as WIND
 from testbed.aircraft.description import load_aircraft
-from testbed.common.signals import RATES, SETPOINT, STATE, TELEMETRY, telemetry_width
+from testbed.common.signals import BELIEFS, RATES, SETPOINT, STATE, TELEMETRY, Belief, telemetry_width
 from testbed.flight.columns import (
     Recorded,
     all_columns,
+    beliefs,
     columns,
     reader,
     row_at,
@@ -41,6 +44,9 @@ def expected(name: str) -> np.ndarray:
     """The column as its name says it, from what was recorded."""
     truth = dict(zip(STATE, RECORDED.truth.T, strict=False))
     first_rate = len(TELEMETRY) * len(ACTUATORS)
+    beliefs = dict(
+        zip(BELIEFS, np.split(RECORDED.telemetry[:, first_rate + 2 * len(RATES) :], 2, axis=1), strict=True)
+    )
     return {
         "time_s": np.arange(STEPS) / RATE_HZ,
         "altitude_m": truth["altitude"],
@@ -58,6 +64,9 @@ def expected(name: str) -> np.ndarray:
         * AIRCRAFT.actuators["right_ruddervator"].scale,
         "right_ruddervator_effectiveness_estimate": telemetry("effectiveness_estimate", "right_ruddervator"),
         "right_propeller_failed": telemetry("failed", "right_propeller"),
+        "right_propeller_belief": beliefs["belief"][:, 3],
+        "left_ruddervator_believed_position": beliefs["believed_position"][:, 0]
+        * AIRCRAFT.actuators["left_ruddervator"].scale,
     }[name]
 
 
@@ -65,6 +74,7 @@ NAMES = [
     "time_s", "altitude_m", "heading_deg", "r_deg_s", "altitude_command_m", "heading_command_deg", "q_dot_deg_s2",
     "u_dot_m_s2", "u_dot_desired_m_s2", "p_dot_released", "left_propeller_position", "left_propeller_effectiveness",
     "right_ruddervator_command", "right_ruddervator_effectiveness_estimate", "right_propeller_failed",
+    "right_propeller_belief", "left_ruddervator_believed_position",
 ]  # fmt: skip
 
 
@@ -77,8 +87,10 @@ def test_columns_are_the_contract() -> None:
     found = columns(AIRCRAFT)
     assert len(set(found)) == len(found)
     assert found[:6] == ("time_s", "north_m", "east_m", "altitude_m", "airspeed_m_s", "climb_rate_m_s")
-    per_actuator = ("reference", "command", "position", "effectiveness", "effectiveness_estimate", "failed")
-    assert found[-6 * len(ACTUATORS) :] == tuple(f"{a}_{of}" for a in ACTUATORS for of in per_actuator)
+    per_actuator = (
+        "reference", "command", "position", "effectiveness", "effectiveness_estimate", "failed", "belief", "believed_position",
+    )  # fmt: skip
+    assert found[-8 * len(ACTUATORS) :] == tuple(f"{a}_{of}" for a in ACTUATORS for of in per_actuator)
 
 
 @pytest.mark.parametrize("name", ["time_s", "heading_command_deg", "left_propeller_effectiveness"])
@@ -102,6 +114,27 @@ def test_columns_of_sensors_and_moving_air_only_where_there_are_such() -> None:
     assert windy == (*calm, *WIND)
     sensed = all_columns(AIRCRAFT, load_scenario(file, ["sensors=mems"]))
     assert sensed == (*calm, *sensor_columns())
+
+
+def test_beliefs_are_told_in_words() -> None:
+    nothing = np.full(6, math.nan)
+    log = {
+        "time_s": np.arange(6.0),
+        "fan_belief": np.array([0, 0, Belief.lost, 0, 0, 0.0]),
+        "fan_believed_position": nothing,
+        "elevon_belief": np.array([0, Belief.doubted, Belief.held, Belief.held, Belief.held, math.nan]),
+        "elevon_believed_position": np.array([math.nan, math.nan, -3.0, 4.5, 5.0, math.nan]),
+        "flap_belief": nothing,
+        "flap_believed_position": nothing,
+        "slat_belief": np.full(6, 99.0),  # no word for it
+    }
+    told = beliefs(log, ["fan", "elevon", "flap", "slat", "written before there were beliefs"])
+    found = [(b["time_s"], b["until_s"], b["actuator"], b["belief"]) for b in told]
+    assert found == [
+        (0.0, 0.0, "elevon", "works"), (0.0, 1.0, "fan", "works"), (1.0, 1.0, "elevon", "doubted"),
+        (2.0, 4.0, "elevon", "held"), (2.0, 2.0, "fan", "lost"), (3.0, 5.0, "fan", "works"),
+    ]  # fmt: skip
+    assert told[3]["position"] == 5.0 and math.isnan(told[4]["position"])
 
 
 TIME = np.arange(100) / 200.0

@@ -81,14 +81,14 @@ def test_when_a_signal_crosses() -> None:
     when = {"signal": "heading_deg", "above": limit}
     flown = fly({"type": "stuck", "actuator": "left_propeller", "when": when})
     assert flown.event()["time_s"] == (row + 1) / RATES[0][0], "the step after the row that shows it"
-    assert np.array_equal(flown.flight.data[: row + 1], well.flight.data[: row + 1])
+    assert np.array_equal(flown.flight.data[: row + 1], well.flight.data[: row + 1], equal_nan=True)
     assert flown.event()["verified"] is True
 
 
 def test_a_signal_that_never_crosses_says_so() -> None:
     when = {"signal": "altitude_m", "below": 200}
     flown = fly({"type": "stuck", "actuator": "left_propeller", "when": when})
-    assert np.array_equal(flown.flight.data, healthy().flight.data)
+    assert np.array_equal(flown.flight.data, healthy().flight.data, equal_nan=True)
     assert flown.flight.warnings == [
         "failures.0 (stuck, left_propeller) never started: altitude_m below 200 did not happen"
     ]
@@ -99,7 +99,7 @@ def test_a_signal_that_crosses_after_until_s_starts_nothing() -> None:
     row = int(np.argmax(healthy().column("heading_deg") > 91.0))
     before_s = (row - 10) / RATES[0][0]
     flown = fly({"type": "stuck", "actuator": "left_propeller", "when": when, "until_s": before_s})
-    assert np.array_equal(flown.flight.data, healthy().flight.data)
+    assert np.array_equal(flown.flight.data, healthy().flight.data, equal_nan=True)
     assert "never started" in flown.flight.warnings[0]
 
 
@@ -110,8 +110,8 @@ CUTS = {"type": "intermittent", "actuator": "left_propeller", "at_s": 0.5, "off_
 
 def test_chance_is_the_runs_own() -> None:
     one, again, other = fly(CUTS), fly(CUTS), fly(CUTS, seed=2)
-    assert np.array_equal(one.flight.data, again.flight.data)
-    assert not np.array_equal(one.flight.data, other.flight.data)
+    assert np.array_equal(one.flight.data, again.flight.data, equal_nan=True)
+    assert not np.array_equal(one.flight.data, other.flight.data, equal_nan=True)
 
 
 @pytest.mark.parametrize(

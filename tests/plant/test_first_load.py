@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -84,38 +85,28 @@ def test_jsbsims_own_words_are_repeated(vtail_copy: Path, cache: Path) -> None:
     assert not cache.exists()  # nothing is known of it
 
 
-def load_by(code: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let the process of the first load run this code in place of the probe."""
-    real = subprocess.run
-    monkeypatch.setattr(
-        first_load.subprocess, "run", lambda _, **more: real([sys.executable, "-c", code], **more)
-    )
-
-
-def test_a_hang_ends_with_words(vtail_copy: Path, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(first_load, "_WAIT_S", 0.01)
-    with pytest.raises(
-        BadInput, match=r"vtail\.xml: JSBSim does not finish loading and starting it within 0\.01 s"
-    ):
-        assure(load_aircraft(str(vtail_copy)))
+def load_by(folder: Path, code: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the process of the first load run this code in place of the probe's."""
+    (folder / "other_probe.py").write_text(f"from testbed.common import child\n{code}\n")
+    monkeypatch.setenv("PYTHONPATH", str(folder))
+    monkeypatch.setattr(first_load, "_PROBE", "other_probe")
 
 
 def test_a_load_that_computes_for_ever_ends_with_words(
-    vtail_copy: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+    vtail_copy: Path, cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """With the limit of the process itself, set to what it has used by then."""
-    endless = "from testbed.plant import probe; probe.LONGEST_S = 0; probe._hold_back()\nwhile True: pass"
-    load_by(endless, monkeypatch)
-    words = r"vtail\.xml: JSBSim does not finish loading and starting it within 10 s of processor time"
+    load_by(tmp_path, "def endless(_):\n    while True: pass\nchild.answer(endless)", monkeypatch)
+    monkeypatch.setattr(first_load, "_LIMITS", replace(first_load._LIMITS, processor_s=1))
+    words = r"vtail\.xml: JSBSim does not finish loading and starting it within 1 s of processor time"
     with pytest.raises(BadInput, match=words):
         assure(load_aircraft(str(vtail_copy)))
 
 
 def test_the_signal_that_ended_a_process_is_named(
-    vtail_copy: Path, cache: Path, monkeypatch: pytest.MonkeyPatch
+    vtail_copy: Path, cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     killed = "import os, sys; print('last words', file=sys.stderr, flush=True); os.kill(os.getpid(), 11)"
-    load_by(killed, monkeypatch)
+    load_by(tmp_path, killed, monkeypatch)
     with pytest.raises(BadInput, match=r"JSBSim says last words; it ended the process \(SIGSEGV\)"):
         assure(load_aircraft(str(vtail_copy)))
 

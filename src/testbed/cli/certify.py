@@ -24,7 +24,7 @@ _NOTHING = 1e-5
 """A certified error that is called none."""
 
 if TYPE_CHECKING:
-    from testbed.theory.certificate import Certificate
+    from testbed.margins.certificate import Certificate
 
 Row = tuple[str, str, str, str, float]
 """Mode or actuator, airspeed [m/s] or axis, quantity, unit, value: a row of the CSV file."""
@@ -37,7 +37,7 @@ def certify(options: argparse.Namespace) -> None:
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
     if scenario is None or problems:
         raise BadInput(problems)
-    from testbed.theory.certificate import certify
+    from testbed.margins.certificate import certify
 
     with working("trimming and flying"):
         certificate = certify(scenario, options.error)

@@ -15,8 +15,8 @@ from testbed.common.signals import RATES
 from testbed.inputs.output_file import refuse_unwritable, written
 
 if TYPE_CHECKING:
-    from testbed.theory.gain_design import Design
-    from testbed.theory.gain_verdict import ActuatorDesign
+    from testbed.gains.design import Design
+    from testbed.gains.verdict import ActuatorDesign
 
 
 def design(options: argparse.Namespace) -> bool:
@@ -24,7 +24,7 @@ def design(options: argparse.Namespace) -> bool:
 
     Raises BadInput when the scenario or a tolerance cannot be used, or the file cannot be written.
     """
-    from testbed.theory.gain_design import design
+    from testbed.gains.design import design
 
     if options.out is not None:
         refuse_unwritable(options.out)

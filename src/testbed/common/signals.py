@@ -13,6 +13,7 @@ numpy record, without a copy.
 from __future__ import annotations
 
 import math
+from enum import IntEnum
 from functools import cache
 
 import numpy as np
@@ -32,15 +33,56 @@ RATES = ("p_dot", "q_dot", "r_dot", "u_dot")
 SETPOINT = ("altitude", "airspeed", "heading", "altitude_rate", "airspeed_rate", "heading_rate")
 """Rate-limited references and their rates [m, m/s, rad, m/s, m/s2, rad/s]."""
 
-
 TELEMETRY = ("reference", "command", "effectiveness_estimate", "failed")
 """What a controller logs of each actuator: reference and command divided by the actuator's `scale`, the estimate of its
 effectiveness (1 is healthy), and a flag that is 1 while the controller takes it for failed."""
 
+BELIEFS = ("belief", "believed_position")
+"""What a controller may log besides of each actuator: what it takes it for (a code of `Belief`), and the position at which it is
+thought to be held, divided by `scale`. NaN is what it does not say."""
+
+
+class Belief(IntEnum):
+    """What a controller takes an actuator for. The log has the number; the name is the word for it."""
+
+    works = 0
+    doubted = 1
+    lost = 2
+    held = 3
+    reversed = 4
+    offset = 5
+    swings = 6
+    late = 7
+
+    @property
+    def meaning(self) -> str:
+        """What the controller believes then, and what it does with the actuator."""
+        return _MEANINGS[self]
+
+
+_MEANINGS = {
+    Belief.works: "it follows its command, with the effectiveness of its estimate",
+    Belief.doubted: "its force has changed, and what has failed is not decided yet; it is used on",
+    Belief.lost: "it has no force; it is given up",
+    Belief.held: "its force does not follow its command but stays; it is given up, and its force is balanced",
+    Belief.reversed: "its force goes against its command; it is used with the opposite sign",
+    Belief.offset: "it follows its command with an offset, which commands make up for",
+    Belief.swings: "it follows its command and swings by itself; it is used",
+    Belief.late: "it follows its command later than it is designed to; it is used",
+}
+
 
 def telemetry_width(actuators: int) -> int:
-    """Length of a row of telemetry: `TELEMETRY`, each for all actuators; then desired rates and released flags of `RATES`."""
-    return len(TELEMETRY) * actuators + 2 * len(RATES)
+    """Length of a row of telemetry: `TELEMETRY`, each for all actuators; desired rates and released flags of `RATES`; `BELIEFS`,
+    each for all actuators."""
+    return (len(TELEMETRY) + len(BELIEFS)) * actuators + 2 * len(RATES)
+
+
+def telemetry_rows(steps: int, actuators: int) -> np.ndarray:
+    """[steps, `telemetry_width`] rows for a controller to fill: zeros, and NaN for `BELIEFS`, of which many say nothing."""
+    rows = np.zeros((steps, telemetry_width(actuators)))
+    rows[:, -len(BELIEFS) * actuators :] = math.nan
+    return rows
 
 
 @cache

@@ -1,12 +1,20 @@
 """The end of every control step: positions become commands, and a row of telemetry is written for the log.
 
-Letters: m design model (`records.MODEL`), s memory (`records.MEMORY`).
+Letters: m design model (`records.MODEL`), c settings (`records.SETTINGS`), s memory (`records.MEMORY`).
 """
 
 from __future__ import annotations
 
+import math
+
 from testbed.common.jit import compiled
+from testbed.common.signals import Belief
 from testbed.controllers.actuator_model import engine_throttle_for, throttle_for
+from testbed.controllers.inversion.offset_detection import is_late
+
+# Compiled functions take the codes as plain numbers.
+WORKS, DOUBTED, LOST, HELD = map(int, (Belief.works, Belief.doubted, Belief.lost, Belief.held))
+REVERSED, OFFSET, SWINGS, LATE = map(int, (Belief.reversed, Belief.offset, Belief.swings, Belief.late))
 
 
 @compiled
@@ -38,3 +46,41 @@ def write_telemetry(row, released, s):
     for i in range(4):
         row[4 * n + i] = s.x_dc_dot[i]
         row[4 * n + 4 + i] = released[i]
+
+
+@compiled
+def belief(i, c, s):
+    """What the law takes actuator i for: a code of `signals.Belief`.
+
+    One is doubted while it `moved` and it is not known why, or while its flag is taken back (`early`) and its estimate is not as
+    high as that of one that works again."""
+    if s.reversed[i]:
+        return REVERSED
+    if s.jammed[i]:
+        return HELD
+    if s.failed[i]:
+        return LOST
+    if s.own_noise[i] > 0.0:
+        return SWINGS
+    if s.offset[i] != 0.0:
+        return OFFSET
+    if s.moved[i] != 0.0 or (s.early[i] and s.lambda_hat[i] < c.recovery):
+        return DOUBTED
+    return LATE if is_late(i, s) else WORKS
+
+
+@compiled
+def write_beliefs(row, c, s):
+    """Fill the `signals.BELIEFS` of a row of telemetry; nothing for a law that diagnoses nothing.
+
+    Args:
+        row: [`signals.telemetry_width`]
+        c, s: settings and memory of the diagnosis.
+    """
+    if not (c.monitors or c.tests_jams):
+        return
+    n = len(s.u)
+    for i in range(n):
+        believed = belief(i, c, s)
+        row[4 * n + 8 + i] = believed
+        row[5 * n + 8 + i] = s.lambda_hat[i] if believed == HELD else math.nan

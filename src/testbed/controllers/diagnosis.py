@@ -46,29 +46,41 @@ class Diagnosis:
     Args:
         model, memory, work: records of the control law.
         modes: the control law's modes, which are switched for what is flagged.
+        active: whether there is to be a diagnosis; without it nothing is flagged and nothing is said.
+
+    Attributes:
+        records: settings and memory of the diagnosis, each an array of one record.
     """
 
     def __init__(
-        self, setup: Setup, model: np.ndarray, memory: np.ndarray, work: np.ndarray, modes: ModeSwitch
+        self,
+        setup: Setup,
+        model: np.ndarray,
+        memory: np.ndarray,
+        work: np.ndarray,
+        modes: ModeSwitch,
+        active: bool,
     ) -> None:
-        self._modes, self._control, self.memory = modes, memory, trimmed_memory(setup)
-        settings = settings_record(setup, AdaptiveInversionSettings())
-        self._own = (model, settings, memory, self.memory, work)
+        self._modes, self._control, self._active = modes, memory, active
+        settings = settings_record(setup, AdaptiveInversionSettings() if active else None)
+        self.records = (settings, trimmed_memory(setup))
+        self._own = (model, settings, memory, self.records[1], work)
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray) -> None:
         """Take the measured states and the references of a flight (see `controllers.Controller.bind`)."""
         self._parts = (states, setpoints, *self._own)
-        self._diagnose = bound(diagnose, 0, self._parts)
+        if self._active:
+            self._diagnose = bound(diagnose, 0, self._parts)
 
     def step(self, step: int) -> None:
         """Diagnose row `step`, and put the mode in force for what has been flagged."""
-        if self._diagnose(step, self._parts):
+        if self._active and self._diagnose(step, self._parts):
             self._take_over(step)
 
     def _take_over(self, step: int) -> None:
         """The estimate of a jammed actuator becomes its position, and that of one that is lost, or used again, 1: a lost one is
         not used, and does not act. The others keep theirs."""
-        s, d = self._control[0], self.memory[0]
+        s, d = self._control[0], self.records[1][0]
         s.lambda_hat[(s.failed == 1) | (d.failed == 1)] = 1.0
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
         s.failed[:], s.jammed[:], s.early[:] = d.failed, d.jammed, d.early

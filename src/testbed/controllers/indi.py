@@ -26,7 +26,7 @@ import numpy as np
 
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import write_telemetry
+from testbed.controllers.commands import write_beliefs, write_telemetry
 from testbed.controllers.config import IndiSettings
 from testbed.controllers.diagnosis import Diagnosis
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
@@ -60,8 +60,13 @@ def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
 
 @compiled
 def indi_step(step, parts):
-    """One control step: remainder, outer loops, increment, allocation, commands; arguments as in `inversion.step.adaptive_step`."""
-    states, setpoints, telemetry, models, settings, modes, memories, works = parts
+    """One control step: remainder, outer loops, increment, allocation, commands.
+
+    Args:
+        step: row of the channels.
+        parts: as in `inversion.step.adaptive_step`, and then settings and memory of the diagnosis.
+    """
+    states, setpoints, telemetry, models, settings, modes, memories, works, chosen, diagnoses = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)
@@ -73,6 +78,7 @@ def indi_step(step, parts):
         w.nu[i] = (w.nu[i] if k.regulated else s.x_dc_dot[i]) - w.z[i]
     allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
+    write_beliefs(telemetry[step], chosen[0], diagnoses[0])
 
 
 class IndiController:
@@ -90,8 +96,8 @@ class IndiController:
         settings, chosen = settings_record(setup, None), setup.settings_as(IndiSettings)
         settings[0].filter_rate = chosen.filter_rad_s
         model, work = model_record(setup), np.zeros(1, work_dtype(len(setup.actuators)))
-        self._own = (model, settings, self._modes.record, memory, work)
-        self._diagnosis = Diagnosis(setup, model, memory, work, self._modes) if chosen.monitor else None
+        self._diagnosis = Diagnosis(setup, model, memory, work, self._modes, chosen.monitor)
+        self._own = (model, settings, self._modes.record, memory, work, *self._diagnosis.records)
         self._commands = memoryview(memory[0].command)  # quicker to go through than the array
 
     @property
@@ -103,12 +109,10 @@ class IndiController:
         """Take the channels of a flight (see `controllers.Controller`)."""
         self._parts = (states, setpoints, telemetry, *self._own)
         self._step = bound(indi_step, 0, self._parts)
-        if self._diagnosis is not None:
-            self._diagnosis.bind(states, setpoints)
+        self._diagnosis.bind(states, setpoints)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
-        if self._diagnosis is not None:
-            self._diagnosis.step(step)
+        self._diagnosis.step(step)
         self._step(step, self._parts)
         return self._commands

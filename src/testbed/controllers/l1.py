@@ -26,7 +26,7 @@ import numpy as np
 
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import command_actuators, write_telemetry
+from testbed.controllers.commands import command_actuators, write_beliefs, write_telemetry
 from testbed.controllers.config import L1InversionSettings
 from testbed.controllers.diagnosis import Diagnosis
 from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
@@ -83,11 +83,12 @@ def low_pass_channel(m, c, k, s):
 
 
 @compiled
-def show_diagnosis(row, d):
-    """Put the estimates of the slow monitor into a row of telemetry (`signals.TELEMETRY`), in place of the fast ones."""
+def show_diagnosis(row, c, d):
+    """Put what the slow monitor says into a row of telemetry (`signals.TELEMETRY`), in place of the fast estimates."""
     n = len(d.lambda_hat)
     for i in range(n):
         row[2 * n + i] = 0.0 if d.jammed[i] else d.lambda_hat[i]
+    write_beliefs(row, c, d)
 
 
 @compiled
@@ -96,9 +97,9 @@ def l1_step(step, parts):
 
     Args:
         step: row of the channels.
-        parts: as in `inversion.step.adaptive_step`, and then the memory of the diagnosis.
+        parts: as in `inversion.step.adaptive_step`, and then settings and memory of the diagnosis.
     """
-    states, setpoints, telemetry, models, settings, modes, memories, works, diagnoses = parts
+    states, setpoints, telemetry, models, settings, modes, memories, works, chosen, diagnoses = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
     pressure_ratio, axial = pressure_ratio_of(y, m), axial_speed(y)
@@ -113,7 +114,7 @@ def l1_step(step, parts):
     low_pass_channel(m, c, k, s)
     command_actuators(axial, m, s)
     write_telemetry(telemetry[step], k.released, s)
-    show_diagnosis(telemetry[step], diagnoses[0])
+    show_diagnosis(telemetry[step], chosen[0], diagnoses[0])
 
 
 class L1Controller:
@@ -130,10 +131,9 @@ class L1Controller:
         memory = trimmed_memory(setup)
         self._modes = ModeSwitch(setup, memory)
         model, work = model_record(setup), np.zeros(1, work_dtype(len(setup.actuators)))
-        self._diagnosis, self._monitors = Diagnosis(setup, model, memory, work, self._modes), chosen.monitor
-        self._own = (
-            model, fast_settings(setup, chosen), self._modes.record, memory, work, self._diagnosis.memory
-        )  # fmt: skip
+        self._diagnosis = Diagnosis(setup, model, memory, work, self._modes, chosen.monitor)
+        fast = fast_settings(setup, chosen)
+        self._own = (model, fast, self._modes.record, memory, work, *self._diagnosis.records)
         self._commands = memoryview(memory[0].command)  # quicker to go through than the array
 
     @property
@@ -149,8 +149,7 @@ class L1Controller:
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
-        if self._monitors:
-            self._diagnosis.step(step)
+        self._diagnosis.step(step)
         self._step(step, self._parts)
         return self._commands
 

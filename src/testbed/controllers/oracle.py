@@ -11,7 +11,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from testbed.controllers.config import OracleSettings
-from testbed.controllers.inversion.controller import fixed_inversion
+from testbed.controllers.initial_records import settings_record
+from testbed.controllers.inversion.controller import InversionController
 from testbed.controllers.inversion.jam_detection import REDESIGN_AFTER
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
@@ -30,7 +31,9 @@ class OracleController:
             raise BadInput([Problem(what, path="controller.type", expected="a flight of `testbed.fly`")])
         self._truth, self._scale = setup.truth, setup.scale.tolist()
         self._threshold = setup.settings_as(OracleSettings).threshold
-        self._law = fixed_inversion(setup)
+        settings = settings_record(setup, None)
+        settings[0].monitors = True  # what it is told is logged as what it believes
+        self._law = InversionController(setup, settings)
         memory = self._law.memory[0]
         self._estimate, self._failed, self._jammed = memory.lambda_hat, memory.failed, memory.jammed
         self._designed = memory.designed_position

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator
-from typing import NamedTuple
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from testbed.air.config import COLUMNS as WIND
 from testbed.aircraft.description import Aircraft
-from testbed.common.signals import RATES, SETPOINT, STATE, TELEMETRY
+from testbed.common.signals import BELIEFS, RATES, SETPOINT, STATE, TELEMETRY, Belief
 from testbed.scenario.load import Scenario
 from testbed.sensors.channels import log_columns as sensor_columns
 
@@ -44,7 +44,8 @@ class Recorded(NamedTuple):
     references: np.ndarray
     """[steps, 6] `SETPOINT`: what the controller is to follow."""
     telemetry: np.ndarray
-    """[steps, 4 n + 8] each quantity of `TELEMETRY` for all actuators, then desired rates and released flags by `RATES`."""
+    """[steps, 6 n + 8] each quantity of `TELEMETRY` for all actuators, desired rates and released flags by `RATES`, and each
+    quantity of `BELIEFS` for all actuators."""
 
 
 class _Column(NamedTuple):
@@ -113,6 +114,7 @@ def _columns(aircraft: Aircraft) -> Iterator[_Column]:
     of_actuator = {what: n * i for i, what in enumerate(TELEMETRY)}  # where each begins in a row of telemetry
     desired = len(TELEMETRY) * n
     released = desired + len(RATES)
+    of_actuator |= {what: released + len(RATES) + n * i for i, what in enumerate(BELIEFS)}
     yield _TIME
     for name, of, factor in _TRUTH:
         yield _Column(name, "truth", STATE.index(of), factor)
@@ -135,6 +137,9 @@ def _columns(aircraft: Aircraft) -> Iterator[_Column]:
             f"{name}_effectiveness_estimate", "telemetry", of_actuator["effectiveness_estimate"] + i
         )
         yield _Column(f"{name}_failed", "telemetry", of_actuator["failed"] + i)
+        yield _Column(f"{name}_belief", "telemetry", of_actuator["belief"] + i)
+        held = of_actuator["believed_position"] + i
+        yield _Column(f"{name}_believed_position", "telemetry", held, actuator.scale)
 
 
 def row_at(time_s: np.ndarray, instant_s: float) -> int:
@@ -154,3 +159,29 @@ def stretches(flag: np.ndarray) -> list[tuple[int, int]]:
     """(first row, row after the last) of each unbroken stretch of rows in which a flag [rows] of bools is true."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], flag, [False])).astype(np.int8)))
     return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
+
+
+def beliefs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[str, Any]]:
+    """What the controller took each actuator for: {time_s, until_s, actuator, belief, position} of each stretch, by time.
+
+    `belief` is a word of `signals.Belief`. `position` is where a held actuator was thought to be in the last row of the stretch, in
+    the actuator's unit, and NaN for others. Nothing is in the list of a controller that says nothing.
+
+    Args:
+        log: columns by name, each [rows]; one that was written before the log had beliefs has none.
+    """
+    time_s, found = log["time_s"], []
+    for actuator in actuators:
+        code, position = (log.get(f"{actuator}_{what}", np.full(len(time_s), math.nan)) for what in BELIEFS)
+        for word in Belief:
+            for first, end in stretches(code == word):
+                found.append(
+                    {
+                        "time_s": float(time_s[first]),
+                        "until_s": float(time_s[end - 1]),
+                        "actuator": actuator,
+                        "belief": word.name,
+                        "position": float(position[end - 1]),
+                    }
+                )
+    return sorted(found, key=lambda belief: (belief["time_s"], belief["actuator"]))

@@ -13,6 +13,7 @@ import numpy as np
 
 from testbed.aircraft.shape import Shape
 from testbed.common.files import plain
+from testbed.flight import columns
 from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
@@ -107,6 +108,10 @@ class Flight:
         import pandas as pd
 
         return pd.DataFrame(self.data, columns=list(self.columns))
+
+    def beliefs(self) -> list[dict[str, Any]]:
+        """What the controller took each actuator for, and when: see `flight.columns.beliefs`."""
+        return columns.beliefs(self.signals, self.actuators)
 
     @property
     def passed(self) -> bool:

@@ -1,4 +1,4 @@
-"""The first load of an aircraft's model happens in a process of its own, because what is wrong with a model can end the process.
+"""The first load of an aircraft's model happens in a child process, because what is wrong with a model can end the process.
 
 An aircraft is known by the digest of its files. What the first load showed is recorded in the user's cache folder, so that a
 known aircraft costs one look for a file in a new process, and nothing but its digest in a process that has seen it.
@@ -6,29 +6,19 @@ known aircraft costs one look for a file in a new process, and nothing but its d
 
 from __future__ import annotations
 
-import json
 import re
-import signal
-import subprocess
-import sys
-import tempfile
-from typing import Any
 
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.model_files.check import model_files, model_problems
 from testbed.aircraft.model_files.used import model_file
+from testbed.common import child
 from testbed.common.cache import Cache
-from testbed.common.processes import answers, environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant import known
 
-LONGEST_S = 10
-"""Most processor time of a first load [s]; the shipped aircraft takes half a second. Time on the clock would depend on what else
-the machine does."""
-_WAIT_S = 120.0
-"""Longest time that a first load is waited for [s]: for one that waits itself. One that computes is ended by its own limit."""
-_OUT_OF_TIME = -getattr(signal, "SIGXCPU", 0)
-"""Exit status of a process that has used up its processor time."""
+_PROBE = "testbed.plant.probe"
+_LIMITS = child.Limits(processor_s=10, writes_files=False)
+"""What a first load may use. The shipped aircraft takes half a second; a delay of many millions of steps would take all memory."""
 _WORDS = 300
 """Longest text of JSBSim's that is repeated in a message [characters]."""
 
@@ -77,23 +67,17 @@ def _answer(aircraft: Aircraft) -> known.Record:
     """What the process of the first load says."""
     described = aircraft.model_dump(mode="json", exclude_none=True)
     request = {"folder": str(aircraft.folder.resolve()), "aircraft": described}
-    command = [sys.executable, "-B", "-m", "testbed.plant.probe"]
     try:
-        with tempfile.TemporaryDirectory() as empty:
-            done = subprocess.run(
-                command, input=json.dumps(request), capture_output=True, text=True, errors="replace",
-                timeout=_WAIT_S, cwd=empty, env=environment(), check=False,
-            )  # fmt: skip
-    except subprocess.TimeoutExpired:
-        raise BadInput([_unfinished(aircraft, f"{_WAIT_S:g} s")]) from None
+        ended = child.ask(_PROBE, request, _LIMITS)
     except OSError as error:  # there may be no folder for temporary files either
         raise BadInput([Problem(f"no process can be started to load the model: {error.strerror}")]) from None
-    found = answers(done.stdout)
-    if done.returncode == 0 and found and "properties" in found[-1]:
-        return found[-1]
-    if _OUT_OF_TIME and done.returncode == _OUT_OF_TIME:
-        raise BadInput([_unfinished(aircraft, f"{LONGEST_S:g} s of processor time")])
-    raise BadInput(_said(found) or _dead(aircraft, _last_words(done)))
+    if ended.status == 0 and "properties" in ended.last:
+        return ended.last
+    if ended.overtime:
+        what = f"JSBSim does not finish loading and starting it within {ended.overtime}"
+        raise BadInput([_of_model(aircraft, what)])
+    said = [Problem(**problem) for problem in ended.last.get("problems", [])]
+    raise BadInput(said or _dead(aircraft, _last_words(ended)))
 
 
 def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
@@ -104,27 +88,18 @@ def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
     return [element.problem(words) for element in named] or [_of_model(aircraft, words)]
 
 
-def _said(found: list[dict[str, Any]]) -> list[Problem]:
-    """The problems that the process found itself, those of its last answer."""
-    return [Problem(**problem) for problem in found[-1].get("problems", [])] if found else []
-
-
-def _last_words(done: subprocess.CompletedProcess[str]) -> str:
+def _last_words(ended: child.Ended) -> str:
     """What JSBSim said last, or the name of the signal that ended it."""
-    lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    lines = [line.strip() for line in ended.errors.splitlines() if line.strip()]
     words = (
         " ".join(line for line in lines if not line.startswith("terminate called"))
         .removeprefix("what():")
         .strip()
     )
-    if done.returncode < 0:
-        ended = f"it ended the process ({signal_name(-done.returncode)})"
-        return f"JSBSim says {words[-_WORDS:]}; {ended}" if words else f"JSBSim says nothing; {ended}"
-    return f"JSBSim says {words[-_WORDS:] or f'nothing; exit status {done.returncode}'}"
-
-
-def _unfinished(aircraft: Aircraft, within: str) -> Problem:
-    return _of_model(aircraft, f"JSBSim does not finish loading and starting it within {within}")
+    if ended.signal:
+        what = f"it ended the process ({ended.signal})"
+        return f"JSBSim says {words[-_WORDS:]}; {what}" if words else f"JSBSim says nothing; {what}"
+    return f"JSBSim says {words[-_WORDS:] or f'nothing; exit status {ended.status}'}"
 
 
 def _of_model(aircraft: Aircraft, what: str) -> Problem:

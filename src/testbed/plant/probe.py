@@ -1,16 +1,13 @@
-"""The process of the first load: `python -m testbed.plant.probe` loads one aircraft, starts it, and answers on stdout.
+"""The child process of the first load: `python -m testbed.plant.probe` loads one aircraft and starts it.
 
-It reads {folder, aircraft} as JSON from stdin. Each answer is one line of JSON, and the last one counts: {problems} or
-{properties}. It is small, may write no file, and is expected to die of some models.
+It is asked with {folder, aircraft}, and answers {problems} or {properties}; the last answer counts. It is small, may write no
+file, and is expected to die of some models.
 """
 
 from __future__ import annotations
 
-import json
 import math
-import os
 import re
-import sys
 from collections.abc import Iterator
 from dataclasses import asdict
 from pathlib import Path
@@ -20,8 +17,9 @@ from testbed.aircraft.description import Aircraft
 from testbed.aircraft.model_files.check import in_yaml, model_files
 from testbed.aircraft.model_files.safe_xml import Element
 from testbed.aircraft.model_files.used import model_file
+from testbed.common import child
 from testbed.inputs.problems import BadInput, Issue, Problem, did_you_mean
-from testbed.plant.first_load import LONGEST_S, trust
+from testbed.plant.first_load import trust
 from testbed.plant.jsbsim import NoProperty, Plant, loaded
 from testbed.plant.properties import command_property, position_property
 
@@ -33,27 +31,20 @@ _MASSES = ("inertia/mass-slugs", "inertia/ixx-slugs_ft2", "inertia/iyy-slugs_ft2
 _CHANNEL = "channel"
 _WORDS = 300
 """Longest text of JSBSim's that is repeated [characters]."""
-_MEMORY_BYTES = 4_000_000_000
-"""Most memory of this process; a delay of a thousand million steps would take all that there is."""
 
 
-def main() -> int:
-    """Answer for one aircraft; returns the exit status, 0 if it can be flown."""
-    _hold_back()
-    request = json.load(sys.stdin)
+def _probed(request: dict[str, Any]) -> Iterator[child.Answer]:
+    """The answers for one aircraft."""
     aircraft = Aircraft.model_validate(request["aircraft"])
     aircraft._folder = Path(request["folder"])
     trust(aircraft)
     try:
-        catalog = _started(aircraft)
+        yield from _started(aircraft)
     except BadInput as error:
-        _say_problems(list(error.problems))
-        return 1
-    _say({"properties": catalog})
-    return 0
+        yield _said(list(error.problems))
 
 
-def _started(aircraft: Aircraft) -> dict[str, bool]:
+def _started(aircraft: Aircraft) -> Iterator[child.Answer]:
     """The properties of the model, after it was loaded and run; raises BadInput with what was found."""
     fdm, _ = loaded(aircraft, _PHYSICS_HZ)
     manager = fdm.get_property_manager()
@@ -61,7 +52,7 @@ def _started(aircraft: Aircraft) -> dict[str, bool]:
     if missing:
         raise BadInput(in_yaml(aircraft, missing))
     suspects = list(_missing_references(aircraft, manager, fdm))
-    _say_problems(suspects)  # the last words if JSBSim ends the process now
+    yield _said(suspects)  # the last words if JSBSim ends the process now
     try:
         plant = Plant(aircraft, _PHYSICS_HZ)
         _run(plant)
@@ -71,7 +62,7 @@ def _started(aircraft: Aircraft) -> dict[str, bool]:
     impossible = [*_impossible(plant), *_missing_later(plant)]
     if impossible:
         raise BadInput(impossible)
-    return plant.catalog()
+    yield {"properties": plant.catalog()}
 
 
 def _names(fdm: Any) -> list[str]:
@@ -158,27 +149,8 @@ def _impossible(plant: Plant) -> Iterator[Problem]:
         )
 
 
-def _hold_back() -> None:
-    """Let this process write no file, leave no core, and end by itself if its parent is gone."""
-    try:
-        import resource
-    except ImportError:  # not on this system
-        return
-    limits = {
-        resource.RLIMIT_FSIZE: 0, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: LONGEST_S, resource.RLIMIT_AS: _MEMORY_BYTES,
-    }  # fmt: skip
-    for what, most in limits.items():
-        _, hard = resource.getrlimit(what)
-        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
-        resource.setrlimit(what, (most, hard))  # only the lower one says by its signal that time was short
-
-
-def _say(answer: dict[str, Any]) -> None:
-    print(json.dumps(answer), flush=True)
-
-
-def _say_problems(problems: list[Problem]) -> None:
-    _say({"problems": [asdict(problem) for problem in problems]})
+def _said(problems: list[Problem]) -> child.Answer:
+    return {"problems": [asdict(problem) for problem in problems]}
 
 
 def _of_model(aircraft: Aircraft, what: str, expected: str = "") -> Problem:
@@ -186,6 +158,4 @@ def _of_model(aircraft: Aircraft, what: str, expected: str = "") -> Problem:
 
 
 if __name__ == "__main__":
-    status = main()
-    sys.stdout.flush()
-    os._exit(status)  # at once: JSBSim's destructors are no part of the answer
+    child.answer(_probed)

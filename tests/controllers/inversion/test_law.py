@@ -1,6 +1,6 @@
 """The paper's law, function by function, against the design model, scipy, and numbers by hand.
 
-The equations on the paper's ideal plant are in tests/theory/test_equations.py.
+The equations on the paper's ideal plant are in tests/paper/test_equations.py.
 """
 
 from __future__ import annotations

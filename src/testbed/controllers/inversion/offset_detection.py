@@ -31,8 +31,13 @@ def no_effectiveness(i, estimate, m, c, s):
     """Whether surface i is in use, and cannot have this effectiveness: its change is one of position. One that is known to be late
     is left out, because a wrong time explains such changes too."""
     in_use = m.servo[i] and not (s.failed[i] or s.jammed[i])
-    in_time = s.late[i] * s.late[i] <= BEYOND_SIGMAS * BEYOND_SIGMAS * s.late_variance[i]
-    return in_use and in_time and not c.lambda_min <= estimate <= c.lambda_max
+    return in_use and not is_late(i, s) and not c.lambda_min <= estimate <= c.lambda_max
+
+
+@compiled
+def is_late(i, s):
+    """Whether actuator i acts later than its model says, beyond doubt."""
+    return s.late[i] * s.late[i] > BEYOND_SIGMAS * BEYOND_SIGMAS * s.late_variance[i]
 
 
 @compiled

@@ -21,7 +21,9 @@ from testbed.reporting.words import describe
 
 RATE_HZ = 50.0
 _LEVELS = {"injection": 3, "lost": 4, "false_alarm": 3}  # foxglove.Log: 2 info, 3 warning, 4 error
-_ACTUATOR = ("reference", "command", "position", "effectiveness", "effectiveness_estimate", "failed")
+_ACTUATOR = (
+    "reference", "command", "position", "effectiveness", "effectiveness_estimate", "failed", "belief", "believed_position",
+)  # fmt: skip
 _GROUPS = {
     "/state": (
         "airspeed_m_s", "climb_rate_m_s", "roll_deg", "pitch_deg", "heading_deg", "alpha_deg", "beta_deg",

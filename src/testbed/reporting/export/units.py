@@ -5,7 +5,7 @@ from __future__ import annotations
 from testbed.common.units import unit
 from testbed.flight.flight import Flight
 
-_IN_THE_ACTUATORS_UNIT = ("reference", "command", "position")
+_IN_THE_ACTUATORS_UNIT = ("reference", "command", "position", "believed_position")
 
 
 def units_of(flight: Flight) -> dict[str, str]:

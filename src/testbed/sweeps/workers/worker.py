@@ -18,7 +18,7 @@ import threading
 from multiprocessing.connection import Connection
 from typing import IO
 
-from testbed.common.processes import environment, signal_name
+from testbed.common.child import environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.sweeps.drawing.builder import Task
 from testbed.sweeps.workers.flying import Flown, Job, fly_task, not_flown

@@ -1,0 +1,1 @@
+"""Gains of the estimator from a scenario's noise, with what they are expected to do: `testbed design`."""

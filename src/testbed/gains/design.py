@@ -1,0 +1,166 @@
+"""Gains from noise: the paper's "knowledge of the spectral intensity ... could be used to set gamma and epsilon", made a rule.
+
+For the paper's law (13), with s_i the noise of actuator i, a_i its position at the trim (see `noise`):
+
+1. gamma is the largest with which noise moves no estimate by more than the tolerated deviation, and no monitor is expected to flag
+   a working actuator more often than tolerated. It is never above what the control step and the slowest actuator allow.
+2. epsilon is the position below which the same gamma would exceed the deviation, and no more than |a_i| / 2.
+3. The threshold is half the effectiveness that must not be flagged, or less where errors that last bring the estimate that low.
+
+The default law's gain is its process noise, in place of gamma: the random walk of effectiveness that its Kalman filter expects.
+
+Errors that last longer than an estimate takes to converge (offsets, the model's own error at this trim) move every estimate by
+n/a whatever the gains. If they alone exceed what is tolerated, no gain helps.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.gains.candidates import Errors
+from testbed.gains.choice import Chosen, Tolerance, choose
+from testbed.gains.loss_flights import convergence_s, detection
+from testbed.gains.moving_law import MovingLaw
+from testbed.gains.noise import convergence_time
+from testbed.gains.trimmed_law import TrimmedLaw
+from testbed.gains.verdict import ActuatorDesign, advice, shortcomings
+from testbed.inputs.problems import BadInput, Problem
+from testbed.scenario.load import Scenario, changed, load_scenario
+from testbed.simulation import start_and_setup
+
+
+@dataclass(frozen=True)
+class Design:
+    """Gains for one scenario, with what they are expected to do.
+
+    Attributes:
+        controller: keys of the scenario's `controller` block.
+        impossible: why what is asked cannot be had, in sentences; empty if it can.
+        advice: what would help.
+        false_alarms_per_hour: of the aircraft, with every actuator at the effectiveness that must not be flagged.
+        disturbance: [4] root of the two-sided intensity of all noise at low frequency, by `signals.RATES` [unit per root hertz].
+    """
+
+    scenario: Scenario
+    tolerance: Tolerance
+    controller: Mapping[str, Any]
+    actuators: tuple[ActuatorDesign, ...]
+    false_alarms_per_hour: float
+    impossible: tuple[str, ...]
+    advice: tuple[str, ...]
+    disturbance: tuple[float, ...]
+
+    @property
+    def possible(self) -> bool:
+        """Whether all that is asked can be had."""
+        return not self.impossible
+
+
+def design(
+    scenario: Scenario | str | Path,
+    *,
+    deviation: float = 0.1,
+    false_alarms_per_hour: float = 0.1,
+    keep: float = 0.2,
+    within_s: float | None = None,
+    set: Mapping[str, Any] | None = None,
+) -> Design:
+    """Gains, threshold and persistence of `adaptive_inversion` for the sensors and the turbulence of a scenario.
+
+    They are for the trimmed flight in which the scenario begins. The law is the scenario's own: gamma and epsilon for
+    `preset: paper`, the process noise for the default.
+
+    Args:
+        scenario: a scenario, or the path of its file.
+        deviation: tolerated standard deviation of an estimate of a healthy actuator [1].
+        false_alarms_per_hour: tolerated flags on actuators that work, of the whole aircraft.
+        keep: effectiveness down to which an actuator must not be flagged.
+        within_s: time in which an estimate has to converge; None for as fast as the rest allows.
+        set: settings to change, as `--set` does.
+
+    Raises:
+        BadInput: the scenario cannot be used, its controller has no estimates, or a tolerance is out of range.
+    """
+    tolerance = Tolerance(deviation, false_alarms_per_hour, keep, within_s)
+    if problems := list(_out_of_range(tolerance)):
+        raise BadInput(problems)
+    if not isinstance(scenario, Scenario):
+        scenario = load_scenario(scenario, set or {})
+    elif set:
+        scenario = changed(scenario, set)
+    return _designed(scenario, tolerance)
+
+
+def _out_of_range(tolerance: Tolerance) -> Iterator[Problem]:
+    for option, value, low, high in (
+        ("--deviation", tolerance.deviation, 0.0, 1.0),
+        ("--false-alarms", tolerance.false_alarms_per_hour, 0.0, math.inf),
+        ("--keep", tolerance.keep, 0.0, 1.0),
+        ("--within", tolerance.within_s, 0.0, math.inf),
+    ):
+        if value is not None and not low < value < high:
+            limit = f"more than 0 and less than {high:g}" if high < math.inf else "more than 0"
+            yield Problem(f"is {value:g}", option, expected=limit)
+
+
+def law_of(scenario: Scenario) -> TrimmedLaw:
+    """The estimation of a scenario's controller in the flight in which it begins; raises BadInput if it estimates nothing."""
+    settings = scenario.controller
+    if not isinstance(settings, AdaptiveInversionSettings):
+        what = f"{settings.type} has no estimates to design for"
+        raise BadInput([scenario.source.problem(("controller", "type"), what, expected="adaptive_inversion")])
+    start, setup = start_and_setup(scenario)
+    return TrimmedLaw(setup, settings, start.state)
+
+
+def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
+    law = law_of(scenario)
+    errors = Errors.of(law, scenario)
+    gusts = not law.newton and scenario.atmosphere.turbulence_w20_m_s
+    chosen = choose(law, errors, tolerance, MovingLaw.of(law, scenario) if gusts else None)
+    settings = {key: value for key, value in chosen.settings.items() if key not in ("type", "preset")}
+    actuators = tuple(
+        _actuator(i, law, errors, chosen, scenario, settings) for i in range(len(law.setup.actuators))
+    )
+    intensity = sum((source.intensity(law.setup.dt_s) for source in errors.sources), np.zeros((4, 4)))
+    return Design(
+        scenario,
+        tolerance,
+        chosen.settings,
+        actuators,
+        3600.0 * chosen.false_alarms_per_s,
+        tuple(shortcomings(actuators, tolerance)),
+        tuple(advice(actuators, tolerance)),
+        tuple(map(float, np.sqrt(np.diag(intensity)))),
+    )
+
+
+def _actuator(
+    i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen, scenario: Scenario, settings: Mapping[str, Any]
+) -> ActuatorDesign:
+    kind, name = law.setup.model.kinds[i], law.setup.model.actuators[i]
+    flagged = detection(scenario, settings, name)
+    rate = float(chosen.rates[i])
+    parts = chosen.parts[:, i]
+    order = np.argsort(-parts)
+    return ActuatorDesign(
+        name=name,
+        kind=kind,
+        position=float(law.positions[i]),
+        noise=float(chosen.noise[i]),
+        offset=float(chosen.offset[i]),
+        bias=float(chosen.bias[i]),
+        convergence_s=convergence_time(rate) if law.newton else convergence_s(scenario, settings, name),
+        detection_s=flagged.median_s,
+        soonest_s=flagged.soonest_s,
+        latest_s=flagged.latest_s,
+        met=bool(chosen.met[i]),
+        shares=tuple((errors.sources[k].name, float(parts[k])) for k in order if parts[k] > 0.0),
+    )

@@ -1,0 +1,126 @@
+"""The certificate of an aircraft's input matrix, as its controller has it: margins of each mode over the flight envelope, and the
+bias of the estimates for the references that a scenario flies. The mathematics is in `input_matrix_bounds` and `matrix_classes`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from testbed.aircraft.changes import chosen
+from testbed.aircraft.description import Aircraft
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.inversion.modes import enumerate_modes
+from testbed.controllers.setup import Setup
+from testbed.inputs.problems import BadInput
+from testbed.margins.bounds import entry_limits
+from testbed.margins.flown_bias import ActuatorBias, biases, flown, sector_limit
+from testbed.margins.mode_margins import Condition, ModeMargin, condition, mode_margin
+from testbed.plant.identification import input_matrix
+from testbed.plant.jsbsim import Plant
+from testbed.plant.stand import PROPELLER_SPEEDS, stand_physics_hz
+from testbed.plant.trim import NoTrim, trim
+from testbed.scenario.load import Scenario
+from testbed.simulation import fly, start_and_setup
+
+_AIRSPEEDS = 7
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What is certified of the input matrix of a scenario's aircraft and controller.
+
+    Attributes:
+        error: relative error of all entries for which the bias is given.
+        entries: [4, n] limit of the relative error of each entry alone.
+        modes: the mode in force, and the mode after each loss.
+        conditions: of each mode at each airspeed at which there is level flight.
+        no_flight: airspeeds of the envelope at which there is none [m/s].
+        biases: of each actuator.
+        sector_limit: relative error of all entries up to which every estimate is bounded over the whole flight, however its
+            references move.
+        exact_law: whether the scenario flies (13), of which all of this holds. With another estimation, the margins of the
+            inversion hold, and the bias once e is zero.
+    """
+
+    aircraft: str
+    scenario: str
+    error: float
+    actuators: tuple[str, ...]
+    entries: np.ndarray
+    modes: tuple[ModeMargin, ...]
+    conditions: tuple[Condition, ...]
+    no_flight: tuple[float, ...]
+    biases: tuple[ActuatorBias, ...]
+    sector_limit: float
+    exact_law: bool
+
+
+def certify(scenario: Scenario, error: float = 0.1) -> Certificate:
+    """The certificate of the input matrix of a scenario's aircraft and controller; the scenario is flown once.
+
+    Args:
+        error: relative error of all entries of the input matrix for which the bias of the estimates is bounded.
+
+    Raises:
+        BadInput: the controller estimates no effectiveness, its input matrix has not full column rank, or it cannot be flown.
+    """
+    settings = _estimation(scenario)
+    aircraft = chosen(scenario.aircraft)
+    _, setup = start_and_setup(scenario)
+    b = np.array(setup.model.input_matrix)[:4] * setup.scale
+    n, rank = b.shape[1], int(np.linalg.matrix_rank(b))
+    if rank < n:
+        what = (
+            f"the controlled rates of {aircraft.name} tell {rank} of {n} actuators apart, and (13) needs all"
+        )
+        raise BadInput([scenario.source.problem(("aircraft",), what)])
+    table = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)
+    modes = [table[failed] for failed in ((), *((i,) for i in range(n)))]
+    truths, no_flight = _envelope(aircraft, setup)
+    references = flown(fly(scenario))
+    return Certificate(
+        aircraft=aircraft.name,
+        scenario=scenario.name,
+        error=error,
+        actuators=setup.model.actuators,
+        entries=entry_limits(b),
+        modes=tuple(mode_margin(b, mode, setup) for mode in modes),
+        conditions=tuple(condition(mode, setup, v, b, b_c) for mode in modes for v, b_c in truths),
+        no_flight=no_flight,
+        biases=biases(b, references, setup.model.actuators, _thresholds(settings, setup), error),
+        sector_limit=sector_limit(b, references),
+        exact_law=settings.estimation == "newton",
+    )
+
+
+def _estimation(scenario: Scenario) -> AdaptiveInversionSettings:
+    settings = scenario.controller
+    if not isinstance(settings, AdaptiveInversionSettings):
+        what = f"{settings.type} has no estimates to certify"
+        raise BadInput([scenario.source.problem(("controller", "type"), what, "adaptive_inversion")])
+    return settings
+
+
+def _thresholds(settings: AdaptiveInversionSettings, setup: Setup) -> np.ndarray:
+    """[n] the monitor's threshold for each actuator."""
+    other = settings.propeller_threshold
+    return np.array(
+        [settings.threshold if kind == "servo" or other is None else other for kind in setup.model.kinds]
+    )
+
+
+def _envelope(aircraft: Aircraft, setup: Setup) -> tuple[list[tuple[float, np.ndarray]], tuple[float, ...]]:
+    """Scaled input matrix [4, n] of the truth in level flight, at each airspeed of the design model; airspeeds without any."""
+    plant = Plant(aircraft, stand_physics_hz(aircraft))
+    found, missing = [], []
+    for share in np.linspace(PROPELLER_SPEEDS[0], PROPELLER_SPEEDS[-1], _AIRSPEEDS):
+        airspeed = float(share * setup.model.airspeed_m_s)
+        try:
+            level = trim(plant, airspeed, setup.model.altitude_m)
+        except NoTrim:
+            missing.append(airspeed)
+        else:
+            found.append((airspeed, input_matrix(plant, level)[:4] * setup.scale))
+    return found, tuple(missing)
