@@ -12,9 +12,10 @@ from typing import NamedTuple
 import numpy as np
 
 from testbed.common.units import unit as unit_of
+from testbed.flight.columns import beliefs
 from testbed.flight.flight import Flight
 from testbed.flight.recovery import UNITS, tracking_error
-from testbed.reporting.words import title
+from testbed.reporting.words import believed, title
 
 
 class Tracked(NamedTuple):
@@ -69,6 +70,8 @@ class Panel:
     span: tuple[float, float] | None = None
     flag: str = ""
     flagged: str = ""
+    notes: tuple[tuple[float, float, str], ...] = ()
+    """(from [s], until [s], words) of stretches, written where they begin."""
 
     @property
     def heading(self) -> str:
@@ -151,8 +154,15 @@ def effectiveness(flight: Flight) -> Iterator[Panel]:
             series.append(Series(f"{name}_effectiveness_estimate", "believed", "belief"))
         yield Panel(
             title(name), "-", tuple(series), 1.2, {} if threshold is None else {threshold: f"threshold {threshold:g}"},
-            (0.0, 1.0), f"{name}_failed", "flagged failed",
+            (0.0, 1.0), f"{name}_failed", "flagged failed", tuple(_taken_for(flight, name)),
         )  # fmt: skip
+
+
+def _taken_for(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
+    """What the controller took an actuator for, where not for one that works, and when."""
+    for belief in beliefs(flight.signals, [actuator]):
+        if belief["belief"] not in ("works", "doubted"):
+            yield belief["time_s"], belief["until_s"], f"believed {believed(belief, flight.actuators)}"
 
 
 def actuators(flight: Flight) -> Iterator[Panel]:

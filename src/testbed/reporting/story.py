@@ -13,12 +13,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from testbed.flight.breakage import failure_times_s, failures_of
+from testbed.flight.columns import beliefs
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
 from testbed.metrics.flight_view import settled_after
 from testbed.reporting.panels import has_estimates
-from testbed.reporting.words import broke, joined, title
+from testbed.reporting.words import believed, broke, joined, title
 
 AXES = {
     "p_dot": "roll acceleration",
@@ -96,6 +97,7 @@ def _controller(view: Readings) -> Iterator[str]:
         yield _unnoticed(estimates, bool(false))
     for stretch in stretches_of(view):
         yield from _noticed(view, stretch, notices)
+    yield from _used_on(view)
     if estimates:
         yield from _estimates(view)
     if false:
@@ -119,10 +121,31 @@ def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, An
     here = {e["actuator"]: e for e in reversed(notices) if stretch.begin_s <= e["time_s"] < stretch.end_s}
     if not here:
         return
-    first = [f"noticed the {title(name)} after {e['delay_s']:.2f} s" for name, e in reversed(here.items())]
+    first = [
+        f"noticed the {title(name)} after {e['delay_s']:.2f} s{_taken_for(view, e, stretch.end_s)}"
+        for name, e in reversed(here.items())
+    ]
     flags = [e for e in notices if stretch.begin_s <= e["time_s"] < stretch.end_s]
     gave_up = _gave_up([axis for event in flags for axis in _released(view, event)])
     yield f"The controller {joined([*first, *gave_up, *_sideslip(view, stretch)])}."
+
+
+def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
+    """What the controller took a noticed actuator for at last, before the next failure."""
+    own = beliefs(view.log, [notice["actuator"]])
+    latest = [
+        b for b in own if notice["time_s"] <= b["until_s"] and b["time_s"] < end_s and b["belief"] != "works"
+    ]
+    return f" (as {believed(latest[-1], view.actuators)})" if latest else ""
+
+
+def _used_on(view: Readings) -> Iterator[str]:
+    """What the controller took actuators for at last that it never flagged: late, offset, reversed."""
+    for name in view.actuators:
+        own = [belief for belief in beliefs(view.log, [name]) if belief["belief"] not in ("works", "doubted")]
+        if own and not np.any(view.log[f"{name}_failed"] > 0.0):
+            taken = believed(own[-1], view.actuators)
+            yield f"It took the {title(name)} for {taken} from {own[-1]['time_s']:.1f} s on, and used it."
 
 
 def _gave_up(axes: Sequence[str]) -> list[str]:

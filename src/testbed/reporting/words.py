@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -36,6 +37,17 @@ def broke(flight: Flight, number: int) -> str:
     kind = str(facts.get("kind", "servo"))
     unit = str(facts.get("unit", "deg")) if kind == "servo" else "of throttle"
     return f"{f'the {title(name)} ' if name else ''}{failure.words(kind, unit)}"
+
+
+_TAKEN_FOR = {"doubted": "doubtful", "swings": "swinging"}
+"""The words for what a controller takes an actuator for, where they are not the names of `signals.Belief`."""
+
+
+def believed(belief: Mapping[str, Any], actuators: Mapping[str, Mapping[str, Any]]) -> str:
+    """What the controller took an actuator for, as `Flight.beliefs` has it: `lost`, `held at 8.1 deg`."""
+    word, unit = belief["belief"], actuators[belief["actuator"]].get("unit", "")
+    at = f" at {belief['position']:.1f} {unit}".rstrip() if math.isfinite(belief["position"]) else ""
+    return _TAKEN_FOR.get(word, word) + at
 
 
 def describe(event: Mapping[str, Any], flight: Flight) -> str:

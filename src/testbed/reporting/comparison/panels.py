@@ -94,4 +94,4 @@ def _of_all(panels: Sequence[Panel], names: Sequence[str], log: Mapping[str, np.
         truth = [] if main is first else [first._replace(column=f"0:{first.column}")]
         series = [Series(f"{i}:{main.column}", name, f"v{i % _STYLES}") for i, name in enumerate(names)]
         if known := [each for each in (*truth, *series) if each.column in log]:
-            yield replace(panel, series=tuple(known))
+            yield replace(panel, series=tuple(known), notes=())

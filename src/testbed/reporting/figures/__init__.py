@@ -24,7 +24,7 @@ TABLE = {
     "states": Drawn("aircraft states", "States against their references (the paper's figure 4)", 1.25),
     "actuators": Drawn("actuators", "Reference, command and position of each actuator (figure 5)", 1.7),
     "effectiveness": Drawn(
-        "effectiveness of the actuators, 1 is healthy",
+        "effectiveness, 1 is healthy",
         "Effectiveness: estimates against truth (figure 6)",
         1.5,
     ),

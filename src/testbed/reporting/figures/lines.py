@@ -32,9 +32,10 @@ _SHADE: dict[str, Any] = {
     "linewidth": 0,
     "zorder": 0,
 }
+_PAPER: dict[str, Any] = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5}
 _NEAR = 0.15  # of the distance of the levels: one is drawn if a signal comes this close to it
 _PIXELS = 4.0  # width of a part of the time axis in which a dense signal is one band
-_MOST_SHADES = 200
+_MOST_SHADES, _MOST_NOTES = 200, 6
 _HUGE = 1e6  # values beyond it, of a flight that diverged, do not set an axis
 
 
@@ -51,6 +52,7 @@ def draw_panel(axes: Axes, flight: Flight, panel: Panel, width: float) -> None:
     _shade(axes, flight, panel, time)
     _fit(axes, panel, [_fitted(panel, series, values[series.column]) for series in panel.series] + allowed)
     _levels(axes, panel)
+    _notes(axes, panel)
 
 
 def _values(flight: Flight, panel: Panel) -> dict[str, np.ndarray]:
@@ -153,3 +155,15 @@ def _levels(axes: Axes, panel: Panel) -> None:
             _level(axes, value, label, first, last)
             bottom, top = min(bottom, value - 0.3 * near), max(top, value + 0.3 * near)
     axes.set_ylim(bottom, top)
+
+
+def _notes(axes: Axes, panel: Panel) -> None:
+    """Write each note where it begins, one below the other."""
+    first, last = axes.get_xlim()
+    for i, (since, until, words) in enumerate(panel.notes[:_MOST_NOTES]):
+        if since < last and until > first:
+            place, y = (max(since, first) - first) / (last - first), 0.72 - 0.18 * (i % 3)
+            side, by = ("left", 0.01) if place < 0.6 else ("right", -0.01)
+            axes.text(
+                place + by, y, words, fontsize=8, ha=side, va="top", transform=axes.transAxes, bbox=_PAPER
+            )

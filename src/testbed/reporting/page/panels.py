@@ -15,6 +15,7 @@ from testbed.scenario.requirement import Requirement
 
 SHOWN = ("errors", "effectiveness", "actuators", "attitude", "rates")
 """The groups of `reporting.panels` on the page of a flight."""
+_NOTES = 2  # of a panel that its title has, the last ones
 _STYLES = {"position": "truth", "reference": "command"}
 """Styles of the figures that are another on the page."""
 
@@ -40,8 +41,9 @@ def group_of(name: str, title: str, folded: bool, panels: Iterable[Panel]) -> di
 
 
 def _drawn(panel: Panel) -> dict[str, Any]:
+    notes = (f"{words} from {since:.1f} s on" for since, _, words in panel.notes[-_NOTES:])
     said: dict[str, Any] = {
-        "title": panel.heading,
+        "title": "; ".join([panel.heading, *notes]),
         "series": [_series(series) for series in panel.series if series.on_page],
         "least": panel.least,
         "limits": list(panel.levels or ()),
