@@ -155,22 +155,11 @@ def withstanding() -> list[str]:
 
 
 def table(rows: Sequence[Row]) -> list[str]:
-    head = (
-        "condition",
-        "predicted",
-        "ideal plant",
-        "error",
-        "flown",
-        "error",
-        "(13) with the flown r",
-        "flown beside it",
-    )
+    head = ("condition", "predicted", "ideal plant", "flown", "error", "(13) with the flown r")
     lines = [f"| {' | '.join(head)} |", f"|{' --- |' * len(head)}"]
     for row in rows:
-        cells = (
-            row.what, number(row.predicted), number(row.ideal), relative(row.ideal, row.predicted),
-            number(row.flown), relative(row.flown, row.predicted), number(row.same_r), relative(row.flown, row.same_r),
-        )  # fmt: skip
+        numbers = (row.predicted, row.ideal, row.flown)
+        cells = (row.what, *map(number, numbers), relative(row.flown, row.predicted), number(row.same_r))
         lines.append(f"| {' | '.join(cells)} |")
     return lines
 

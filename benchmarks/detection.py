@@ -116,7 +116,7 @@ def page(plan: Sequence[tuple[Condition, Mission, int]], records: Sequence[Recor
             "",
             *_table(rows),
             "",
-            "False alarms in flights of 10 minutes without a failure are counted in [Hold it](hold_it.md).",
+            "False alarms are counted in [Missions](missions.md#all-flights).",
             "",
         ]
     )

@@ -88,7 +88,7 @@ FINDINGS = (
     ),
     Finding(
         "bound",
-        "How far the bound is",
+        "Told the truth",
         "`oracle` is told the true effectiveness and the true failures at once. What it holds more is about what better "
         "diagnosis could still gain. It knows the moment, not what follows: it gives up a propeller that works on and off "
         "each time that it stops, where `default` waits.",
@@ -184,7 +184,7 @@ def remaining(rows: Sequence[Row], trims: Mapping[str, str], bound: str) -> list
     if trims:
         heads.append("steady flight on JSBSim")
         lines += ["The last column has the steady flights that JSBSim itself has after the failure, at whole m/s",
-                  "([what the margin is](../results/missions.md#what-can-be-flown-at-all)).",
+                  "([what the margin is](../results/missions.md#what-each-mission-is)).",
                   "A jam whose level trim is far from the speed before it has to be flown there first."]  # fmt: skip
     lines += ["", f"| {' | '.join(heads)} |", f"|{' --- |' * len(heads)}"]
     for mission in dict.fromkeys(row.mission for row in rows):

@@ -31,10 +31,10 @@ from mission_results import (
     Row,
     Table,
     by_mission,
+    cell,
     delays,
-    details,
+    errors,
     family,
-    held_more,
     loses,
     share,
     totals,
@@ -45,6 +45,40 @@ from true_trims import words
 
 DOCS = Path(__file__).parents[1] / "docs"
 REFERENCE, BOUND = "default", "oracle"
+INTRODUCTION = f"""\
+# Missions: every controller, flown hard
+
+<!-- Written by python benchmarks/mission_report.py: change that, not this. -->
+
+This page compares the controllers on missions with failures: slow and fast flight, hard turns and climbs, references
+that move through the failure, single and double losses, jams, reversals and more.
+
+**Survived** means flown to the end, without ground contact and within the flight envelope. **Held** means survived, and
+within {ALTITUDE_M:g} m of the altitude and {HEADING_DEG:g} deg of the heading asked for, all the time from the first failure on.
+
+`vtail` is the shipped aircraft, and `vtail_aft` the same with its mass so far aft that it is unstable in pitch. W20 is the
+wind at 20 ft by which MIL-F-8785C gives the strength of turbulence. With the model 20 % off, each aerodynamic coefficient
+of the design model is 20 % too large or too small, by chance. A *cell* is the flights of one mission in one condition by
+one controller, which differ by seed. All fly with MEMS sensors.
+
+`{REFERENCE}` is `{{{{type: adaptive_inversion}}}}` and nothing else. `{BOUND}` is the same law, told the truth about every
+actuator at once. It is no bound: with other commands it meets other moments of the turbulence, and it gives up a propeller
+that works on and off each time that it stops. [The others](../reference/controllers.md) have the same released axis,
+allocation and limits, and all but `pid` the same outer loops. Seeds are {{first}} to {{last}}; those below {TUNING_END} were
+for tuning, and no gain was chosen on these. Intervals are of paired differences, 95 % (Newcombe).
+
+**Detection** is the longest time in a flight from a failure to the flag of its actuator: the median over flights, and
+what 95 % do not exceed ([how soon a loss could be known](detection.md)). **Missed** are losses (effectiveness 0.1 or less
+for over 2 s) that were never flagged, and false alarms are flags of actuators that were not broken.
+
+To fly one again: `python benchmarks/missions.py --reporting --missions NAME --first-seed SEED --seeds 1 --w20 25`; `--help`
+says how the conditions are chosen. [When adaptation pays](../explanation/when_adaptation_pays.md) is from the same flights.
+"""
+STEADY = """\
+The last column has the steady flights of the broken v-tail on JSBSim itself, looked for at each whole m/s
+(`benchmarks/true_trims.py`), so that one in a narrower range is missed. The margin is how far the actuator nearest to a stop
+is from it, as a share of half its travel, at the airspeed where this is largest.
+"""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -59,7 +93,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     trims = {m.name: words(found) for m, found in _trims()} if options.trims else {}
     for folder in ("results", "explanation", "figures"):
         (options.docs / folder).mkdir(parents=True, exist_ok=True)
-    mission_figures.draw(rows, REFERENCE, options.docs / "figures")
+    mission_figures.draw(rows, options.docs / "figures")
     mission_findings.draw(rows, options.docs / "figures")
     pages = {"results/missions.md": document(rows, trims)}
     pages["explanation/when_adaptation_pays.md"] = mission_findings.page(rows, trims, BOUND)
@@ -86,80 +120,71 @@ def reporting_rows(file: Path) -> list[Row]:
 
 def document(rows: Sequence[Row], trims: Mapping[str, str]) -> str:
     """The Markdown of docs/results/missions.md."""
-    main_rows = [row for row in rows if row.controller not in ABLATED]
+    rows = [row for row in rows if row.controller not in ABLATED]
     seeds, conditions = sorted({row.seed for row in rows}), sorted({row.condition for row in rows})
     lines = [
-        "# Missions: every controller, flown hard",
+        INTRODUCTION.format(first=seeds[0], last=seeds[-1]),
+        f"## Where another holds more than `{REFERENCE}`",
         "",
-        "<!-- Written by python benchmarks/mission_report.py: change that, not this. -->",
+        "By two flights of a cell or more:",
         "",
-        "This page compares the controllers on missions with failures: slow and fast flight, hard turns and climbs, references",
-        "that move through the failure, single and double losses, jams, reversals and more.",
-        "",
-        "**Survived** means flown to the end, without ground contact and within the flight envelope. **Held** means survived, and",
-        f"within {ALTITUDE_M:g} m of the altitude and {HEADING_DEG:g} deg of the heading asked for, all the time",
-        "from the first failure on.",
-        "",
-        "Each mission is flown in several conditions. `vtail` is the shipped aircraft, and `vtail_aft` the same with its mass so",
-        "far aft that it is unstable in pitch. W20 is the wind at 20 ft by which MIL-F-8785C gives the strength of turbulence.",
-        "With the model 20 % off, each aerodynamic coefficient of the design model is 20 % too large or too small,",
-        "by chance. A *cell*",
-        "is the flights of one mission in one condition by one controller, which differ by seed. All fly with MEMS sensors.",
-        "",
-        f"`{REFERENCE}` is `{{type: adaptive_inversion}}` and nothing else. `{BOUND}` is the same law, told the truth about every",
-        "actuator at once. It is a bound on what diagnosis can bring, though not flight by flight: with other commands it meets",
-        "other moments of the turbulence, and near a limit it can miss what the other holds.",
-        "[The others](../reference/controllers.md)",
-        "have the same released axis, allocation and limits, and all but `pid` the same outer loops.",
-        f"Seeds are {seeds[0]} to {seeds[-1]}; those below",
-        f"{TUNING_END} were for tuning, and no gain was chosen on these. Intervals are of paired differences, 95 % (Newcombe).",
-        "",
-        "**Detection** is the longest time in a flight from a failure to the flag of its actuator: the median over flights, and",
-        "what 95 % do not exceed. Of losses, [how soon a loss is flagged](detection.md) shows how soon they could be known.",
-        "**Missed** are losses (effectiveness 0.1 or less for over 2 s) that were never flagged, and false alarms are flags of",
-        "actuators that were not broken, both over all flights.",
+        *(loses(rows, REFERENCE) or ["Nowhere."]),
         "",
         "## All flights",
         "",
-        *totals(main_rows, REFERENCE),
+        *totals(rows, REFERENCE),
+        "",
+        f"The best of all of them in each cell holds {best_of_each_cell(rows):.3f}.",
         "",
         "![Share of missions held, by kind of failure](../figures/missions_families.png)",
         "",
         "## By kind of failure",
         "",
-        *by_family(main_rows),
+        *by_family(rows),
         "",
         "## By condition",
         "",
-        *by_condition(main_rows, conditions),
+        *by_condition(rows, conditions),
         "",
-    ]  # fmt: skip
-    if any(row.controller in ABLATED for row in rows):
-        lines += ["## What each part of the law brings", ""]
-        lines += ["Each row is `default` without one part (`ablate`), on the flights that both have flown:",
-                  "those of a few of the seeds.",
-                  "[When adaptation pays](../explanation/when_adaptation_pays.md) says what each part is.", ""]  # fmt: skip
-        lines += [*ablation(rows), ""]
-        lines += ["![What each part of the law brings](../figures/missions_ablation.png)", ""]
-    lines += [f"## Where another holds more than `{REFERENCE}`", "", "By two flights of a cell or more:", ""]
-    lines += loses(main_rows, REFERENCE) or ["Nowhere."]
-    if trims:
-        lines += ["", "## What can be flown at all", ""]
-        lines += ["Steady flights of the broken v-tail, looked for on JSBSim itself at each whole m/s",
-                  "(`benchmarks/true_trims.py`). The",
-                  "margin is how far the actuator nearest to a stop is from it, as a share of half its travel,",
-                  "at the airspeed where",
-                  "this is largest. With both ruddervators lost there is one airspeed of level flight, 14.8 m/s,",
-                  "which is no whole number.", ""]  # fmt: skip
-        lines += ["| mission | steady flight |", "| --- | --- |"]
-        lines += [f"| {name} | {found} |" for name, found in trims.items()]
-    for condition in conditions:
-        lines += ["", f"## Each mission: {condition.title}", ""]
-        lines += ["Flights held / survived / flown; where all survived, held / flown.", ""]
-        lines += by_mission([row for row in main_rows if row.condition == condition])
-        own = [row for row in main_rows if row.condition == condition and row.controller == REFERENCE]
-        lines += ["", f"`{REFERENCE}`, worst flight of each:", "", *details(own)]
-    return "\n".join([*lines, "", *_missions()]) + "\n"
+        "## Single losses",
+        "",
+        f"`{REFERENCE}`: flights held / survived / flown (where all survived, held / flown), and the worst errors.",
+        "",
+        *single_losses(rows, conditions),
+        "",
+        "## Each mission",
+        "",
+        "Flights held / survived / flown in all conditions together; where all survived, held / flown.",
+        "",
+        *by_mission(rows),
+        "",
+        *_missions(trims),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def best_of_each_cell(rows: Sequence[Row]) -> float:
+    """Share of the flights that would be held if in each cell the controller flew that holds the most of it."""
+    held: dict[tuple[str, Condition], dict[str, list[bool]]] = {}
+    for row in rows:
+        held.setdefault((row.mission, row.condition), {}).setdefault(row.controller, []).append(row.held)
+    best = [max(of.values(), key=sum) for of in held.values()]
+    return sum(map(sum, best)) / sum(map(len, best))
+
+
+def single_losses(rows: Sequence[Row], conditions: Sequence[Condition]) -> list[str]:
+    """Markdown table: how the reference holds each single loss in each condition."""
+    own = [row for row in rows if row.controller == REFERENCE and family(row.mission) == "one actuator lost"]
+    lines = [
+        f"| mission | {' | '.join(c.title for c in conditions)} |",
+        f"| --- |{' --- |' * len(conditions)}",
+    ]
+    for mission in dict.fromkeys(row.mission for row in own):
+        of = [[r for r in own if (r.mission, r.condition) == (mission, c)] for c in conditions]
+        lines.append(
+            f"| {mission} | {' | '.join(f'{cell(each)}; {errors(each)}' if each else '' for each in of)} |"
+        )
+    return lines
 
 
 def by_family(rows: Sequence[Row]) -> list[str]:
@@ -189,31 +214,23 @@ def by_condition(rows: Sequence[Row], conditions: Sequence[Condition]) -> list[s
     return lines
 
 
-def ablation(rows: Sequence[Row]) -> list[str]:
-    """Markdown table: how much more the whole law holds than the law without each part, on the flights of both."""
-    head = "| without | held | the whole law holds more by (95 %) | only the whole | only without it |"
-    lines = [head, "| --- |" + " --- |" * 4]
-    whole = [row for row in rows if row.controller == REFERENCE]
-    for name in ABLATED:
-        own = [row for row in rows if row.controller == name]
-        d = held_more(whole, own)
-        if d is not None:
-            words = f"{d.difference:+.3f} ({d.low:+.3f} to {d.high:+.3f})"
-            lines.append(
-                f"| {name.removeprefix('without_')} | {share(own)} | {words} | {d.only_first} | {d.only_second} |"
-            )
-    return lines
-
-
-def _missions() -> list[str]:
-    times = f"Each lasts {DURATION_S:g} s; failures begin at {FAILURE_S:g} s, a second one at {SECOND_S:g} s."
-    lines = ["## The missions", "", times, "The first word of a name is the route.", ""]
+def _missions(trims: Mapping[str, str]) -> list[str]:
+    """What each mission is, and the steady flights that the truth has in it, if they were looked for."""
+    times = f"Each lasts {DURATION_S:g} s, so that a slow loss may come later; failures begin at {FAILURE_S:g} s, a second one at"
+    lines = [
+        "## What each mission is",
+        "",
+        f"{times} {SECOND_S:g} s.",
+        "The first word of a name is the route.",
+        "",
+    ]
     lines += ["| route | airspeed m/s | what |", "| --- | --- | --- |"]
     lines += [f"| {name} | {route.airspeed_m_s:g} | {route.words} |" for name, route in ROUTES.items()]
-    lines += ["", "| mission | failures |", "| --- | --- |"]
-    lines += [
-        f"| {mission.name} | {'; '.join(map(_said, mission.failures)) or 'none'} |" for mission in MISSIONS
-    ]
+    heads = ["mission", "failures", *(["steady flight"] if trims else [])]
+    lines += ["", *([STEADY] if trims else []), f"| {' | '.join(heads)} |", f"|{' --- |' * len(heads)}"]
+    for mission in MISSIONS:
+        cells = [mission.name, "; ".join(map(_said, mission.failures)) or "none"]
+        lines.append(f"| {' | '.join([*cells, trims[mission.name]] if trims else cells)} |")
     return lines
 
 

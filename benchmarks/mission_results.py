@@ -147,21 +147,10 @@ def by_mission(rows: Sequence[Row]) -> list[str]:
     return lines
 
 
-def details(rows: Sequence[Row]) -> list[str]:
-    """Markdown table: a row for each mission of one controller, with its worst errors and what the monitor did."""
-    lines = [
-        "| mission | held | worst altitude, heading | detection s: median, 95 % | missed | false alarms | worst seed |",
-        "| --- |" + " --- |" * 6,
-    ]
-    for mission in dict.fromkeys(row.mission for row in rows):
-        own = [row for row in rows if row.mission == mission]
-        worst = max(own, key=lambda row: max(row.altitude_m / ALTITUDE_M, row.heading_deg / HEADING_DEG))
-        errors = f"{worst.altitude_m:.1f} m, {worst.heading_deg:.0f} deg" if worst.survived else worst.outcome
-        missed, alarms = sum(row.missed for row in own), sum(row.false_alarms for row in own)
-        lines.append(
-            f"| {mission} | {cell(own)} | {errors} | {delays(own)} | {missed} | {alarms} | {worst.seed} |"
-        )
-    return lines
+def errors(rows: Sequence[Row]) -> str:
+    """Errors of the worst flight, in metres and degrees; how it ended if it was lost."""
+    worst = max(rows, key=lambda row: max(row.altitude_m / ALTITUDE_M, row.heading_deg / HEADING_DEG))
+    return f"{worst.altitude_m:.1f} m, {worst.heading_deg:.0f} deg" if worst.survived else worst.outcome
 
 
 def totals(rows: Sequence[Row], reference: str) -> list[str]:

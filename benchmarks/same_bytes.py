@@ -5,13 +5,18 @@
 BEFORE and AFTER are commits; AFTER is the working tree if it is left out. Each commit flies every scenario in its own
 scenarios/, the further flights of HARD and the shipped sweep, with its own src/ and this Python. Compared are log.csv and
 summary.json of each flight, and results.csv of the sweep. A table that has columns more than before is the same if the columns that
-both have are; the new ones are named. Exit status: 0 if all files are the same, 1 if one differs or is missing.
+both have are; they are named, and so are files that BEFORE does not have. Exit status: 0 if all files of BEFORE are the same,
+1 if one differs or is missing.
+
+If all are the same, the digests of both programs are added to proven_equal.json, so that pages flown with BEFORE count as flown
+with AFTER (`digests.py`).
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import json
 import os
 import subprocess
 import sys
@@ -19,6 +24,8 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+from digests import EQUAL, PROVABLE, digest, proofs
 
 ROOT = Path(__file__).parents[1]
 SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
@@ -86,7 +93,7 @@ def columns_of(table: bytes) -> dict[str, list[str]]:
 def compared(name: str, before: bytes | None, after: bytes | None) -> tuple[bool, str]:
     """Whether a file is the same before and after, and what is to be said of it; empty if nothing is."""
     if before is None or after is None:
-        return False, f"in one only: {name}"
+        return before is None, f"only {'after' if before is None else 'before'}: {name}"
     if before == after:
         return True, ""
     if not name.endswith(".csv"):
@@ -98,6 +105,18 @@ def compared(name: str, before: bytes | None, after: bytes | None) -> tuple[bool
     added = [column for column in new if column not in old]
     # The same cells of the same columns in other bytes: another order of the columns, or quotes.
     return bool(added), f"columns added: {name}: {', '.join(added)}" if added else f"differs: {name}"
+
+
+def prove(before: str, after: str | None, files: int) -> None:
+    """Add to EQUAL that the two programs fly the same."""
+    trees = []
+    for commit in (before, after):
+        with checked_out(commit) as tree:
+            trees.append({part: value for part in PROVABLE if (value := digest(part, tree))})
+    entry = {"commit": before, "files": files, "before": trees[0], "after": trees[1]}
+    if entry not in proofs():
+        EQUAL.write_text(json.dumps([*proofs(), entry], indent=1) + "\n", encoding="utf-8")
+        print(f"wrote {EQUAL}")
 
 
 def main() -> int:
@@ -118,7 +137,10 @@ def main() -> int:
     print(*(text for _, text in found if text), sep="\n")
     same = sum(is_same for is_same, _ in found)
     print(f"{same} of {len(names)} files are the same")
-    return 0 if same == len(names) else 1
+    if same < len(names):
+        return 1
+    prove(options.before, options.after, len(before))
+    return 0
 
 
 if __name__ == "__main__":

@@ -18,11 +18,11 @@ from testbed.gains.choice import Tolerance, choose
 from testbed.gains.design import law_of
 from testbed.gains.trimmed_law import TrimmedLaw
 
-BIASES = (-0.45, -0.3, -0.15, 0.15, 0.3, 0.6)  # of the accelerometer [m/s2]
+BIASES = (-0.45, -0.3, 0.3, 0.6)  # of the accelerometer [m/s2]
 MODEL_ERRORS = [
     (airspeed, name, factor)
     for airspeed in (16.0, 20.0)
-    for name, factors in (("", (1.0,)), ("Cm_alpha", (0.8, 0.9, 1.1, 1.2)), ("CX_alpha", (0.7, 1.3)))
+    for name, factors in (("", (1.0,)), ("Cm_alpha", (0.8, 1.2)), ("CX_alpha", (0.7, 1.3)))
     for factor in factors
 ]
 

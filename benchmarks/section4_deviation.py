@@ -120,12 +120,22 @@ def draw_noise(points: Sequence[Mapping[str, Any]], path: Path) -> None:
     figure.savefig(path, dpi=150)
 
 
+IN_TABLE = {
+    "white": {(2.0, 0.02, 18.0), (2.0, 0.1, 18.0), (2.0, 0.3, 18.0), (2.0, 0.5, 18.0), (2.0, 0.55, 18.0), (2.0, 0.8, 18.0),
+              (8.0, 0.15, 18.0), (2.0, 0.3, 20.0)},
+    "gyro": {(2.0, 0.003, 18.0), (2.0, 0.06, 18.0), (8.0, 0.02, 18.0), (2.0, 0.02, 20.0)},
+}  # fmt: skip
+"""Gamma, density and airspeed of the rows of the table; the figure and the summary have all points."""
+
+
 def noise_table(points: Sequence[Mapping[str, Any]]) -> Iterator[str]:
     yield from head(
         "noise", "gamma [1/s]", "density", "airspeed [m/s]", "actuator", "nu", "predicted", "ideal plant", "error", "flown",
         "error", "kept its trim",
     )  # fmt: skip
     for p in points:
+        if (p["gamma"], p["density"], p["airspeed"]) not in IN_TABLE[p["colour"]]:
+            continue
         size, ideal, flown = p["predicted"], p["ideal"], p["flown"]
         yield row(
             p["colour"], p["gamma"], p["density"], p["airspeed"], p["kind"], p["nu"], size, ideal, error(ideal, size), flown,

@@ -29,9 +29,3 @@ def browser() -> Iterator[Any]:
     """Debian's chromium."""
     with chromium() as running:
         yield running
-
-
-@pytest.hookimpl(tryfirst=True)  # an order that is asked for, such as --random-order, comes after it
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Slow tests first: one that is begun last keeps a worker busy while the other has nothing left."""
-    items.sort(key=lambda item: item.get_closest_marker("slow") is None)

@@ -15,7 +15,6 @@ from testbed.sweeps.load import load_sweep
 from testbed.sweeps.run import Options
 
 
-@pytest.mark.slow
 def test_a_sweep_leaves_a_whole_folder_and_returns_its_table(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -51,7 +50,6 @@ def test_all_wrong_options_are_said_together() -> None:
     ]
 
 
-@pytest.mark.slow
 def test_one_run_alone_is_that_row_of_the_table(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
     whole = fly_here(plan, tmp_path / "whole")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 
 import pytest
+from command_line import ROOT
 
 import testbed
 
@@ -36,3 +38,8 @@ def test_reading_needs_no_simulator() -> None:
     simulator = ("numba", "jsbsim", "testbed.simulation", "testbed.plant.jsbsim")
     program = f"import sys, testbed; testbed.load; print(sorted(set({simulator}) & set(sys.modules)))"
     assert run(program) == "[]\n"
+
+
+def test_its_version_is_said_once_more_and_alike() -> None:
+    version = re.search(r'^version = "(.+)"$', (ROOT / "pyproject.toml").read_text(), flags=re.MULTILINE)
+    assert version and f"\nversion: {version[1]}\n" in (ROOT / "CITATION.cff").read_text()

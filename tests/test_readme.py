@@ -8,8 +8,10 @@ import shutil
 from pathlib import Path
 
 import pytest
+import readme
+from blocks import block
+from code_blocks import blocks
 from command_line import ROOT, testbed
-from pages import blocks
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 COMMANDS = re.findall(r"^\| ([a-z ]+) \| `testbed (.+)` \|$", README, flags=re.MULTILINE)
@@ -43,7 +45,7 @@ def test_the_lines_that_are_run_from_scratch_are_marked() -> None:
         assert re.search(rf"<!-- {marker} -->\n```bash\npython3 -m venv [^\n]+\n```", README)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize(("what", "command"), COMMANDS, ids=[what for what, _ in COMMANDS])
 def test_its_commands_run(what: str, command: str, tmp_path: Path) -> None:
     """As written, in a folder with the checkout's examples and an aircraft of one's own."""
@@ -62,7 +64,6 @@ def test_its_commands_run(what: str, command: str, tmp_path: Path) -> None:
     assert (folder / "report.html").is_file()
 
 
-@pytest.mark.slow
 def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (block,) = blocks(README, "python")
     monkeypatch.chdir(tmp_path)
@@ -70,3 +71,32 @@ def test_its_python_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     names: dict[str, object] = {}
     exec(block, names)
     assert names["flight"].passed  # type: ignore[attr-defined]
+
+
+def test_its_table_of_missions_is_that_of_the_page() -> None:
+    assert block(README, "missions") == readme.table(readme.MISSIONS.read_text(encoding="utf-8"))
+
+
+SAID = {
+    "adoption": (r"\[(\d+) of 48 fixed-wing models\]", r"(\d+) of the 48 fixed-wing models"),
+    "gallery": (
+        r"(\d+) of 76 lost ailerons",
+        r"aileron \| turbulent \| default \| \d+ \| 76 \| .*? \| (\d+) \(",
+    ),
+}
+"""Numbers of pages that the README says: how it says them, and how the page does."""
+
+
+@pytest.mark.parametrize("page", SAID)
+def test_its_numbers_are_those_of_the_pages(page: str) -> None:
+    text = (ROOT / "docs" / "results" / f"{page}.md").read_text(encoding="utf-8")
+    here, there = (re.search(pattern, each) for pattern, each in zip(SAID[page], (README, text), strict=True))
+    assert here and there and here[1] == there[1]
+
+
+@pytest.mark.slow
+def test_its_picture_and_sentences_are_those_of_a_flight_of_today() -> None:
+    default = readme.flown(readme.DEFAULT)
+    rivals = {name: readme.at_its_best(controller) for name, controller in readme.RIVALS.items()}
+    assert block(README, "picture") == readme.sentences(default, rivals)
+    assert readme.sentences(rivals["indi"], rivals) != readme.sentences(default, rivals)  # negative control

@@ -27,8 +27,6 @@ from testbed.reporting.story import diagnoses, story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import assemble, fly, lockstep
 
-pytestmark = pytest.mark.slow
-
 TAIL, PROPELLER = "scenarios/left_tail_fail.yaml", "scenarios/left_propeller_fail.yaml"
 ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")
 FILES = ("scenario.yaml", "log.csv", "summary.json")

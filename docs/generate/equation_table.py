@@ -146,7 +146,7 @@ TABLE: tuple[Equation, ...] = (
     Equation(
         (29, 29),
         "modified inversion after a failure",
-        "inversion.modes.enumerate_modes",
+        "inversion.modes.Mode",
         [
             f"{_EQUATIONS}::test_eq_29_inverts_for_every_admissible_combination",
             f"{_EQUATIONS}::test_eq_29_same_commands_as_the_papers_modified_matrix",

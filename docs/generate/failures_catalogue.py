@@ -1,4 +1,4 @@
-"""Write the page of failures and its figures from the table of failure types; every figure shows a flight.
+"""Write the table of the page of failures and its figures from the table of failure types; every figure shows a flight.
 
 python docs/generate/failures_catalogue.py            fly, draw and write docs/reference/failures.md and its figures
 python docs/generate/failures_catalogue.py --check    write nothing; exit 1 if anything is not as it would be written
@@ -12,6 +12,9 @@ import sys
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
+from blocks import with_block
 
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.shipped import data_root
@@ -93,7 +96,8 @@ def fields_of(name: str) -> str:
 
 
 def rows() -> Iterator[str]:
-    """The rows of the page's table of types."""
+    """The page's table of types."""
+    yield "| type | actuators | fields | can end | meaning | in flight |\n| --- | --- | --- | --- | --- | --- |"
     for name, kind in TABLE.items():
         meaning = (kind.__doc__ or "").strip().partition("\n")[0]
         on = "any" if name == "property" else ", ".join(kind.kinds)
@@ -103,9 +107,9 @@ def rows() -> Iterator[str]:
 
 
 def page() -> str:
-    """The page's text: failures_catalogue.md with the table in its place."""
-    text = (Path(__file__).with_name("failures_catalogue.md")).read_text(encoding="utf-8")
-    return text.replace("{rows}", "\n".join(rows()))
+    """The page's text: docs/reference/failures.md with the table of today."""
+    text = (data_root() / "docs" / "reference" / "failures.md").read_text(encoding="utf-8")
+    return with_block(text, "types", "\n".join(rows()))
 
 
 def write(docs: Path) -> None:

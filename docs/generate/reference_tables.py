@@ -61,7 +61,10 @@ def _command(name: str, command: argparse.ArgumentParser) -> str:
     does = (command.description or "").strip()
     does = does[:1].upper() + does[1:] + ("" if does.endswith(".") else ".")
     options = markdown(("argument", "meaning"), _options(command))
-    return f"## `{name}`\n\n{does}\n\n```text\n{_usage(command)}\n```\n\n{options}"
+    examples = "\n".join(line.strip() for line in (command.epilog or "").splitlines()[1:])
+    return (
+        f"## `{name}`\n\n{does}\n\n```text\n{_usage(command)}\n```\n\n{options}\n\n```bash\n{examples}\n```"
+    )
 
 
 def _usage(command: argparse.ArgumentParser) -> str:

@@ -3,6 +3,7 @@
 A line `<!-- table: metrics -->` of a page stands for a table. `<!-- keys: testbed.scenario.model:Scenario -->` stands for
 the keys of a model of the package; `without` may follow, and keys that have pages of their own. A line
 `<!-- file: examples/my_controller.py -->` stands for a file. The results are not committed, so they cannot be out of date.
+A page of results says at its top with what it was flown, and whether the program has changed since (`benchmarks/stamps.py`).
 """
 
 from __future__ import annotations
@@ -17,10 +18,12 @@ _ROOT = Path(__file__).parents[2]
 sys.path[:0] = [
     str(Path(__file__).parent),
     str(_ROOT / "src"),
+    str(_ROOT / "benchmarks"),
 ]  # the site is of this checkout, whatever is installed
 
 import model_tables  # noqa: E402
 import reference_tables  # noqa: E402
+import stamps  # noqa: E402
 
 _TABLE = re.compile(r"^<!-- (table|keys): (\S+)(?: without ([\w ]+))? -->$", flags=re.MULTILINE)
 _FILE = re.compile(r"^<!-- file: (\S+\.(?:py|xml|yaml)) -->$", flags=re.MULTILINE)
@@ -29,8 +32,8 @@ _BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=
 
 
 def on_page_markdown(markdown: str, **_: Any) -> str:
-    """The page with tables and files in place of these lines; a table or file that does not exist stops the build."""
-    return _FILE.sub(_file, _TABLE.sub(_table, markdown))
+    """The page with tables and files in place of these lines, and its stamp in words; stops at a table that does not exist."""
+    return _FILE.sub(_file, _TABLE.sub(_table, stamps.shown(markdown)))
 
 
 def _file(asked: re.Match[str]) -> str:

@@ -11,13 +11,13 @@ if TYPE_CHECKING:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, of `sys.argv` if none is given, and return its exit status."""
-    from testbed.cli import address_space, environment, interrupts, status
+    from testbed.cli import interrupts, start_checks, status
 
     interrupts.end_at_once()  # before everything else is imported, which takes most of a second
-    if words := address_space.too_little():
+    if words := start_checks.too_little_memory():
         print(words, file=sys.stderr)
         return status.ENDED_EARLY
-    if words := environment.wrong_setting():
+    if words := start_checks.wrong_setting():
         print(words, file=sys.stderr)
         return status.BAD_INPUT
     from testbed.cli.commands import main

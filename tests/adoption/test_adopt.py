@@ -14,7 +14,7 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import trim
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_glider_is_adopted_by_the_command_line(tmp_path):
     done = testbed(tmp_path, "adopt", "SGS")
     assert done.returncode == 0, done.stderr

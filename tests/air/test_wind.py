@@ -111,7 +111,6 @@ def turbulence() -> np.ndarray:
     return rows
 
 
-@pytest.mark.slow
 def test_turbulence_has_the_intensity_of_mil_f_8785c(turbulence: np.ndarray) -> None:
     """MIL-F-8785C 3.7.3.4, low altitude, h in feet: sigma_w = 0.1 W20, sigma_u = sigma_v = sigma_w / (0.177 +
     0.000823 h)^0.4, L_w = h, L_u = h / (0.177 + 0.000823 h)^1.2.
@@ -129,7 +128,6 @@ def test_turbulence_has_the_intensity_of_mil_f_8785c(turbulence: np.ndarray) -> 
         assert variance / sigma**2 == pytest.approx(1.0, abs=4 * math.sqrt(2 * tau / total))
 
 
-@pytest.mark.slow
 def test_turbulence_has_the_spectrum_of_its_filters(turbulence: np.ndarray) -> None:
     """Above its corner (V/(pi L) = 0.02 Hz) the vertical gust's spectrum falls as f^-2, like Dryden's: f^2 S
     is level. Means of 20 and 40 frequencies of 195 independent periodograms: 2 % together; the sampled filter's

@@ -128,7 +128,6 @@ def errors(flight: Flight, from_s: float) -> tuple[float, float]:
     return float((log.altitude_m - log.altitude_command_m).abs().max()), float(heading.abs().max())
 
 
-@pytest.mark.slow
 def test_healthy_it_turns_and_climbs() -> None:
     flight = flown()
     assert flight.outcome is Outcome.completed
@@ -138,7 +137,6 @@ def test_healthy_it_turns_and_climbs() -> None:
     assert heading < 5.0
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("lost", ["aileron", "rudder"])
 def test_one_of_aileron_and_rudder_is_enough(lost: str) -> None:
     """The turn is flown late where the loss and the manoeuvre meet; in the last 20 s everything is where it should be."""

@@ -70,7 +70,6 @@ def test_what_is_wrong_is_said_at_its_line(tmp_path: Path, change: tuple[str, st
     assert problem.path.split(".")[-1] in line or problem.path.split(".")[-2] in line
 
 
-@pytest.mark.slow
 def test_validate_and_run_refuse_it_alike(tmp_path: Path) -> None:
     changed(tmp_path, "  priorities: [", "  prioritie: [")
     (tmp_path / "mine.yaml").write_text(SCENARIO)

@@ -14,6 +14,7 @@ from testbed.aircraft.shipped import (
     find_scenario,
     is_folder_name,
     scenario_files,
+    shipped_files,
 )
 from testbed.inputs.problems import BadInput
 
@@ -68,6 +69,18 @@ def test_a_scenario_from_any_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     own.parent.mkdir()
     own.write_text("")
     assert find_scenario(name).resolve() == own
+
+
+def test_a_shipped_scenario_sweep_or_search_by_its_name_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file of that name in the folder comes first. No two shipped files share a name."""
+    monkeypatch.chdir(tmp_path)
+    names = [file.name for file in shipped_files()]
+    assert len(set(names)) == len(names)
+    assert [find_scenario(name) for name in names] == shipped_files()
+    (tmp_path / "left_tail_fail.yaml").write_text("")
+    assert find_scenario("left_tail_fail.yaml") == Path("left_tail_fail.yaml")
 
 
 def test_an_unknown_scenario(tmp_path: Path) -> None:

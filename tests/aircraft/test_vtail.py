@@ -435,7 +435,6 @@ def test_the_design_model_is_mirror_symmetric(stored_model: DesignModel) -> None
                 assert abs(slopes[i, j]) < 2e-3, (ROWS[i], column)
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(
     any(importlib.util.find_spec(name) is None for name in ("aerosandbox", "optvl")),
     reason="coefficients are rederived and compared only with AeroSandbox and AVL (pip install 'testbed[derive]')",

@@ -67,7 +67,6 @@ def test_it_is_the_vtail_but_for_the_balance(aft: Aircraft, vtail: Aircraft) -> 
 
 
 @pytest.mark.parametrize("file", ["left_tail_fail", "left_propeller_fail"])
-@pytest.mark.slow
 def test_it_is_flown_after_a_loss(file: str) -> None:
     flight = fly(
         load_scenario(f"scenarios/{file}.yaml", ["aircraft=vtail_aft", "duration_s=40", "requirements=[]"])
@@ -78,7 +77,6 @@ def test_it_is_flown_after_a_loss(file: str) -> None:
     assert abs(settled.heading_deg - settled.heading_command_deg).max() < 0.5
 
 
-@pytest.mark.slow
 @pytest.mark.skipif(
     importlib.util.find_spec("aerosandbox") is None,
     reason="the model is derived again only with AeroSandbox (pip install 'testbed[derive]')",

@@ -15,7 +15,7 @@ def benchmark(*options: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_it_prints_its_numbers() -> None:
     done = benchmark("--sensors", "mems")
     found = json.loads(done.stdout)
@@ -24,7 +24,7 @@ def test_it_prints_its_numbers() -> None:
     assert {"steps_per_s", "real_time_factor", "outside_ms"} <= set(found)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_guard_that_nothing_meets_refuses() -> None:
     done = benchmark("--guard", "0.001")
     assert done.returncode == 1

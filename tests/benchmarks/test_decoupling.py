@@ -47,7 +47,7 @@ def test_the_page_says_what_was_found() -> None:
     assert "| hard_healthy | 1/1 | 0/1 |" in text
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_figure_has_laws_and_bounds(tmp_path: Path) -> None:
     draw(tmp_path / "noise.png")
     assert (tmp_path / "noise.png").stat().st_size > 20000

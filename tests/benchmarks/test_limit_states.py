@@ -28,6 +28,7 @@ def test_the_probability_is_that_of_plain_sampling(name: str) -> None:
     assert found.probability == pytest.approx(case.probability, rel=4 * found.cov)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", COMMON)
 def test_nothing_fails_nearer_than_the_distance(name: str) -> None:
     case = COMMON[name]

@@ -17,11 +17,15 @@ LOG = b"time_s,p\n0,1.5\n1,nan\n"
         (LOG, b"time_s,q\n0,7\n1,8\n", False, "differs: log.csv: p"),
         (LOG, b"time_s,p\n0,1.5\n", False, "differs: log.csv: time_s, p"),
         (LOG, b"p,time_s\n1.5,0\nnan,1\n", False, "differs: log.csv"),
-        (None, LOG, False, "in one only: log.csv"),
+        (None, LOG, True, "only after: log.csv"),
     ],
 )
 def test_a_table(before: bytes | None, after: bytes, same: bool, said: str) -> None:
     assert same_bytes.compared("log.csv", before, after) == (same, said)
+
+
+def test_a_missing_file_differs() -> None:
+    assert same_bytes.compared("log.csv", LOG, None) == (False, "only before: log.csv")
 
 
 def test_a_summary_is_the_same_or_differs() -> None:

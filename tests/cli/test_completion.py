@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 from command_line import ROOT, Called
 
-from testbed.cli.completion import SHELLS, files
+from testbed.cli.command import matching_files as files
+from testbed.cli.completion import SHELLS
 
 pytest.importorskip("argcomplete", reason="the completion extra")
 
@@ -65,6 +66,7 @@ def test_bash_completes(program: Path, line: str, offered: list[str]) -> None:
 def test_each_shell_has_its_script(called: Called, shell: str) -> None:
     status, out, err = called("completion", shell)
     assert (status, err) == (0, "") and "testbed" in out
+    assert out.startswith("#compdef testbed\n") == (shell == "zsh"), "which begins a script of zsh"
 
 
 def test_files_are_those_here_and_those_shipped(here: Path) -> None:

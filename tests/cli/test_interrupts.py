@@ -37,7 +37,6 @@ def interrupted(folder: Path, after_s: float, *arguments: str) -> tuple[int, str
     return process.returncode, "".join(err.splitlines()[-1:]) if "Traceback" not in err else err
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("after_s", [0.0, 0.3, 0.6, 1.2, 2.4])
 def test_ctrl_c_in_a_run_is_one_line(tmp_path: Path, after_s: float) -> None:
     assert interrupted(tmp_path, after_s, *_FLIGHT) == (130, "interrupted")

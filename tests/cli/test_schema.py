@@ -13,8 +13,7 @@ from command_line import ROOT, Called
 from jsonschema import Draft202012Validator
 
 from testbed.aircraft.shipped import aircraft_names, scenario_files, search_files, sweep_files
-from testbed.cli.arguments import SCHEMAS
-from testbed.cli.project import TEMPLATES
+from testbed.cli.init import TEMPLATES
 from testbed.cli.schema import TABLE, schema_of
 
 FILES = {
@@ -89,10 +88,6 @@ def test_keys_have_their_meanings() -> None:
     schema = json.dumps(schema_of(TABLE["scenario"]()))
     assert "Control steps per second." in schema
     assert "Mass with everything on board [kg]." in schema
-
-
-def test_the_command_names_every_schema() -> None:
-    assert tuple(TABLE) == SCHEMAS
 
 
 def test_a_schema_is_written_into_a_file(called: Called, tmp_path: Path) -> None:

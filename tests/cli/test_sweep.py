@@ -71,7 +71,6 @@ def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) 
     assert called("report", "out") == (2, "", "out: no flight has finished in this sweep folder\n")
 
 
-@pytest.mark.slow
 def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
     testbed.sweep(written(tmp_path), tmp_path / "whole", runs=6, jobs=1, figures=False)
     reference = tmp_path / "whole"
@@ -89,7 +88,6 @@ def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
     assert again.summary == flight.summary
 
 
-@pytest.mark.slow
 def test_one_variant_alone_is_a_normal_run_folder(here: Path, called: Called) -> None:
     sweep = written(here)
     status, out, err = called("sweep", sweep.name, "--only", "5", "--variant", "pid")
@@ -109,7 +107,6 @@ def test_a_variant_is_of_one_run(here: Path, called: Called) -> None:
     assert called("sweep", written(here).name, "--variant", "fixed_inversion") == expected
 
 
-@pytest.mark.slow
 def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     arguments = command("sweep", sweep, "--out", "out", "--runs", 400, "--jobs", 2, "--no-plots")

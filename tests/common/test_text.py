@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from testbed.common.text import cell, printable, text_of
+from testbed.common.text import cell, printable, text_of, with_article
 
 
 def test_control_characters_are_shown() -> None:
@@ -34,3 +34,9 @@ def test_other_text_stays(text: str) -> None:
 @given(st.text())
 def test_the_text_of_a_cell_is_what_was_put_in(text: str) -> None:
     assert text_of(cell(text)) == text
+
+
+def test_a_word_with_its_article() -> None:
+    assert [with_article(word) for word in ("servo", "engine", "motor or engine")] == [
+        "a servo", "an engine", "a motor or engine",
+    ]  # fmt: skip

@@ -68,7 +68,6 @@ def test_an_aircraft_that_cannot_be_inverted_is_refused_before_the_flight() -> N
         IndiController(replace(SETUP, control=control))
 
 
-@pytest.mark.slow
 def test_indi_makes_up_for_a_wrong_model(tmp_path: Path) -> None:
     """Half the pitch stiffness missing from its model: increments find the rest, a fixed inversion is thrown off."""
     wrong = "controller.model_error={Cm_alpha: 0.5, Cm_q: 0.5}"
@@ -77,7 +76,6 @@ def test_indi_makes_up_for_a_wrong_model(tmp_path: Path) -> None:
     assert indi < fixed
 
 
-@pytest.mark.slow
 def test_light_turbulence_is_held_with_real_sensors(tmp_path: Path) -> None:
     """What is asked of the healthy aircraft: within 4 m and 6 deg."""
     weather = ("sensors=mems", "atmosphere.turbulence_w20_m_s=7.62", "seed=2", "controller.released=[p_dot]")

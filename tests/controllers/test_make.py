@@ -26,7 +26,6 @@ def test_a_controller_has_the_protocol(name: str) -> None:
     assert callable(controller.bind) and callable(controller.step)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", TABLE)
 def test_every_controller_flies_the_healthy_aircraft(tmp_path: Path, name: str) -> None:
     """A turn of 30 deg and a climb of 5 m in calm air: on its references, and on them to the digit once settled."""

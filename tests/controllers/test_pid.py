@@ -91,14 +91,12 @@ def test_an_aircraft_with_ailerons_is_rolled_by_them(tmp_path: Path) -> None:
     assert not log["p_dot_released"].any()
 
 
-@pytest.mark.slow
 def test_a_gain_of_zero_is_noticed(tmp_path: Path) -> None:
     """Negative control: the bounds of `test_make` are not met by a controller that does not steer."""
     _, heading, _ = worst_errors(fly(scenario(tmp_path, "pid", 25, "controller.r_kp=0")))
     assert heading > 4.0
 
 
-@pytest.mark.slow
 def test_light_turbulence_is_held_with_real_sensors(tmp_path: Path) -> None:
     """What is asked of the healthy aircraft: within 4 m and 6 deg. Seed 2: one that the gains were chosen with."""
     weather = ("sensors=mems", "atmosphere.turbulence_w20_m_s=7.62", "seed=2", "controller.released=[p_dot]")

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
+from importlib import import_module
+
 import equations
+import pytest
 from equation_table import TABLE, Equation
 from equations import LAST, problems
 
@@ -10,6 +14,20 @@ from equations import LAST, problems
 def test_every_equation_has_a_test_that_names_it() -> None:
     assert list(problems(TABLE)) == []
     assert equations.table().count("\n") == len(TABLE) + 1
+
+
+LAW = [equation for equation in TABLE if equation.code.startswith("inversion.")]
+
+
+@pytest.mark.parametrize("equation", LAW, ids=lambda equation: equation.code)
+def test_the_law_has_the_number_at_its_line(equation: Equation) -> None:
+    """In a comment of the code that the table names, so that a reader of the paper can tick it off."""
+    module, _, name = equation.code.rpartition(".")
+    part = getattr(import_module(f"testbed.controllers.{module}"), name)
+    lines = inspect.getsource(getattr(part, "py_func", part)).splitlines()
+    comments = " ".join(line.partition("# ")[2] for line in lines)
+    first, last = equation.numbers
+    assert equations._named_in(f"\n{comments}") & set(range(first, last + 1)), comments
 
 
 def test_what_is_missing_is_said() -> None:

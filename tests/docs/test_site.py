@@ -12,7 +12,7 @@ import pytest
 from chromium import Window, opened, without
 from command_line import ROOT
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 
 WIDTHS = (1280, 390)
 

@@ -8,13 +8,13 @@ import shutil
 from pathlib import Path
 
 import pytest
+from code_blocks import all_blocks
 from command_line import ROOT, in_this_process
-from pages import all_blocks
 
 TUTORIALS = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("page", TUTORIALS, ids=lambda page: page.stem)
 def test_runs_as_written(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """YAML is saved under the name that the text gives it; a command ends with 0, or with what `# exit N` says."""

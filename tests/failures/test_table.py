@@ -240,7 +240,6 @@ def test_a_family_of_failures_is_shipped_for_each_type() -> None:
     assert set(TABLE) - flown == {"command_scale", "hardover", "bias", "position_limit"}
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("file", shipped(), ids=lambda file: file.stem)
 def test_shipped_scenarios_are_flown_to_their_requirements(file: Path) -> None:
     flight = simulation.fly(file)

@@ -10,7 +10,7 @@ import yaml
 from mutants import KINDS, scenario_bases, search_bases, sweep_bases
 from run import Examiner, examiners, fuzz
 
-from testbed.cli.checked import _valid
+from testbed.cli.validate import valid
 
 
 @pytest.fixture(scope="module")
@@ -19,7 +19,7 @@ def examiner() -> Iterator[Examiner]:
         yield one
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner) -> None:
     found = fuzz(kind, 40, 1, examiner, fly_every=5)
@@ -27,7 +27,7 @@ def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner
     assert sum(found.outcomes.values()) == 40 and found.outcomes["refused"] > 8
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_defect_a_hang_and_a_dead_process_are_noticed(examiner: Examiner) -> None:
     """The negative control: requests that the process cannot answer."""
     good = {"kind": "scenario", "files": {"s.yaml": "a: 1"}, "fly": False}
@@ -43,4 +43,4 @@ def test_the_unspoilt_bases_are_valid(tmp_path: Path) -> None:
     for i, tree in enumerate([*scenario_bases(), *sweep_bases(), *search_bases()]):
         file = tmp_path / f"{i}.yaml"
         file.write_text(yaml.safe_dump(tree), encoding="utf-8")
-        _valid(str(file))
+        valid(str(file))

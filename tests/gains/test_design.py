@@ -190,7 +190,7 @@ def test_the_default_law_gets_a_process_noise() -> None:
     assert found.possible and all(one.detection_s < 1.0 for one in found.actuators)
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_what_cannot_be_had_is_said_with_what_would_help() -> None:
     """Offsets of MEMS sensors; a time that noise does not allow; a trim where the model is wrong by more than the deflection."""
     offsets = design(scenario(sensors="mems"))

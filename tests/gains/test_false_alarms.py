@@ -44,6 +44,7 @@ def test_the_chain_predicts_the_flying_monitor(held: int, threshold: float, pers
     assert abs(count - wanted) <= 4.0 * math.sqrt(2.0 * wanted) + 0.03 * wanted
 
 
+@pytest.mark.nightly
 def test_the_chain_has_the_stationary_law() -> None:
     """Without persistence the alarms are the entries below the threshold; more noise, a higher threshold and less persistence
     give more."""
@@ -55,6 +56,7 @@ def test_the_chain_has_the_stationary_law() -> None:
     assert false_alarm_rate(math.inf, GAMMA, DT, 0.1, 0.6) == 0.0
 
 
+@pytest.mark.nightly
 def test_shape_for_inverts_the_rate() -> None:
     """The nu for one alarm in ten hours: to 1 % the least, and more where the position is held."""
     tolerated = 1.0 / 36000.0

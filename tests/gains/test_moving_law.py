@@ -24,6 +24,7 @@ def gusty() -> Scenario:
     return changed(base, settings)
 
 
+@pytest.mark.nightly
 def test_the_deviation_in_gusts_is_that_of_a_filter_whose_actuators_move(gusty: Scenario) -> None:
     """Flown with another seed: within a quarter of the prediction along a flight. At a standstill it is a fifth larger at least."""
     law = law_of(gusty)

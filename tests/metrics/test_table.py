@@ -47,7 +47,6 @@ def test_one_row_and_nan_do_not_raise() -> None:
     assert math.isnan(TABLE["altitude_error_max_m"](readings_of(log)))
 
 
-@pytest.mark.slow
 def test_metrics_of_a_run_folder_agree_with_its_summary(tmp_path: Path) -> None:
     short = ["duration_s=8", "failures.1.at_s=6.5", "requirements=[]"]
     flown = testbed.fly(load_scenario("scenarios/left_tail_fail.yaml", short))

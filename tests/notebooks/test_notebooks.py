@@ -1,78 +1,80 @@
-"""Notebooks are stored without output, use what is public, and run from top to bottom in a new folder."""
+"""Notebooks are stored with what they show, use what is public, and run from top to bottom in a new folder."""
 
 from __future__ import annotations
 
-import os
 import re
 from pathlib import Path
 
 import nbformat
 import pytest
-from command_line import ROOT
-from nbclient import NotebookClient
 
-NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+from notebooks import NOTEBOOKS, ROOT, code_digest, read, run
+
+of_all = pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
 
 
-def source(file: Path) -> str:
+def code(notebook: nbformat.NotebookNode) -> str:
     """All code of a notebook."""
-    cells = nbformat.read(file, as_version=4).cells
-    return "\n".join(cell.source for cell in cells if cell.cell_type == "code")
+    return "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "code")
 
 
-@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
-def test_stored_without_output(file: Path) -> None:
-    notebook = nbformat.read(file, as_version=4)
+def outputs(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
+    """Outputs of all code cells."""
+    return [output for cell in notebook.cells for output in cell.get("outputs", [])]
+
+
+def pictures(shown: list[nbformat.NotebookNode]) -> int:
+    return sum("image/png" in output.get("data", {}) for output in shown)
+
+
+def texts(notebook: nbformat.NotebookNode) -> list[str]:
+    """What a notebook shows in words and numbers."""
+    return [output.get("text") or output["data"].get("text/plain", "") for output in outputs(notebook)]
+
+
+@of_all
+def test_stored_with_the_outputs_of_its_code(file: Path) -> None:
+    """If it fails: python docs/generate/notebooks.py."""
+    notebook = read(file)
     nbformat.validate(notebook)
-    for cell in notebook.cells:
-        assert not cell.get("outputs") and cell.get("execution_count") is None
+    assert notebook.metadata.get("code_digest") == code_digest(notebook)
+    assert pictures(outputs(notebook)) and not re.search(r"/tmp/|/home/|/root/", str(texts(notebook)))
+    ran = [cell.execution_count for cell in notebook.cells if cell.cell_type == "code"]
+    assert ran == list(range(1, len(ran) + 1))
 
 
-@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
+@of_all
 def test_public_names_are_enough(file: Path) -> None:
-    code = source(file)
-    assert "import testbed" in code and not re.search(
-        r"\btestbed\.(?!(design|fly|sweep|load)\()\w+|from testbed", code
+    source = code(read(file))
+    assert "import testbed" in source and not re.search(
+        r"\btestbed\.(?!(design|fly|sweep|load)\()\w+|from testbed", source
     )
 
 
-@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
+@of_all
 def test_it_ends_in_what_it_shows(file: Path) -> None:
     """The last cell is a sentence or two, about the figure of the cell before it."""
-    *_, figure, last = nbformat.read(file, as_version=4).cells
+    *_, figure, last = read(file).cells
     assert (figure.cell_type, last.cell_type) == ("code", "markdown")
     assert "plot" in figure.source and 20 < len(last.source.split()) < 100
 
 
-def executed(
-    file: Path, folder: Path, monkeypatch: pytest.MonkeyPatch, old: str = "", new: str = ""
-) -> list[dict]:
-    """Outputs of a notebook's code cells, run in a folder with nothing in it; every cell must have some or none fail."""
-    paths = [str(ROOT / "src"), os.environ.get("PYTHONPATH", "")]
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(path for path in paths if path))
-    monkeypatch.setenv("IPYTHONDIR", str(folder / "ipython"))
-    monkeypatch.setenv("JUPYTER_DATA_DIR", str(folder / "jupyter"))  # not a kernel of the user's own
-    monkeypatch.setenv("TMPDIR", str(folder))
-    notebook = nbformat.read(file, as_version=4)
+@pytest.mark.nightly
+@of_all
+def test_it_still_shows_what_is_stored(file: Path, tmp_path: Path) -> None:
+    """Words and numbers; of pictures, that there are as many. If it fails: python docs/generate/notebooks.py."""
+    stored, notebook = read(file), read(file)
+    run(notebook, tmp_path)
+    assert texts(notebook) == texts(stored)
+    assert pictures(outputs(notebook)) == pictures(outputs(stored))
+    assert pictures(outputs(notebook)[-1:]) == 1
+
+
+@pytest.mark.nightly
+def test_the_sweep_says_something_of_few_runs_too(tmp_path: Path) -> None:
+    notebook = read(ROOT / "notebooks" / "monte_carlo.ipynb")
     for cell in notebook.cells:
-        cell.source = cell.source.replace(old, new) if old else cell.source
-    where = {"metadata": {"path": str(folder)}}
-    NotebookClient(notebook, timeout=600, kernel_name="python3", resources=where).execute()
-    return [output for cell in notebook.cells for output in cell.get("outputs", [])]
-
-
-def pictures(outputs: list[dict]) -> int:
-    return sum("image/png" in output.get("data", {}) for output in outputs)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
-def test_runs(file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    outputs = executed(file, tmp_path, monkeypatch)
-    assert pictures(outputs[-1:]) == 1 and all(output["output_type"] != "error" for output in outputs)
-
-
-@pytest.mark.slow
-def test_the_sweep_says_something_of_few_runs_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    outputs = executed(ROOT / "notebooks/monte_carlo.ipynb", tmp_path, monkeypatch, "runs=30", "runs=4")
-    assert pictures(outputs) == 2 and "left tail monte carlo: 4 of 4 runs flown" in str(outputs)
+        cell.source = cell.source.replace("runs=30", "runs=4")
+    run(notebook, tmp_path)
+    assert pictures(outputs(notebook)) == 2
+    assert "left tail monte carlo: 4 of 4 runs flown" in str(outputs(notebook))

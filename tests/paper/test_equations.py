@@ -648,7 +648,6 @@ def test_eq_32_diverges_when_the_disturbance_exceeds_r() -> None:
     assert np.all(bounded[-100:, 0] == 1.1) and bounded.max() <= 1.1
 
 
-@pytest.mark.slow
 def test_eq_32_white_noise_gives_the_stationary_law() -> None:
     """(32) with white noise, exponential update: theta = 1/lambda_hat ~ Gamma(nu), nu = 2
     r^2/(gamma s).

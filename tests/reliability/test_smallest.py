@@ -128,6 +128,7 @@ def test_the_origin_must_pass(value: float, said: str) -> None:
         smallest_failure(lambda u: np.full(len(u), value), 3)
 
 
+@pytest.mark.nightly
 @given(budget=st.integers(10, 400), dimensions=st.integers(1, 12), starts=st.integers(1, 5))
 @settings(max_examples=30, deadline=None)
 def test_never_more_than_the_budget(budget: int, dimensions: int, starts: int) -> None:

@@ -34,6 +34,7 @@ def results(case: limit_states.Case, seeds: int, **given: object) -> list[Failur
     ]
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", KNOWN)
 def test_the_interval_covers_and_the_estimate_is_near(name: str, method: str) -> None:

@@ -17,7 +17,7 @@ from testbed.reporting.run_report import write_report
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 _CORNERS = [[-1, 0, 0], [-1, 1, 0], [-1.2, 1, 0], [-1.2, 0, 0]]  # of a right elevator
 
 

@@ -302,7 +302,6 @@ def spoiled_trees(draw: st.DrawFn) -> dict[str, object]:
     return tree  # type: ignore[no-any-return]
 
 
-@pytest.mark.slow
 @settings(max_examples=400, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(spoiled_trees())
 def test_any_spoiled_scenario_is_refused_in_words_or_flies(tmp_path: Path, tree: dict[str, object]) -> None:

@@ -27,7 +27,6 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
     cluster.close()
 
 
-@pytest.mark.slow
 def test_processes_stay_for_the_next_batch(tmp_path: Path) -> None:
     plan = load_search(written(tmp_path))
     options = Options(jobs=2, save_logs="none", fly=search_flights.in_its_process)
@@ -41,7 +40,7 @@ def test_processes_stay_for_the_next_batch(tmp_path: Path) -> None:
     assert 1 <= len(seen) <= 2
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_cluster_gives_the_same_bytes(cluster: Cluster, tmp_path: Path) -> None:
     file = written(tmp_path, REAL.replace("at_most: 1", "at_most: 0.38"))
     testbed.search(file, tmp_path / "here", jobs=1, figures=False)

@@ -47,7 +47,6 @@ def test_the_scenario_found_flies_again_to_the_same_log(tmp_path: Path) -> None:
     assert not gusty(again).passed
 
 
-@pytest.mark.slow
 def test_two_workers_and_a_search_that_went_on_give_the_same_bytes(tmp_path: Path) -> None:
     file = written(tmp_path)
     searched(file, tmp_path / "one")
@@ -60,7 +59,7 @@ def test_two_workers_and_a_search_that_went_on_give_the_same_bytes(tmp_path: Pat
     same_bytes(tmp_path / "one", tmp_path / "two")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
     file = written(tmp_path, SEARCH.replace("budget: 300", "budget: 60"))
     searched(file, tmp_path / "whole", fly="slow")
@@ -135,7 +134,6 @@ def test_flights_without_a_result_are_refused_with_the_reason(tmp_path: Path) ->
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.slow
 def test_refused_by_a_worker_too(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="has no result: ValueError: it went wrong"):
         testbed.search(written(tmp_path), tmp_path / "out", fly=search_flights.lost, jobs=1)

@@ -16,7 +16,7 @@ from testbed.sweeps.load import load_sweep
 from testbed.sweeps.progress import Progress, bar
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 @pytest.mark.parametrize("terminal", [True, False])
 def test_progress_on_a_terminal_only(tmp_path: Path, terminal: bool) -> None:
     flying = flown(written(tmp_path), tmp_path / "out", "runs=20")

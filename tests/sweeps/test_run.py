@@ -27,7 +27,6 @@ from testbed.sweeps.load import load_sweep
 from testbed.sweeps.run import Options, fly_sweep
 
 
-@pytest.mark.slow
 def test_any_number_of_workers_gives_the_same_bytes(tmp_path: Path) -> None:
     """More workers than cores, and only one."""
     sweep, one = written(tmp_path), tmp_path / "one"
@@ -38,7 +37,7 @@ def test_any_number_of_workers_gives_the_same_bytes(tmp_path: Path) -> None:
     assert (one / "summary.json").read_bytes() == (tmp_path / "out/summary.json").read_bytes()
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     whole = fly_here(load_sweep(sweep), tmp_path / "whole", "sweep_flights:slow")
@@ -62,7 +61,6 @@ def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
     assert not list((tmp_path / "out").rglob(".*partial"))
 
 
-@pytest.mark.slow
 def test_resuming_flies_only_the_rest(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     testbed.sweep(sweep, tmp_path / "out", runs=5, jobs=1, fly=quick, figures=False)
@@ -73,7 +71,7 @@ def test_resuming_flies_only_the_rest(tmp_path: Path) -> None:
     same_rows(fly_here(load_sweep(sweep, ["runs=9"]), tmp_path / "whole"), tmp_path / "out")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_full_disk_keeps_what_had_finished(tmp_path: Path) -> None:
     """Files that may not grow beyond 20 kB stand for the disk: the journal's next line does not fit."""
     sweep = written(tmp_path)

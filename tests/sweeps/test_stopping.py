@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-import pytest
 from sweep_files import SWEEP, written
 from sweep_flights import quick
 
@@ -15,7 +14,6 @@ from testbed.sweeps.statistics import proportion
 from testbed.sweeps.stopping import Stopping
 
 
-@pytest.mark.slow
 def test_stopping_does_not_depend_on_workers(tmp_path: Path) -> None:
     text = SWEEP + "stop_when: {half_width: 0.15, confidence: 0.9}\n"
     tables = []

@@ -65,11 +65,11 @@ class Loops(Settings):
     """Altitude that a regulator gains for each m/s of airspeed above its trim, if an actuator is jammed [s]: V/36. V/g would turn
     all of that airspeed into altitude, but overshoots into a stall."""
     lost_thrust_height_m: NonNegative = 8.0
-    """Height that is stored as kinetic energy when one propeller of several is left [m]. It is flown faster by the difference
-    between V and the root of V^2 + 2 g h. In air that sinks, the store is spent before altitude is given up: little thrust is left
+    """Height that is stored as kinetic energy when one propeller of several remains [m]. It is flown faster by the difference
+    between V and the root of V^2 + 2 g h. In air that sinks, the store is spent before altitude is given up: little thrust remains
     to climb with, because the tail has to balance its yawing moment, which is proportional to T/V^2."""
     lost_thrust_faster_m_s: NonNegative = DERIVED
-    """In place of what `lost_thrust_height_m` gives: added to the airspeed reference when one propeller of several is left
+    """In place of what `lost_thrust_height_m` gives: added to the airspeed reference when one propeller of several remains
     [m/s]."""
     lost_thrust_protect_from_m_s: NonNegative = DERIVED
     """In place of `protect_from_m_s` once a propeller has failed [m/s]. By default as much as is flown faster, so that altitude

@@ -88,17 +88,24 @@ def _names_in(folder: Path) -> list[str]:
 
 
 def find_scenario(path: str | Path) -> Path:
-    """A scenario, sweep or search by its path, else the shipped file with that path; raises BadInput when there is neither."""
+    """A scenario, sweep or search by its path, else the shipped file with that path or name; raises BadInput when there is none."""
     for candidate in (Path(path), data_root() / path):
         if os.path.exists(candidate):
             return candidate
-    every = (*scenario_files(), *sweep_files(), *search_files())
-    shipped = {file.stem: str(file.relative_to(data_root())) for file in every}
+    for file in shipped_files():
+        if file.name == str(path):
+            return file
+    shipped = {file.stem: str(file.relative_to(data_root())) for file in shipped_files()}
     folder = Path(path).parent
     beside = {Path(name).stem: str(folder / name) for name in _names_in(folder) if name.endswith(".yaml")}
     known = shipped | beside
     close = known.get(did_you_mean(Path(path).stem, known), "")
     raise BadInput([Problem("there is no such file", str(path), suggestion=close)])
+
+
+def shipped_files() -> list[Path]:
+    """Scenario, sweep and search files that come with the testbed."""
+    return [*scenario_files(), *sweep_files(), *search_files()]
 
 
 def scenario_files() -> list[Path]:

@@ -1,6 +1,5 @@
-"""The command line: `commands` has the parser and the exit status, and the other modules carry the commands out.
+"""The command line: a file for each command, named after it, with its arguments, its examples and what it does.
 
-`flight` flies one scenario and reports a run folder; `sweep` does the same for a sweep; `checked` reads and checks input;
-`export` writes a flight for other programs; `aircraft` identifies design models; `catalogue` lists what is available;
-`completion` completes commands in a shell; `working` says on a terminal what takes long.
+`parser` lists the commands, `commands` runs one and says in one line what goes wrong, `status` has the exit status. `command` has
+what commands share; `checked` reads and checks a scenario; `working` says on a terminal what takes long.
 """

@@ -2,14 +2,34 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from argparse import ArgumentParser, Namespace
+
+from testbed.cli.command import Command, add_out
+from testbed.cli.status import MET
+from testbed.cli.working import working
 
 
-def adopt(model: str, out: Path | None) -> None:
-    """Adopt a model into `out`, by default a folder of the model's name here; raises BadInput with what is missing."""
+def _arguments(command: ArgumentParser) -> None:
+    meaning = "name of a model in the jsbsim package, such as c172p, or a model's folder"
+    command.add_argument("model", help=meaning)
+    add_out(command, "DIR", "folder to make (default: the model's name, here)")
+
+
+def _run(options: Namespace) -> int:
+    """Adopt a model into a folder; raises BadInput with what is missing."""
     from testbed.adoption import entry
     from testbed.adoption.first_flight import FILE
 
-    folder, card = entry.adopt(model, out)
+    with working("adopting"):
+        folder, card = entry.adopt(options.model, options.out)
     print(card)
     print(f"\nwrote {folder}; break it with: testbed run {folder / FILE}")
+    return MET
+
+
+COMMAND = Command(
+    "make an aircraft of a JSBSim model, in a folder of its own, and print its card",
+    _arguments,
+    _run,
+    ("testbed adopt c172p", "testbed adopt ./my_model --out aircraft/mine"),
+)

@@ -1,11 +1,10 @@
-"""Read and check all input before anything flies: this is `testbed validate`, and the first step of `testbed run`."""
+"""Read and check a scenario before anything flies: the first step of `testbed run`, and of `testbed validate`."""
 
 from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable, Iterable, Sequence
-from functools import partial
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from testbed.inputs.problems import BadInput, Problem
@@ -14,16 +13,6 @@ if TYPE_CHECKING:
     from testbed.scenario.load import Scenario
 
 Result = TypeVar("Result")
-
-
-def validate(files: Iterable[str]) -> None:
-    """Check scenario, sweep and search files, and print the valid ones; raises BadInput with all problems of the others."""
-    problems: list[Problem] = []
-    for file in files:
-        if collect(problems, partial(_valid, file)) is not None:
-            print(f"{file}: ok")
-    if problems:
-        raise BadInput(problems)
 
 
 def collect(problems: list[Problem], function: Callable[[], Result]) -> Result | None:
@@ -67,21 +56,3 @@ def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
     for warning in conditions.warnings(scenario):
         print(f"WARNING: {warning}", file=sys.stderr)
     return scenario
-
-
-def _valid(file: str) -> object:
-    """The scenario, the sweep or the search in a file, checked."""
-    from testbed.aircraft.shipped import find_scenario
-    from testbed.inputs import yaml_source
-    from testbed.inputs.kinds import is_search, is_sweep
-
-    tree = yaml_source.read(find_scenario(file)).tree
-    if is_search(tree):
-        from testbed import searching
-
-        return searching.prepare(file)
-    if not is_sweep(tree):
-        return checked(file)
-    from testbed import monte_carlo
-
-    return monte_carlo.prepare(file)

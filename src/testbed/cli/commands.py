@@ -11,8 +11,8 @@ import traceback
 from collections.abc import Sequence
 from pathlib import Path
 
-from testbed.cli import completion, interrupts
-from testbed.cli.parser import parser
+from testbed.cli import interrupts
+from testbed.cli.parser import FIRST_STEPS, parser
 from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, NOT_MET, Ended
 from testbed.cli.terminal import give_up_stdout, plain_output
 from testbed.inputs.problems import BadInput
@@ -43,7 +43,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None) -> int:
     top = parser()
-    completion.answer(top)  # ends the process if a shell asks for completions
+    if "_ARGCOMPLETE" in os.environ:
+        import argcomplete
+
+        argcomplete.autocomplete(top)  # ends the process if a shell asks for completions
+    if not (sys.argv[1:] if arguments is None else arguments):
+        return _said(FIRST_STEPS.rstrip(), BAD_INPUT)
     options = top.parse_args(arguments)
     try:
         status: int = options.command(options)

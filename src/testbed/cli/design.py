@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import argparse
 import math
+from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.cli.checked import checked
+from testbed.cli.command import Command, add_file, add_number, add_out, add_set, number
 from testbed.cli.interrupts import tidily
+from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
-from testbed.common.signals import RATES
 from testbed.inputs.output_file import refuse_unwritable, written
 
 if TYPE_CHECKING:
@@ -19,8 +20,19 @@ if TYPE_CHECKING:
     from testbed.gains.verdict import ActuatorDesign
 
 
-def design(options: argparse.Namespace) -> bool:
-    """Print gains for a scenario and what they are expected to do; returns whether all that is asked can be had.
+def _arguments(command: ArgumentParser) -> None:
+    add_file(command, "scenario")
+    add_number(command, "--deviation", 0.1, "SIGMA", "tolerated standard deviation of an estimate")
+    add_number(command, "--false-alarms", 0.1, "RATE", "tolerated false alarms per hour")
+    add_number(command, "--keep", 0.2, "EFFECTIVENESS", "effectiveness that must not be flagged")
+    within = "time in which an estimate has to converge"
+    command.add_argument("--within", type=number, metavar="SECONDS", help=within)
+    add_out(command, "FILE", "write the YAML into this file too")
+    add_set(command)
+
+
+def _run(options: Namespace) -> int:
+    """Print gains for a scenario and what they are expected to do.
 
     Raises BadInput when the scenario or a tolerance cannot be used, or the file cannot be written.
     """
@@ -42,7 +54,7 @@ def design(options: argparse.Namespace) -> bool:
     print(yaml_of(found), end="")
     if options.out is not None:
         _write(options.out, yaml_of(found))
-    return found.possible
+    return MET if found.possible else NOT_MET
 
 
 def yaml_of(found: Design) -> str:
@@ -59,6 +71,8 @@ def _value(value: Any) -> str:
 
 
 def _sentences(found: Design) -> Iterator[str]:
+    from testbed.common.signals import RATES
+
     yield f"{found.scenario.name}: level flight at {found.scenario.initial.airspeed_m_s:g} m/s"
     yield from _table(found.actuators)
     often = (
@@ -106,3 +120,11 @@ def _write(path: Path, text: str) -> None:
     with tidily(), written(path) as partial:
         partial.write_text(text, encoding="utf-8")
     print(f"wrote {path}")
+
+
+COMMAND = Command(
+    "gains of the estimator from a scenario's noise, as YAML",
+    _arguments,
+    _run,
+    ("testbed design mems_turbulence.yaml", "testbed design my_scenario.yaml --within 2 --out gains.yaml"),
+)

@@ -2,18 +2,40 @@
 
 from __future__ import annotations
 
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.loading import load_flight
-from testbed.reporting.export import export as write
-from testbed.reporting.export import format_of
-from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
+from testbed.cli.command import Command, add_origin, add_out
+from testbed.cli.status import MET
 
 
-def export(run: Path, to: str, out: Path | None, origin: str | None) -> None:
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("run", type=Path, help="run folder")
+    command.add_argument("--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap or mat")
+    add_out(command, "FILE", "file to make (default: the scenario's name, in the run folder)")
+    add_origin(command, "for formats that show a place")
+
+
+def _run(options: Namespace) -> int:
     """Write a run in a format of `reporting.export.TABLE`, by default into its folder; raises BadInput."""
-    start = DEFAULT_ORIGIN if origin is None else parse_origin(origin)
-    flight = load_flight(run)
-    folder = run if run.is_dir() else run.parent
-    file = write(flight, to, out or folder / f"{flight.scenario.slug}{format_of(to).ending}", start)
-    print(f"wrote {file}")
+    from testbed.loading import load_flight
+    from testbed.reporting.export import export, format_of
+    from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
+
+    start = DEFAULT_ORIGIN if options.origin is None else parse_origin(options.origin)
+    flight = load_flight(options.run)
+    folder = options.run if options.run.is_dir() else options.run.parent
+    usual = folder / f"{flight.scenario.slug}{format_of(options.to).ending}"
+    print(f"wrote {export(flight, options.to, options.out or usual, start)}")
+    return MET
+
+
+COMMAND = Command(
+    "write a flight for another program",
+    _arguments,
+    _run,
+    (
+        "testbed export runs/left-tail-fail --to kml",
+        "testbed export runs/left-tail-fail --to mat --out flight.mat",
+    ),
+)

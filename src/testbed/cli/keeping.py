@@ -8,12 +8,13 @@ from pathlib import Path
 
 from testbed.cli.status import ENDED_EARLY, INTERRUPTED, Ended
 from testbed.cli.working import working
-from testbed.sweeps.run import Stopped
 
 
 @contextmanager
 def flying() -> Iterator[None]:
     """For the block that flies: raises Ended when it stops before the last flight."""
+    from testbed.sweeps.run import Stopped
+
     try:
         yield
     except Stopped as stopped:

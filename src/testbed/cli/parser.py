@@ -1,87 +1,116 @@
-"""The commands of the command line: what each is for, what runs it, and its options."""
+"""The commands, and the parser of the command line: what it refuses it says as every other problem with the input is said."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
-from typing import NamedTuple
+import re
+from collections.abc import Iterator
+from typing import Any, NoReturn
 
-from testbed import __version__
-from testbed.cli import actions, arguments
-from testbed.cli.option_parser import Parser
+from testbed.cli.adopt import COMMAND as ADOPT
+from testbed.cli.certify import COMMAND as CERTIFY
+from testbed.cli.command import Command
+from testbed.cli.compare import COMMAND as COMPARE
+from testbed.cli.completion import COMMAND as COMPLETION
+from testbed.cli.design import COMMAND as DESIGN
+from testbed.cli.export import COMMAND as EXPORT
+from testbed.cli.identify import COMMAND as IDENTIFY
+from testbed.cli.init import COMMAND as INIT
+from testbed.cli.list import COMMAND as LIST
+from testbed.cli.report import COMMAND as REPORT
+from testbed.cli.run import COMMAND as RUN
+from testbed.cli.schema import COMMAND as SCHEMA
+from testbed.cli.search import COMMAND as SEARCH
+from testbed.cli.sweep import COMMAND as SWEEP
+from testbed.cli.validate import COMMAND as VALIDATE
+from testbed.inputs.problems import did_you_mean, guess
 
-
-class Command(NamedTuple):
-    """A command: its description, the action, and what gives its parser the arguments."""
-
-    description: str
-    run: Callable[[argparse.Namespace], int]
-    add_arguments: Callable[[argparse.ArgumentParser], None]
-
-
-TABLE = {
-    "run": Command("fly one scenario", actions.fly, arguments.of_run),
-    "sweep": Command("Monte Carlo: fly many variations of a scenario", actions.sweep, arguments.of_sweep),
-    "search": Command(
-        "the smallest failure that breaks a requirement, or how likely one is",
-        actions.search,
-        arguments.of_search,
-    ),
-    "report": Command(
-        "rebuild figures and report of a run, sweep or search folder", actions.report, arguments.of_report
-    ),
-    "compare": Command("flights side by side, in one page", actions.compare, arguments.of_compare),
-    "export": Command("write a flight for another program", actions.export, arguments.of_export),
-    "validate": Command(
-        "check scenarios, sweeps and searches without flying", actions.validate, arguments.of_validate
-    ),
-    "identify": Command(
-        "find an aircraft's design model and store it in the aircraft's folder",
-        actions.identify,
-        arguments.of_identify,
-    ),
-    "design": Command(
-        "gains of the estimator from a scenario's noise, as YAML", actions.design, arguments.of_design
-    ),
-    "adopt": Command(
-        "make an aircraft of a JSBSim model, in a folder of its own, and print its card",
-        actions.adopt,
-        arguments.of_adopt,
-    ),
-    "certify": Command(
-        "say how wrong the input matrix of a scenario's design model may be",
-        actions.certify,
-        arguments.of_certify,
-    ),
-    "list": Command(
-        "list the names that scenarios and commands can use, with their meanings",
-        actions.list_names,
-        arguments.of_list,
-    ),
-    "schema": Command(
-        "print the JSON schema of a kind of file, for editors that check YAML",
-        actions.schema,
-        arguments.of_schema,
-    ),
-    "init": Command(
-        "make a small project: a scenario, a sweep, a controller, and schemas for editors",
-        actions.init,
-        arguments.of_init,
-    ),
-    "completion": Command(
-        "print the completion script of a shell", actions.print_completion, arguments.of_completion
-    ),
+TABLE: dict[str, Command] = {
+    "run": RUN,
+    "sweep": SWEEP,
+    "search": SEARCH,
+    "report": REPORT,
+    "compare": COMPARE,
+    "export": EXPORT,
+    "validate": VALIDATE,
+    "identify": IDENTIFY,
+    "design": DESIGN,
+    "adopt": ADOPT,
+    "certify": CERTIFY,
+    "list": LIST,
+    "schema": SCHEMA,
+    "init": INIT,
+    "completion": COMPLETION,
 }
 """The commands by their names, in the order of `--help`."""
+
+FIRST_STEPS = """\
+testbed breaks the actuators of a small aircraft in flight, and shows what its controller does about it.
+
+  testbed run left_tail_fail.yaml   fly a shipped scenario; report.html in its folder shows the flight
+  testbed list scenarios            what else can be flown
+  testbed init my_project           a scenario, a sweep and a controller to begin with
+  testbed --help                    every command; testbed COMMAND --help: its options, with examples
+"""
+"""What `testbed` says when it is given no command."""
+
+_UNKNOWN = re.compile(r"unrecognized arguments: (.*)", re.DOTALL)
 
 
 def parser() -> argparse.ArgumentParser:
     """The commands and their options."""
     top = Parser(prog="testbed", description="A flight-control failure testbed.")
-    top.add_argument("--version", action="version", version=f"testbed {__version__}")
+    top.add_argument("--version", action=_Version, nargs=0, help="print the version")
     commands = top.add_subparsers(required=True, metavar="COMMAND")
     for name, command in TABLE.items():
-        one = commands.add_parser(name, help=command.description, description=command.description)
+        one = commands.add_parser(
+            name,
+            help=command.purpose,
+            description=command.purpose,
+            epilog="\n  ".join(["examples:", *command.examples]),
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+        )
         one.set_defaults(command=command.run)
         command.add_arguments(one)
     return top
+
+
+class _Version(argparse.Action):
+    """Finds the version only when it is asked for, because that takes a quarter of the time of `--help`."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: Any) -> None:
+        from testbed import __version__
+
+        print(f"testbed {__version__}")
+        parser.exit()
+
+
+class Parser(argparse.ArgumentParser):
+    """Says what was probably meant by a command, a choice or an option that does not exist."""
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is not None and value not in action.choices:
+            expected, suggestion = guess(value, map(str, action.choices))
+            words = f", did you mean {suggestion}?" if suggestion else f", expected {expected}"
+            raise argparse.ArgumentError(action, f"{value!r} is not known{words}")
+
+    def error(self, message: str) -> NoReturn:
+        """Print usage and what is wrong, and end the process with status 2."""
+        unknown = _UNKNOWN.fullmatch(message)
+        if unknown:
+            words = unknown[1].split(" ")
+            close = [
+                did_you_mean(word.partition("=")[0], _options(self)) for word in words if word[:1] == "-"
+            ]
+            meant = "".join(f", did you mean {option}?" for option in dict.fromkeys(filter(None, close)))
+            message = f"not known: {unknown[1]}{meant}"
+        super().error(message)
+
+
+def _options(parser: argparse.ArgumentParser) -> Iterator[str]:
+    """The options of a parser and of its commands."""
+    for action in parser._actions:
+        yield from action.option_strings
+        if isinstance(action, argparse._SubParsersAction):
+            for command in action.choices.values():
+                yield from _options(command)

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import json
+from argparse import ArgumentParser, Namespace
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, get_args
+from typing import TYPE_CHECKING, Any, get_args
 
-from pydantic import BaseModel
-
+from testbed.cli.command import Command, add_out
+from testbed.cli.status import MET
 from testbed.common.docstrings import field_docstrings
 from testbed.inputs.output_file import refuse_unwritable, written
+
+if TYPE_CHECKING:
+    from pydantic import BaseModel
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -59,15 +63,21 @@ def text_of(kind: str) -> str:
     return json.dumps(schema_of(TABLE[kind]()), indent=1, ensure_ascii=False) + "\n"
 
 
-def write(kind: str, out: Path | None) -> None:
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("kind", choices=TABLE)
+    add_out(command, "FILE", "write it into this file")
+
+
+def _run(options: Namespace) -> int:
     """Print a schema, or write it into a file, also over an earlier schema; raises BadInput if that cannot be done."""
-    if out is None:
-        print(text_of(kind), end="")
-        return
-    refuse_unwritable(out, _is_schema)
-    with written(out) as partial:
-        partial.write_text(text_of(kind), encoding="utf-8")
-    print(f"wrote {out}")
+    if options.out is None:
+        print(text_of(options.kind), end="")
+        return MET
+    refuse_unwritable(options.out, _is_schema)
+    with written(options.out) as partial:
+        partial.write_text(text_of(options.kind), encoding="utf-8")
+    print(f"wrote {options.out}")
+    return MET
 
 
 def _is_schema(file: Path) -> bool:
@@ -102,6 +112,8 @@ def _explain(part: dict[str, Any], model: type[BaseModel]) -> None:
 
 def _models(kind: Any, seen: set[type] | None = None) -> Iterator[type[BaseModel]]:
     """A model, and every model in the types of its fields."""
+    from pydantic import BaseModel
+
     seen = set() if seen is None else seen
     if isinstance(kind, type) and issubclass(kind, BaseModel):
         if kind in seen:
@@ -113,3 +125,11 @@ def _models(kind: Any, seen: set[type] | None = None) -> Iterator[type[BaseModel
         return
     for part in get_args(kind):
         yield from _models(part, seen)
+
+
+COMMAND = Command(
+    "print the JSON schema of a kind of file, for editors that check YAML",
+    _arguments,
+    _run,
+    ("testbed schema scenario --out scenario.json",),
+)

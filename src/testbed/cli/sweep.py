@@ -2,29 +2,55 @@
 
 from __future__ import annotations
 
-import argparse
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from testbed import monte_carlo
-from testbed.cli.flight import print_verdict
+from testbed.cli.command import (
+    Command,
+    add_file,
+    add_many_flights,
+    add_out,
+    add_set,
+    whole_number,
+)
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.keeping import flying, writing
+from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
-from testbed.common.files import slug
-from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
 from testbed.study_reports.sweep.answer import answer
-from testbed.sweeps.run import Options, fly_sweep
+
+if TYPE_CHECKING:
+    from testbed.sweeps.run import Options
 
 
-def fly(options: argparse.Namespace) -> int:
+def _arguments(command: ArgumentParser) -> None:
+    add_file(command, "sweep")
+    add_out(command, "DIR", "sweep folder to make (default: runs/<name>)")
+    runs = "number of runs; with --resume, a larger number adds runs"
+    command.add_argument("--runs", type=whole_number, metavar="N", help=runs)
+    add_many_flights(command)
+    command.add_argument(
+        "--only", type=whole_number, metavar="I", help="fly run I alone and keep its whole log"
+    )
+    variant = "with --only: fly only this one of the compared variants, into a run folder"
+    command.add_argument("--variant", metavar="LABEL", help=variant)
+    logs = "logs to keep: none, failed (default) or all"
+    command.add_argument("--save-logs", default="failed", metavar="WHICH", help=logs)
+    add_set(command)
+
+
+def _run(options: Namespace) -> int:
     """Fly a sweep, or one run of it, print the answer, and return the exit status.
 
     Raises BadInput when nothing can be flown, and Ended when it ends early.
     """
+    from testbed import monte_carlo
+    from testbed.sweeps.run import fly_sweep
+
     how = monte_carlo.options(options.jobs, options.cluster, options.save_logs)
     if options.only is None and options.variant is not None:
         raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
@@ -52,6 +78,8 @@ def fly(options: argparse.Namespace) -> int:
 
 def report(folder: Path) -> int:
     """Write table, summary, figures and report of a sweep folder again; returns the exit status."""
+    from testbed import monte_carlo
+
     with working("drawing and writing"), tidily():
         summary = monte_carlo.rebuild(folder)
     print_answer(summary)
@@ -83,8 +111,11 @@ def _status(summary: dict[str, Any]) -> int:
     return MET if all(share["successes"] == share["n"] for share in shares) else NOT_MET
 
 
-def _fly_only(options: argparse.Namespace, how: Options) -> int:
+def _fly_only(options: Namespace, how: Options) -> int:
     """Fly one run alone, tell each of its flights, and return the exit status."""
+    from testbed import monte_carlo
+    from testbed.flight.folder import refuse_existing, refuse_unwritable
+
     plan, usual = monte_carlo.prepare(
         options.sweep, None, options.set, runs=options.runs, seed=options.seed, controllers=options.controller
     )
@@ -104,14 +135,30 @@ def _fly_only(options: argparse.Namespace, how: Options) -> int:
 
 def _name(sweep: str, run: int, variant: str | None) -> str:
     """The folder's name: `left-tail-monte-carlo-run-17-pid`."""
+    from testbed.common.files import slug
+
     return f"{sweep}-run-{run}" + (f"-{slug(variant, otherwise='variant')}" if variant else "")
 
 
 def report_run(path: Path) -> int:
     """Write the page of each kept log of a run in a sweep; returns the exit status."""
+    from testbed import monte_carlo
+
     with tidily():
         made = monte_carlo.report_run(path)
     for flight, file in made:
         print_verdict(flight)
         print(f"wrote {file}")
     return MET if all(flight.passed for flight, _ in made) else NOT_MET
+
+
+COMMAND = Command(
+    "Monte Carlo: fly many variations of a scenario",
+    _arguments,
+    _run,
+    (
+        "testbed sweep left_tail_monte_carlo.yaml --runs 100",
+        "testbed sweep my_sweep.yaml --out runs/my-sweep --resume --runs 1000",
+        "testbed sweep my_sweep.yaml --only 17",
+    ),
+)

@@ -10,8 +10,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 _LONGEST_SLUG = 100
 """Most file systems take names of 255 bytes, of which temporary names need some."""
 
@@ -63,7 +61,7 @@ def plain(value: Any) -> Any:
     """
     if isinstance(value, Mapping):
         return {str(key): plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray | np.generic):
+    if hasattr(value, "tolist"):  # of numpy, which is not imported for this
         return plain(value.tolist())
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]

@@ -19,6 +19,11 @@ def printable(text: str) -> str:
     return text.translate(_SHOWN)
 
 
+def with_article(word: str) -> str:
+    """A word with its indefinite article: `a servo`, `an engine`."""
+    return f"{'an' if word[0] in 'aeiou' else 'a'} {word}"
+
+
 def cell(text: str) -> str:
     """A text as a cell of a CSV file: with a quote `'` before it if a spreadsheet could take it for a formula.
 

@@ -74,11 +74,14 @@ def advance_engine(i, dt, axial, m, s):
     rates."""
     row, part = row_of(axial, m.speeds[i])
     last = m.throttles.shape[1] - 1
-    x, left = min(max(s.followed[i], m.throttles[i, 0]), m.throttles[i, last]), 0
-    while left < last - 1 and m.throttles[i, left + 1] < x:
-        left += 1
-    below, above = between(i, row, part, left, m.thrust_map), between(i, row, part, left + 1, m.thrust_map)
-    share = (x - m.throttles[i, left]) / (m.throttles[i, left + 1] - m.throttles[i, left])
+    x, column = min(max(s.followed[i], m.throttles[i, 0]), m.throttles[i, last]), 0
+    while column < last - 1 and m.throttles[i, column + 1] < x:
+        column += 1
+    below, above = (
+        between(i, row, part, column, m.thrust_map),
+        between(i, row, part, column + 1, m.thrust_map),
+    )
+    share = (x - m.throttles[i, column]) / (m.throttles[i, column + 1] - m.throttles[i, column])
     s.position[i] = below + share * (above - below)
     change = (1.0 - math.exp(-m.engine_lag[i] * dt)) * (s.command[i] - s.followed[i])
     s.followed[i] += min(max(change, -m.fall[i] * dt), m.rise[i] * dt)
@@ -154,8 +157,8 @@ def coefficient(i, table, advance_ratio, m):
     """C_T or C_Q of propeller i at an advance ratio: linear between the table's points, constant beyond them."""
     last = table.shape[1] - 1
     x = min(max((advance_ratio - m.advance_min[i]) / m.advance_step[i], 0.0), float(last))
-    left = min(int(x), last - 1)
-    return table[i, left] + (x - left) * (table[i, left + 1] - table[i, left])
+    column = min(int(x), last - 1)
+    return table[i, column] + (x - column) * (table[i, column + 1] - table[i, column])
 
 
 @compiled

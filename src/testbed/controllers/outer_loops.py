@@ -1,8 +1,8 @@
 """Outer loops: from references to the virtual control nu = x_dc_dot - f_m, the bracket of (6) and (29).
 
 `pid_loops` is the paper's: airspeed through u_dot, altitude through q_dot, heading through p_dot, sideslip through r_dot.
-`regulate` is for modes with released axes. The actuators that are left no longer decouple the axes, so it feeds back all
-states. Its gains are designed on the design model by `inversion.regulator`.
+`regulate` is for modes with released axes. The remaining actuators no longer decouple the axes, so it feeds back all states. Its
+gains are designed on the design model by `inversion.regulator`.
 
 Letters: y state, ref references, m design model, c settings, k mode, s memory, f and nu of the working memory; their
 fields, shapes and units are in `records`.
@@ -85,7 +85,7 @@ def pid_loops(y, ref, c, s, f, nu):
     r = coordinated + c.sideslip_kp * y.beta + s.sideslip_integral
     s.x_dc_dot[R_DOT] = c.r_kp * (r - y.r)
 
-    for i in range(4):
+    for i in range(4):  # the bracket of (6) and (29)
         nu[i] = s.x_dc_dot[i] - f[i]
 
 
@@ -154,15 +154,15 @@ def regulate(y, ref, m, c, k, s, f, nu):
     for i in range(4):
         v = state_feedback(i, e_speed, e_height, e_heading, bank, y, ref, k)
         for j in range(len(s.position)):
-            known = -1.0 if s.reversed[j] else 1.0  # without estimates
-            effective = s.position[j] * (known if c.uncompensated else s.lambda_hat[j]) + s.shift[j]
+            sign = -1.0 if s.reversed[j] else 1.0  # in place of estimates that are not used
+            effective = s.position[j] * (sign if c.uncompensated else s.lambda_hat[j]) + s.shift[j]
             v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
         for j in range(len(s.integral)):
             v -= k.K_integral[i, j] * s.integral[j]
         if i == Q_DOT:
             v -= STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
         nu[i] = v
-        s.x_dc_dot[i] = f[i] + v
+        s.x_dc_dot[i] = f[i] + v  # what (29) makes of nu, for the log
         for j in range(len(s.position)):
             if k.available[j] or s.jammed[j]:
                 s.x_dc_dot[i] += m.B[i, j] * k.trim_effect[j]

@@ -201,7 +201,7 @@ MODE = (
     ),
     Field("K_integral", (4, len(INTEGRALS)), "x_c per integral", "regulator gains on the integrals"),
 )
-"""k: the control mode in force: which actuators are left, and the modified inverse."""
+"""k: the control mode in force: which actuators are used, and the modified inverse."""
 
 MEMORY = (
     Field(
@@ -230,7 +230,7 @@ MEMORY = (
         "flag",
         "a flag was set after `persistence`, and may be taken back once: the next then waits as `monitor` says",
     ),
-    Field("lambda_before", (_N,), "1", "effectiveness estimate before: through a lag of `law.BEFORE_S`"),
+    Field("lambda_slow", (_N,), "1", "slow estimate: `lambda_hat` through a lag of `law.SLOW_LAG_S`"),
     Field(
         "since_flag",
         (_N,),

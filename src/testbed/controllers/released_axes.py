@@ -81,7 +81,7 @@ def authorities(
     Args:
         limits: [n, 2] stops [rad or N].
         kept: axes that are controlled together.
-        available: indices of the actuators that are left.
+        available: indices of the actuators that remain.
     """
     used = list(available)
     travel = (limits - np.array(model.trim)[:, None])[used]
@@ -105,8 +105,8 @@ def _authority(inputs: np.ndarray, row: int, others: list[int], travel: np.ndarr
     fixed = {"A_eq": effects[others], "b_eq": np.zeros(len(others))} if others else {}
     both = []
     for sign in (1.0, -1.0):
-        found = linprog(-sign * effects[row], bounds=bounds, **fixed)
-        both.append(-float(found.fun) if found.status == 0 else 0.0)
+        optimum = linprog(-sign * effects[row], bounds=bounds, **fixed)
+        both.append(-float(optimum.fun) if optimum.status == 0 else 0.0)
     return max(min(both), 0.0)
 
 
@@ -115,12 +115,12 @@ def axes_to_release(
 ) -> tuple[str, ...]:
     """The fewest axes to give up so that each kept one has the authority it needs, lowest priority first.
 
-    Never more axes are kept than actuators are left. One axis more than that is given up only where `_NEARLY` of the need is not
+    Never more axes are kept than actuators remain. One axis more than that is given up only where `_NEARLY` of the need is not
     met without. Where that does not suffice either, the axes are kept whose worst ratio of authority to need is largest.
 
     Args:
         limits: [n, 2] stops [rad or N].
-        available: indices of the actuators that are left.
+        available: indices of the actuators that remain.
         priorities: all axes, the most important first.
     """
     fewest = max(len(priorities) - len(available), 0)

@@ -150,8 +150,8 @@ def model_error_std(model: DesignModel) -> np.ndarray:
 
 def excess_u_dot(model: DesignModel, limits: np.ndarray) -> float:
     """Acceleration with all thrust that the reference trim leaves [m/s2]; 0 without propulsion."""
-    left = np.array(model.input_matrix)[U_DOT] * (limits[:, 1] - np.array(model.trim))
-    return float(sum(x for x, kind in zip(left, model.kinds, strict=True) if kind != "servo"))
+    spare = np.array(model.input_matrix)[U_DOT] * (limits[:, 1] - np.array(model.trim))
+    return float(sum(x for x, kind in zip(spare, model.kinds, strict=True) if kind != "servo"))
 
 
 def _loops(
@@ -160,8 +160,8 @@ def _loops(
     """Gains and limits of the outer loops, as `Loops`."""
     v, excess = model.airspeed_m_s, excess_u_dot(model, limits)
     kept = [axis for axis in RATES if axis not in released]
-    found = authorities(model, limits, kept, range(len(lags)))
-    authority = {each.axis: each.authority for each in found}
+    every = range(len(lags))
+    authority = {each.axis: each.authority for each in authorities(model, limits, kept, every)}
     gains = _gains(model, authority, lags)
     climb = v / 9.0 if not excess else min(v / 9.0, _THRUST_SHARE * excess / GRAVITY_M_S2 * v)
     return {
@@ -202,7 +202,7 @@ def _dampings(model: DesignModel) -> dict[str, float]:
 
 
 def _lost_thrust(loops: Loops, v: float) -> dict[str, float]:
-    """How much faster is flown when one propeller of several is left, and from where altitude is given up [m/s]."""
+    """How much faster is flown when one propeller of several remains, and from where altitude is given up [m/s]."""
     faster = math.sqrt(v * v + 2.0 * GRAVITY_M_S2 * loops.lost_thrust_height_m) - v
     return {"lost_thrust_faster_m_s": faster, "lost_thrust_protect_from_m_s": faster}
 

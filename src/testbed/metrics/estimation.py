@@ -66,8 +66,8 @@ def _settlings(readings: Readings) -> Iterator[tuple[str, float]]:
 
 def _worst(values: Iterator[float]) -> float:
     """The largest; NaN if any of them is NaN, or if there are none."""
-    found = list(values)
-    return max(found) if found and not any(map(math.isnan, found)) else math.nan
+    each = list(values)
+    return max(each) if each and not any(map(math.isnan, each)) else math.nan
 
 
 TABLE = (estimate_error_rms, estimate_error_end, estimate_settling_s, estimate_settling_ratio)

@@ -8,6 +8,7 @@ from testbed.air.config import PARTS
 from testbed.air.noise import window_of
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import first_step_at
+from testbed.common.text import with_article
 from testbed.failures import Failure, overlaps, same_property
 from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
 from testbed.scenario.model import Scenario
@@ -237,5 +238,6 @@ def _actuator(failure: Failure, aircraft: Aircraft, path: TreePath) -> Issue | N
         return unknown(path, f"{aircraft.name} has no actuator {name!r}", name, aircraft.actuators)
     if actuator.kind not in failure.kinds:
         kinds = " or ".join(failure.kinds)
-        return Issue(path, f"{name} is a {actuator.kind}, {failure.type} is for another kind", f"a {kinds}")
+        what = f"{name} is {with_article(actuator.kind)}, {failure.type} is for another kind"
+        return Issue(path, what, with_article(kinds))
     return None

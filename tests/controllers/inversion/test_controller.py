@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-import hold_it
 import numpy as np
 import pytest
+from turning_flights import flown, loss, model_off
 from vtail_setup import ACTUATORS, setpoint, trim_state, vtail_setup
 
 from testbed.common.signals import RATES, SETPOINT, STATE, record_dtype, telemetry_width
@@ -17,21 +17,6 @@ from testbed.controllers.records import REGULATOR_STATE
 from testbed.controllers.setup import Setup
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.problems import BadInput
-from testbed.inputs.yaml_source import parse
-from testbed.simulation import fly
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
-
-W25 = 25.0
-
-
-def flown(seed: int, values: Mapping[str, Any]) -> Flight:
-    """The flight of the campaign `hold_it` with these settings."""
-    text = hold_it.BASE.format(controller=hold_it.CONTROLLER)
-    return fly(Builder(parse(text), (Variant("", {}),)).scenario(Task(0, 0, seed, values)))
-
-
-def cell(group: str, *lost: tuple[str, float]) -> hold_it.Cell:
-    return next(c for c in hold_it.cells([W25]) if (c.group, c.w20_ft_s, c.lost) == (group, W25, lost))
 
 
 def worst(flight: Flight, from_s: float = 60.0) -> tuple[float, float]:
@@ -56,25 +41,21 @@ HARD = [
 ]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(("actuator", "seed"), HARD)
 def test_a_total_loss_is_held_with_a_model_that_is_20_percent_off(actuator: str, seed: int) -> None:
-    of = cell(hold_it.LOST_ERROR, (actuator, 0.0))
-    flight = flown(seed, of.values(seed))
+    flight = flown(seed, loss(actuator), model_off(seed))
     altitude, heading = worst(flight)
     assert flight.outcome is Outcome.completed
-    assert altitude <= of.altitude_m and heading <= of.heading_deg
+    assert altitude <= 6.0 and heading <= 12.0
     assert set(texts_of(flight, "detection")) == {actuator}
     assert not texts_of(flight, "false_alarm")
 
 
-@pytest.mark.slow
 def test_sinking_air_costs_height_but_not_the_aircraft() -> None:
     """One propeller left while the air sinks at 3.5 m/s for 15 s: more than full throttle can climb against."""
     gust = {"at_s": 70.0, "magnitude_m_s": [0.0, 0.0, 3.5], "frame": "ned", "duration_s": 3.0, "hold_s": 9.0}
-    lost = cell(hold_it.LOST, ("left_propeller", 0.0))
     calm = {"atmosphere.turbulence_w20_m_s": 0.0, "atmosphere.gusts": [gust]}
-    flight = flown(3, {**lost.values(3), **calm})
+    flight = flown(3, loss("left_propeller"), calm)
     assert flight.outcome is Outcome.completed
     during = flight.log[flight.log.time_s.between(70.0, 90.0)]
     assert during.wind_down_m_s.max() == pytest.approx(3.5, abs=0.05)
@@ -89,11 +70,10 @@ BROKEN: dict[str, Mapping[str, Any]] = {
 }
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", BROKEN)
 def test_what_is_no_loss_of_effectiveness_is_recognised_and_held(name: str) -> None:
-    failure = {**BROKEN[name], "at_s": hold_it.FAILURE_S}
-    flight = flown(6, {"atmosphere.turbulence_w20_m_s": W25 * hold_it.FT_S, "failures": [failure]})
+    failure = BROKEN[name]
+    flight = flown(6, failure)
     altitude, heading = worst(flight)
     assert flight.outcome is Outcome.completed
     # A propeller stuck at full throttle cannot be held as closely: there is no way to have less than its 15 N.
@@ -105,10 +85,8 @@ def test_what_is_no_loss_of_effectiveness_is_recognised_and_held(name: str) -> N
     assert failed == {failure["actuator"]}
 
 
-@pytest.mark.slow
 def test_an_offset_surface_is_held_and_kept() -> None:
-    failure = {"type": "bias", "actuator": "left_ruddervator", "value": 5.0, "at_s": hold_it.FAILURE_S}
-    flight = flown(6, {"atmosphere.turbulence_w20_m_s": W25 * hold_it.FT_S, "failures": [failure]})
+    flight = flown(6, {"type": "bias", "actuator": "left_ruddervator", "value": 5.0})
     altitude, heading = worst(flight)
     assert flight.outcome is Outcome.completed
     assert altitude <= 5.0 and heading <= 10.0
@@ -116,12 +94,10 @@ def test_an_offset_surface_is_held_and_kept() -> None:
     assert any("left_ruddervator: its force follows" in text for text in texts_of(flight, "diagnosis"))
 
 
-@pytest.mark.slow
 def test_a_loss_is_not_called_a_jam() -> None:
     """Negative control of the last: a lost surface, and one that keeps 30 %."""
     for value in (0.0, 0.3):
-        of = cell(hold_it.LOST if value == 0.0 else hold_it.PARTIAL, ("left_ruddervator", value))
-        flight = flown(6, of.values(6))
+        flight = flown(6, loss("left_ruddervator", value))
         assert not [text for text in texts_of(flight, "diagnosis") if "not a loss" in text]
 
 

@@ -14,8 +14,8 @@ from scipy.signal import lfilter
 from vtail_setup import WEATHER, records_of, setpoint, trim_state, vtail_setup
 
 from testbed.controllers.inversion.law import (
-    STILL_LOW,
-    WAIT_S,
+    CONFIRM_BELOW,
+    CONFIRM_S,
     adapt,
     compensate,
     invert,
@@ -162,8 +162,8 @@ def test_a_weak_actuator_is_flagged_only_if_it_is_to_blame(
     before: float, others: tuple[float, ...], failed: int
 ) -> None:
     _, c, _, s, _ = records_of(vtail_setup(WEATHER))
-    s.lambda_before[0], s.lambda_hat[0], s.lambda_hat[1:] = before, 0.05, others
-    s.lambda_before[1] = others[0]
+    s.lambda_slow[0], s.lambda_hat[0], s.lambda_hat[1:] = before, 0.05, others
+    s.lambda_slow[1] = others[0]
     changed = [monitor(False, c, s) for _ in range(22)]
     assert s.failed[0] == failed and sum(changed) == failed
 
@@ -174,11 +174,11 @@ def test_a_flag_that_came_early_and_was_taken_back_comes_again_only_after_a_wait
     first = [monitor(False, c, s) for _ in range(100)].index(1)
     assert first == round(c.persistence / c.dt) and s.early[0] == 1
     s.failed[0] = 0
-    s.lambda_hat[0] = STILL_LOW + 0.01
+    s.lambda_hat[0] = CONFIRM_BELOW + 0.01
     assert not any(monitor(False, c, s) for _ in range(1000))
-    s.lambda_hat[0] = STILL_LOW - 0.01
+    s.lambda_hat[0] = CONFIRM_BELOW - 0.01
     second = [monitor(False, c, s) for _ in range(1000)].index(1)
-    assert second == round(WAIT_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
+    assert second == round(CONFIRM_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
 
 
 def test_what_was_taken_back_is_not_given_up_as_long_as_the_flight_is_steady() -> None:

@@ -21,7 +21,7 @@ from testbed.controllers.inversion.mode_trim import (
 )
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
 from testbed.controllers.inversion.steady_flights import (
-    Remaining,
+    DegradedAircraft,
     SteadyFlight,
     at_path_angles,
     motion,
@@ -36,14 +36,14 @@ V = MODEL.airspeed_m_s
 LOOPS = SETUP.control.loops
 
 
-def remaining(*failed: int, jammed: dict[int, float] | None = None, setup: Setup = SETUP) -> Remaining:
+def remaining(*failed: int, jammed: dict[int, float] | None = None, setup: Setup = SETUP) -> DegradedAircraft:
     mode = enumerate_modes(setup.model, setup.scale, setup.control)[failed]
-    return Remaining.after(setup, mode, jammed or {})
+    return DegradedAircraft.after(setup, mode, jammed or {})
 
 
-def assert_steady(left: Remaining, flight: SteadyFlight, path_angle: float = 0.0) -> None:
+def assert_steady(degraded: DegradedAircraft, flight: SteadyFlight, path_angle: float = 0.0) -> None:
     """Nothing but heading and altitude changes, and the altitude by the path angle."""
-    rates = left.motion(flight.state, flight.positions)
+    rates = degraded.motion(flight.state, flight.positions)
     assert rates[:9] == pytest.approx(np.zeros(9), abs=1e-7)
     assert rates[9] == pytest.approx(flight.state[0] * math.sin(path_angle), abs=1e-6)
 
@@ -57,30 +57,30 @@ def test_with_nothing_failed_it_is_the_reference_trim() -> None:
 
 @pytest.mark.parametrize("failed", [(), (0,), (1,), (2,), (3,), (0, 2), (0, 3), (0, 1), (2, 3)])
 def test_a_trim_is_steady_within_the_stops(failed: tuple[int, ...]) -> None:
-    left = remaining(*failed)
-    flight, held = steady_flight(left, LOOPS, "")
+    degraded = remaining(*failed)
+    flight, held = steady_flight(degraded, LOOPS, "")
     gamma = 0.0 if "altitude" in held else flight.state[PITCH] - flight.state[ALPHA]
-    rates = left.motion(flight.state, flight.positions)
+    rates = degraded.motion(flight.state, flight.positions)
     assert rates[:9] == pytest.approx(np.zeros(9), abs=1e-6)
     assert rates[9] == pytest.approx(flight.state[AIRSPEED] * math.sin(gamma) if gamma else 0.0, abs=0.3)
-    inside = mode_trim._BEYOND_STOPS * left.limits
+    inside = mode_trim._BEYOND_STOPS * degraded.limits
     assert np.all((flight.positions >= inside[:, 0]) & (flight.positions <= inside[:, 1]))
     assert flight.positions[list(failed)] == pytest.approx((np.array(MODEL.trim) / SETUP.scale)[list(failed)])
 
 
 def test_margins_are_to_the_nearest_stop_or_angle() -> None:
     """By hand, at the reference trim: angles count 0.1 rad a unit, stops one scaled unit."""
-    left = remaining(0)
-    flight, _ = steady_flight(left, LOOPS, "")
+    degraded = remaining(0)
+    flight, _ = steady_flight(degraded, LOOPS, "")
 
     def margin(stop_factor: float = 1.0, position: float | None = None, **changes: float) -> float:
         state, positions = flight.state.copy(), flight.positions.copy()
         for name, value in changes.items():
             state[REGULATOR_STATE.index(name)] = value
         positions[1] = positions[1] if position is None else position
-        return float(margins(left, SteadyFlight(state[None], positions[None]), stop_factor)[0])
+        return float(margins(degraded, SteadyFlight(state[None], positions[None]), stop_factor)[0])
 
-    top = left.limits[1, 1]
+    top = degraded.limits[1, 1]
     assert margin(position=top - 0.3) == pytest.approx(0.3)
     assert margin(position=top + 0.1) == pytest.approx(-0.1)
     assert margin(position=top + 0.1, stop_factor=1.3) == pytest.approx(0.3 * top - 0.1)
@@ -93,13 +93,13 @@ def test_margins_are_to_the_nearest_stop_or_angle() -> None:
 
 
 def test_a_newton_of_thrust_is_worth_less_when_fast_and_no_more_when_slow() -> None:
-    left = remaining(0)
-    flight, _ = steady_flight(left, LOOPS, "")
+    degraded = remaining(0)
+    flight, _ = steady_flight(degraded, LOOPS, "")
 
     def margin(airspeed: float) -> float:
         state, positions = flight.state.copy(), flight.positions.copy()
-        state[AIRSPEED], positions[3] = airspeed, left.limits[3, 1] - 0.4
-        return float(margins(left, SteadyFlight(state[None], positions[None]))[0])
+        state[AIRSPEED], positions[3] = airspeed, degraded.limits[3, 1] - 0.4
+        return float(margins(degraded, SteadyFlight(state[None], positions[None]))[0])
 
     assert margin(1.1 * V) == pytest.approx(0.4 / 1.1)
     assert margin(V) == pytest.approx(0.4) == margin(0.9 * V)
@@ -112,12 +112,12 @@ JAMS = [(i, share) for i in range(4) for share in (0.0, 0.1, 0.25, 0.5, 0.75, 0.
 @pytest.mark.parametrize(("jammed", "share"), JAMS)
 def test_every_jam_from_stop_to_stop_has_a_steady_flight(jammed: int, share: float) -> None:
     low, high = SETUP.limits[jammed]
-    left = remaining(jammed, jammed={jammed: low + share * (high - low)})
-    flight, held = steady_flight(left, LOOPS, "")
-    angle = math.asin(left.motion(flight.state, flight.positions)[9] / flight.state[0])
-    assert_steady(left, flight, angle)
+    degraded = remaining(jammed, jammed={jammed: low + share * (high - low)})
+    flight, held = steady_flight(degraded, LOOPS, "")
+    angle = math.asin(degraded.motion(flight.state, flight.positions)[9] / flight.state[0])
+    assert_steady(degraded, flight, angle)
     assert ("altitude" in held) == (abs(angle) < 1e-6)
-    (margin,) = margins(left, SteadyFlight(*(x[None] for x in flight)))
+    (margin,) = margins(degraded, SteadyFlight(*(x[None] for x in flight)))
     assert margin > 0.0
 
 
@@ -132,8 +132,8 @@ def test_a_tail_jammed_up_flies_slower_and_one_jammed_down_faster_or_climbs() ->
 
 
 def test_a_jam_near_the_trim_changes_no_airspeed() -> None:
-    left = remaining(0, jammed={0: SETUP.model.trim[0] / SETUP.scale[0]})
-    assert steady_flight(left, LOOPS, "")[0].state[AIRSPEED] == pytest.approx(V)
+    degraded = remaining(0, jammed={0: SETUP.model.trim[0] / SETUP.scale[0]})
+    assert steady_flight(degraded, LOOPS, "")[0].state[AIRSPEED] == pytest.approx(V)
 
 
 def test_a_jam_that_level_flight_meets_only_in_a_stall_is_not_flown_level() -> None:
@@ -146,18 +146,18 @@ def test_a_jam_that_level_flight_meets_only_in_a_stall_is_not_flown_level() -> N
 def test_full_throttle_is_flown_level_also_on_a_model_20_percent_off(jammed: int) -> None:
     """With too much thrust and too little drag: there is more drag at a higher airspeed."""
     model = MODEL.with_error({"CX_left_propeller": 1.2, "CX_right_propeller": 1.2, "CX_alpha": 0.8})
-    left = remaining(jammed, jammed={jammed: SETUP.limits[jammed, 1]}, setup=replace(SETUP, model=model))
-    flight, held = steady_flight(left, LOOPS, "")
+    degraded = remaining(jammed, jammed={jammed: SETUP.limits[jammed, 1]}, setup=replace(SETUP, model=model))
+    flight, held = steady_flight(degraded, LOOPS, "")
     assert held == ("airspeed", "altitude", "heading")
-    assert_steady(left, flight)
+    assert_steady(degraded, flight)
 
 
 def test_mirrored_failures_have_mirrored_trims() -> None:
-    left, _ = steady_flight(remaining(2), LOOPS, "")
-    right, _ = steady_flight(remaining(3), LOOPS, "")
-    assert right.state[[0, ALPHA, PITCH]] == pytest.approx(left.state[[0, ALPHA, PITCH]], abs=1e-6)
-    assert right.state[[BETA, ROLL]] == pytest.approx(-left.state[[BETA, ROLL]], abs=1e-6)
-    assert right.positions[[1, 0]] == pytest.approx(left.positions[[0, 1]], abs=1e-5)
+    one, _ = steady_flight(remaining(2), LOOPS, "")
+    other, _ = steady_flight(remaining(3), LOOPS, "")
+    assert other.state[[0, ALPHA, PITCH]] == pytest.approx(one.state[[0, ALPHA, PITCH]], abs=1e-6)
+    assert other.state[[BETA, ROLL]] == pytest.approx(-one.state[[BETA, ROLL]], abs=1e-6)
+    assert other.positions[[1, 0]] == pytest.approx(one.positions[[0, 1]], abs=1e-5)
 
 
 def test_one_propeller_left_flies_faster() -> None:
@@ -168,30 +168,30 @@ def test_one_propeller_left_flies_faster() -> None:
 
 
 def test_a_jammed_surface_is_balanced_by_the_others() -> None:
-    left = remaining(0, jammed={0: 0.6})
-    flight, _ = steady_flight(left, LOOPS, "")
+    degraded = remaining(0, jammed={0: 0.6})
+    flight, _ = steady_flight(degraded, LOOPS, "")
     assert flight.positions[0] == 0.6
-    assert_steady(left, flight)
+    assert_steady(degraded, flight)
 
 
 def test_gliding_has_a_path_angle_and_does_not_hold_altitude() -> None:
-    left = remaining(2, 3)
-    flight, held = steady_flight(left, LOOPS, "")
+    degraded = remaining(2, 3)
+    flight, held = steady_flight(degraded, LOOPS, "")
     assert held == ("airspeed", "heading")
-    assert_steady(left, flight, flight.state[PITCH] - flight.state[ALPHA])
+    assert_steady(degraded, flight, flight.state[PITCH] - flight.state[ALPHA])
     assert flight.state[PITCH] < flight.state[ALPHA]
 
 
 @pytest.mark.parametrize("failed", [(0, 2), (0, 3), (1, 2), (1, 3)])
 def test_two_actuators_that_cannot_fly_level_descend_slowly_and_with_margin(failed: tuple[int, ...]) -> None:
     """At the reference airspeed a tail and the opposite propeller sink by 2.6 m/s, with a margin of 0.04."""
-    left = remaining(*failed)
-    flight, held = steady_flight(left, LOOPS, "")
+    degraded = remaining(*failed)
+    flight, held = steady_flight(degraded, LOOPS, "")
     path_angle = float(path_angles(flight.only(None))[0])
     assert held == ("airspeed", "heading")
-    assert_steady(left, flight, path_angle)
+    assert_steady(degraded, flight, path_angle)
     assert -1.8 < flight.state[AIRSPEED] * math.sin(path_angle) < -1.0
-    assert mode_trim.margins(left, flight.only(None))[0] > 0.7
+    assert mode_trim.margins(degraded, flight.only(None))[0] > 0.7
 
 
 def test_one_actuator_is_not_enough() -> None:
@@ -200,9 +200,9 @@ def test_one_actuator_is_not_enough() -> None:
 
 
 def test_stops_that_leave_nothing_are_said() -> None:
-    left = replace(remaining(0), limits=np.tile([-1e-6, 1e-6], (4, 1)))
+    degraded = replace(remaining(0), limits=np.tile([-1e-6, 1e-6], (4, 1)))
     with pytest.raises(NoSteadyFlight, match="no steady flight within the stops"):
-        steady_flight(left, LOOPS, "left tail")
+        steady_flight(degraded, LOOPS, "left tail")
 
 
 def reordered(order: list[int]) -> Setup:
@@ -224,8 +224,8 @@ def reordered(order: list[int]) -> Setup:
 def test_redundant_actuators_share_the_work_in_whatever_order_they_are_listed(order: list[int]) -> None:
     """Level at another airspeed with all four, there is one unknown too many: both tails and both propellers move together."""
     setup = reordered(order)
-    left = Remaining.after(setup, Mode((), (), np.zeros((4, 4)), 1.0), {})
-    flight = at_path_angles(left, np.array([V - 2.0]), np.zeros(1)).only(0)
+    degraded = DegradedAircraft.after(setup, Mode((), (), np.zeros((4, 4)), 1.0), {})
+    flight = at_path_angles(degraded, np.array([V - 2.0]), np.zeros(1)).only(0)
     tails = [order.index(0), order.index(1)]
     propellers = [order.index(2), order.index(3)]
     assert flight.positions[tails] == pytest.approx(np.full(2, flight.positions[tails[0]]), abs=1e-6)
@@ -233,7 +233,7 @@ def test_redundant_actuators_share_the_work_in_whatever_order_they_are_listed(or
         np.full(2, flight.positions[propellers[0]]), abs=1e-6
     )
     assert flight.state[[BETA, ROLL]] == pytest.approx([0.0, 0.0], abs=1e-6)
-    assert_steady(left, flight)
+    assert_steady(degraded, flight)
 
 
 def test_motion_is_that_of_a_point_in_a_steady_turn() -> None:
@@ -257,13 +257,13 @@ def test_motion_is_that_of_a_point_in_a_steady_turn() -> None:
 
 def test_after_a_jam_airspeed_is_kept_where_level_flight_has_margin() -> None:
     """Every airspeed of the range has the trim's margin; just outside of it and above `too_fast` there is less."""
-    left = remaining(0, jammed={0: -math.radians(10.0) / SETUP.scale[0]})
-    flight, held = steady_flight(left, LOOPS, "")
-    low, high, too_fast = airspeed_range(left, flight, held)
+    degraded = remaining(0, jammed={0: -math.radians(10.0) / SETUP.scale[0]})
+    flight, held = steady_flight(degraded, LOOPS, "")
+    low, high, too_fast = airspeed_range(degraded, flight, held)
     assert 0.55 * V < low <= flight.state[AIRSPEED] <= high < too_fast < V
 
     def margin(airspeed: float) -> float:
-        return float(margins(left, at_path_angles(left, np.array([airspeed]), np.zeros(1)))[0])
+        return float(margins(degraded, at_path_angles(degraded, np.array([airspeed]), np.zeros(1)))[0])
 
     needed = min(margin(float(flight.state[AIRSPEED])), 1.0)
     assert min(margin(low), margin(high)) >= needed - 1e-6
@@ -276,10 +276,10 @@ def test_after_a_jam_airspeed_is_kept_with_little_margin_where_the_best_is_hardl
     setup = vtail_setup(WEATHER, model=aft)
 
     def chosen(degrees: float) -> tuple[float, float]:
-        left = remaining(0, jammed={0: math.radians(degrees) / setup.scale[0]}, setup=setup)
-        flight, held = steady_flight(left, LOOPS, "")
+        degraded = remaining(0, jammed={0: math.radians(degrees) / setup.scale[0]}, setup=setup)
+        flight, held = steady_flight(degraded, LOOPS, "")
         assert "altitude" in held
-        return float(flight.state[AIRSPEED]), float(margins(left, flight.only(np.newaxis))[0])
+        return float(flight.state[AIRSPEED]), float(margins(degraded, flight.only(np.newaxis))[0])
 
     airspeed, margin = chosen(-10.0)
     assert airspeed == pytest.approx(V) and 0.0 < margin < mode_trim._MARGIN_OF_LEVEL_FLIGHT
@@ -289,12 +289,12 @@ def test_after_a_jam_airspeed_is_kept_with_little_margin_where_the_best_is_hardl
 
 def test_without_a_jam_any_airspeed_is_flown_and_a_mode_that_cannot_hold_it_has_one() -> None:
     for failed in ((), (0,), (2,)):
-        left = remaining(*failed)
-        assert airspeed_range(left, *steady_flight(left, LOOPS, "")) == (0.0, math.inf, math.inf)
-    left = remaining(0, 1)
-    flight, held = steady_flight(left, LOOPS, "")
+        degraded = remaining(*failed)
+        assert airspeed_range(degraded, *steady_flight(degraded, LOOPS, "")) == (0.0, math.inf, math.inf)
+    degraded = remaining(0, 1)
+    flight, held = steady_flight(degraded, LOOPS, "")
     assert "airspeed" not in held
-    assert airspeed_range(left, flight, held) == (flight.state[AIRSPEED],) * 3
+    assert airspeed_range(degraded, flight, held) == (flight.state[AIRSPEED],) * 3
 
 
 def test_a_propeller_that_brakes_is_flown_as_fast_as_a_lost_one() -> None:

@@ -200,7 +200,6 @@ def test_a_biased_surface_is_flown_with(value: float, gust: tuple[float, float],
     assert [e["text"] for e in flight.events if "with an offset" in e.get("text", "")] == [said] * sure
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("surface", "value"), [("rudder", 8.0), ("rudder", -5.0), ("elevator", 4.0), ("aileron", 8.0)]
 )
@@ -314,7 +313,6 @@ def test_of_a_surface_that_has_moved_a_small_force_is_enough() -> None:
         assert time_to_stand_still(0, 1.0, m, c, s) == time
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("surface", ["left", "right"])
 @pytest.mark.parametrize("value", [-20.0, 11.0, 20.0])
 def test_a_jam_in_flight_is_not_taken_for_an_offset(surface: str, value: float) -> None:

@@ -23,7 +23,7 @@ from testbed.controllers.inversion.regulator import (
     lq_gains,
     regulator_for,
 )
-from testbed.controllers.inversion.steady_flights import Remaining
+from testbed.controllers.inversion.steady_flights import DegradedAircraft
 from testbed.controllers.records import ALTITUDE
 
 SETUP = vtail_setup()
@@ -55,15 +55,15 @@ def test_what_is_unstable_and_not_controlled_has_no_gains() -> None:
 
 def test_the_linear_plant_moves_as_the_design_model_does() -> None:
     """A small disturbance for 0.1 s: expm(A t) against small steps of the nonlinear motion, lags and integrals."""
-    left = Remaining.after(SETUP, MODES[(0,)], {})
-    flight, held = steady_flight(left, SETUP.control.loops, "")
-    A, _ = linearise(left, SETUP.lags, flight, held)
+    degraded = DegradedAircraft.after(SETUP, MODES[(0,)], {})
+    flight, held = steady_flight(degraded, SETUP.control.loops, "")
+    A, _ = linearise(degraded, SETUP.lags, flight, held)
     dz = 1e-3 * np.random.default_rng(2).normal(size=len(A))
     z, steps = np.concatenate([*flight, np.zeros(3)]) + dz, 4000
     for _ in range(steps):
         x, a = z[:10], z[10:14]
         rates = np.concatenate(
-            [left.motion(x, a), SETUP.lags * (flight.positions - a), (x - flight.state)[[0, ALTITUDE, 8]]]
+            [degraded.motion(x, a), SETUP.lags * (flight.positions - a), (x - flight.state)[[0, ALTITUDE, 8]]]
         )
         z = z + 0.1 / steps * rates
     moved = z - np.concatenate([*flight, np.zeros(3)])
@@ -102,9 +102,9 @@ def test_at_the_airspeed_of_its_trim_the_loop_is_the_designed_one() -> None:
     must know: the plant of the design, with the law's own division, has the designed eigenvalues."""
     mode, jammed = MODES[(0,)], {0: -25.8 * math.radians(1.0) / SETUP.scale[0]}
     regulator = design_regulator(SETUP, mode, jammed)
-    left = Remaining.after(SETUP, mode, jammed)
-    flight, held = steady_flight(left, SETUP.control.loops, "")
-    A, B = linearise(left, SETUP.lags, flight, held)
+    degraded = DegradedAircraft.after(SETUP, mode, jammed)
+    flight, held = steady_flight(degraded, SETUP.control.loops, "")
+    A, B = linearise(degraded, SETUP.lags, flight, held)
     pressure_ratio = (flight.state[0] / SETUP.model.airspeed_m_s) ** 2
     assert pressure_ratio < 0.55
     divided = mode.inverse / np.array([pressure_ratio, pressure_ratio, 1.0, 1.0])[:, None]
@@ -136,7 +136,7 @@ def test_a_regulator_is_kept_and_so_is_that_there_is_none() -> None:
             regulator_for(SETUP, hopeless, {})
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_the_number_of_blas_threads_changes_no_bit() -> None:
     """A flight alone has all threads, a sweep's worker one. With two, LAPACK solves larger problems in another order."""
     code = (

@@ -15,7 +15,7 @@ from testbed.controllers.initial_records import trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.mode_trim import airspeed_range, margins, steady_flight
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.inversion.steady_flights import Remaining, at_airspeeds, path_angles
+from testbed.controllers.inversion.steady_flights import DegradedAircraft, at_airspeeds, path_angles
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 from testbed.controllers.setup import Setup, setup_for
 
@@ -37,27 +37,27 @@ V, SCALE = SETUP.model.airspeed_m_s, float(SETUP.scale[ENGINE])
 TRIM_N = SETUP.model.trim[ENGINE]
 
 
-def stuck_at(thrust_n: float) -> Remaining:
+def stuck_at(thrust_n: float) -> DegradedAircraft:
     """What remains with the propeller stuck at the throttle of this thrust at the reference airspeed."""
     mode = enumerate_modes(SETUP.model, SETUP.scale, SETUP.control, SETUP.released)[(ENGINE,)]
-    return Remaining.after(SETUP, mode, {ENGINE: thrust_n / SCALE})
+    return DegradedAircraft.after(SETUP, mode, {ENGINE: thrust_n / SCALE})
 
 
 def test_the_thrust_is_that_of_the_throttle_at_each_airspeed() -> None:
-    left = stuck_at(TRIM_N)
+    degraded = stuck_at(TRIM_N)
     x = np.zeros((3, 10))
     x[:, AIRSPEED] = [0.8 * V, V, 1.2 * V]
-    slow, same, fast = SCALE * left.with_thrust(x, np.tile(left.positions, (3, 1)))[:, ENGINE]
+    slow, same, fast = SCALE * degraded.with_thrust(x, np.tile(degraded.positions, (3, 1)))[:, ENGINE]
     assert same == pytest.approx(TRIM_N, abs=0.05)
     assert slow > same + 2.0 and fast < same - 2.0
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9, 1.0, 1.5, 3.0])
 def test_level_flight_is_straight_at_the_airspeed_at_which_drag_is_the_thrust(share: float) -> None:
-    left = stuck_at(share * TRIM_N)
-    flight, held = steady_flight(left, SETUP.control.loops, "")
+    degraded = stuck_at(share * TRIM_N)
+    flight, held = steady_flight(degraded, SETUP.control.loops, "")
     assert held == ("altitude", "heading")
-    assert left.motion(flight.state, flight.positions) == pytest.approx(np.zeros(10), abs=1e-6)
+    assert degraded.motion(flight.state, flight.positions) == pytest.approx(np.zeros(10), abs=1e-6)
     assert flight.state[[BETA, ROLL]] == pytest.approx([0.0, 0.0], abs=5e-3)
     assert np.sign(flight.state[AIRSPEED] - V) == np.sign(round(share - 1.0, 6)) or share == 1.0
 
@@ -71,11 +71,11 @@ def test_more_thrust_is_flown_faster_and_no_airspeed_is_too_fast() -> None:
 
 def test_a_propeller_that_brakes_leaves_a_shallow_glide() -> None:
     """No steeper than at any other airspeed within the same margins, and slower than the reference airspeed."""
-    left = stuck_at(-20.0)
-    flight, held = steady_flight(left, SETUP.control.loops, "")
+    degraded = stuck_at(-20.0)
+    flight, held = steady_flight(degraded, SETUP.control.loops, "")
     chosen = flight.only(np.newaxis)
-    others = at_airspeeds(left, V * np.linspace(0.55, 1.3, 31))
-    roomy = others.only(margins(left, others) >= margins(left, chosen)[0])
+    others = at_airspeeds(degraded, V * np.linspace(0.55, 1.3, 31))
+    roomy = others.only(margins(degraded, others) >= margins(degraded, chosen)[0])
     assert held == ("airspeed", "heading") and flight.state[AIRSPEED] < V
     assert len(roomy.state) > 10 and path_angles(chosen)[0] >= path_angles(roomy).max() - 1e-6
     assert flight.state[ALPHA] < SETUP.model.stall_alpha_rad - 0.1

@@ -30,7 +30,6 @@ def test_records_have_the_signals_in_their_order() -> None:
     assert Reference._fields == SETPOINT
 
 
-@pytest.mark.slow
 def test_the_example_flies_from_the_command_line_and_from_python(tmp_path: Path) -> None:
     wanted = scenario(tmp_path)
     run = command(
@@ -135,7 +134,6 @@ def test_its_faults_are_said_with_file_and_line(tmp_path: Path, text: str) -> No
     assert FAULTY[text] in str(caught.value)
 
 
-@pytest.mark.slow
 def test_a_fault_in_flight_is_exit_status_2_and_leaves_nothing(tmp_path: Path) -> None:
     scenario(tmp_path)
     (tmp_path / "own.py").write_text(OWN.format(init="0", update="update", body="raise KeyError('gain')"))

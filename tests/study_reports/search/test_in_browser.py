@@ -10,7 +10,7 @@ import pytest
 from chromium import Window
 from search_files import REAL, SEARCH, searched, written
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 SHOWN = {
     "found": ("What it takes", "Both flights side by side", "Distance of the nearest failure found"),
     "not_found": ("not found in 60 flights", "independent draws", "The searches"),

@@ -19,7 +19,7 @@ from testbed.reporting.comparison.compare import compare
 from testbed.sweeps.folder import kept
 from testbed.sweeps.load import load_sweep
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.nightly
 KEPT = "run-000007-fixed_inversion"
 
 

@@ -50,7 +50,7 @@ def plan(tmp_path: Path) -> Plan:
     return load_sweep(written(tmp_path), ["runs=20000"])
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_rows_are_neither_held_nor_rewritten(tmp_path: Path, plan: Plan) -> None:
     """The parent's memory for a flight is its offset; the journal grows by each flight's line and by nothing
     else.

@@ -37,7 +37,7 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
     cluster.close()
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, tmp_path: Path) -> None:
     sweep = written(tmp_path)
     plan = load_sweep(sweep, ["runs=30"])
@@ -60,7 +60,7 @@ def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, t
     assert len(unpacked) == 1  # the aircraft had travelled
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_wrong_or_dead_address_is_refused_before_a_folder_is_made(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -74,7 +74,6 @@ def test_a_wrong_or_dead_address_is_refused_before_a_folder_is_made(
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.slow
 def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The aircraft's folder, gone after packing, is flown from what was packed; the row is the same."""
     monkeypatch.setenv("TMPDIR", str(tmp_path))
@@ -90,7 +89,6 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
     assert (encode(flown.record), flown.history) == (encode(expected.record), expected.history)
 
 
-@pytest.mark.slow
 def test_the_code_of_ones_own_controller_travels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Class, and the module beside it: both gone after packing, and the row is the same."""
     monkeypatch.setenv("TMPDIR", str(tmp_path))

@@ -15,7 +15,7 @@ from sweep_files import flown, fly_here, journal_lines, same_rows, script, writt
 from testbed.sweeps.load import load_sweep
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_worker_killed_from_outside_is_replaced(tmp_path: Path) -> None:
     """Its flight is tried once more, and gives the same row."""
     sweep = written(tmp_path)
@@ -42,7 +42,6 @@ def children(pid: int) -> list[int]:
     return found
 
 
-@pytest.mark.slow
 def test_workers_do_not_outlive_a_killed_parent(tmp_path: Path) -> None:
     flying = flown(written(tmp_path), tmp_path / "out", "runs=900, jobs=2")
     process = subprocess.Popen(script(flying))

@@ -22,7 +22,7 @@ MISBEHAVIOURS: list[tuple[float, str, str]] = [
 ]
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_what_goes_wrong_is_a_row_with_its_reason(tmp_path: Path) -> None:
     values = [0.6, 0.1, 0.7, 0.2, 0.8, 0.3, 0.9, 0.4, 1.0]
     (tmp_path / "table.csv").write_text("failures.0.value\n" + "".join(f"{v}\n" for v in values))
@@ -39,7 +39,7 @@ def test_what_goes_wrong_is_a_row_with_its_reason(tmp_path: Path) -> None:
     same_rows(tmp_path / "1", tmp_path / "3")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_worker_does_not_grow(tmp_path: Path) -> None:
     """Real flights, logs kept: no more memory after 300 than after 50, and less than 300 MB."""
     plan = load_sweep(written(tmp_path), ["runs=200", "duration_s=0.5", "failures.0.at_s=0.1",

@@ -27,15 +27,15 @@ def allocate_and_command(nu, pressure_ratio, axial, m, c, k, s, w):
         pressure_ratio: (V/V_0)^2 [1].
         axial: airspeed along the propellers' axis [m/s].
     """
-    allocate(nu, pressure_ratio, m, c, k, s, w)
-    compensate(m, c, k, s)
+    allocate(nu, pressure_ratio, m, c, k, s, w)  # (6), (29): r
+    compensate(m, c, k, s)  # (8): u = Lambda_hat^-1 r
     command_actuators(axial, m, s)
 
 
 @compiled
 def allocate(nu, pressure_ratio, m, c, k, s, w):
     """Fill `s` with references r for a virtual control nu [4]: (29), or where an actuator would pass a stop, the nearest within."""
-    invert(nu, pressure_ratio, m, k, s)
+    invert(nu, pressure_ratio, m, k, s)  # (29)
     s.saturated = passes_a_stop(m, c, k, s)
     if s.saturated:
         allocate_within_stops(nu, pressure_ratio, m, c, k, s, w)
@@ -57,8 +57,8 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
 
         sum over kept rows of weight (B d - nu)^2 + deviation_weight |d|^2,    d = effect_ratio r - trim_effect.
 
-    Actuators that answer to u_dot alone are found first, as if they did not turn the aircraft; then the others, which make up for
-    what they turn. Because d is the effective deviation, a weak actuator has lambda_hat times its travel.
+    Actuators that answer to u_dot alone are solved for first, as if they did not turn the aircraft; then the others, which make up
+    for what they turn. Because d is the effective deviation, a weak actuator has lambda_hat times its travel.
     """
     set_bounds(pressure_ratio, m, c, k, s, w)
     if k.thrust_alone.any():
@@ -66,7 +66,7 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
         bounded_least_squares(k.thrust_hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
         for i in range(len(s.r)):
             if k.thrust_alone[i]:
-                w.low[i] = w.high[i] = w.d[i]
+                w.low[i] = w.high[i] = w.d[i]  # the second problem takes these as they are
     right_hand_side(nu, False, m, k, w)
     bounded_least_squares(k.hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
     for i in range(len(s.r)):

@@ -20,9 +20,9 @@ HEALTHY_VARIANCE = 0.01
 """Initial variance of an effectiveness estimate: 1 with a standard deviation of 0.1."""
 UNKNOWN_VARIANCE = 1.0
 """Largest variance of an effectiveness estimate: a standard deviation of 1 means that nothing is known."""
-AGAIN = 4.0
-"""Factor on the test value of a change of a jammed actuator's position: what is broken moves again sooner than what is healthy
-breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
+JAM_MOVES_FACTOR = 4.0
+"""Factor on the test value of a change of a jammed actuator's position: that a broken actuator moves is likelier than that a
+healthy one breaks. Without it, the force of a surface that swings was taken for weakness of both propellers."""
 JAM_VARIANCE = 16.0
 """Initial and largest variance of a jammed actuator's estimated position [scaled^2]."""
 REVERSAL_S = 0.6
@@ -62,24 +62,25 @@ def expect_change(e, phi, m, c, s):
     A random walk follows a sudden loss slowly, and spreads it over all actuators meanwhile. So the mean of the innovation e - b
     over the last `change_time` T is explained by a change of each effectiveness alone, by weighted least squares. The weight of a
     rate is one over the variance of its mean: gusts of two-sided density S leave S / 2T, and b adds its own. The test value is
-    (change / its standard deviation)^2, twice the logarithm of the likelihood ratio, times `AGAIN` for a jammed actuator. If the
-    best is above `change_sigma`^2, and `change_lead`^2 times the next best, the variance of that estimate becomes at least the
-    square of the change. If no effectiveness explains the change, that variance goes to the model error along the actuator's
-    column of Phi.
+    (change / its standard deviation)^2, twice the logarithm of the likelihood ratio, times `JAM_MOVES_FACTOR` for a jammed
+    actuator. If the best is above `change_sigma`^2, and `change_lead`^2 times the next best, the variance of that estimate becomes
+    at least the square of the change. If no effectiveness explains the change, that variance goes to the model error along the
+    actuator's column of Phi.
     """
-    for row in range(4):
+    for row in range(4):  # the mean of the innovation e - b
         s.recent[row] += c.dt / c.change_time * (e[row] - s.b[row] - s.recent[row])
     best, first, second, change = -1, 0.0, 0.0, 0.0
     for i in range(len(s.lambda_hat)):
         projection, information = 0.0, 1e-12
         n = len(s.lambda_hat)
         for row in range(4):
+            # One over the variance of the mean: S / 2T of gusts, and that of b.
             weight = 1.0 / (0.5 * c.noise[row] * c.noise[row] / c.change_time + s.P[n + row, n + row])
             projection += phi[row, i] * weight * s.recent[row]
             information += phi[row, i] * weight * phi[row, i]
         ratio = projection * projection / information
         if s.jammed[i]:
-            ratio *= AGAIN
+            ratio *= JAM_MOVES_FACTOR
         if ratio > first:
             best, first, second, change = i, ratio, first, projection / information
         elif ratio > second:
@@ -96,7 +97,7 @@ def expect_change(e, phi, m, c, s):
 def adapt_weighted(z, phi, P_h, m, c, s):
     """One step of the filter, in place of (13): the four rates are used one after the other."""
     predict(m, c, s)
-    for row in range(4):
+    for row in range(4):  # (10) of one rate each: their noises are independent
         update_by_rate(row, z[row], phi[row], P_h, c, s)
     project(m, c, s)
 
@@ -109,6 +110,7 @@ def predict(m, c, s):
         noise = c.jam_process_noise if s.jammed[i] else c.process_noise
         if s.jammed[i] and m.servo[i] and s.since_flag[i] < REVERSAL_S:
             noise = REVERSAL_NOISE
+        # A limit, because what is not excited would become as uncertain as the time is long.
         most = JAM_VARIANCE if s.jammed[i] else UNKNOWN_VARIANCE
         s.P[i, i] = min(s.P[i, i] + noise * noise * c.dt, most)
     fade = 1.0 - c.model_error_rate * c.dt
@@ -117,6 +119,7 @@ def predict(m, c, s):
         for i in range(n + 4):
             s.P[n + row, i] *= fade
             s.P[i, n + row] *= fade
+        # Driven so that b has this variance when it is steady.
         s.P[n + row, n + row] += 2.0 * c.model_error_rate * c.dt * s.model_error_variance[row]
 
 
@@ -130,7 +133,7 @@ def update_by_rate(row, z, h, P_h, c, s):
         P_h: [n+4] working memory, filled with P (h, e_row), where e_row is the unit vector of b[row].
     """
     n = len(s.lambda_hat)
-    error = z - s.b[row]
+    error = z - s.b[row]  # the innovation: (10) less the model error
     for i in range(n + 4):
         P_h[i] = s.P[i, n + row]
         for j in range(n):
@@ -139,7 +142,7 @@ def update_by_rate(row, z, h, P_h, c, s):
     for i in range(n):
         error -= h[i] * s.lambda_hat[i]
         variance += h[i] * P_h[i]
-    for i in range(n):
+    for i in range(n):  # in place of (13)
         s.lambda_hat[i] += P_h[i] * error / variance
     for i in range(4):
         s.b[i] += P_h[n + i] * error / variance

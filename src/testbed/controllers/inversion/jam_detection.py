@@ -1,7 +1,7 @@
 """Jam detection: a jammed or reversed actuator adds a force that no loss of effectiveness explains.
 
 The test is a generalised likelihood ratio (GLR; Willsky and Jones, IEEE TAC 21 (1976) 108) on the mean of the residual e.
-An actuator found in this way is flagged as failed and as jammed. From then on its position is estimated in place of its
+An actuator that is detected so is flagged as failed and as jammed. From then on its position is estimated in place of its
 effectiveness: its column of `law.regressor` is the effect of one scaled unit.
 
 Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
@@ -37,15 +37,14 @@ REVERSED_SIGMA, REVERSED_S = 3.0, 0.02
 stall before the standard deviation is small."""
 RECENT_FLAG_S = 2.0
 """Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
-NEVER = 1e9
-"""`designed_position` of a jam for which nothing has been designed yet. That is done a step later: the first position is a rough
-one, and the filter's next step corrects most of it."""
-THRUST_LEFT, THRUST_SIGMA = 0.3, 3.0
+NOT_DESIGNED = 1e9
+"""`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
+rough one, and the filter's next step corrects most of it."""
+RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 3.0
 """Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero."""
-RETURNED = 0.5
-"""Share of the way to minus its trim position after which an actuator is reversed: a jammed one would have stayed."""
-REVERSED_FROM = 1.0
-"""Scaled units that the way must have, or gusts decide."""
+REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.5, 1.0
+"""An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
+one would stay. The way must have so many scaled units, or gusts decide."""
 REDESIGN_AFTER = 0.3
 """Scaled units by which a jammed actuator's estimated position may move before the regulator is designed again."""
 
@@ -57,7 +56,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
     An actuator is taken for jammed
 
     * when it has been the `likeliest_jam` for `jam_time`; the timer runs down while it is not. A surface that `follows` its command
-      has an offset instead, and one that has `moved` is left to what its commands show;
+      has an offset instead, and one that has `moved` is decided by `time_to_stand_still`;
     * when a surface has stood still under its commands for the `time_to_stand_still`;
     * when it looks jammed in another way for the `time_to_jam`.
     """
@@ -136,7 +135,7 @@ def settle_regression(i, position, pressure_ratio, m, s):
 
 @compiled
 def acts_reversed(i, m, c, s):
-    """Whether the estimate of an actuator that is not known to be jammed or reversed is below zero beyond doubt."""
+    """Whether the estimate of an actuator that is not yet taken for jammed or reversed is below zero beyond doubt."""
     sigma = deviation(i, s)
     sure = sigma <= c.flag_std_max or (unstable(m) and s.lambda_hat[i] < -REVERSED_SIGMA * sigma)
     return s.lambda_hat[i] < REVERSED_BELOW and sure and not (s.jammed[i] or s.reversed[i])
@@ -168,7 +167,7 @@ def turns_out_reversed(i, m, c, s):
         return False
     way = -m.trim_position[i] - s.jammed_at[i]
     gone = s.lambda_hat[i] - s.jammed_at[i]
-    return abs(way) > REVERSED_FROM and gone / way > RETURNED
+    return abs(way) > REVERSAL_WAY_MIN and gone / way > REVERSAL_SHARE
 
 
 @compiled
@@ -202,7 +201,7 @@ def keeps_thrust(i, m, c, s):
     than one that works again: its thrust has not followed its command down."""
     thrust = abs(s.lambda_hat[i])
     unexplained = s.failed[i] and not s.jammed[i] and not s.reversed[i] and s.lambda_hat[i] < c.recovery
-    sure = thrust > THRUST_LEFT and thrust > THRUST_SIGMA * deviation(i, s)
+    sure = thrust > RESIDUAL_THRUST and thrust > THRUST_SIGMA * deviation(i, s)
     return c.weighted and not m.servo[i] and unexplained and sure
 
 
@@ -221,7 +220,7 @@ def likeliest_jam(pressure_ratio, m, c, s):
     for i in range(len(s.lambda_hat)):
         projection, information = 0.0, 0.0
         for row in range(4):
-            b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)
+            b = m.B[row, i] * effect_ratio(i, pressure_ratio, m)  # of (2): the signature of this actuator
             gusts = 0.5 * c.noise[row] * c.noise[row] / c.residual_time
             weight = 1.0 / (gusts + s.model_error_variance[row])
             projection += b * weight * s.residual[row]
@@ -245,11 +244,11 @@ def take_for_jammed(i, position, pressure_ratio, m, s):
         if not (s.jammed[j] or s.reversed[j]) and s.since_flag[j] < RECENT_FLAG_S:
             s.failed[j] = 0
         if not s.failed[j]:
-            s.lambda_hat[j], s.lambda_before[j] = 1.0, 1.0
+            s.lambda_hat[j], s.lambda_slow[j] = 1.0, 1.0
             reset_covariance(j, HEALTHY_VARIANCE, s)
     s.lambda_hat[i] = min(max(position, m.low[i]), m.high[i])
     s.jammed_at[i], s.since_flag[i], s.reversed[i] = s.lambda_hat[i], 0.0, 0
-    s.designed_position[i] = NEVER
+    s.designed_position[i] = NOT_DESIGNED
     reset_covariance(i, JAM_VARIANCE, s)
     settle_regression(i, 1.0, pressure_ratio, m, s)  # its column of Phi is from now on the effect of one unit
     forget_model_error(s)

@@ -16,14 +16,16 @@ from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
 
-BEFORE_S = 3.0
-"""Time constant of the estimate that an actuator had before [s]: several times the memory of the filter, 0.6 s."""
-SUDDENLY = 0.5
-"""Effectiveness that is lost at once if an actuator fails: a fall by more than this is no error of its estimate."""
-WAIT_S, STILL_LOW = 3.0, 0.15
-"""How long the estimate of an actuator must stay below `STILL_LOW` [1] before it is given up if level flight is given up with it
-[s]: longer than most pauses of one that fails on and off. What keeps more than `STILL_LOW` is worth using. The estimate of an
-engine takes up errors of the drag, so that of a lost one does not stay below `threshold`."""
+SLOW_LAG_S = 3.0
+"""Time constant of the slow estimate, with which the present one is compared [s]: several times the memory of the filter, 0.6 s."""
+SUDDEN_LOSS = 0.5
+"""Fall of an estimate below the slow one [1] that no error of the estimate explains."""
+INFORMATIVE_STD = 0.5
+"""Largest standard deviation of an estimate [1] that says anything about which actuator has failed."""
+CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
+"""An actuator without which altitude cannot be held is given up only when its estimate has stayed below `CONFIRM_BELOW` [1] for
+`CONFIRM_S` [s]. That is longer than most pauses of an intermittent failure. What keeps more effectiveness than that is worth using.
+`threshold` would not do for an engine: its estimate takes up errors of the drag, so that of a lost one does not stay below it."""
 STEADY_M = 2.0
 """Altitude, or the altitude that missing airspeed is worth, that a level flight loses at most [m]."""
 TIMER_ROUNDING = 1e-9
@@ -47,14 +49,14 @@ def effect_ratio(i, pressure_ratio, m):
 def state_function(y, m, f):
     """f_m of (2) at the measured state, into f [4]."""
     speed, pressure_ratio = y.airspeed / m.airspeed, pressure_ratio_of(y, m)
-    for i in range(4):
+    for i in range(4):  # (2): aerodynamic forces go with V^2, damping with V
         angles = m.bias[i] + m.A[i, D_ALPHA] * (y.alpha - m.alpha) + m.A[i, D_BETA] * y.beta
         angles += m.sideslip[i] * abs(y.beta)
         rates = m.A[i, D_P] * y.p + m.A[i, D_Q] * y.q + m.A[i, D_R] * y.r
         f[i] = pressure_ratio * angles + speed * rates
     v = y.airspeed * math.sin(y.beta)
     w = y.airspeed * math.sin(y.alpha) * math.cos(y.beta)
-    f[U_DOT] += y.r * v - y.q * w - GRAVITY_M_S2 * math.sin(y.pitch)
+    f[U_DOT] += y.r * v - y.q * w - GRAVITY_M_S2 * math.sin(y.pitch)  # of rotating axes, and of gravity
 
 
 @compiled
@@ -63,7 +65,7 @@ def assume_ideal_actuators(m, c, k, s):
     the paper writes x_c_dot - x_dc_dot."""
     for i in range(len(s.position)):
         if k.available[i]:
-            s.position[i] = s.r[i] / divisor(i, c, s)
+            s.position[i] = s.r[i] / divisor(i, c, s)  # a = u: then e is the paper's (10)
         s.torque[i] = m.torque_slope[i] * s.position[i]
 
 
@@ -80,7 +82,7 @@ def regressor(pressure_ratio, m, s, phi):
             a = 1.0
         elif not m.servo[j]:
             transient = s.torque[j] - m.torque_slope[j] * s.position[j]
-        for i in range(4):
+        for i in range(4):  # B_m diag(u) of (7), with a in place of u
             phi[i, j] = m.B[i, j] * ratio * a + m.B_torque[i, j] * transient
 
 
@@ -108,17 +110,17 @@ def measured_error(z, phi, s, e):
     With ideal actuators it is the paper's (12), e = B_m (Lambda - Lambda_hat) u.
     """
     for i in range(4):
-        e[i] = z[i]
+        e[i] = z[i]  # x_c_dot of (10), less f_m
         for j in range(len(s.lambda_hat)):
-            e[i] -= phi[i, j] * s.lambda_hat[j]
+            e[i] -= phi[i, j] * s.lambda_hat[j]  # x_dc_dot of (5), less f_m: B_m r with r = Lambda_hat a
 
 
 @compiled
 def modified_inverse(alpha, epsilon):
     """g of (14): 1/alpha, but linear through zero where |alpha| <= epsilon."""
     if abs(alpha) > epsilon:
-        return 1.0 / alpha
-    return alpha / (epsilon * epsilon)
+        return 1.0 / alpha  # (14), first case
+    return alpha / (epsilon * epsilon)  # (14), second case
 
 
 @compiled
@@ -136,30 +138,33 @@ def adapt(e, pressure_ratio, m, c, s):
     for i in range(len(s.lambda_hat)):
         x = 0.0
         for j in range(4):
-            x += m.B_inv[i, j] * e[j]
-        x /= effect_ratio(i, pressure_ratio, m)
+            x += m.B_inv[i, j] * e[j]  # B_m^-1 e of (13)
+        x /= effect_ratio(i, pressure_ratio, m)  # B_m at this airspeed
         if s.jammed[i]:
             s.lambda_hat[i] = min(max(s.lambda_hat[i] + c.dt * c.gamma[i] * x, m.low[i]), m.high[i])
             continue
-        rate = c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon[i])
+        rate = c.gamma[i] * x * modified_inverse(s.position[i], c.epsilon[i])  # (13): lambda_hat' = rate
+        # (log lambda_hat)' = lambda_hat' / lambda_hat, integrated
         estimate = s.lambda_hat[i] * math.exp(c.dt * rate / s.lambda_hat[i])
         s.lambda_hat[i] = min(max(estimate, c.lambda_min), c.lambda_max)
 
 
 @compiled
 def is_to_blame(i, c, s):
-    """Whether a low estimate of actuator i is its own failure: it fell by more than `SUDDENLY`, or by more than any other estimate
-    in use has changed, and none of those is at its upper limit. An estimate with a larger standard deviation says nothing.
+    """Whether a low estimate of actuator i is its own failure, and not the effect of another's.
 
-    When another actuator fails, all estimates share the explanation of its force at first, and at the limit is one whose force is
-    more than effectiveness explains. That of a weak actuator has little way to go until it is below the threshold: a surface that
-    had kept 0.1 to 0.25 was given up for a propeller that stuck."""
-    fell = s.lambda_before[i] - s.lambda_hat[i]
-    if fell > SUDDENLY or not c.weighted:
+    It is if the estimate fell by more than `SUDDEN_LOSS`. It also is if no other estimate in use has changed by more, and none of
+    those is at its upper limit. Estimates with a standard deviation above `INFORMATIVE_STD` do not count.
+
+    When another actuator fails, all estimates share the explanation of its force at first. One at its upper limit shows a force
+    that no effectiveness explains. The estimate of an actuator that is weak already has little way to go to the threshold: a
+    surface with 0.1 to 0.25 was given up when a propeller stuck."""
+    fell = s.lambda_slow[i] - s.lambda_hat[i]
+    if fell > SUDDEN_LOSS or not c.weighted:
         return True
     for j in range(len(s.lambda_hat)):
-        if j != i and not s.failed[j] and s.P[j, j] < SUDDENLY * SUDDENLY:
-            changed = abs(s.lambda_before[j] - s.lambda_hat[j]) > fell
+        if j != i and not s.failed[j] and s.P[j, j] < INFORMATIVE_STD * INFORMATIVE_STD:
+            changed = abs(s.lambda_slow[j] - s.lambda_hat[j]) > fell
             if changed or s.lambda_hat[j] >= c.lambda_max:
                 return False
     return True
@@ -180,23 +185,24 @@ def monitor(steady, c, s):
 
     An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
     hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
-    infinite. With `weighted` it must also be the one that `is_to_blame`. A flag that `ModeSwitch` has taken back as `early` comes
-    again when the estimate has stayed low for `WAIT_S` and the flight is no longer `steady`: one that holds its altitude would lose
-    it by giving up what seems lost.
+    infinite. With `weighted` it must also be the one that `is_to_blame`.
+
+    `ModeSwitch` takes a flag back as `early` if altitude cannot be held without the actuator. It is set again when the estimate has
+    stayed low for `CONFIRM_S` and the flight is no longer `steady`: a flight that holds its altitude would lose it by the flag.
     """
     changed = 0
     for i in range(len(s.lambda_hat)):
         if s.jammed[i]:
             continue  # its estimate is a position; `jam_detection` has its timers
-        s.lambda_before[i] += c.dt / BEFORE_S * (s.lambda_hat[i] - s.lambda_before[i])
+        s.lambda_slow[i] += c.dt / SLOW_LAG_S * (s.lambda_hat[i] - s.lambda_slow[i])
         if s.failed[i]:
             beyond, time = s.lambda_hat[i] > c.recovery, c.recovery_time
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
-            low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]
+            low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
             beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
             if s.early[i]:
-                beyond, time = certain and s.lambda_hat[i] < STILL_LOW, math.inf if steady else WAIT_S
+                beyond, time = certain and s.lambda_hat[i] < CONFIRM_BELOW, math.inf if steady else CONFIRM_S
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:
@@ -216,8 +222,8 @@ def invert(nu, pressure_ratio, m, k, s):
     for i in range(len(s.r)):
         s.r[i] = k.trim_effect[i]
         for j in range(4):
-            s.r[i] += k.B_hat_inv[i, j] * nu[j]
-        s.r[i] /= effect_ratio(i, pressure_ratio, m)
+            s.r[i] += k.B_hat_inv[i, j] * nu[j]  # (29), or (6): r = B_hat^-1 [x_dc_dot - f_m]
+        s.r[i] /= effect_ratio(i, pressure_ratio, m)  # B_m at this airspeed
 
 
 @compiled
@@ -245,5 +251,6 @@ def compensate(m, c, k, s):
     `shift` is the offset of a surface that has moved from its command (`offset_detection`), and 0 for all others.
     """
     for i in range(len(s.u)):
+        # section 2.2.1, in (8): u = Lambda_hat^-1 r
         u = (s.r[i] - s.shift[i]) / divisor(i, c, s) if k.available[i] else m.trim_position[i]
         s.u[i] = min(max(u, m.low[i]), m.high[i])

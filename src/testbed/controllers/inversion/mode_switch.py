@@ -9,7 +9,7 @@ import numpy as np
 
 from testbed.common.signals import RATES
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.inversion.law import WAIT_S
+from testbed.controllers.inversion.law import CONFIRM_S
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
@@ -24,7 +24,7 @@ _JAMMED = "not a loss of effectiveness: its force does not follow its command (j
 _SWINGS = "its force swings while its command stands still: not lost, used again"
 _REVERSED = "its force goes against its command: reversed, used again with the opposite sign"
 _SEEMS_LOST = (
-    f"seems lost, but without it altitude cannot be held: used until it has seemed so for {WAIT_S:g} s "
+    f"seems lost, but without it altitude cannot be held: used until it has seemed so for {CONFIRM_S:g} s "
     "and altitude or airspeed is lost"
 )
 _OFFSET = "its force follows its command with an offset: not jammed, used on"
@@ -83,7 +83,7 @@ class ModeSwitch:
         jammed = {i: float(s.lambda_hat[i]) for i in failed if s.jammed[i]}
         for i, position in jammed.items():
             s.designed_position[i] = position
-        self._note_findings(step, jammed)
+        self._note_diagnoses(step, jammed)
         if airspeed is not None:
             jammed = {i: self._at_reference(i, position, airspeed) for i, position in jammed.items()}
         if not failed and not self.mode.failed:
@@ -103,9 +103,8 @@ class ModeSwitch:
             self._report(step, _cannot_hold_altitude(mode, regulator), once_for=mode.failed)
         self._put_in_force(mode, regulator, failed)
         if words := self._airspeed_in_words():
-            self._report(
-                step, f"{', '.join(mode.failed)} failed: {words}", once_for=("airspeed", mode.failed)
-            )
+            text = f"{', '.join(mode.failed)} failed: {words}"
+            self._report(step, text, once_for=("airspeed", mode.failed))
 
     def _wait(self, step: int, mode: Mode) -> bool:
         """Take back the flags of a mode that came early, so that these actuators are used on; returns whether there are any.
@@ -143,17 +142,16 @@ class ModeSwitch:
         height = ((v + faster) ** 2 - v * v) / (2.0 * GRAVITY_M_S2)
         return f"flies {faster:.1f} m/s faster than commanded, to have {height:.0f} m of altitude stored as airspeed"
 
-    def _note_findings(self, step: int, jammed: Iterable[int]) -> None:
+    def _note_diagnoses(self, step: int, jammed: Iterable[int]) -> None:
         """Note each actuator whose failure is no loss of effectiveness."""
         s, names = self._memory[0], self._setup.model.actuators
-        swings, offset = np.flatnonzero(s.own_noise > 0.0), np.flatnonzero(s.offset)
-        found = (
+        diagnoses = (
             (jammed, _JAMMED),
-            (swings, _SWINGS),
+            (np.flatnonzero(s.own_noise > 0.0), _SWINGS),
             (np.flatnonzero(s.reversed), _REVERSED),
-            (offset, _OFFSET),
+            (np.flatnonzero(s.offset), _OFFSET),
         )
-        for actuators, text in found:
+        for actuators, text in diagnoses:
             for i in actuators:
                 self._report(step, f"{names[i]}: {text}")
 

@@ -1,4 +1,4 @@
-"""The trim of a control mode: which steady flight of the design model to fly with the actuators that are left.
+"""The trim of a control mode: which steady flight of the design model to fly after a failure.
 
 After a loss of effectiveness the flight stays near the reference airspeed. A jammed actuator has a force of its own, which only
 some airspeeds and path angles balance. So all of them are searched, and the flight with the most margin to the stops is taken.
@@ -15,7 +15,7 @@ import numpy as np
 from testbed.aircraft.control_design import Loops
 from testbed.aircraft.design_model import DesignModel
 from testbed.controllers.inversion.steady_flights import (
-    Remaining,
+    DegradedAircraft,
     SteadyFlight,
     at_airspeeds,
     at_path_angles,
@@ -36,10 +36,13 @@ _AIRSPEEDS = np.linspace(0.55, 1.8, 51)
 1.8 on a model with errors of 20 %."""
 _PATH_ANGLES = np.linspace(-0.16, 0.16, 17)  # rad, searched after a jam if level flight has too little margin
 _MARGIN_OF_LEVEL_FLIGHT = 0.15
-"""Scaled margin that a level trim must have after a jam. With less, the model's error decides whether there is one. If one has it,
-others with less may be preferred: the estimated position would decide whether the aircraft has to slow down, and it climbed."""
+"""Scaled margin that the best level trim must have after a jam, or flights that are not level are searched too: with less, the
+model's error decides whether there is a level trim.
+
+It is asked of the best one alone. Asked of each, it would exclude the trims at some airspeeds by the estimated position of the jam,
+and so decide by an uncertain number whether the aircraft has to slow down."""
 _MARGIN_TO_DESCEND = 0.3
-"""Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has nothing left to descend with."""
+"""Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has no margin to descend with."""
 _NEARLY_LEVEL = 0.03
 """Path angle [rad] of a flight with a stuck motor that may be level flight: a third of an aircraft's drag over its weight. Altitude
 is held, and given up only while the aircraft is too slow."""
@@ -47,7 +50,7 @@ _ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its 
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same without thrust: half of it is worth less than the altitude that it costs
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
-"""Scaled margin that is given up in order not to change airspeed by its own amount, or the path angle by 1 rad."""
+"""Scaled margin that a trim must have more to be preferred: for an airspeed twice the wanted one, and for a path angle of 1 rad."""
 
 _EVERYTHING = ("airspeed", "altitude", "heading")
 
@@ -61,11 +64,13 @@ class NoSteadyFlight(ValueError):
     """With these actuators the design model has no steady flight, or none that can be stabilised."""
 
 
-def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlight, tuple[str, ...]]:
+def steady_flight(
+    degraded: DegradedAircraft, loops: Loops, title: str
+) -> tuple[SteadyFlight, tuple[str, ...]]:
     """Steady flight with the actuators that remain, and the outputs that can be held in it.
 
     With three actuators or more, the flight is level at the reference airspeed, or faster if there is no trim at that. If one
-    motor of several is left, the search begins `lost_thrust_faster_m_s` higher. Airspeed, altitude and heading are held.
+    motor of several remains, the search begins `lost_thrust_faster_m_s` higher. Airspeed, altitude and heading are held.
 
     With two, of which at least one is a motor, the flight is level at an unknown airspeed; altitude and heading are held. So it is
     with any number of surfaces and a motor that is stuck: drag balances its thrust at one airspeed.
@@ -77,13 +82,13 @@ def steady_flight(left: Remaining, loops: Loops, title: str) -> tuple[SteadyFlig
         title: what failed, for the message.
 
     Raises:
-        NoSteadyFlight: fewer than two actuators are left, or none of these flights has a trim.
+        NoSteadyFlight: fewer than two actuators remain, or none of these flights has a trim.
     """
-    if left.available.sum() < 2:
+    if degraded.available.sum() < 2:
         raise NoSteadyFlight(f"{title}: one actuator cannot hold altitude and heading")
-    search = _after_a_jam if left.jammed else _after_losses
-    for flights, held, preference, stop_factor in search(left, loops):
-        flight = _best(flights.only(margins(left, flights, stop_factor) >= 0.0), preference)
+    search = _after_a_jam if degraded.jammed else _after_losses
+    for flights, held, preference, stop_factor in search(degraded, loops):
+        flight = _best(flights.only(margins(degraded, flights, stop_factor) >= 0.0), preference)
         if flight is not None:
             return flight, held
     raise NoSteadyFlight(f"{title}: no steady flight within the stops, level, climbing or descending")
@@ -102,7 +107,7 @@ class AirspeedRange(NamedTuple):
     too_fast: float
 
 
-def airspeed_range(left: Remaining, flight: SteadyFlight, held: tuple[str, ...]) -> AirspeedRange:
+def airspeed_range(degraded: DegradedAircraft, flight: SteadyFlight, held: tuple[str, ...]) -> AirspeedRange:
     """Airspeeds at which the mode with this trim may be flown.
 
     After a loss, any. Where airspeed or altitude cannot be held, that of the trim. After a jam, those at which level flight has
@@ -110,17 +115,17 @@ def airspeed_range(left: Remaining, flight: SteadyFlight, held: tuple[str, ...])
     """
     airspeed = float(flight.state[AIRSPEED])
     if "airspeed" not in held:
-        return AirspeedRange(airspeed, airspeed, airspeed if _has_motor(left) else math.inf)
-    if not left.jammed:
+        return AirspeedRange(airspeed, airspeed, airspeed if _has_motor(degraded) else math.inf)
+    if not degraded.jammed:
         return AirspeedRange(0.0, math.inf, math.inf)
     if "altitude" not in held:
         return AirspeedRange(airspeed, airspeed, airspeed)
-    flights = _level_anywhere(left)
-    margin, airspeeds = margins(left, flights), flights.state[:, AIRSPEED]
-    needed = min(_MARGIN_ENOUGH, float(margins(left, flight.only(np.newaxis))[0])) - 1e-6
+    flights = _level_anywhere(degraded)
+    margin, airspeeds = margins(degraded, flights), flights.state[:, AIRSPEED]
+    needed = min(_MARGIN_ENOUGH, float(margins(degraded, flight.only(np.newaxis))[0])) - 1e-6
     roomy, flyable = airspeeds[margin >= needed], airspeeds[margin > _MARGIN_TO_DESCEND]
     too_fast = max(flyable, default=airspeed)
-    fastest = left.model.airspeed_m_s * _AIRSPEEDS[-1]
+    fastest = degraded.model.airspeed_m_s * _AIRSPEEDS[-1]
     return AirspeedRange(
         float(min(roomy, default=airspeed)),
         float(max(roomy, default=airspeed)),
@@ -132,68 +137,68 @@ def _best(flights: SteadyFlight, preference: Preference) -> SteadyFlight | None:
     return flights.only(int(np.argmax(preference(flights)))) if len(flights.state) else None
 
 
-def _after_losses(left: Remaining, loops: Loops) -> Iterator[Attempt]:
+def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
     """Attempts in the order in which they are made, when no actuator is jammed: the nearest airspeed is the best."""
-    reference, motor = left.model.airspeed_m_s, _has_motor(left)
+    reference, motor = degraded.model.airspeed_m_s, _has_motor(degraded)
     around = reference + np.array([0.0, -2.0, 2.0, -4.0, 4.0, 8.0])
-    if left.available.sum() < 3 or not motor:
+    if degraded.available.sum() < 3 or not motor:
         if motor:
-            yield level(left, around), ("altitude", "heading"), _nearest(reference), 1.0
-            yield _at_any_airspeed(left), ("airspeed", "heading"), _slowest_descent(left), 1.0
-        elif not left.servos.all():
-            yield _at_any_airspeed(left), ("airspeed", "heading"), _shallowest(left), 1.0
-        yield at_airspeeds(left, around), ("airspeed", "heading"), _nearest(reference), 1.0
+            yield level(degraded, around), ("altitude", "heading"), _nearest(reference), 1.0
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _slowest_descent(degraded), 1.0
+        elif not degraded.servos.all():
+            yield _at_any_airspeed(degraded), ("airspeed", "heading"), _shallowest(degraded), 1.0
+        yield at_airspeeds(degraded, around), ("airspeed", "heading"), _nearest(reference), 1.0
         return
-    wanted = _wanted(left, loops)
+    wanted = _wanted(degraded, loops)
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
-    flights = at_path_angles(left, faster, np.zeros(5))
+    flights = at_path_angles(degraded, faster, np.zeros(5))
     for stop_factor in (1.0, _BEYOND_STOPS):
         yield flights, _EVERYTHING, _nearest(wanted), stop_factor
-    yield _level_anywhere(left), _EVERYTHING, _nearest(wanted), 1.0
-    yield _anywhere(left), ("airspeed", "heading"), _roomiest(left, wanted), 1.0
+    yield _level_anywhere(degraded), _EVERYTHING, _nearest(wanted), 1.0
+    yield _anywhere(degraded), ("airspeed", "heading"), _roomiest(degraded, wanted), 1.0
 
 
-def _after_a_jam(left: Remaining, loops: Loops) -> Iterator[Attempt]:
+def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
     """Attempts in the order in which they are made, when an actuator is jammed: the most margin is the best."""
-    wanted = _wanted(left, loops)
-    preference = _roomiest(left, wanted)
-    if left.available.sum() < 3 or not _has_motor(left):
-        if _has_motor(left):
-            flights = level(left, left.model.airspeed_m_s * _AIRSPEEDS[::6])
+    wanted = _wanted(degraded, loops)
+    preference = _roomiest(degraded, wanted)
+    if degraded.available.sum() < 3 or not _has_motor(degraded):
+        if _has_motor(degraded):
+            flights = level(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS[::6])
             yield flights, ("altitude", "heading"), preference, 1.0
-        elif left.thrusts:
-            yield from _with_stuck_thrust(left, preference)
-        yield _at_any_airspeed(left), ("airspeed", "heading"), preference, 1.0
+        elif degraded.thrusts:
+            yield from _with_stuck_thrust(degraded, preference)
+        yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference, 1.0
         return
-    flights = _level_anywhere(left)
-    if margins(left, flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
+    flights = _level_anywhere(degraded)
+    if margins(degraded, flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
         yield flights, _EVERYTHING, preference, 1.0
-    yield _anywhere(left), ("airspeed", "heading"), preference, 1.0
+    yield _anywhere(degraded), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
 
 
-def _with_stuck_thrust(left: Remaining, preference: Preference) -> Iterator[Attempt]:
+def _with_stuck_thrust(degraded: DegradedAircraft, preference: Preference) -> Iterator[Attempt]:
     """Attempts when the only motors that give thrust are stuck: level at the airspeed that their thrust gives, or a glide."""
-    flights = level(left, left.model.airspeed_m_s * _AIRSPEEDS[::6])
+    flights = level(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS[::6])
     yield flights, ("altitude", "heading"), _fastest, 1.0
-    flights = _at_any_airspeed(left)
+    flights = _at_any_airspeed(degraded)
     nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
     yield nearly_level, ("altitude", "heading"), preference, 1.0
-    yield flights, ("airspeed", "heading"), _shallowest(left), 1.0
+    yield flights, ("airspeed", "heading"), _shallowest(degraded), 1.0
 
 
-def _at_any_airspeed(left: Remaining) -> SteadyFlight:
-    return at_airspeeds(left, left.model.airspeed_m_s * _AIRSPEEDS)
+def _at_any_airspeed(degraded: DegradedAircraft) -> SteadyFlight:
+    return at_airspeeds(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS)
 
 
-def _level_anywhere(left: Remaining) -> SteadyFlight:
-    return at_path_angles(left, left.model.airspeed_m_s * _AIRSPEEDS, np.zeros(len(_AIRSPEEDS)))
+def _level_anywhere(degraded: DegradedAircraft) -> SteadyFlight:
+    return at_path_angles(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS, np.zeros(len(_AIRSPEEDS)))
 
 
-def _anywhere(left: Remaining) -> SteadyFlight:
+def _anywhere(degraded: DegradedAircraft) -> SteadyFlight:
     """Flights at every second airspeed and all path angles."""
-    airspeeds, angles = np.meshgrid(left.model.airspeed_m_s * _AIRSPEEDS[::2], _PATH_ANGLES)
-    return at_path_angles(left, airspeeds.ravel(), angles.ravel())
+    airspeeds, angles = np.meshgrid(degraded.model.airspeed_m_s * _AIRSPEEDS[::2], _PATH_ANGLES)
+    return at_path_angles(degraded, airspeeds.ravel(), angles.ravel())
 
 
 def _nearest(airspeed: float) -> Preference:
@@ -206,37 +211,39 @@ def _fastest(flights: SteadyFlight) -> np.ndarray:
     return flights.state[:, AIRSPEED]
 
 
-def _roomiest(left: Remaining, wanted: float) -> Preference:
+def _roomiest(degraded: DegradedAircraft, wanted: float) -> Preference:
     """Most margin up to `_MARGIN_ENOUGH`, but not far from the airspeed that is wanted, nor for a steep path."""
 
     def preference(flights: SteadyFlight) -> np.ndarray:
-        change = np.abs(flights.state[:, AIRSPEED] - wanted) / left.model.airspeed_m_s
+        change = np.abs(flights.state[:, AIRSPEED] - wanted) / degraded.model.airspeed_m_s
         cost = _MARGIN_FOR_AIRSPEED * change + _MARGIN_FOR_SLOPE * np.abs(path_angles(flights))
-        preferred: np.ndarray = np.minimum(margins(left, flights), _MARGIN_ENOUGH) - cost
+        preferred: np.ndarray = np.minimum(margins(degraded, flights), _MARGIN_ENOUGH) - cost
         return preferred
 
     return preference
 
 
-def _shallowest(left: Remaining) -> Preference:
+def _shallowest(degraded: DegradedAircraft) -> Preference:
     """Most margin up to `_MARGIN_OF_A_GLIDE`, but not for a steep path, at any airspeed: without thrust altitude is worth more."""
     return lambda flights: (
-        np.minimum(margins(left, flights), _MARGIN_OF_A_GLIDE) + _MARGIN_FOR_SLOPE * path_angles(flights)
+        np.minimum(margins(degraded, flights), _MARGIN_OF_A_GLIDE) + _MARGIN_FOR_SLOPE * path_angles(flights)
     )
 
 
-def _slowest_descent(left: Remaining) -> Preference:
+def _slowest_descent(degraded: DegradedAircraft) -> Preference:
     """Most margin up to `_MARGIN_ENOUGH`, but not for a fast descent, at any airspeed."""
 
     def preference(flights: SteadyFlight) -> np.ndarray:
-        climb = np.sin(path_angles(flights)) * flights.state[:, AIRSPEED] / left.model.airspeed_m_s
-        preferred: np.ndarray = np.minimum(margins(left, flights), _MARGIN_ENOUGH) + _MARGIN_FOR_SLOPE * climb
+        climb = np.sin(path_angles(flights)) * flights.state[:, AIRSPEED] / degraded.model.airspeed_m_s
+        preferred: np.ndarray = (
+            np.minimum(margins(degraded, flights), _MARGIN_ENOUGH) + _MARGIN_FOR_SLOPE * climb
+        )
         return preferred
 
     return preference
 
 
-def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:
+def margins(degraded: DegradedAircraft, flights: SteadyFlight, stop_factor: float = 1.0) -> np.ndarray:
     """[m] scaled distance to the nearest stop, or to the largest plausible angle, of each of m flights; negative beyond it.
 
     A distance to a stop is worth what it balances of gusts, whose moments grow with airspeed. The moments of surfaces grow with its
@@ -246,20 +253,24 @@ def margins(left: Remaining, flights: SteadyFlight, stop_factor: float = 1.0) ->
     Args:
         stop_factor: the stops are multiplied by this.
     """
-    used, state = left.used, flights.state
-    low = np.maximum(stop_factor * left.limits[:, 0], left.least_positions(state[:, AIRSPEED]))[:, used]
-    high = np.minimum(stop_factor * left.limits[:, 1], left.most_positions(state[:, AIRSPEED]))[:, used]
+    used, state = degraded.used, flights.state
+    low = np.maximum(stop_factor * degraded.limits[:, 0], degraded.least_positions(state[:, AIRSPEED]))[
+        :, used
+    ]
+    high = np.minimum(stop_factor * degraded.limits[:, 1], degraded.most_positions(state[:, AIRSPEED]))[
+        :, used
+    ]
     positions = flights.positions[:, used]
-    airspeed_ratio = state[:, [AIRSPEED]] / left.model.airspeed_m_s
-    worth = np.minimum(np.where(left.servos[used], airspeed_ratio, 1.0 / airspeed_ratio), 1.0)
+    airspeed_ratio = state[:, [AIRSPEED]] / degraded.model.airspeed_m_s
+    worth = np.minimum(np.where(degraded.servos[used], airspeed_ratio, 1.0 / airspeed_ratio), 1.0)
     to_stops = (worth * np.minimum(positions - low, high - positions)).min(axis=1, initial=np.inf)
-    to_stall = (left.model.stall_alpha_rad - state[:, ALPHA]) / _ANGLE
+    to_stall = (degraded.model.stall_alpha_rad - state[:, ALPHA]) / _ANGLE
     to_sideslip = (_BETA_MAX - np.abs(state[:, BETA])) / _ANGLE
     return np.minimum(np.minimum(to_stops, to_stall), to_sideslip) + _ROUNDING
 
 
 def lost_thrust(model: DesignModel, failed: Sequence[int], forces: np.ndarray) -> bool:
-    """Whether one motor or engine of several is left, and the failed ones give less than half of their thrust at the trim.
+    """Whether one motor or engine of several remains, and the failed ones give less than half of their thrust at the trim.
 
     Args:
         forces: [n] of each failed actuator, 0 if it is lost [rad or N]. An aircraft that has only one motor has lost none.
@@ -269,12 +280,14 @@ def lost_thrust(model: DesignModel, failed: Sequence[int], forces: np.ndarray) -
     return len(lost) > 0 and len(motors) == len(lost) + 1
 
 
-def _wanted(left: Remaining, loops: Loops) -> float:
-    """Airspeed to fly at if there is a trim: the reference, or faster with one motor left."""
-    lost = lost_thrust(left.model, left.unused, left.effective * left.positions * left.scale)
-    return left.model.airspeed_m_s + (loops.lost_thrust_faster_m_s if lost else 0.0)
+def _wanted(degraded: DegradedAircraft, loops: Loops) -> float:
+    """Airspeed to fly at if there is a trim: the reference, or faster with one remaining motor."""
+    lost = lost_thrust(
+        degraded.model, degraded.unused, degraded.effective * degraded.positions * degraded.scale
+    )
+    return degraded.model.airspeed_m_s + (loops.lost_thrust_faster_m_s if lost else 0.0)
 
 
-def _has_motor(left: Remaining) -> bool:
+def _has_motor(degraded: DegradedAircraft) -> bool:
     """Whether a motor or engine is available."""
-    return any(left.available[i] for i, kind in enumerate(left.model.kinds) if kind != "servo")
+    return any(degraded.available[i] for i, kind in enumerate(degraded.model.kinds) if kind != "servo")

@@ -19,7 +19,7 @@ from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 
 _CLEARLY = 0.5
-"""Share of the largest authority that can be left, with which less important axes are given up in place of others."""
+"""Share of the largest authority that can remain, with which less important axes are given up in place of others."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class Mode:
 
     failed: tuple[str, ...]
     released: tuple[str, ...]
-    inverse: np.ndarray
+    inverse: np.ndarray  # (29)
     condition: float
     refused: str = ""
     thrust_alone: Sequence[bool] = ()
@@ -144,7 +144,7 @@ def _released_axes(
 def _listed_axes(failed: Sequence[str], n: int, control: ControlDesign) -> tuple[str, ...]:
     """The axes that the aircraft's `release` lists for this combination, or else those that it lists for each failed actuator.
 
-    More axes are given up, lowest priority first, until no more are kept than actuators are left of n.
+    More axes are given up, lowest priority first, until no more are kept than the actuators that remain of n.
     """
     listed = control.release.get("+".join(failed))
     if listed is None:
@@ -161,6 +161,7 @@ def _inverse(b: np.ndarray, kept: Sequence[int], available: Sequence[int], alone
     """[n, 4] `Mode.inverse`: the pseudo-inverse of the kept rows of b [4, n], with what is moved independently."""
     u_dot, inverse = RATES.index("u_dot"), np.zeros((b.shape[1], 4))
     basis = _basis(b[u_dot] * (u_dot in kept), alone, available)
+    # (29): B_hat^-1, rows of failed actuators and columns of released axes zero
     inverse[np.ix_(available, kept)] = basis @ np.linalg.pinv(b[np.ix_(kept, available)] @ basis)
     return inverse
 
@@ -213,21 +214,24 @@ def _controllable(
     least = [axis for axis in reversed(control.priorities) if axis not in first]
     for count in range(len(least)):
         sets = [(*first, *more) for more in combinations(least, count)]
-        left = [_authority_left(b, size, axes, control.condition_max) for axes in sets]
-        if max(left) > 0.0:
-            chosen = next(axes for axes, each in zip(sets, left, strict=True) if each >= _CLEARLY * max(left))
+        authority = [_remaining_authority(b, size, axes, control.condition_max) for axes in sets]
+        enough = _CLEARLY * max(authority)
+        if enough > 0.0:
+            chosen = next(axes for axes, each in zip(sets, authority, strict=True) if each >= enough)
             return tuple(axis for axis in RATES if axis in chosen)
     return None
 
 
-def _authority_left(b: np.ndarray, size: np.ndarray, released: Sequence[str], condition_max: float) -> float:
-    """How much of the kept axes is left in the direction in which least is: the least singular value of their rows, each in units
-    of its `size` [4, 1]; 0 where the condition number or the loss is larger than `condition_max`."""
+def _remaining_authority(
+    b: np.ndarray, size: np.ndarray, released: Sequence[str], condition_max: float
+) -> float:
+    """Authority that remains over the kept axes in the direction in which it is least: the least singular value of their rows,
+    each in units of its `size` [4, 1]; 0 where the condition number or the loss is larger than `condition_max`."""
     kept = [i for i, axis in enumerate(RATES) if axis not in released]
     if len(kept) > b.shape[1] or float(np.linalg.cond(b[kept])) > condition_max:
         return 0.0
-    left = float(np.linalg.svd(b[kept] / size[kept], compute_uv=False)[-1])
-    return left if left * condition_max >= 1.0 else 0.0
+    least = float(np.linalg.svd(b[kept] / size[kept], compute_uv=False)[-1])
+    return least if least * condition_max >= 1.0 else 0.0
 
 
 def _refusal(axes: int, actuators: int, condition: float, condition_max: float) -> str:

@@ -7,7 +7,7 @@ An estimate of 0 then means a jam, and one of 1 an offset. Each is believed when
 it is believed when an offset of the size seen at first is as far away. Until then, and after an offset is believed, commands make
 up for it by its `shift`.
 
-Motors and engines are left out: what they give beside their throttle is a jam.
+Motors and engines are excluded: what they give beside their throttle is a jam.
 
 Letters: m design model, c settings, s memory, phi of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
@@ -20,16 +20,16 @@ import math
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.law import effect_ratio
 
-BETWEEN = 0.5
-"""Effectiveness as far from that of a jammed surface, 0, as from that of one that follows, 1."""
+DECISION_THRESHOLD = 0.5
+"""Effectiveness half-way between the hypotheses jammed, 0, and follows, 1."""
 BEYOND_SIGMAS = 3.0
-"""Standard deviations of the estimate at which a hypothesis is given up."""
+"""Standard deviations of the estimate at which a hypothesis is rejected."""
 
 
 @compiled
 def no_effectiveness(i, estimate, m, c, s):
-    """Whether surface i is in use, and cannot have this effectiveness: its change is one of position. One that is known to be late
-    is left out, because a wrong time explains such changes too."""
+    """Whether surface i is in use, and cannot have this effectiveness: its change is one of position. One that acts late is
+    excluded, because a wrong time explains such changes too."""
     in_use = m.servo[i] and not (s.failed[i] or s.jammed[i])
     return in_use and not is_late(i, s) and not c.lambda_min <= estimate <= c.lambda_max
 
@@ -72,7 +72,7 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
     """
     if not c.weighted or not m.servo[i] or s.jammed[i] or s.reversed[i]:
         return 0.0
-    if s.lambda_hat[i] >= min(BETWEEN, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
+    if s.lambda_hat[i] >= min(DECISION_THRESHOLD, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
         return 0.0
     ratio = offset_in_model_error(i, pressure_ratio, m, s)[1] / (c.jam_sigma * c.jam_sigma)
     if ratio > 1.0:
@@ -86,7 +86,7 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
 @compiled
 def follows(i, m, c, s):
     """Whether surface i moves with its commands: effectiveness 0 is out of question."""
-    sure = s.lambda_hat[i] > max(BETWEEN, BEYOND_SIGMAS * deviation(i, s))
+    sure = s.lambda_hat[i] > max(DECISION_THRESHOLD, BEYOND_SIGMAS * deviation(i, s))
     return c.weighted and m.servo[i] and sure and not s.failed[i]
 
 
@@ -156,16 +156,16 @@ def follow_offsets(pressure_ratio, m, c, s):
     for i in range(len(s.offset)):
         s.shift[i] = 0.0
         if s.offset[i] != 0.0 or s.moved[i] != 0.0:
-            found = offset_in_model_error(i, pressure_ratio, m, s)[0]
-            if s.moved[i] != 0.0 and was_a_gust(i, found, pressure_ratio, m, s):
+            estimate = offset_in_model_error(i, pressure_ratio, m, s)[0]
+            if s.moved[i] != 0.0 and was_a_gust(i, estimate, pressure_ratio, m, s):
                 s.moved[i] = 0.0
-            s.shift[i] = 0.0 if c.uncompensated else found
-            s.offset[i] = found if s.offset[i] != 0.0 else 0.0
+            s.shift[i] = 0.0 if c.uncompensated else estimate
+            s.offset[i] = estimate if s.offset[i] != 0.0 else 0.0
 
 
 @compiled
 def force_of_offsets(row, pressure_ratio, m, s):
-    """What the known offsets of surfaces add to one rate [rad/s2; u_dot m/s2]."""
+    """What the believed offsets of surfaces add to one rate [rad/s2; u_dot m/s2]."""
     force = 0.0
     for i in range(len(s.offset)):
         if s.offset[i] != 0.0:

@@ -1,9 +1,9 @@
 """The outer loop of a mode with released axes: a linear-quadratic regulator about the mode's own trim.
 
-The actuators that are left no longer decouple the axes, so the regulator feeds back all states. It is designed on the
-design model, when the mode is first entered, in three steps: the trim (`mode_trim`), the linear plant about it
-(`linearise`), and the gains (`lq_gains`). Natural stability, such as the weathercock effect and damping, is kept:
-`outer_loops.regulate` adds nu to f_m, and does not cancel f_m.
+The remaining actuators no longer decouple the axes, so the regulator feeds back all states. It is designed on the design model,
+when the mode is first entered, in three steps: the trim (`mode_trim`), the linear plant about it (`linearise`), and the gains
+(`lq_gains`). Natural stability, such as the weathercock effect and damping, is kept: `outer_loops.regulate` adds nu to f_m, and
+does not cancel f_m.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from testbed.controllers.inversion.mode_trim import (
     steady_flight,
 )
 from testbed.controllers.inversion.modes import Mode
-from testbed.controllers.inversion.steady_flights import Remaining, SteadyFlight
+from testbed.controllers.inversion.steady_flights import DegradedAircraft, SteadyFlight
 from testbed.controllers.records import AIRSPEED, ALTITUDE, INTEGRALS, REGULATOR_STATE
 from testbed.controllers.setup import Setup
 
@@ -86,10 +86,10 @@ def regulator_for(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regu
         except NoSteadyFlight as reason:
             return str(reason)
 
-    found = _regulators.get(key, designed)
-    if isinstance(found, str):
-        raise NoSteadyFlight(found)
-    return found
+    regulator = _regulators.get(key, designed)
+    if isinstance(regulator, str):
+        raise NoSteadyFlight(regulator)
+    return regulator
 
 
 def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Regulator:
@@ -101,17 +101,17 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> R
     Raises:
         NoSteadyFlight: no steady flight within the stops, or none that can be stabilised.
     """
-    left = Remaining.after(setup, mode, jammed)
-    flight, held = steady_flight(left, setup.control.loops, mode.title)
-    A, B = linearise(left, setup.lags, flight, held)
+    degraded = DegradedAircraft.after(setup, mode, jammed)
+    flight, held = steady_flight(degraded, setup.control.loops, mode.title)
+    A, B = linearise(degraded, setup.lags, flight, held)
     # Inputs are nu. The law divides positions of surfaces by (V/V_0)^2, so that their effect is what nu demands.
     pressure_ratio = (flight.state[AIRSPEED] / setup.model.airspeed_m_s) ** 2
-    effect_ratio = np.where(left.servos, pressure_ratio, 1.0)
+    effect_ratio = np.where(degraded.servos, pressure_ratio, 1.0)
     inverse = mode.inverse / effect_ratio[:, None]
     B = B @ inverse
-    states = _fed_back(left, held)
+    states = _fed_back(degraded, held)
     kept = [i for i, axis in enumerate(RATES) if axis not in mode.released]
-    Q, R = _weights(setup.control.regulator, left, held, inverse[:, kept])
+    Q, R = _weights(setup.control.regulator, degraded, held, inverse[:, kept])
     try:
         K, eigenvalues = lq_gains(A[np.ix_(states, states)], B[np.ix_(states, kept)], np.diag(Q[states]), R)
     except np.linalg.LinAlgError:
@@ -119,22 +119,22 @@ def design_regulator(setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> R
         raise NoSteadyFlight(f"{mode.title}: {what}") from None
     gains = np.zeros((4, len(A)))
     gains[np.ix_(kept, states)] = K
-    trim_effect, airspeeds = flight.positions * effect_ratio, airspeed_range(left, flight, held)
+    trim_effect, airspeeds = flight.positions * effect_ratio, airspeed_range(degraded, flight, held)
     return Regulator(*flight, trim_effect, *_by_part(gains, held), eigenvalues, held, airspeeds)
 
 
-def _fed_back(left: Remaining, held: Sequence[str]) -> list[int]:
+def _fed_back(degraded: DegradedAircraft, held: Sequence[str]) -> list[int]:
     """Indices of the states of `linearise` that are fed back: all but the actuators that are not used.
 
     In a descent altitude is not fed back: it is the energy that keeps the airspeed up, and cannot be held.
     """
-    nx, n = len(REGULATOR_STATE), len(left.scale)
-    unused = {nx + i for i in left.unused} | (set() if "altitude" in held else {ALTITUDE})
+    nx, n = len(REGULATOR_STATE), len(degraded.scale)
+    unused = {nx + i for i in degraded.unused} | (set() if "altitude" in held else {ALTITUDE})
     return [i for i in range(nx + n + len(held)) if i not in unused]
 
 
 def _weights(
-    weights: RegulatorWeights, left: Remaining, held: Sequence[str], into: np.ndarray
+    weights: RegulatorWeights, degraded: DegradedAircraft, held: Sequence[str], into: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Bryson's weights: [10 + n + number held] diagonal of Q, and [kept, kept] R, one over the squares of acceptable deviations.
 
@@ -143,8 +143,8 @@ def _weights(
     """
     states = [getattr(weights.states, name) for name in REGULATOR_STATE]
     integrals = [getattr(weights.integrals, name) for name in held]
-    Q = 1.0 / np.square(np.array([*states, *[weights.actuator] * len(left.scale), *integrals]))
-    return Q, into.T @ np.diag(left.available / weights.actuator**2) @ into
+    Q = 1.0 / np.square(np.array([*states, *[weights.actuator] * len(degraded.scale), *integrals]))
+    return Q, into.T @ np.diag(degraded.available / weights.actuator**2) @ into
 
 
 def _by_part(gains: np.ndarray, held: Sequence[str]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -156,12 +156,12 @@ def _by_part(gains: np.ndarray, held: Sequence[str]) -> tuple[np.ndarray, np.nda
 
 
 def linearise(
-    left: Remaining, lags: np.ndarray, flight: SteadyFlight, held: Sequence[str]
+    degraded: DegradedAircraft, lags: np.ndarray, flight: SteadyFlight, held: Sequence[str]
 ) -> tuple[np.ndarray, np.ndarray]:
     """Matrices A, B of the plant about a trim: states z = (x [10], a [n], integrals of the held outputs), inputs r [n].
 
     Args:
-        left: the actuators that are left.
+        degraded: the aircraft with the actuators that remain.
         lags: [n] corner of each actuator's first-order lag, a' = lag (r - a) [rad/s].
         flight: the trim.
         held: names of the outputs whose errors are integrated.
@@ -172,7 +172,7 @@ def linearise(
 
     def plant(z: np.ndarray, r: np.ndarray) -> np.ndarray:
         x, a = z[:nx], z[nx : nx + n]
-        return np.concatenate([left.motion(x, a), lags * (r - a), x[rows] - x0[rows]])
+        return np.concatenate([degraded.motion(x, a), lags * (r - a), x[rows] - x0[rows]])
 
     z0 = np.concatenate([x0, a0, np.zeros(len(held))])
     return jacobian(lambda z: plant(z, a0), z0), jacobian(lambda r: plant(z0, r), a0)

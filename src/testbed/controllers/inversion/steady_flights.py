@@ -1,7 +1,7 @@
 """Steady straight flights of the design model, many at once: the states and positions at which nothing accelerates.
 
 A flight is steady when the six rates are zero and the climb rate is that of its path angle: seven equations. The unknowns are
-alpha, beta, roll and pitch, the positions of the actuators that are left, and, where these are too few, the airspeed. Where
+alpha, beta, roll and pitch, the positions of the actuators that remain, and, where these are too few, the airspeed. Where
 there are more unknowns than equations, the Gauss-Newton steps are those of least norm, in units of `_ANGLE`, `_SPEED` and one
 scaled position. So redundant actuators share the work, and an aircraft that is its own mirror image flies symmetrically.
 """
@@ -32,8 +32,8 @@ _THRUST_AIRSPEEDS = np.linspace(0.3, 2.1, 73)
 
 
 @dataclass(frozen=True)
-class Remaining:
-    """What there is to fly with after failures.
+class DegradedAircraft:
+    """The aircraft after failures: its design model, and the actuators that remain.
 
     Attributes:
         scale: [n] rad or N of one scaled unit.
@@ -55,8 +55,8 @@ class Remaining:
     thrusts: Mapping[int, np.ndarray] = field(default_factory=dict)
 
     @classmethod
-    def after(cls, setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> Remaining:
-        """What remains in a mode, with the scaled positions of jammed actuators."""
+    def after(cls, setup: Setup, mode: Mode, jammed: Mapping[int, float]) -> DegradedAircraft:
+        """The aircraft in a mode, with the scaled positions of jammed actuators."""
         model, scale, at = setup.model, setup.scale, setup.model.airspeed_m_s
         available = np.array([float(name not in mode.failed) for name in model.actuators])
         effective, positions = available.copy(), np.array(model.trim) / scale
@@ -141,48 +141,50 @@ class SteadyFlight(NamedTuple):
         return SteadyFlight(self.state[which], self.positions[which])
 
 
-def at_path_angles(left: Remaining, airspeeds: np.ndarray, path_angles: np.ndarray) -> SteadyFlight:
-    """The steady flights at [m] airspeeds [m/s] and path angles [rad]; those without a solution are left out."""
+def at_path_angles(
+    degraded: DegradedAircraft, airspeeds: np.ndarray, path_angles: np.ndarray
+) -> SteadyFlight:
+    """The steady flights at [m] airspeeds [m/s] and path angles [rad]; those without a solution are omitted."""
     climbs = airspeeds * np.sin(path_angles)
-    return _solved(left, airspeeds, lambda climb: climb - climbs, with_airspeed=False)
+    return _solved(degraded, airspeeds, lambda climb: climb - climbs, with_airspeed=False)
 
 
-def level(left: Remaining, airspeeds: np.ndarray) -> SteadyFlight:
+def level(degraded: DegradedAircraft, airspeeds: np.ndarray) -> SteadyFlight:
     """The level flights with the airspeed as an unknown; `airspeeds` [m] are its first guesses [m/s]."""
-    return _solved(left, airspeeds, lambda climb: climb, with_airspeed=True)
+    return _solved(degraded, airspeeds, lambda climb: climb, with_airspeed=True)
 
 
-def at_airspeeds(left: Remaining, airspeeds: np.ndarray) -> SteadyFlight:
+def at_airspeeds(degraded: DegradedAircraft, airspeeds: np.ndarray) -> SteadyFlight:
     """The steady flights at [m] airspeeds [m/s], at path angles that are unknown."""
-    return _solved(left, airspeeds, None, with_airspeed=False)
+    return _solved(degraded, airspeeds, None, with_airspeed=False)
 
 
 def _solved(
-    left: Remaining,
+    degraded: DegradedAircraft,
     airspeeds: np.ndarray,
     climb_error: Callable[[np.ndarray], np.ndarray] | None,
     with_airspeed: bool,
 ) -> SteadyFlight:
-    m, used = len(airspeeds), left.used
+    m, used = len(airspeeds), degraded.used
     states = [ALPHA, BETA, ROLL, PITCH, *([AIRSPEED] if with_airspeed else [])]
     sizes = np.array([_SPEED if i == AIRSPEED else _ANGLE for i in states] + [1.0] * len(used))
     state = np.zeros((m, len(REGULATOR_STATE)))
     state[:, AIRSPEED], state[:, ALPHA], state[:, PITCH] = (
         airspeeds,
-        left.model.alpha_rad,
-        left.model.alpha_rad,
+        degraded.model.alpha_rad,
+        degraded.model.alpha_rad,
     )
-    positions = np.tile(left.positions, (m, 1))
+    positions = np.tile(degraded.positions, (m, 1))
 
     def flights(z: np.ndarray) -> SteadyFlight:
         x, a = state.copy(), positions.copy()
         x[:, states] += z[:, : len(states)] * sizes[: len(states)]
         a[:, used] += z[:, len(states) :]
-        return SteadyFlight(x, left.with_thrust(x, a))
+        return SteadyFlight(x, degraded.with_thrust(x, a))
 
     def residuals(z: np.ndarray) -> np.ndarray:
         x, a = flights(z)
-        rates = _rates(left.model, x, a * left.scale, left.effective, left.curvature)
+        rates = _rates(degraded.model, x, a * degraded.scale, degraded.effective, degraded.curvature)
         if climb_error is None:
             return rates
         return np.column_stack([rates, climb_error(_climb_rate(x))])

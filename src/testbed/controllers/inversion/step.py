@@ -47,7 +47,7 @@ def adaptive_step(step, parts):
     advance_actuators(c.dt, axial_speed(y), m, s)
     if c.ideal_actuators:
         assume_ideal_actuators(m, c, k, s)
-    state_function(y, m, w.f)
+    state_function(y, m, w.f)  # (2)
     if c.adapts and estimate(y, ref, m, c, s, w):
         return 1
     command_step(step, parts)
@@ -59,11 +59,11 @@ def estimate(y, ref, m, c, s, w):
     """Estimate effectiveness from the measured rates, then monitor it and look for jams; returns 1 as `adaptive_step` does."""
     z, e, phi = w.z, w.e, w.phi
     pressure_ratio = pressure_ratio_of(y, m)
-    regression(y, pressure_ratio, m, c, s, w)
+    regression(y, pressure_ratio, m, c, s, w)  # both sides of (10)
     if c.weighted:
         delay_regressor(phi, c, s, w)
     update_model_error_variance(y, pressure_ratio, phi, m, c, s)
-    measured_error(z, phi, s, e)
+    measured_error(z, phi, s, e)  # (10)
     if c.weighted:
         estimate_lateness(e, c, s)
         expect_change(e, phi, m, c, s)
@@ -71,8 +71,8 @@ def estimate(y, ref, m, c, s, w):
         keep_offsets(pressure_ratio, m, c, s)
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
-        adapt(e, pressure_ratio, m, c, s)
-    if c.monitors and monitor(is_steady(y, ref), c, s):
+        adapt(e, pressure_ratio, m, c, s)  # (13), (14)
+    if c.monitors and monitor(is_steady(y, ref), c, s):  # section 2.3
         return 1
     if not c.tests_jams:
         return 0
@@ -85,6 +85,7 @@ def estimate(y, ref, m, c, s, w):
 def regression(y, pressure_ratio, m, c, s, w):
     """The two sides of (10), z = x_c_dot - f_m and Phi, both filtered alike, into z [4] and phi [4, n] of `w`."""
     f, z, phi = w.f, w.z, w.phi
+    # x_c_dot of (10), measured, less f_m
     z[0], z[1], z[2], z[3] = y.p_dot - f[0], y.q_dot - f[1], y.r_dot - f[2], y.u_dot - f[3]
     for i in range(4):  # both f and Phi contain the constant part of the propellers' torque: count it once
         z[i] += m.offset[i] * pressure_ratio
@@ -100,7 +101,7 @@ def command_step(step, parts):
     states, setpoints, telemetry, models, settings, modes, memories, works = parts
     y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
-    virtual_control(y, ref, m, c, k, s, w)
-    allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)
+    virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
+    allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(telemetry[step], k.released, s)
     write_beliefs(telemetry[step], c, s)

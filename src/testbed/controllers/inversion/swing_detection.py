@@ -135,7 +135,7 @@ def swing_noise(i, s):
 @compiled
 def reset_estimate(j, pressure_ratio, m, s):
     """Begin the estimate of an actuator's effectiveness as for a healthy one, at its present position."""
-    s.lambda_hat[j], s.lambda_before[j] = 1.0, 1.0
+    s.lambda_hat[j], s.lambda_slow[j] = 1.0, 1.0
     s.flag_timer[j], s.jam_timer[j], s.reversal_timer[j] = 0.0, 0.0, 0.0
     reset_covariance(j, HEALTHY_VARIANCE, s)
     settle_regression(j, s.position[j], pressure_ratio, m, s)

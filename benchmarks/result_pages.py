@@ -1,0 +1,126 @@
+"""The pages of results: how each is made, with which seeds, at which cost, and what it depends on. `pages.py` flies them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from digests import FLOWN, ROOT
+
+DOCS = ROOT / "docs"
+_MISSIONS = "benchmarks/missions.py --reporting --first-seed 93001 --resume --csv runs/reporting.csv"
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of results.
+
+    Attributes:
+        name: of the page.
+        commands: Python scripts with their arguments, which write it when they are run in turn.
+        seeds: that they fly, in words.
+        cost_s: processor time of the commands [s], as it was when they were last run.
+        on: the parts of the program and of the data that it depends on.
+        files: below docs/; `results/NAME.md` if none are named.
+        stamped: whether its files carry a stamp; the README does not, because a test flies its numbers again.
+    """
+
+    name: str
+    commands: tuple[str, ...]
+    seeds: str
+    cost_s: float
+    on: tuple[str, ...] = FLOWN
+    named: tuple[str, ...] = ()
+    stamped: bool = True
+
+    @property
+    def files(self) -> list[Path]:
+        """The pages of Markdown that it writes."""
+        return [DOCS / name for name in self.named or (f"results/{self.name}.md",)]
+
+    @property
+    def command(self) -> str:
+        """Of a shell, which flies the page again."""
+        return f"python benchmarks/pages.py {self.name}"
+
+
+_AFT = (*FLOWN, "aircraft/vtail_aft")
+_LOSSES = ("scenarios/left_tail_fail.yaml", "scenarios/left_propeller_fail.yaml")
+_SWEPT = ("sweeps", *FLOWN, *_LOSSES[:1], "scenarios/mems_turbulence.yaml", "scenarios/sweeps")
+_SEARCHED = ("searches", *FLOWN)
+_THEORY = ("theory", *FLOWN)
+_GALLERY = "benchmarks/gallery.py --results runs/gallery"
+_NAMED = "vtail vtail_aft aerosonde " + " ".join(
+    f"runs/adopted/{name}" for name in ("SGS", "c172p", "737", "c310", "f16")
+)
+PAGES: tuple[Page, ...] = (
+    Page("readme", ("benchmarks/readme.py",), "97001 to 97005", 20, _AFT, ("../README.md",), stamped=False),
+    Page("paper_table", ("benchmarks/results_table.py",), "1", 3, (*FLOWN, *_LOSSES)),
+    Page("performance", ("benchmarks/performance.py",), "1", 60),
+    Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 300, _SWEPT),
+    Page(
+        "missions",
+        (
+            _MISSIONS,
+            f"{_MISSIONS} --controllers default,ablations --seeds 1",
+            f"{_MISSIONS} --w20 0",
+            f"{_MISSIONS} --model-error 0.2",
+            f"{_MISSIONS} --aircraft vtail_aft",
+            "benchmarks/mission_report.py runs/reporting.csv --trims",
+        ),
+        "93001 to 93020",
+        9000,
+        _AFT,
+        ("results/missions.md", "explanation/when_adaptation_pays.md"),
+    ),
+    Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
+    Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 3600),
+    Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),
+    Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 600, _THEORY),
+    Page("section4_bandwidth", ("benchmarks/section4_bandwidth.py",), "1", 1200, _THEORY),
+    Page("decoupling", ("benchmarks/decoupling.py",), "90001 to 90006", 600, (*_THEORY, "aircraft/vtail_aft")),
+    Page(
+        "smallest_failures",
+        (
+            "benchmarks/smallest_failures.py --csv runs/smallest.csv",
+            "benchmarks/smallest_failures.py --csv runs/smallest.csv --controllers default --budget 3000",
+            "benchmarks/smallest_failures.py --csv runs/smallest.csv --page",
+        ),
+        "90001",
+        9000,
+        _SEARCHED,
+    ),
+    Page("rare_failures", ("benchmarks/rare_failures.py",), "0 to 99", 1800, ("searches",)),
+    Page(
+        "rare_flights",
+        (
+            "benchmarks/rare_flights.py --out runs/rare_flights",
+            "benchmarks/rare_flights.py --out runs/rare_flights --page",
+        ),
+        "1 to 5",
+        7200,
+        (*_SEARCHED, "scenarios/searches/rare_gust.yaml"),
+    ),
+    Page("f16_collision", ("benchmarks/f16_collision.py",), "0 to 4", 400, ("searches",)),
+    Page(
+        "adoption",
+        ("benchmarks/adopt_all.py runs/adopted --document docs/results/adoption.md",),
+        "none",
+        400,
+        ("adoption", "plant", "simulation"),
+    ),
+    Page(
+        "gallery",
+        (
+            "benchmarks/adopt_all.py runs/adopted",
+            f"{_GALLERY} {_NAMED} --air calm",
+            f"{_GALLERY} {_NAMED} --air turbulent --values 0 --seeds 2",
+            f"{_GALLERY} runs/adopted/* --controllers default --values 0 --seeds 2 --actuators aileron,rudder",
+            f"{_GALLERY} {_NAMED} runs/adopted/* --flown --document docs/results/gallery.md",
+        ),
+        "1 and 2",
+        1800,
+        ("adoption", *FLOWN, "aircraft"),
+    ),
+)  # fmt: skip
+"""Every page of results."""

@@ -1,0 +1,106 @@
+"""What a command of the command line is, and the arguments that several commands share.
+
+The module of a command imports what it needs only when it runs, so that `--help` and `validate` stay quick.
+"""
+
+from __future__ import annotations
+
+import argparse
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from testbed.aircraft.shipped import data_root, shipped_files
+
+
+class Command(NamedTuple):
+    """One command.
+
+    Attributes:
+        purpose: what it is for, in one line of `--help`.
+        add_arguments: gives its parser the arguments.
+        run: carries it out with the parsed options and returns the exit status (see `status`).
+        examples: lines as a user would type them.
+    """
+
+    purpose: str
+    add_arguments: Callable[[ArgumentParser], None]
+    run: Callable[[Namespace], int]
+    examples: tuple[str, ...]
+
+
+def whole_number(text: str) -> int:
+    """The value of an option that is a whole number."""
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"is {text!r}, expected a whole number") from None
+
+
+def number(text: str) -> float:
+    """The value of an option that is a number."""
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"is {text!r}, expected a number") from None
+
+
+def add_file(command: ArgumentParser, name: str, **more: Any) -> None:
+    """A scenario, sweep or search file; a shell also completes the names of shipped ones."""
+    action = command.add_argument(name, help="YAML file; a shipped one is found from any folder", **more)
+    action.completer = matching_files  # type: ignore[attr-defined]
+
+
+def matching_files(prefix: str, **_: object) -> list[str]:
+    """YAML files and folders, and shipped scenarios, sweeps and searches, whose paths begin with `prefix`."""
+    shipped = [str(file.relative_to(data_root())) for file in shipped_files()]
+    folder = Path(prefix).parent if Path(prefix).name or not prefix else Path(prefix)
+    here = (
+        [f"{path}/" if path.is_dir() else str(path) for path in folder.glob("*")] if folder.is_dir() else []
+    )
+    known = {name for name in (*shipped, *here) if name.endswith((".yaml", "/"))}
+    return sorted(name for name in known if name.startswith(prefix))
+
+
+def add_out(command: ArgumentParser, kind: str, meaning: str, default: Path | None = None) -> None:
+    """`--out`: where a command writes."""
+    command.add_argument("--out", type=Path, default=default, metavar=kind, help=meaning)
+
+
+def add_number(command: ArgumentParser, name: str, default: float, unit: str, meaning: str) -> None:
+    """An option that is a number, with its default in `--help`."""
+    shown = f"{meaning} (default: %(default)s)"
+    command.add_argument(name, type=number, default=default, metavar=unit, help=shown)
+
+
+def add_origin(command: ArgumentParser, when: str) -> None:
+    """`--origin`: the place on earth at which a flight starts."""
+    meaning = f"where the flight starts, {when} (default: San Francisco airport)"
+    command.add_argument("--origin", metavar="LAT,LON[,ALT]", help=meaning)
+
+
+def add_set(command: ArgumentParser) -> None:
+    """`--set`: changes of a scenario's settings."""
+    meaning = "change a setting by its dotted path"
+    command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=meaning)
+
+
+def add_many_flights(command: ArgumentParser) -> None:
+    """What a sweep and a search share: seed, controllers, where and how the flights are flown, figures."""
+    command.add_argument("--seed", type=whole_number, metavar="S", help="seed of everything random")
+    command.add_argument(
+        "--controller",
+        action="append",
+        default=[],
+        metavar="NAME=FILE.py:CLASS",
+        help="compare a controller class of your own too; may be given several times",
+    )
+    jobs = "number of processes (default: one for each core)"
+    command.add_argument("--jobs", type=whole_number, metavar="N", help=jobs)
+    command.add_argument(
+        "--cluster", metavar="ADDRESS", help="fly on a Dask cluster, such as tcp://host:8786"
+    )
+    resume = "go on with an existing folder: fly only the missing flights"
+    command.add_argument("--resume", action="store_true", help=resume)
+    command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")

@@ -1,0 +1,55 @@
+"""`testbed compare`: flights that were flown already, side by side in one page."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from testbed.cli.checked import collect
+from testbed.cli.command import Command, add_out
+from testbed.cli.interrupts import tidily
+from testbed.cli.status import MET
+from testbed.inputs.output_file import refuse_unwritable
+from testbed.inputs.problems import BadInput, Problem
+
+
+def _arguments(command: ArgumentParser) -> None:
+    runs = "run folder, or a flight of a sweep: SWEEP/17"
+    command.add_argument("runs", type=Path, nargs="+", metavar="RUN", help=runs)
+    page = "page to write, or folder to write comparison.html into (default: %(default)s)"
+    add_out(command, "FILE", page, default=Path("runs/comparison.html"))
+
+
+def _run(options: Namespace) -> int:
+    """Print what differs between flights, and write their page. Raises BadInput."""
+    from testbed.loading import load_flight
+    from testbed.reporting.comparison.compare import MOST, Comparison
+    from testbed.reporting.html import is_page
+
+    problems: list[Problem] = []
+    runs, out = options.runs, options.out
+    if not 2 <= len(runs) <= MOST:
+        what = f"is given {len(runs)} flight{'s' if len(runs) > 1 else ''}"
+        problems.append(Problem(what, "compare", expected=f"from 2 to {MOST} flights"))
+    file = out if out.suffix == ".html" else out / "comparison.html"
+    collect(problems, lambda: refuse_unwritable(file, is_page))
+    flights = [collect(problems, lambda run=run: load_flight(run)) for run in runs]  # type: ignore[misc]
+    if problems:
+        raise BadInput(problems)
+    comparison = Comparison([flight for flight in flights if flight is not None])
+    with tidily():
+        comparison.write(file)
+    print(comparison)
+    print(f"wrote {file}")
+    return MET
+
+
+COMMAND = Command(
+    "flights side by side, in one page",
+    _arguments,
+    _run,
+    (
+        "testbed compare runs/adaptive runs/pid",
+        "testbed compare runs/my-sweep/17 runs/my-sweep/18 --out page.html",
+    ),
+)

@@ -1,0 +1,87 @@
+"""`testbed identify`: find the design model that controllers use, and store it in the aircraft's folder.
+
+It also prints what the actuators can do about each axis, and which axes controllers therefore give up from the start.
+"""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from typing import TYPE_CHECKING
+
+from testbed.cli.command import Command
+from testbed.cli.interrupts import tidily
+from testbed.cli.status import MET, NOT_MET
+from testbed.cli.working import working
+from testbed.inputs.problems import BadInput, Problem
+
+if TYPE_CHECKING:
+    from testbed.aircraft.description import Aircraft
+    from testbed.aircraft.design_model import DesignModel
+
+
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("aircraft", help="name, or path of a folder such as ./name")
+    check = "only compare with the stored model; exit status 1 if it differs"
+    command.add_argument("--check", action="store_true", help=check)
+
+
+def _run(options: Namespace) -> int:
+    with working("identifying"):
+        same = _identify(options.aircraft, check=options.check)
+    return MET if same else NOT_MET
+
+
+def _identify(name: str, *, check: bool) -> bool:
+    """Identify the design model and store it; with `check`, only compare it with the stored one.
+
+    Returns False if the stored model differs. Raises BadInput when the aircraft has no trim or the file cannot be written.
+    """
+    from testbed.aircraft.description import load_aircraft
+    from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
+    from testbed.plant.identification import identify
+
+    aircraft = load_aircraft(name)
+    file = aircraft.folder / DESIGN_MODEL
+    model = identify(aircraft)
+    print(_authority_table(aircraft, model))
+    if check:
+        same = file.is_file() and load_design_model(file).agrees_with(model)
+        print(f"{file}: {'as identified' if same else 'differs from what is identified now'}")
+        return same
+    try:
+        with tidily():
+            model.save(file)
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
+    print(f"wrote {file}")
+    return True
+
+
+def _authority_table(aircraft: Aircraft, model: DesignModel) -> str:
+    """Authority and disturbance by gusts of each axis, and the axes that `released: auto` gives up."""
+    from testbed.common.signals import RATES
+    from testbed.controllers import released_axes
+    from testbed.controllers.setup import stops
+
+    limits, priorities = stops(aircraft), aircraft.control.priorities
+    released = released_axes.released_from_start(model, limits, priorities)
+    lines = [
+        f"authority of each axis against gusts at W20 = {released_axes.REFERENCE_W20_M_S:g} m/s, the other axes kept as they are:"
+    ]
+    for one in released_axes.authorities(model, limits, RATES, range(len(model.actuators))):
+        unit = "m/s2" if one.axis == "u_dot" else "rad/s2"
+        need = released_axes.MARGIN[one.axis]
+        lines.append(
+            f"  {one.axis}  {one.authority:8.2f} {unit:6}  gusts {one.disturbance:6.2f} (1 sigma)  "
+            f"{one.authority / one.disturbance:5.1f} sigma of {need:g} needed"
+        )
+    lines.append(f"given up from the start: {', '.join(released) or 'nothing'}")
+    return "\n".join(lines)
+
+
+COMMAND = Command(
+    "find an aircraft's design model and store it in the aircraft's folder",
+    _arguments,
+    _run,
+    ("testbed identify ./my_aircraft", "testbed identify vtail --check"),
+)

@@ -1,0 +1,71 @@
+"""`testbed init`: a small project that runs as it is, to be edited."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from testbed.aircraft.shipped import data_root
+from testbed.cli.command import Command
+from testbed.cli.schema import TABLE, text_of
+from testbed.cli.status import MET
+from testbed.inputs.problems import BadInput, Problem
+
+if TYPE_CHECKING:
+    from testbed.aircraft.description import Aircraft
+
+TEMPLATES = Path(__file__).parent / "template"
+"""The files that a new project begins with, beside the example of a controller."""
+EXAMPLE = Path("examples/my_controller.py")
+_USUAL = "vtail"
+"""The aircraft of a project for which none is chosen."""
+_CLIMB_M = 10
+
+
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("folder", type=Path, help="new or empty folder")
+    command.add_argument("--aircraft", metavar="AIRCRAFT", help="name or folder of the one that is flown")
+
+
+def _run(options: Namespace) -> int:
+    """Fill a new or empty folder; raises BadInput if it holds something, cannot be written, or there is no such aircraft."""
+    from testbed.aircraft.description import load_aircraft
+
+    folder, choice = options.folder, options.aircraft or _USUAL
+    aircraft = load_aircraft(choice)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        if any(folder.iterdir()):
+            raise BadInput([Problem("is not empty", str(folder), expected="a new or empty folder")])
+        for file in sorted(each for each in TEMPLATES.iterdir() if each.is_file()):
+            text = _filled(file.read_text(encoding="utf-8"), choice, aircraft)
+            (folder / file.name).write_text(text, encoding="utf-8")
+        (folder / EXAMPLE.name).write_bytes((data_root() / EXAMPLE).read_bytes())
+        (folder / "schemas").mkdir()
+        for kind in TABLE:
+            (folder / "schemas" / f"{kind}.json").write_text(text_of(kind), encoding="utf-8")
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
+    print(f"wrote {folder}: README.md says what to run")
+    return MET
+
+
+def _filled(text: str, choice: str, aircraft: Aircraft) -> str:
+    """A template with the aircraft's own facts; one that is given by its folder is named by the whole path."""
+    facts = {
+        "AIRCRAFT": str(Path(choice).resolve()) if Path(choice).is_dir() else choice,
+        "ACTUATOR": next(iter(aircraft.actuators)),
+        "altitude_m: 310": f"altitude_m: {aircraft.reference.altitude_m + _CLIMB_M:g}",
+    }
+    for word, fact in facts.items():
+        text = text.replace(word, fact)
+    return text
+
+
+COMMAND = Command(
+    "make a small project: a scenario, a sweep, a controller, and schemas for editors",
+    _arguments,
+    _run,
+    ("testbed init my_project", "testbed init my_project --aircraft ./my_aircraft"),
+)

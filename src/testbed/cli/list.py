@@ -1,0 +1,104 @@
+"""`testbed list`: everything that a scenario or a command can name, each with its meaning in one line."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Iterable, Mapping
+from itertools import takewhile
+from pathlib import Path
+
+from testbed.aircraft import shipped
+from testbed.cli.command import Command
+from testbed.cli.status import MET
+from testbed.common.docstrings import first_line
+
+Entries = list[tuple[str, str]]
+"""(name, meaning) of each entry."""
+
+
+def _aircraft() -> Entries:
+    from testbed.aircraft.description import load_aircraft
+
+    return [(name, load_aircraft(name).description) for name in shipped.aircraft_names()]
+
+
+def _controllers() -> Entries:
+    from testbed.controllers.config import TABLE
+
+    return _described(TABLE)
+
+
+def _failures() -> Entries:
+    from testbed.failures import TABLE
+
+    return _described(TABLE)
+
+
+def _metrics() -> Entries:
+    from testbed.metrics import TABLE
+
+    return _described(TABLE)
+
+
+def _scenarios() -> Entries:
+    return _files(shipped.scenario_files())
+
+
+def _searches() -> Entries:
+    return _files(shipped.search_files())
+
+
+def _sweeps() -> Entries:
+    return _files(shipped.sweep_files())
+
+
+def _described(table: Mapping[str, object]) -> Entries:
+    """Names, each with the first line of its docstring."""
+    return [(name, first_line(entry)) for name, entry in table.items()]
+
+
+def _files(files: Iterable[Path]) -> Entries:
+    """Shipped files by the path that commands take, each with the first paragraph of its comment or, without one, its name."""
+    return [(str(file.relative_to(shipped.data_root())), _about(file)) for file in files]
+
+
+def _about(file: Path) -> str:
+    lines = file.read_text(encoding="utf-8").splitlines()
+    if lines and lines[0].startswith("# yaml-language-server:"):  # for editors
+        del lines[0]
+    comment = takewhile(lambda line: line.startswith("# "), lines)  # its first paragraph
+    return " ".join(line.lstrip("# ") for line in comment) or file.stem.replace("_", " ")
+
+
+TABLE: dict[str, Callable[[], Entries]] = {
+    "aircraft": _aircraft,
+    "controllers": _controllers,
+    "failures": _failures,
+    "metrics": _metrics,
+    "scenarios": _scenarios,
+    "searches": _searches,
+    "sweeps": _sweeps,
+}
+"""The lists that `testbed list` can show."""
+
+
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("what", nargs="?", choices=TABLE, help="default: everything")
+
+
+def _run(options: Namespace) -> int:
+    for what in [options.what] if options.what else TABLE:
+        print(what)
+        entries = TABLE[what]()
+        width = max((len(name) for name, _ in entries), default=0) + 2
+        for name, meaning in entries:
+            print(f"  {name:<{width}}{meaning}")
+    return MET
+
+
+COMMAND = Command(
+    "list the names that scenarios and commands can use, with their meanings",
+    _arguments,
+    _run,
+    ("testbed list", "testbed list failures"),
+)

@@ -1,0 +1,35 @@
+"""`testbed report`: figures and report of a run, sweep or search folder again, without flying."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from testbed.cli.command import Command
+
+
+def _arguments(command: ArgumentParser) -> None:
+    what = "run, sweep or search folder, or one run of a sweep whose log was kept: SWEEP/17"
+    command.add_argument("folder", type=Path, help=what)
+
+
+def _run(options: Namespace) -> int:
+    """Rebuild what the kind of folder has; raises BadInput for a folder of no kind."""
+    from testbed.cli import run, search, sweep
+    from testbed.loading import is_search_folder, is_sweep_folder, names_kept_log
+
+    if names_kept_log(options.folder):
+        return sweep.report_run(options.folder)
+    if is_search_folder(options.folder):
+        return search.report(options.folder)
+    if is_sweep_folder(options.folder):
+        return sweep.report(options.folder)
+    return run.report(options.folder)
+
+
+COMMAND = Command(
+    "rebuild figures and report of a run, sweep or search folder",
+    _arguments,
+    _run,
+    ("testbed report runs/left-tail-fail", "testbed report runs/my-sweep/17"),
+)

@@ -1,0 +1,159 @@
+"""`testbed run`, and `testbed report` of a run folder: fly one scenario, write its folder, print its verdict."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+from argparse import ArgumentParser, Namespace
+from collections.abc import Callable, Collection
+from functools import partial
+from itertools import count
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from testbed.cli.checked import checked, collect
+from testbed.cli.command import Command, add_file, add_origin, add_out, add_set
+from testbed.cli.interrupts import later, tidily
+from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
+from testbed.cli.terminal import print_verdict_word
+from testbed.cli.working import working
+from testbed.inputs.problems import BadInput, Problem
+from testbed.reporting.attempt import add_report
+from testbed.reporting.numbers import number
+
+if TYPE_CHECKING:
+    from testbed.controllers.setup import Setup
+    from testbed.flight.flight import Flight
+    from testbed.reporting.flightgear import Viewer
+    from testbed.scenario.load import Scenario
+
+
+def _arguments(command: ArgumentParser) -> None:
+    add_file(command, "scenario")
+    add_out(command, "DIR", "run folder to make (default: runs/<name>)")
+    command.add_argument("--no-plots", action="store_true", help="draw no figures")
+    own = "fly a controller class of your own in place of the scenario's"
+    command.add_argument("--controller", metavar="FILE.py:CLASS", help=own)
+    watched = "show the flight in FlightGear while it is flown, in real time"
+    command.add_argument("--flightgear", metavar="HOST:PORT", help=watched)
+    add_origin(command, "with --flightgear")
+    add_set(command)
+
+
+def _run(options: Namespace) -> int:
+    """Fly one scenario into a run folder; raises BadInput with every problem at once."""
+    from testbed.flight.folder import refuse_existing, refuse_unwritable
+
+    problems: list[Problem] = []
+    if options.out is not None:  # before the flight, not after it
+        collect(problems, lambda: refuse_existing(options.out))
+    with working("checking"):
+        scenario = collect(problems, lambda: checked(options.scenario, options.set))
+    stay = contextlib.chdir(".") if options.controller else contextlib.nullcontext()
+    with stay:  # its file may lead to another folder
+        controller = collect(problems, lambda: _own_controller(options.controller))
+    viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
+    if scenario is None or problems:
+        raise BadInput(problems)
+    with later():
+        refuse_unwritable(options.out or _default_folder(scenario, 1))  # nor this after the flight
+    from testbed.common.jit import has_compiled
+    from testbed.scenario import conditions
+    from testbed.simulation import fly
+
+    if not has_compiled():
+        print("compiling the control law for the first flight: some seconds, once", file=sys.stderr)
+    with working("flying"), stay:
+        flight = fly(scenario, controller, watch=viewer)
+    with working("drawing and writing"), tidily():
+        folder = write(flight, options.out, partial(add_report, flight, figures=not options.no_plots))
+    print_verdict(flight, said=conditions.warnings(scenario))
+    print(f"wrote {folder}")
+    return MET if flight.passed else NOT_MET
+
+
+def report(folder: Path) -> int:
+    """Draw the figures and write the report of a run folder again; returns the exit status."""
+    from testbed.flight.folder import load
+
+    flight = load(folder)
+    with working("drawing and writing"), tidily():
+        shown = add_report(flight, folder)
+    print_verdict(flight)
+    return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
+
+
+def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
+    """The user's controller class, from `FILE.py:CLASS`; None for None."""
+    if reference is None:
+        return None
+    from testbed.controllers.user.loader import load_controller
+
+    return load_controller(reference)
+
+
+def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) -> Viewer | None:
+    """What shows the flight in FlightGear at `HOST:PORT`; None for None. Raises BadInput for an origin that nothing would use."""
+    if address is None and origin is not None:
+        raise BadInput(
+            [Problem("is for FlightGear", "--origin", expected="--flightgear HOST:PORT beside it")]
+        )
+    if address is None or scenario is None:
+        return None
+    from testbed.aircraft.changes import chosen
+    from testbed.plant.identification import stored
+    from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
+    from testbed.reporting.flightgear import Viewer, address_of, facts_of
+
+    place = DEFAULT_ORIGIN if origin is None else parse_origin(origin)
+    aircraft = chosen(scenario.aircraft)
+    return Viewer(address_of(address), facts_of(aircraft.actuators, stored(aircraft)), place)
+
+
+def write(flight: Flight, out: Path | None, add: Callable[[Path], object]) -> Path:
+    """Write the run folder: `out`, or else the first of runs/<name>, runs/<name>-2, ... that does not exist; returns it."""
+    from testbed.flight.folder import FolderExists, write_run_folder
+
+    if out is not None:
+        return write_run_folder(flight, out, add)
+    for i in count(1):
+        with contextlib.suppress(FolderExists):
+            return write_run_folder(flight, _default_folder(flight.scenario, i), add)
+    raise AssertionError("unreachable: count() does not end")
+
+
+def _default_folder(scenario: Scenario, i: int) -> Path:
+    return Path("runs") / (scenario.slug if i == 1 else f"{scenario.slug}-{i}")
+
+
+def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
+    """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
+    from testbed.reporting.story import diagnoses, story
+
+    by = f", flown by {flight.flown_by}" if flight.flown_by else ""
+    print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s{by}")
+    for line in [*story(flight), *diagnoses(flight)]:
+        print(f"  {line}")
+    missed = [requirement for requirement in flight.requirements if not requirement["passed"]]
+    for requirement in missed:
+        reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
+        print("  ", end="")
+        print_verdict_word("NOT MET", good=False)
+        print(f"  {requirement['name']}: {number(requirement['value'])}{reason}")
+    total = len(flight.requirements)
+    met = f": {total - len(missed)} of {total} requirements met" if total else ""
+    print_verdict_word("passed" if flight.passed else "not passed", flight.passed)
+    print(met)
+    for warning in [text for text in flight.warnings if text not in said]:
+        print(f"WARNING: {warning}", file=sys.stderr)
+
+
+COMMAND = Command(
+    "fly one scenario",
+    _arguments,
+    _run,
+    (
+        "testbed run left_tail_fail.yaml",
+        "testbed run my_scenario.yaml --set controller.type=pid --set failures.0.at_s=8 --out runs/pid",
+    ),
+)

@@ -1,0 +1,54 @@
+"""`testbed validate`: check scenarios, sweeps and searches as before a flight, and fly nothing."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from functools import partial
+
+from testbed.aircraft.shipped import find_scenario
+from testbed.cli.checked import checked, collect
+from testbed.cli.command import Command, add_file
+from testbed.cli.status import MET
+from testbed.cli.working import working
+from testbed.inputs.problems import BadInput, Problem
+
+
+def _arguments(command: ArgumentParser) -> None:
+    add_file(command, "files", nargs="+", metavar="FILE")
+
+
+def _run(options: Namespace) -> int:
+    """Print the valid files; raises BadInput with all problems of the others."""
+    problems: list[Problem] = []
+    with working("checking"):
+        for file in options.files:
+            if collect(problems, partial(valid, file)) is not None:
+                print(f"{file}: ok")
+    if problems:
+        raise BadInput(problems)
+    return MET
+
+
+def valid(file: str) -> object:
+    """The scenario, the sweep or the search in a file, checked."""
+    from testbed.inputs import yaml_source
+    from testbed.inputs.kinds import is_search, is_sweep
+
+    tree = yaml_source.read(find_scenario(file)).tree
+    if is_search(tree):
+        from testbed import searching
+
+        return searching.prepare(file)
+    if not is_sweep(tree):
+        return checked(file)
+    from testbed import monte_carlo
+
+    return monte_carlo.prepare(file)
+
+
+COMMAND = Command(
+    "check scenarios, sweeps and searches without flying",
+    _arguments,
+    _run,
+    ("testbed validate my_scenario.yaml my_sweep.yaml",),
+)

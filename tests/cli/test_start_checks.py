@@ -1,0 +1,56 @@
+"""Too little address space, and settings of the environment with which a library would fail, are refused in words."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from testbed.cli import start_checks, status
+
+resource = pytest.importorskip("resource")
+
+
+def limited(megabytes: int, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """The command with this much address space."""
+    size = megabytes * 1_000_000
+    return subprocess.run(
+        [sys.executable, "-m", "testbed", *arguments], capture_output=True, text=True, check=False,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size)),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("megabytes", [50, 400, start_checks.NEEDED_MB - 1])
+def test_too_little_is_refused(megabytes: int) -> None:
+    done = limited(megabytes, "list")
+    assert done.returncode == status.ENDED_EARLY
+    assert done.stderr == (
+        f"the address space is limited to {megabytes} MB, of {start_checks.NEEDED_MB} needed: raise it by `ulimit -v`\n"
+    )
+
+
+def test_what_is_called_enough_is_enough(tmp_path) -> None:  # type: ignore[no-untyped-def]
+    done = limited(
+        start_checks.NEEDED_MB, "run", "scenarios/left_propeller_fail.yaml", "--out", str(tmp_path / "run")
+    )
+    assert done.returncode == status.MET, done.stderr
+
+
+@pytest.mark.parametrize("text", ["0", "-3", "abc", "1.5", ""])
+def test_a_wrong_number_of_threads_is_refused(text: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "testbed", "list"], env={**os.environ, "NUMBA_NUM_THREADS": text},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == status.BAD_INPUT
+    assert done.stderr == f"NUMBA_NUM_THREADS: is {text!r}, expected a whole number of 1 or more\n"
+
+
+@pytest.mark.parametrize("text", ["1", " 2 ", None])
+def test_numbers_that_numba_takes_are_taken(text: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NUMBA_NUM_THREADS", raising=False)
+    if text is not None:
+        monkeypatch.setenv("NUMBA_NUM_THREADS", text)
+    assert start_checks.wrong_setting() == ""
