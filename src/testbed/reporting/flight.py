@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from testbed.flight.flight import Flight
 from testbed.flight.folder import write_run_folder
@@ -109,12 +109,14 @@ def _verdict(flight: Flight) -> Iterator[str]:
 
 def _requirements(flight: Flight) -> Iterator[str]:
     order = sorted(flight.requirements, key=lambda r: bool(r["passed"]))
-    rows = (
-        [r["name"], "met" if r["passed"] else "NOT MET", number(r.get("value")), r.get("reason", "")]
-        for r in order[:_MOST_ROWS]
-    )
+    columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
+        "requirement": lambda r: r["name"],
+        "": lambda r: "met" if r["passed"] else "NOT MET",
+        "worst value": lambda r: number(r.get("value")),
+        "remark": lambda r: r.get("reason", ""),
+    }
     if order:
-        yield html.table(("requirement", "", "worst value", ""), map(html.row, rows))
+        yield html.listing(order[:_MOST_ROWS], columns)
     if len(order) > _MOST_ROWS:
         yield f"<p>and {len(order) - _MOST_ROWS} more</p>"
 
@@ -122,5 +124,4 @@ def _requirements(flight: Flight) -> Iterator[str]:
 def _numbers(flight: Flight) -> Iterator[str]:
     known = {what: flight.metrics[name] for name, what in KEY_NUMBERS.items() if name in flight.metrics}
     if known:
-        rows = (html.row([what, number(value)]) for what, value in known.items())
-        yield html.table(("of the whole flight", ""), rows)
+        yield html.listing(known, {"of the whole flight": str, "": lambda what: number(known[what])})

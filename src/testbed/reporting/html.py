@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from testbed.common.files import plain, replacing
 from testbed.reporting.numbers import number
@@ -24,6 +24,7 @@ class Html(str):
     """Text that is already HTML. Any other text is escaped when it is put into a table or a note."""
 
 
+Item = TypeVar("Item")
 _SHAPES = (
     '<circle cx="7" cy="7" r="5"/>',
     '<rect x="2.5" y="2.5" width="9" height="9"/>',
@@ -80,6 +81,27 @@ def table(heads: Iterable[str], rows: Iterable[Html], caption: str = "") -> Html
     body = "\n".join(rows)
     inside = f"{above}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>"
     return Html(f'<div class="table"><table>{inside}</table></div>')
+
+
+def listing(
+    items: Iterable[Item],
+    columns: Mapping[str, Callable[[Item], Cell]],
+    caption: str = "",
+    kind: Callable[[Item], str] = lambda _: "",
+) -> Html:
+    """A table with a row for each item: {head: the cell of an item}; `kind` gives the row's CSS class."""
+    cells = list(columns.values())
+    return table(columns, (row([cell(item) for cell in cells], kind(item)) for item in items), caption)
+
+
+def bar(name: str, share: float, said: str, i: int = 0, chance: float | None = None, kind: str = "") -> Html:
+    """A bar as long as a share of 1, in the i-th colour, with a name and what is `said` of it; `chance` is a line across it."""
+    line = "" if chance is None else f'<u style="left:{100 * chance:.1f}%"></u>'
+    return Html(
+        f'<div class="driver{kind}"><div class="name">{escape(name)}</div><div class="track">'
+        f'<i class="v{i % 6}" style="width:{100 * share:.1f}%"></i>{line}</div>'
+        f'<div class="number">{escape(said)}</div></div>'
+    )
 
 
 def figures(folder: Path, captions: Mapping[str, str]) -> list[Html]:

@@ -15,6 +15,7 @@ import numpy as np
 from testbed.flight.breakage import failure_times_s, failures_of
 from testbed.flight.columns import beliefs
 from testbed.flight.flight import Flight, Outcome
+from testbed.flight.loss import LIMITS
 from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
 from testbed.metrics.flight_view import settled_after
@@ -34,14 +35,6 @@ _LAST = 0.25  # share of the time since a failure from which the final state is 
 _MOST = 3  # failures that are told one by one
 _ROUND_DEG = 170.0  # heading is measured the short way, so that it cannot be much further off
 _STEEP_DEG = 30.0  # of bank or pitch, worth a word when the aircraft is lost
-_LIMITS = {
-    "alpha_max_deg": "angle of attack",
-    "beta_max_deg": "sideslip",
-    "roll_max_deg": "bank",
-    "airspeed_min_m_s": "airspeed",
-    "airspeed_max_m_s": "airspeed",
-    "altitude_min_m": "altitude",
-}
 _STAYED = (
     f"altitude stayed within {RECOVERED['altitude']:g} m and heading within {RECOVERED['heading']:g} deg"
 )
@@ -273,7 +266,7 @@ def _left(flight: Flight) -> list[str]:
 
 def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
     reached = [
-        f"{_LIMITS[m['limit']]} of {m['value']:.1f} {m['unit']} passed its limit of {m['allowed']:g} {m['unit']}"
+        f"{LIMITS[m['limit']][0]} of {m['value']:.1f} {m['unit']} passed its limit of {m['allowed']:g} {m['unit']}"
         for m in event["limits"]
     ]
     yield f"Lost at {event['time_s']:.1f} s: {joined(reached) or 'it ' + flight.outcome.sentence}{_attitude(flight)}."

@@ -53,7 +53,7 @@ def _track(place: Xml.Element, flight: Flight, track: Poses, columns: list[str])
     data = _add(_add(line, "ExtendedData"), "SchemaData", schemaUrl=f"#{_SCHEMA}")
     for column in columns:
         array = _add(data, "SimpleArrayData", gx=True, name=column)
-        for value in flight.data[track.rows, flight.columns.index(column)]:
+        for value in flight.column(column)[track.rows]:
             _add(array, "value", f"{value:.3f}", gx=True)
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from html import escape
+from itertools import accumulate
+from operator import itemgetter, mul
 from typing import Any
 
 from testbed.reporting import html
@@ -11,6 +13,7 @@ from testbed.reporting.numbers import number
 from testbed.study_reports.search.words import answer, rounded
 
 Summary = Mapping[str, Any]
+Columns = dict[str, Callable[[Summary], html.Cell]]
 
 
 def head(summary: Summary) -> Iterator[str]:
@@ -29,41 +32,30 @@ def probabilities(summary: Summary) -> Iterator[str]:
     if summary["goal"] != "probability":
         return
     yield "<h2>How likely a requirement is broken</h2>"
-    rows = [
-        _probability(variant["label"] or "all", "", variant["probability"]) for variant in summary["variants"]
-    ]
+    known = [{**v["probability"], "label": v["label"] or "all", "weight": ""} for v in summary["variants"]]
     if len(summary["parts"]) > len(summary["variants"]):
-        rows += [
-            _probability(part["label"], number(part["weight"], ".3g"), part["probability"], part["reason"])
-            for part in summary["parts"]
-        ]
-    heads = [
-        "",
-        "weight",
-        "probability",
-        "95 % interval",
-        "coefficient of variation",
-        "flights",
-        "plain sampling needs",
-        "",
-    ]
-    yield html.table(heads, rows)
+        for part in summary["parts"]:
+            weight = number(part["weight"], ".3g")
+            known.append({**part["probability"], **_chosen(part, "label", "reason"), "weight": weight})
+    columns: Columns = {
+        "": itemgetter("label"),
+        "weight": itemgetter("weight"),
+        "probability": lambda p: number(p["estimate"], ".2g"),
+        "95 % interval": lambda p: f"{number(p['low'], '.2g')} to {number(p['high'], '.2g')}",
+        "coefficient of variation": lambda p: number(p["coefficient_of_variation"], ".2f"),
+        "flights": itemgetter("flights"),
+        "plain sampling needs": lambda p: rounded(p["plain_flights"]),
+        "remark": lambda p: p.get("reason", ""),
+    }
+    yield html.listing(known, columns)
     yield html.note(
         f"By {summary['method']} sampling, with the same random numbers for all variants. Plain sampling needs "
         "(1 - P) / (P c²) flights for the same coefficient of variation c."
     )
 
 
-def _probability(label: str, weight: str, known: Summary, reason: str = "") -> html.Html:
-    span = f"{number(known['low'], '.2g')} to {number(known['high'], '.2g')}"
-    cells = [
-        label,
-        weight,
-        number(known["estimate"], ".2g"),
-        span,
-        number(known["coefficient_of_variation"], ".2f"),
-    ]
-    return html.row([*cells, known["flights"], rounded(known["plain_flights"]), reason])
+def _chosen(part: Summary, *keys: str) -> dict[str, Any]:
+    return {key: part[key] for key in keys}
 
 
 def design_points(summary: Summary) -> Iterator[str]:
@@ -72,78 +64,56 @@ def design_points(summary: Summary) -> Iterator[str]:
     if not found:
         return
     yield "<h2>What it takes</h2>"
+    columns: Columns = {
+        "input": itemgetter("input"),
+        "value found": itemgetter("value"),
+        "value at the origin": itemgetter("nominal"),
+        "standard deviations": lambda each: number(each["coordinate"], "+.2f"),
+        "values at least as far": lambda each: number(each["beyond"], ".2g"),
+    }
     for part in found:
         yield f"<h3>{escape(part['label'])}</h3>" if part["label"] else ""
-        rows = [
-            _input(name, each)
-            for name, each in sorted(part["point"].items(), key=lambda item: -item[1]["share"])
-        ]
-        yield f'<div class="drivers">{"".join(rows)}</div>'
-        heads = [
-            "input",
-            "value found",
-            "value at the origin",
-            "standard deviations",
-            "values at least as far",
-        ]
-        yield html.folded(
-            "As numbers", html.table(heads, [_numbers(*item) for item in part["point"].items()])
+        inputs = [{"input": name, **each} for name, each in part["point"].items()]
+        bars = (
+            html.bar(each["input"], each["share"], number(each["value"], ".3g"))
+            for each in sorted(inputs, key=lambda each: -each["share"])
         )
+        yield f'<div class="drivers">{"".join(bars)}</div>'
+        yield html.folded("As numbers", html.listing(inputs, columns))
     yield html.note(
         "Bars: the share of each input in the squared distance of the failure found from the origin; in the number, its value. "
         "The origin is the median of an input or, for the severity of a failure, the value without effect."
     )
 
 
-def _input(name: str, each: Summary) -> str:
-    return (
-        f'<div class="driver"><div class="name">{escape(name)}</div><div class="track">'
-        f'<i class="v0" style="width:{100 * each["share"]:.1f}%"></i></div>'
-        f'<div class="number">{escape(number(each["value"], ".3g"))}</div></div>'
-    )
-
-
-def _numbers(name: str, each: Summary) -> html.Html:
-    return html.row(
-        [
-            name,
-            each["value"],
-            each["nominal"],
-            number(each["coordinate"], "+.2f"),
-            number(each["beyond"], ".2g"),
-        ]
-    )
-
-
 def levels(summary: Summary) -> Iterator[str]:
     """The levels of subset simulation: how the probability is the product of larger ones."""
+    columns: Columns = {
+        "robustness at most": itemgetter("threshold"),
+        "given the level above": lambda level: number(level["probability"], ".3g"),
+        "probability": lambda level: number(level["product"], ".2g"),
+        "coefficient of variation": lambda level: number(level["cov"], ".2f"),
+        "flights": itemgetter("evaluations"),
+    }
     for part in summary["parts"]:
-        if len(part.get("levels", ())) < 2:
-            continue
-        rows, product = [], 1.0
-        for level in part["levels"]:
-            product *= level["probability"] or 0.0
-            rows.append(html.row([level["threshold"], number(level["probability"], ".3g"), number(product, ".2g"),
-                                  number(level["cov"], ".2f"), level["evaluations"]]))  # fmt: skip
-        heads = [
-            "robustness at most",
-            "given the level above",
-            "probability",
-            "coefficient of variation",
-            "flights",
-        ]
-        yield html.folded(f"Levels {part['label']}".strip(), html.table(heads, rows))
+        found = part.get("levels", ())
+        if len(found) > 1:
+            products = accumulate((level["probability"] or 0.0 for level in found), mul)
+            rows = [{**level, "product": product} for level, product in zip(found, products, strict=True)]
+            yield html.folded(f"Levels {part['label']}".strip(), html.listing(rows, columns))
 
 
 def searches(summary: Summary) -> Iterator[str]:
     """Every search that was made, in a table."""
-    rows = [
-        html.row([part["label"] or "all", part["flights"], part["without_result"], number(part["distance"], ".3f", "none found"),
-                  ", ".join(part.get("broken", ())), part["reason"]])
-        for part in summary["parts"]
-    ]  # fmt: skip
-    heads = ["search", "flights", "without a result", "distance", "breaks", "how it ended"]
-    yield html.folded("The searches", html.table(heads, rows))
+    columns: Columns = {
+        "search": lambda part: part["label"] or "all",
+        "flights": itemgetter("flights"),
+        "without a result": itemgetter("without_result"),
+        "distance": lambda part: number(part["distance"], ".3f", "none found"),
+        "breaks": lambda part: ", ".join(part.get("broken", ())),
+        "how it ended": itemgetter("reason"),
+    }
+    yield html.folded("The searches", html.listing(summary["parts"], columns))
     kept = "results.csv has every flight"
     again = "; found.yaml is the scenario found, and flies again as it is" if summary["found"] else ""
     yield html.note(f"{kept}{again}.")

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from html import escape
+from operator import itemgetter
 from typing import Any
 
 from testbed.reporting import html
 from testbed.reporting.html import Html
 from testbed.reporting.numbers import interval, number
+from testbed.reporting.words import title
 from testbed.study_reports.sweep.answer import answer, ranked
 from testbed.study_reports.sweep.flight_page import only
 
@@ -52,10 +55,8 @@ def probabilities(summary: Summary) -> Iterator[str]:
     for shares in sorted(each, key=lambda shares: min(share["estimate"] or 0.0 for share in shares)):
         rows.append(_dots(shares[0]["name"], shares))
     yield f'<div class="dots">{"".join(rows)}</div>'
-    yield html.table(
-        ["", "how flights ended"],
-        [html.row([variant["label"] or "all", _outcomes(variant["outcomes"])]) for variant in variants],
-    )
+    ended = {"": lambda v: v["label"] or "all", "how flights ended": lambda v: _outcomes(v["outcomes"])}
+    yield html.listing(variants, ended)
     yield html.note(
         "Share of flights and 95 % interval (Wilson); summary.json also has the exact interval (Clopper-Pearson). A "
         "flight without a result counts as having met no requirement."
@@ -80,59 +81,48 @@ def _dot(i: int, share: Mapping[str, Any]) -> str:
 
 
 def _outcomes(outcomes: Mapping[str, int]) -> Html:
-    return Html("<br>".join(f"{count} {escape(_words(name))}" for name, count in outcomes.items()))
+    return Html("<br>".join(f"{count} {escape(title(name))}" for name, count in outcomes.items()))
 
 
 def pairs(summary: Summary) -> Iterator[str]:
     """The variants compared run by run."""
     if not summary["pairs"]:
         return
-    rows = [
-        html.row(
-            [
-                f"{pair['first']} minus {pair['second']}",
-                interval(pair, "difference", "+.3f"),
-                pair["only_first"],
-                pair["only_second"],
-                number(pair["p_value"], ".2g"),
-            ]
-        )
-        for pair in summary["pairs"]
-    ]
-    heads = (
-        "",
-        "difference in P(all)",
-        "only the first passed",
-        "only the second passed",
-        "p (exact McNemar)",
-    )
+    columns = {
+        "": lambda pair: f"{pair['first']} minus {pair['second']}",
+        "difference in P(all)": lambda pair: interval(pair, "difference", "+.3f"),
+        "only the first passed": lambda pair: pair["only_first"],
+        "only the second passed": lambda pair: pair["only_second"],
+        "p (exact McNemar)": lambda pair: number(pair["p_value"], ".2g"),
+    }
     yield "<h2>Compared, run by run</h2>"
-    yield html.table(heads, rows)
+    yield html.listing(summary["pairs"], columns)
 
 
 def excursions(summary: Summary) -> Iterator[str]:
     """Quantiles and tolerance bounds of the metrics."""
-    metrics = [(v["label"], name, m) for v in summary["variants"] for name, m in v["metrics"].items()]
-    shares = list(metrics[0][2]["tolerance_bounds"]) if metrics else []
-    rows = [
-        html.row(
-            [
-                label,
-                name,
-                *(metric[of] for of in ("median", "p95", "largest")),
-                *(number(metric["tolerance_bounds"][share], absent="too few") for share in shares),
-            ]
-        )
-        for label, name, metric in metrics
-        if metric["n"]
+    metrics = [
+        {"label": variant["label"], "name": name, **metric}
+        for variant in summary["variants"]
+        for name, metric in variant["metrics"].items()
     ]
-    stays = (f"{100 * float(share):g} % stay within" for share in shares)
+    columns: dict[str, Callable[[Summary], html.Cell]] = {
+        "": itemgetter("label"),
+        "metric": itemgetter("name"),
+        "median": itemgetter("median"),
+        "95 %": itemgetter("p95"),
+        "largest": itemgetter("largest"),
+    }
+    for share in metrics[0]["tolerance_bounds"] if metrics else ():
+        columns[f"{100 * float(share):g} % stay within"] = lambda metric, share=share: number(  # type: ignore[misc]
+            metric["tolerance_bounds"][share], absent="too few"
+        )
     said = html.note(
         "The last columns are upper bounds that hold with 95 % confidence for any distribution (order "
         "statistics, Wilks 1941). A lost flight counts as an infinite error. 'too few': more runs are needed "
         "for such a bound."
     )
-    inside = html.table(["", "metric", "median", "95 %", "largest", *stays], rows) + said
+    inside = html.listing((metric for metric in metrics if metric["n"]), columns) + said
     yield html.folded("How large every metric became", inside)
 
 
@@ -172,13 +162,8 @@ def _bars(result: Mapping[str, Any], runs: int, i: int) -> str:
 
 
 def _bar(name: str, index: Mapping[str, Any], i: int) -> str:
-    size, chance = (100 * min(index[k] or 0.0, 1.0) for k in ("pawn", "pawn_by_chance"))
-    weak = "" if index["matters"] else " weak"
-    return (
-        f'<div class="driver{weak}"><div class="name">{escape(name)}</div><div class="track">'
-        f'<i class="v{i % 6}" style="width:{size:.1f}%"></i><u style="left:{chance:.1f}%"></u></div>'
-        f'<div class="number">{number(index["pawn"], ".2f")}</div></div>'
-    )
+    size, chance = (min(index[k] or 0.0, 1.0) for k in ("pawn", "pawn_by_chance"))
+    return html.bar(name, size, number(index["pawn"], ".2f"), i, chance, "" if index["matters"] else " weak")
 
 
 def _indices(label: str, output: str, result: Mapping[str, Any]) -> Iterator[Html]:
@@ -199,32 +184,23 @@ def _indices(label: str, output: str, result: Mapping[str, Any]) -> Iterator[Htm
 def worst(summary: Summary, folder_name: str) -> Iterator[str]:
     """The worst flights, each with what it missed, its page or the command that flies it again."""
     yield "<h2>The worst flights</h2>"
-    rows = [
-        html.row(
-            [
-                variant["label"],
-                str(flight["run"]),
-                _words(flight["outcome"]),
-                flight.get("missed") or flight.get("reason") or "",
-                number(flight.get("margin"), ".3g"),
-                _again(folder_name, variant["label"], flight),
-            ]
-        )
+    flights = [
+        {"label": variant["label"], **flight}
         for variant in summary["variants"]
         for flight in variant["worst"]
     ]
-    heads = (
-        "",
-        "run",
-        "ended",
-        "missed by most",
-        "margin",
-        "its page, or the command that flies it, from the parent folder",
-    )
-    yield html.table(heads, rows) if rows else "<p>None failed.</p>"
+    columns: dict[str, Callable[[Summary], html.Cell]] = {
+        "": itemgetter("label"),
+        "run": lambda flight: str(flight["run"]),
+        "ended": lambda flight: title(flight["outcome"]),
+        "missed by most": lambda flight: flight.get("missed") or flight.get("reason") or "",
+        "margin": lambda flight: number(flight.get("margin"), ".3g"),
+        "its page, or the command that flies it, from the parent folder": partial(_again, folder_name),
+    }
+    yield html.listing(flights, columns) if flights else "<p>None failed.</p>"
 
 
-def _again(folder_name: str, label: str, flight: Mapping[str, Any]) -> Html:
+def _again(folder_name: str, flight: Mapping[str, Any]) -> Html:
     if page := flight.get("page"):
         return Html(f'<a href="{escape(page)}">report</a>')
     return Html(f"<code>{escape(only(flight['run'], '', f'{folder_name}/sweep.yaml'))}</code>")
@@ -243,7 +219,3 @@ def runs_needed(summary: Summary) -> Iterator[str]:
             rows.append(html.row([variant["label"], f"P(all) to ± {width}", "", number(runs)]))
     heads = ["", "claim", "runs without a failure", "runs with the failures seen so far"]
     yield html.folded("How many runs a claim needs", html.table(heads, rows))
-
-
-def _words(name: str) -> str:
-    return name.replace("_", " ")
