@@ -17,7 +17,7 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from testbed.adoption.child import adopted_card
+from testbed.adoption.entry import adopted_card
 from testbed.adoption.source import find_source, package_root
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.inputs.problems import BadInput
@@ -96,8 +96,8 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
         )
     )
     yield ""
-    yield "| model | propulsion | actuators | airspeed m/s | condition number | s |"
-    yield "| --- | --- | --- | --- | --- | --- |"
+    yield "| model | actuators | airspeed m/s | condition number | s |"
+    yield "| --- | --- | --- | --- | --- |"
     for each in adopted:
         yield _row(each, load_aircraft(f"{folder}/{each['model']}"))
     yield ""
@@ -120,10 +120,9 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
 
 def _row(outcome: dict, aircraft: Aircraft) -> str:
     condition = outcome["card"].split("condition number ")[1].split()[0]
-    driven = aircraft.description.split("; ")[-2]
     names = ", ".join(name.replace("_", " ") for name in aircraft.actuators)
     speed = f"{aircraft.reference.airspeed_m_s:.4g}"
-    return f"| {outcome['model']} | {driven} | {names} | {speed} | {condition} | {outcome['cpu_s']:.1f} |"
+    return f"| {outcome['model']} | {names} | {speed} | {condition} | {outcome['cpu_s']:.1f} |"
 
 
 def _parser() -> argparse.ArgumentParser:

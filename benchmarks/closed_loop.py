@@ -6,7 +6,7 @@ it. `--processes` measures wall time.
 
 - `bare_us`: one control step of the plant alone, that is JSBSim's `run()`, from trim in the scenario's air, with constant
   commands, and with nothing read or written.
-- `closed_loop_us`: one control step of a complete flight, `simulation.lockstep`: start of failures and gusts, reading
+- `closed_loop_us`: one control step of a complete flight, `simulation.lockstep.Lockstep`: start of failures and gusts, reading
   properties, logging the truth and checking for the end of the flight, sensors, estimation, monitor and mode switches,
   outer loops, inversion, logging telemetry, writing commands, `run()`.
 - `ratio` of the two; `steps_per_s` and `real_time_factor` of the closed loop.
@@ -33,30 +33,31 @@ from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from typing import Any
 
-from testbed import simulation
 from testbed.aircraft.shipped import find_scenario
+from testbed.flight.flight import Flight
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.overrides import apply
 from testbed.plant.jsbsim import Plant
 from testbed.scenario.load import Scenario, load_scenario
-from testbed.simulation import Assembly, assemble, conclude, fly, lockstep
+from testbed.simulation import Assembly, assemble, assembly, check, conclude, fly
+from testbed.simulation.lockstep import Lockstep
 from testbed.sweeps.drawing.builder import Builder, Task, Variant
 
 SCENARIO = "scenarios/left_tail_fail.yaml"
 _clock = time.thread_time
 _STRETCH_S = 10.0  # of bare stepping from one trim: without control the aircraft is still in ordinary flight after this time
 _PARTS = (
-    (simulation, "chosen"),
-    (simulation, "Plant"),
-    (simulation, "unknown_names"),
-    (simulation, "make_sensors"),
-    (simulation, "Weather"),
-    (simulation, "Injector"),
-    (simulation, "_setup"),
-    (simulation, "table"),
-    (simulation, "measure"),
-    (simulation, "judge"),
-    (simulation, "controller_events"),
+    (assembly, "check"),
+    (assembly, "Plant"),
+    (check, "unknown_names"),
+    (assembly, "make_sensors"),
+    (assembly, "Weather"),
+    (assembly, "Injector"),
+    (assembly, "_setup"),
+    (conclude, "table"),
+    (conclude, "measure"),
+    (conclude, "judge"),
+    (conclude, "controller_events"),
     (Plant, "settle"),
     (Plant, "catalog"),
 )
@@ -90,12 +91,19 @@ def closed(scenario: Scenario, outside: dict[str, list[float]]) -> float:
     begin = _clock()
     parts: Assembly = assemble(scenario)
     ready = _clock()
-    outcome, recorded = lockstep(parts)
+    loop = Lockstep(parts)
+    loop.advance(scenario.steps)
     flown = _clock()
-    conclude(parts, outcome, recorded)
+    judged(loop)
     outside["assemble"].append(ready - begin)
     outside["conclude"].append(_clock() - flown)
-    return (flown - ready) / len(recorded[0])
+    return (flown - ready) / loop.done
+
+
+def judged(loop: Lockstep) -> Flight:
+    """The flight that was flown to its end."""
+    assert loop.outcome is not None
+    return conclude.conclude(loop.parts, loop.parts.scenario, loop.outcome, loop.recorded)
 
 
 @contextlib.contextmanager
@@ -128,8 +136,9 @@ def consists_of(scenario: Scenario, rounds: int) -> dict[str, float]:
     for _ in range(rounds):
         spent: dict[str, float] = defaultdict(float)
         with watched(spent):
-            parts = assemble(scenario)
-            conclude(parts, *lockstep(parts))
+            loop = Lockstep(assemble(scenario))
+            loop.advance(scenario.steps)
+            judged(loop)
         least = {name: min(least.get(name, math.inf), 1e3 * value) for name, value in spent.items()}
     return {name: round(value, 2) for name, value in sorted(least.items(), key=lambda item: -item[1])}
 

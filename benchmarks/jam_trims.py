@@ -5,7 +5,7 @@
 
 For every position of a jammed surface (steps of 5 deg) and every throttle of a stuck propeller (steps of 0.1), steady straight
 flight is searched with bounded least squares from several starts, over airspeeds, level and along paths up and down. The unknowns
-are alpha, beta, bank and the commands that are left. Nothing of the controller takes part in that search.
+are alpha, beta, bank and the commands that remain. Nothing of the controller takes part in that search.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from testbed.common.frames import level_pitch
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.inversion.steady_flights import Remaining, SteadyFlight, path_angles
+from testbed.controllers.inversion.steady_flights import DegradedAircraft, SteadyFlight, path_angles
 from testbed.controllers.records import AIRSPEED, ALPHA
 from testbed.controllers.setup import Setup, setup_for
 from testbed.plant.identification import stored
@@ -46,7 +46,7 @@ class Found:
     """A steady flight of the truth.
 
     Attributes:
-        margin: scaled distance of the nearest actuator that is left to its stop; negative for a thrust that a throttle gives,
+        margin: scaled distance of the nearest actuator that remains to its stop; negative for a thrust that a throttle gives,
             but that is beyond the aircraft's `limits`.
     """
 
@@ -149,9 +149,9 @@ def jams(aircraft: Aircraft, quick: bool) -> Iterator[tuple[int, str, float, str
 def design(setup: Setup, jammed: int, position: float) -> str:
     """What the controller chooses for a jam at a scaled position."""
     modes = enumerate_modes(setup.model, setup.scale, setup.control, setup.released)
-    left = Remaining.after(setup, modes[(jammed,)], {jammed: position})
+    degraded = DegradedAircraft.after(setup, modes[(jammed,)], {jammed: position})
     try:
-        flight, held = steady_flight(left, setup.control.loops, "")
+        flight, held = steady_flight(degraded, setup.control.loops, "")
     except NoSteadyFlight:
         return "none"
     (path,) = np.degrees(path_angles(SteadyFlight(flight.state[None], flight.positions[None])))
@@ -186,7 +186,7 @@ HEAD = """# Which jams have a trim
 This page says at which airspeeds the v-tail can fly with a jammed actuator. The others must balance it,
 and at most positions they can at some airspeeds only. It searches for
 these on JSBSim itself, with bounded least squares from several starts and nothing of the controller, and shows beside it
-what the controller's design chooses on its own linear model. Margin is the distance of the nearest actuator that is left to its
+what the controller's design chooses on its own linear model. Margin is the distance of the nearest actuator that remains to its
 stop, in units of its `scale`. Where no level flight is within the stops, the best flight
 along another path is shown. A stuck propeller's design is given the thrust at the truth's best airspeed.
 

@@ -91,8 +91,8 @@ def by_failure(flights: pd.DataFrame) -> str:
 def _words(failure: str) -> str:
     fields = json.loads(failure)
     kind = "surface" if fields["actuator"].endswith("ruddervator") else "propeller"
-    effect = {0.0: "lost", 0.3: "at 0.3"}.get(fields.get("value"), fields["type"].replace("_", " "))
-    return f"{kind} {effect}"
+    value = f" {fields['value']:g}" if "value" in fields else ""
+    return f"{kind}, {fields['type']}{value}"
 
 
 def main() -> None:

@@ -66,8 +66,7 @@ evaluations and an asked coefficient of variation of 0.3.
 
 *Within 2*: share of the seeds whose estimate is between half and twice the known probability. *Covers*: share whose
 95 % interval contains it. *Width*: median ratio of the interval's ends. *Evaluations*: mean, and the most of any seed.
-*Converged*: share of the seeds that say that they know it as well as asked. *Left to subset simulation*: share of the
-seeds in which the method `importance`, which is the default, or `adaptive` did not trust its weights, or had no need of them.
+*Converged*: share of the seeds that say that they know it as well as asked.
 
 {probabilities}
 
@@ -117,7 +116,6 @@ def probabilities(seeds: int) -> str:
         "width",
         "evaluations",
         "converged",
-        "left to subset simulation",
     )
     rows = []
     for name, case in CASES.items():
@@ -139,14 +137,12 @@ def measured(found: Sequence[FailureProbability], case: Case, method: str) -> tu
     covers = [one.interval[0] <= case.probability <= one.interval[1] for one in found]
     widths = [one.interval[1] / max(one.interval[0], 1e-300) for one in found]
     evaluations = [one.evaluations for one in found]
-    left = share([one.method == "subset" for one in found]) if method != "subset" else ""
     return (
         share((ratios > 0.5) & (ratios < 2)),
         share(covers),
         f"{np.median(widths):.1f}",
         f"{np.mean(evaluations):.0f} ({max(evaluations)})",
         share([one.converged for one in found]),
-        left,
     )
 
 

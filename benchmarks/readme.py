@@ -8,8 +8,9 @@ with the better of the two. A test flies all of it again and compares the senten
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -80,16 +81,10 @@ class Tally:
         return max(flight.metrics[metric] for flight in self.flights)
 
 
-def flown(controller: Mapping[str, Any]) -> Tally:
+def flown(controller: Mapping[str, Any], seeds: Sequence[int] = SEEDS) -> Tally:
     """The scenario, flown by a controller with each seed."""
-    settings = ", ".join(
-        f"{key}: {value}".lower() if value is True else f"{key}: {value}" for key, value in controller.items()
-    )
-    return Tally(
-        tuple(
-            testbed.fly(load_scenario(SCENARIO, [f"seed={k}", f"controller={{{settings}}}"])) for k in SEEDS
-        )
-    )
+    changes = f"controller={json.dumps(dict(controller))}"  # JSON is YAML
+    return Tally(tuple(testbed.fly(load_scenario(SCENARIO, [f"seed={seed}", changes])) for seed in seeds))
 
 
 def at_its_best(controller: Mapping[str, Any]) -> Tally:

@@ -56,6 +56,7 @@ _NAMED = "vtail vtail_aft aerosonde " + " ".join(
 PAGES: tuple[Page, ...] = (
     Page("readme", ("benchmarks/readme.py",), "97001 to 97005", 20, _AFT, ("../README.md",), stamped=False),
     Page("paper_table", ("benchmarks/results_table.py",), "1", 3, (*FLOWN, *_LOSSES)),
+    Page("time_step", ("benchmarks/time_step.py",), "1", 20, (*FLOWN, *_LOSSES[:1]), ("explanation/pure_function.md",)),
     Page("performance", ("benchmarks/performance.py",), "1", 60),
     Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 300, _SWEPT),
     Page(

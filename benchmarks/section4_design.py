@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from flights import Record
 from prediction_errors import summary
-from section4_flights import error, head, measured, row, with_values
+from section4_flights import head, measured, row, with_values
 
 from testbed import design
 from testbed.gains.design import Design
@@ -42,8 +42,8 @@ LOSSES = [(actuator, left) for actuator in ("left_ruddervator", "left_propeller"
 def design_rows(quick: bool, seeds: int, jobs: int | None) -> Iterator[str]:
     """Design, paste, fly healthy, and with each kind of actuator at half and lost; compare with the predictions."""
     yield from head(
-        "law", "errors", "tolerated", "gain", "actuator", "deviation: predicted", "flown", "error", "converges: predicted [s]",
-        "flown [s]", "error", "flagged: predicted [s]", "range", "flown [s]", "error",
+        "law", "errors", "tolerated", "gain", "actuator", "deviation: predicted", "flown", "converges: predicted [s]",
+        "flown [s]", "flagged: predicted [s]", "range", "flown [s]",
     )  # fmt: skip
     cases, flights = [], []
     for law, words, values, tolerated in DESIGNS[::3] if quick else DESIGNS:
@@ -99,8 +99,8 @@ def _design_rows(
         ):
             pairs.setdefault(f"{name}, {law}", []).append(pair)
         yield row(
-            law, words, tolerated, gain, kind, one.noise, std, error(std, one.noise), one.convergence_s, converged,
-            error(converged, one.convergence_s), seconds(one.detection_s), spread, share, error(delay, one.detection_s),
+            law, words, tolerated, gain, kind, one.noise, std, one.convergence_s, converged,
+            seconds(one.detection_s), spread, share,
         )  # fmt: skip
 
 

@@ -29,7 +29,7 @@ from testbed.margins.bounds import bias_bound, certified_range, error_bound, mis
 from testbed.margins.matrix_classes import diagonal_stability, jacobi_radius, normalised
 from testbed.plant.identification import input_matrix
 from testbed.plant.jsbsim import Plant
-from testbed.plant.stand import stand_physics_hz
+from testbed.plant.thrust_stand import stand_physics_hz
 from testbed.plant.trim import Trim, trim
 from testbed.scenario.load import Scenario, scenario_from
 from testbed.simulation import fly, start_and_setup

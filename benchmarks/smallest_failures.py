@@ -236,7 +236,7 @@ def _no_worse(row: Mapping[str, Any], rows: Sequence[Mapping[str, Any]]) -> Mapp
 
 
 def _cell(row: Mapping[str, Any]) -> str:
-    """`2.31 (value 0.12; gust 2.2, -0.4; 8 of 8)`."""
+    """`2.31 (value 0.12; gust 2.2, -0.4; 5 of 8)`."""
     distance = float(row["distance"])
     if distance == 0.0:
         return "0: breaks without a gust"
@@ -245,7 +245,8 @@ def _cell(row: Mapping[str, Any]) -> str:
     key = SEVERITIES.get(row["failure"], ("", [], "low"))[0]
     severity = f"{key} {float(row['severity']):.3g}; " if row["severity"] != "" else ""
     gust = f"gust {float(row['north_m_s']):+.1f}, {float(row['down_m_s']):+.1f}"
-    return f"{distance:.2f} ({severity}{gust}; {row['beside']} of {BESIDE})"
+    beside = f"; {row['beside']} of {BESIDE}" if int(row["beside"]) < BESIDE else ""
+    return f"{distance:.2f} ({severity}{gust}{beside})"
 
 
 def _best(own: Mapping[str, Mapping[str, Any]]) -> str:
@@ -277,7 +278,8 @@ Broken means an altitude error above 3 m, a heading error above 8 deg, or the lo
 
 The number is the distance, in standard deviations of these distributions, from no failure and no gust to the nearest flight
 that breaks a requirement: larger is better. In brackets is what this flight has: the severity, the gust in m/s
-towards north and down, and how many of {beside} flights beside it break a requirement too. These {beside} are {apart:g} standard
+towards north and down, and, unless all do, how many of {beside} flights beside it break a requirement too. These {beside} are
+{apart:g} standard
 deviations from it, and none is nearer to the origin: beside a region that fails they all fail, and beside a failure that stands
 alone among flights that pass, hardly any. *Breaks last* names all controllers within 5 % of the largest distance. The last
 column is the distance found over that of a search of at most {check} flights with the same seed, where one was made.

@@ -94,8 +94,17 @@ def test_its_numbers_are_those_of_the_pages(page: str) -> None:
     assert here and there and here[1] == there[1]
 
 
-@pytest.mark.slow
-def test_its_picture_and_sentences_are_those_of_a_flight_of_today() -> None:
+def test_its_picture_shows_what_a_flight_of_today_does() -> None:
+    """The first seed: the default holds, and INDI and PID lose the aircraft."""
+    first = range(readme.SEEDS.start, readme.SEEDS.start + 1)
+    held = {
+        name: readme.flown(readme.RIVALS.get(name, readme.DEFAULT), first) for name in ("", "indi", "pid")
+    }
+    assert [(tally.held, tally.survived) for tally in held.values()] == [(1, 1), (0, 0), (0, 0)]
+
+
+@pytest.mark.nightly
+def test_its_sentences_are_those_of_flights_of_today() -> None:
     default = readme.flown(readme.DEFAULT)
     rivals = {name: readme.at_its_best(controller) for name, controller in readme.RIVALS.items()}
     assert block(README, "picture") == readme.sentences(default, rivals)

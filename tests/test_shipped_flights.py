@@ -20,12 +20,14 @@ import pytest
 import testbed
 from testbed.common.signals import STATE
 from testbed.controllers.config import TABLE as CONTROLLERS
+from testbed.flight.columns import Recorded
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.folder import write_run_folder
 from testbed.plant.jsbsim import Plant
 from testbed.reporting.story import diagnoses, story
 from testbed.scenario.load import load_scenario
-from testbed.simulation import assemble, fly, lockstep
+from testbed.simulation import Assembly, assemble, fly
+from testbed.simulation.lockstep import Lockstep
 
 TAIL, PROPELLER = "scenarios/left_tail_fail.yaml", "scenarios/left_propeller_fail.yaml"
 ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")
@@ -431,10 +433,16 @@ def test_nothing_of_the_plant_can_be_reached_from_the_controller() -> None:
     )
 
 
+def recorded(parts: Assembly) -> Recorded:
+    flown = Lockstep(parts)
+    flown.advance(parts.scenario.steps)
+    return flown.recorded
+
+
 def test_poisoned_truth_changes_nothing() -> None:
     """Effectiveness and true positions are logged beside the measured state; spoiling them changes no command."""
     scenario = load_scenario(TAIL, ["duration_s=20", "requirements=[]"])
-    _, (truth, measured, _, telemetry) = lockstep(assemble(scenario))
+    truth, measured, _, telemetry = recorded(assemble(scenario))
     parts = assemble(scenario)
     sample = parts.plant.sample
 
@@ -443,7 +451,7 @@ def test_poisoned_truth_changes_nothing() -> None:
         parts.plant.raw[len(STATE) :] = 1e6
 
     parts.plant.sample = poisoned  # type: ignore[method-assign]
-    _, (spoiled, measured_again, _, telemetry_again) = lockstep(parts)
+    spoiled, measured_again, _, telemetry_again = recorded(parts)
     assert np.all(spoiled[:, len(STATE) :] != truth[:, len(STATE) :]), "the poison was taken"
     assert measured_again.tobytes() == measured.tobytes()
     assert telemetry_again.tobytes() == telemetry.tobytes()

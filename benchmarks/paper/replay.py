@@ -1,4 +1,7 @@
-"""The estimate of one actuator by (13) for a reference that has been flown: what servo and sensor do, and what the flight does."""
+"""(13) alone, step by step, for the reference of one actuator that was flown in JSBSim.
+
+Where this estimate is that of the flight, servo and sensor explain it. The rest comes from the flight, which reacts to the error.
+"""
 
 from __future__ import annotations
 

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison.compare import compare as compare
     from testbed.searching import search as search
+    from testbed.simulation import Session as Session
     from testbed.simulation import fly as fly
     from testbed.sweeps.run import Stopped as Stopped
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 _MODULES = {
     "BadInput": "testbed.inputs.problems",
+    "Session": "testbed.simulation",
     "Stopped": "testbed.sweeps.run",
     "adopt": "testbed.adoption.entry",
     "compare": "testbed.reporting.comparison.compare",
@@ -34,6 +36,7 @@ _MODULES = {
 
 __all__ = [
     "BadInput",
+    "Session",
     "Stopped",
     "__version__",
     "adopt",

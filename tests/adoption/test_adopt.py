@@ -5,7 +5,7 @@ import math
 import pytest
 from command_line import in_this_process, testbed
 
-from testbed.adoption.child import adopted_card
+from testbed.adoption.entry import adopted_card
 from testbed.adoption.source import Source, find_source, package_root
 from testbed.aircraft.description import load_aircraft
 from testbed.inputs.problems import BadInput

@@ -36,6 +36,11 @@ def test_an_unknown_model_is_refused_with_a_suggestion():
         find_source("c173p", package_root())
 
 
+def test_a_name_like_none_is_refused_with_all_that_there_are():
+    with pytest.raises(BadInput, match=r"no model 'Rascal', expected .*: 737, .*, c172p, c172r, "):
+        find_source("Rascal", package_root())
+
+
 def test_a_link_in_a_circle_is_no_model(tmp_path):
     (tmp_path / "mine").symlink_to("mine")
     with pytest.raises(BadInput, match=r"no model '.*mine'"):

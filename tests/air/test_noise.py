@@ -49,7 +49,14 @@ def test_parts_are_independent_and_from_the_seed() -> None:
 
 @pytest.mark.parametrize(
     ("window", "steps"),
-    [({}, (0, 400)), ({"from_s": 1.0}, (100, 400)), ({"from_s": 0.5, "until_s": 9.0}, (50, 400))],
+    [({}, (0, 400)), ({"from_s": 1.0}, (100, 400)), ({"from_s": 0.5, "until_s": 9.0}, (50, 900))],
 )
 def test_window(window: dict[str, float], steps: tuple[int, int]) -> None:
+    """It may end after the flight."""
     assert window_of(Noise(**window), RATE, STEPS) == steps
+
+
+def test_a_shorter_flight_has_the_beginning_of_the_noise_of_a_longer_one() -> None:
+    """With coefficients for the same window, which the shorter one does not reach the end of."""
+    given = Noise(from_s=1.0, until_s=3.0, w=(0.5, -2.0, 0.0))
+    assert white_noise(given, RATE, 250, 7).tobytes() == white_noise(given, RATE, 400, 7)[:250].tobytes()

@@ -145,6 +145,7 @@ def test_sensors_leave_the_turbulence_as_it_was() -> None:
     np.testing.assert_allclose(ideal, real, atol=0.02)
 
 
+@pytest.mark.nightly
 def test_flights_are_distributed_as_with_jsbsims_turbulence() -> None:
     """Two-sample tests of 24 flights each. The gusts along the path have the same filter, and so has what they move, the airspeed.
     JSBSim's filters across it are of first order, with 4/3 of Dryden's density at high frequencies: its gusts change sqrt(4/3)

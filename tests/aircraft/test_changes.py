@@ -16,7 +16,7 @@ from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import accelerations, trim
 from testbed.scenario.load import dump, load_scenario
-from testbed.simulation import _setup, _start, assemble
+from testbed.simulation.assembly import _setup, _start, assemble
 
 SLUG_KG, INCH_M = 14.59390294, 0.0254
 TAIL = "scenarios/left_tail_fail.yaml"

@@ -61,6 +61,7 @@ def test_every_command_survives_what_ends_jsbsim(
     assert not (here / "runs").exists()
 
 
+@pytest.mark.nightly
 def test_a_process_of_its_own_ends_with_exit_status_2(tmp_path: Path) -> None:
     _with("missing property in aerodynamics", tmp_path)
     for command in (

@@ -12,6 +12,7 @@ from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
 
 
+@pytest.mark.nightly
 def test_identify_writes_what_it_then_agrees_with(tmp_path: Path) -> None:
     """On a copy of the v-tail: written anew it is the stored one; a changed number is noticed, and mended."""
     folder = shutil.copytree(load_aircraft("vtail").folder, tmp_path / "aircraft" / "vtail")

@@ -49,6 +49,7 @@ def test_a_folder_with_something_in_it_is_left_alone(called: Called, tmp_path: P
     assert [file.name for file in tmp_path.iterdir()] == ["mine.txt"]
 
 
+@pytest.mark.nightly
 def test_the_project_runs(tmp_path: Path) -> None:
     """Requirements are met by the default controller; the example's own loses altitude once the surface is broken."""
     assert in_this_process(tmp_path, "init", "mine").returncode == 0

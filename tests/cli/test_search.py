@@ -78,6 +78,7 @@ def test_a_search_and_a_sweep_do_not_go_on_in_each_others_folder(here: Path, cal
         assert sorted(path.name for path in folder.iterdir()) == ["journal.jsonl", name]
 
 
+@pytest.mark.nightly
 def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
     def search(
         at_most: float, out: str, *options: str, call: Callable[..., Result] = in_this_process
@@ -102,6 +103,7 @@ def test_the_answer_and_the_exit_status(tmp_path: Path) -> None:
     assert json.loads((tmp_path / "likely/summary.json").read_text())["goal"] == "probability"
 
 
+@pytest.mark.nightly
 def test_ctrl_c_keeps_the_flights(tmp_path: Path) -> None:
     file = written(tmp_path, REAL.replace("budget: 24", "budget: 2000"))
     process = subprocess.Popen(

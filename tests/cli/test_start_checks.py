@@ -31,6 +31,7 @@ def test_too_little_is_refused(megabytes: int) -> None:
     )
 
 
+@pytest.mark.nightly
 def test_what_is_called_enough_is_enough(tmp_path) -> None:  # type: ignore[no-untyped-def]
     done = limited(
         start_checks.NEEDED_MB, "run", "scenarios/left_propeller_fail.yaml", "--out", str(tmp_path / "run")

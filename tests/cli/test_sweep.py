@@ -71,6 +71,7 @@ def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) 
     assert called("report", "out") == (2, "", "out: no flight has finished in this sweep folder\n")
 
 
+@pytest.mark.nightly
 def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
     testbed.sweep(written(tmp_path), tmp_path / "whole", runs=6, jobs=1, figures=False)
     reference = tmp_path / "whole"

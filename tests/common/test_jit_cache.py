@@ -61,6 +61,7 @@ def _empty(_: bytes) -> bytes:
     return b""
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     ("ending", "damage"),
     [("nbi", _empty), ("nbi", _cut), ("nbi", _zeros), ("nbc", _cut), ("nbc", _flipped)],

@@ -11,7 +11,7 @@ from short_flights import scenario, worst_errors
 from vtail_setup import records_of, trim_state, vtail_setup
 
 from testbed.controllers.config import IndiSettings
-from testbed.controllers.indi import IndiController, measured_remainder
+from testbed.controllers.indi import indi, measured_remainder
 from testbed.controllers.inversion.law import regressor, state_function
 from testbed.inputs.problems import BadInput
 from testbed.metrics import readings
@@ -58,14 +58,14 @@ def test_with_a_monitor_it_sees_what_the_adaptive_law_would_and_divides_by_nothi
 
 
 def test_the_filter_is_the_settings() -> None:
-    controller = IndiController(vtail_setup(IndiSettings(filter_rad_s=7.0)))
-    assert controller._own[1][0].filter_rate == 7.0
+    controller = indi(vtail_setup(IndiSettings(filter_rad_s=7.0)))
+    assert controller._records[1][0].filter_rate == 7.0
 
 
 def test_an_aircraft_that_cannot_be_inverted_is_refused_before_the_flight() -> None:
     control = SETUP.control.model_copy(update={"condition_max": 2.0})
     with pytest.raises(BadInput, match="vtail cannot be flown by inversion"):
-        IndiController(replace(SETUP, control=control))
+        indi(replace(SETUP, control=control))
 
 
 def test_indi_makes_up_for_a_wrong_model(tmp_path: Path) -> None:

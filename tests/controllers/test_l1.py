@@ -11,7 +11,7 @@ from short_flights import scenario, worst_errors
 from vtail_setup import Records, records_of, vtail_setup
 
 from testbed.controllers.config import L1InversionSettings
-from testbed.controllers.l1 import L1Controller, adapt_fast, fast_settings, forget_lost, low_pass_channel
+from testbed.controllers.l1 import adapt_fast, fast_settings, forget_lost, l1_inversion, low_pass_channel
 from testbed.inputs.problems import BadInput
 from testbed.metrics import readings
 from testbed.simulation import fly
@@ -142,7 +142,7 @@ def test_the_settings_are_its_own() -> None:
 def test_an_aircraft_that_cannot_be_inverted_is_refused_before_the_flight() -> None:
     control = SETUP.control.model_copy(update={"condition_max": 2.0})
     with pytest.raises(BadInput, match="vtail cannot be flown by inversion"):
-        L1Controller(replace(SETUP, control=control))
+        l1_inversion(replace(SETUP, control=control))
 
 
 def test_it_flies_a_lost_tail_and_logs_what_its_monitor_estimates(tmp_path: Path) -> None:

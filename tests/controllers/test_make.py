@@ -15,7 +15,7 @@ from testbed.simulation import fly
 
 
 def test_every_kind_of_settings_has_a_class_that_flies_it() -> None:
-    assert set(CONSTRUCTORS) == set(TABLE.values())
+    assert set(CONSTRUCTORS) == set(TABLE)
 
 
 @pytest.mark.parametrize("name", TABLE)

@@ -27,7 +27,8 @@ def failure(type: str = "effectiveness", **fields: Any) -> Failure:
         ({"at_s": 2, "until_s": 3}, {"at_s": 1, "until_s": 2}, False),
         ({"at_s": 1}, {"at_s": 2}, False),  # the later replaces the earlier
         ({"at_s": 1}, {"at_s": 1}, True),  # neither is later
-        ({"at_s": 1}, {"at_s": 2, "until_s": 3}, True),  # and after 3 s?
+        ({"at_s": 1}, {"at_s": 2, "until_s": 3}, False),  # after 3 s the actuator is healthy
+        ({"at_s": 2, "until_s": 3}, {"at_s": 1}, False),
         ({"at_s": 1, "until_s": 3}, {"at_s": 2}, True),
         (FALLS, {"at_s": 2}, True),  # which is later is not known
         ({**FALLS, "until_s": 2}, {"at_s": 2}, False),

@@ -213,7 +213,7 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.aircraft.description import load_aircraft
     from testbed.aircraft.model_files.check import model_problems
     from testbed.inputs.problems import BadInput
-    from testbed.plant import known, probe
+    from testbed.plant import model_cache, probe
     from testbed.plant.first_load import trust
 
     begin("checking")
@@ -224,7 +224,7 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     begin("loading")
     trust(aircraft)
     catalog = probe._started(aircraft)
-    known.keep(aircraft.fingerprint(), {"properties": catalog})
+    model_cache.write(aircraft.fingerprint(), {"properties": catalog})
     return _scenario(fly, begin)
 
 

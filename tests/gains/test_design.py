@@ -148,6 +148,7 @@ def gamma_of(found: Chosen, kind: str) -> float:
     return float(found.settings["gamma"][kind])
 
 
+@pytest.mark.nightly
 def test_gamma_goes_as_one_over_the_intensity() -> None:
     """nu = 2 r^2 / (gamma s): four times the intensity, a quarter of gamma; and T x variance is the invariant."""
     quiet, loud = (

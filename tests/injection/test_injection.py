@@ -54,7 +54,8 @@ def test_receipts_of_start_and_end() -> None:
 
 def test_a_failure_that_starts_after_the_end_says_so() -> None:
     """Nothing is due in a flight that ends on the ground before."""
-    low = {"initial": {"altitude_m": 0.4, "airspeed_m_s": 18, "heading_deg": 90}, "commands": []}
+    low = {"initial": {"altitude_m": 0.6, "airspeed_m_s": 18, "heading_deg": 90}}
+    low["commands"] = [{"at_s": 0, "altitude_m": -50}]
     flown = fly({"type": "stuck", "actuator": "left_propeller", "at_s": 1.0}, **low)
     assert flown.flight.end_time_s < 1.0
     assert flown.flight.warnings == [

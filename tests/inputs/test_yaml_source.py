@@ -110,6 +110,7 @@ leaves = st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, 
 trees = st.recursive(leaves, lambda inner: st.lists(inner) | st.dictionaries(texts, inner), max_leaves=20)
 
 
+@pytest.mark.nightly
 @given(st.dictionaries(texts, trees))
 def test_what_is_dumped_is_read_back(tree: dict[str, object]) -> None:
     source = parse(dump(tree))

@@ -47,7 +47,7 @@ def test_a_known_aircraft_is_not_loaded_elsewhere_again(
     assert property_catalog(aircraft) == Plant(aircraft, 200).catalog()
     assert len(elsewhere) == 1
     replaced(MODEL, "4.95", "4.96")(vtail_copy)
-    assure(aircraft)
+    assure(load_aircraft(str(vtail_copy)))
     assert len(elsewhere) == 2
 
 

@@ -117,6 +117,7 @@ def test_what_cannot_be_broken_is_not_found_and_bounded() -> None:
     assert f"Not found in 1000 evaluations. As {found.independent} of them" in found.reason
 
 
+@pytest.mark.nightly
 def test_a_flat_limit_state_is_found_by_its_draws() -> None:
     found = smallest_failure(lambda u: np.where(u[:, 0] > 2.0, -1.0, 1.0), 4, seed=1)
     assert 2.0 < found.distance < 2.1
@@ -148,6 +149,7 @@ def test_never_more_than_the_budget(budget: int, dimensions: int, starts: int) -
     assert counted[0] == 1  # the origin, alone
 
 
+@pytest.mark.nightly
 def test_what_is_not_a_number_is_no_failure() -> None:
     found = smallest_failure(lambda u: np.where(u[:, 0] > 2, np.nan, 4.0 - u[:, 1]), 5)
     assert found.distance == pytest.approx(4.0, rel=0.02)

@@ -11,7 +11,9 @@ from testbed.aircraft.description import load_aircraft
 from testbed.failures import TABLE
 from testbed.flight.flight import Flight
 from testbed.scenario.load import Scenario
-from testbed.simulation import Assembly, assemble, conclude, lockstep
+from testbed.simulation import Assembly, assemble
+from testbed.simulation.conclude import conclude
+from testbed.simulation.lockstep import Lockstep
 
 AIRCRAFT = load_aircraft("vtail")
 START_S, END_S = 0.5, 1.2
@@ -80,8 +82,10 @@ class Flown(NamedTuple):
 
 def fly(*failures: dict[str, Any], **changes: Any) -> Flown:
     """Fly `scenario(*failures, **changes)`."""
-    parts = assemble(scenario(*failures, **changes))
-    return Flown(conclude(parts, *lockstep(parts)), parts)
+    flown = Lockstep(assemble(scenario(*failures, **changes)))
+    flown.advance(flown.parts.scenario.steps)
+    assert flown.outcome is not None
+    return Flown(conclude(flown.parts, flown.parts.scenario, flown.outcome, flown.recorded), flown.parts)
 
 
 @cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import pytest
 from sweep_files import SWEEP, written
 from sweep_flights import quick
 
@@ -14,6 +15,7 @@ from testbed.sweeps.statistics import proportion
 from testbed.sweeps.stopping import Stopping
 
 
+@pytest.mark.nightly
 def test_stopping_does_not_depend_on_workers(tmp_path: Path) -> None:
     text = SWEEP + "stop_when: {half_width: 0.15, confidence: 0.9}\n"
     tables = []

@@ -23,7 +23,7 @@ from testbed.plant.first_load import trust
 from testbed.plant.identification import identify
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import settle_at
-from testbed.plant.stand import stand_physics_hz
+from testbed.plant.thrust_stand import stand_physics_hz
 from testbed.plant.trim import NoTrim, Trim, command_range, trim
 
 _USE_MAX = 0.7  # of an actuator's travel to either side, in the reference trim

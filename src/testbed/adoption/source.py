@@ -68,8 +68,18 @@ def find_source(model: str, root: Path) -> Source:
         return source
     if folder.is_dir():
         raise BadInput([Problem(f"has no {folder.name}.xml, which JSBSim would load", str(folder))])
-    names = [each.name for each in (root / "aircraft").iterdir() if each.is_dir()]
-    raise BadInput([Problem(f"no model {model!r}", expected=_MODEL, suggestion=did_you_mean(model, names))])
+    raise BadInput([_unknown(model, root)])
+
+
+def _unknown(model: str, root: Path) -> Problem:
+    """The problem of a model that is nowhere, with the packaged one that was probably meant, or else with all of them."""
+    files = (root / "aircraft").glob("*/*.xml")
+    names = sorted((file.stem for file in files if file.stem == file.parent.name), key=str.casefold)
+    close = did_you_mean(model, names)
+    expected = (
+        _MODEL if close else f"the folder of a model, or a model of the jsbsim package: {', '.join(names)}"
+    )
+    return Problem(f"no model {model!r}", expected=expected, suggestion=close)
 
 
 def read_whole(source: Source) -> ET.Element:

@@ -23,6 +23,9 @@ PARTS = ("u", "v", "w", "p")
 """Noises of turbulence: of the gusts along the heading, to the right and down, and of that which rolls."""
 COLUMNS = ("wind_north_m_s", "wind_east_m_s", "wind_down_m_s")
 
+LASTING_S = 1e6
+"""Hold of a gust that lasts to the end of any flight [s]; 12 days."""
+
 
 class Gust(Settings):
     """A 1-cosine gust: rises to `magnitude_m_s` over a length or a time, holds it, and falls in the same way.
@@ -67,7 +70,7 @@ class Noise(Settings):
     from_s: NonNegative = 0.0
     """Start of the window."""
     until_s: Positive | None = None
-    """End of the window; default: end of the flight."""
+    """End of the window, which may be after that of the flight; default: end of the flight."""
     u: tuple[Number, ...] = ()
     """Coefficients of the gust along the heading, those of low frequency first: i half-waves in the window, i = 0, 1, ..."""
     v: tuple[Number, ...] = ()
@@ -134,3 +137,23 @@ def severity(w20_m_s: float) -> int:
     """JSBSim's index of severity for a wind at 20 ft [m/s]: that of the nearest of MIL-F-8785C's words."""
     knots = w20_m_s / METRES_PER_SECOND_PER_KNOT
     return _SEVERITY[min(_WORDS_KT, key=lambda word: abs(_WORDS_KT[word] - knots))]
+
+
+class WindChange(Settings):
+    """Another steady wind from now on, reached as a gust is: v = V/2 (1 - cos(pi t / duration))."""
+
+    wind_m_s: Vector
+    """The wind over the ground in place of the one so far; it blows towards north, east, down."""
+    duration_s: Positive = 1.0
+    """How long the change takes."""
+
+    def gust(self, at_s: float, so_far_m_s: Vector) -> Gust:
+        """The gust that makes this change, beginning at a time [s]; its hold is longer than any flight."""
+        north, east, down = (new - old for new, old in zip(self.wind_m_s, so_far_m_s, strict=True))
+        return Gust(
+            at_s=at_s,
+            magnitude_m_s=(north, east, down),
+            frame="ned",
+            duration_s=self.duration_s,
+            hold_s=LASTING_S,
+        )

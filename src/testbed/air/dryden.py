@@ -20,6 +20,7 @@ spectral density 1,
 
 They are discretised exactly for noise that is held over a control step, with the airspeed and the altitude of that step.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

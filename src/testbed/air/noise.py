@@ -22,20 +22,22 @@ from testbed.common.signals import first_step_at
 
 
 def white_noise(settings: Noise | None, rate_hz: int, steps: int, seed: int) -> np.ndarray:
-    """[steps, 4] standard normals for `PARTS`, each from its own stream, with the coefficients of the settings in their window."""
-    rows = np.empty((steps, len(PARTS)))
+    """[steps, 4] standard normals for `PARTS`, each from its own stream, with the coefficients of the settings in their window.
+
+    The noise of a longer flight begins with that of a shorter one, if the window is the same.
+    """
+    window = slice(0, 0) if settings is None else slice(*window_of(settings, rate_hz, steps))
+    rows = np.empty((max(steps, window.stop), len(PARTS)))
     for i, part in enumerate(PARTS):
-        rows[:, i] = generator(seed, f"gust {part}").standard_normal(steps)
-    if settings is not None:
-        window = slice(*window_of(settings, rate_hz, steps))
-        for i, part in enumerate(PARTS):
+        rows[:, i] = generator(seed, f"gust {part}").standard_normal(len(rows))
+        if settings is not None:
             rows[window, i] = with_coefficients(rows[window, i], getattr(settings, part))
-    return rows
+    return rows[:steps]
 
 
 def window_of(settings: Noise, rate_hz: int, steps: int) -> tuple[int, int]:
-    """First control step of the window, and the step after its last."""
-    end = steps if settings.until_s is None else min(first_step_at(settings.until_s, rate_hz), steps)
+    """First control step of the window, and the step after its last, which may be after the flight's end."""
+    end = steps if settings.until_s is None else first_step_at(settings.until_s, rate_hz)
     return first_step_at(settings.from_s, rate_hz), end
 
 

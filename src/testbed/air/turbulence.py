@@ -1,4 +1,5 @@
 """Dryden turbulence in flight: in each control step the gusts at the present airspeed and altitude, turned to the ground's axes."""
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
@@ -9,11 +10,11 @@ from typing import Protocol
 import numpy as np
 
 from testbed.air import dryden
-from testbed.air.config import Atmosphere, severity
+from testbed.air.config import Atmosphere, Noise, severity
 from testbed.air.dryden import across, along, intensities_and_lengths, rolling_intensity, slope
 from testbed.air.noise import white_noise
 from testbed.common.jit import bound, compiled
-from testbed.common.signals import STATE
+from testbed.common.signals import STATE, longer
 
 _ALTITUDE, _AIRSPEED, _HEADING = map(STATE.index, ("altitude", "airspeed", "heading"))
 _LEAST_AIRSPEED_M_S = 1.0
@@ -58,18 +59,24 @@ class Turbulence:
 
     def __init__(self, settings: Atmosphere, plant: Sampled, rate_hz: int, steps: int, seed: int) -> None:
         self._plant, self._blow = plant, plant.blow
+        self._rate_hz, self._seed = rate_hz, seed
         w20 = settings.turbulence_w20_m_s
-        noise = white_noise(settings.noise, rate_hz, steps, seed)
         self._record = np.zeros(1, _RECORD).view(np.recarray)
         (record,) = self._record
         record.w20, record.dt, record.span = w20, 1.0 / rate_hz, plant.span_m
         record.exceeded = dryden.EXCEEDED_FT, dryden.EXCEEDED_FT_S[severity(w20)]
         record.factors, record.air_factors = plant.factors[: len(STATE)], plant.air_factors
         self._mean, self._air = record.mean_wind, record.air
-        self.wind = np.zeros((steps, 3))
         self._values = memoryview(self._air)  # its items are floats, which numpy's are not
-        self._arrays = (plant.raw, noise, self._record, self.wind)
+        self.wind = np.zeros((0, 3))
+        self.lengthen(settings.noise, steps)
         self._fill = bound(blow, 0, self._arrays)
+
+    def lengthen(self, noise: Noise | None, steps: int) -> None:
+        """Take more control steps. Noise and wind so far stay as they are, if the window of the noise given has an end."""
+        self.wind = longer(self.wind, steps)
+        drawn = white_noise(noise, self._rate_hz, steps, self._seed)
+        self._arrays = (self._plant.raw, drawn, self._record, self.wind)
 
     def begin(self, mean_m_s: np.ndarray) -> None:
         """Sample the plant that was placed, on whose state the first gust depends; then as `over`."""

@@ -16,7 +16,7 @@ from testbed.air.config import COLUMNS, Atmosphere, Gust, severity
 from testbed.air.turbulence import Sampled, Turbulence
 from testbed.common.frames import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
-from testbed.common.signals import first_step_at
+from testbed.common.signals import first_step_at, longer
 
 
 class Air(Sampled, Protocol):
@@ -37,12 +37,14 @@ class Weather:
     Attributes:
         next_step: next control step at which there is something to do; infinite in calm air.
         apply: logs the wind of a step, and sets the wind of the next.
+        settings: the air of the flight, with the gusts that were added to it.
         wind: [steps, 3] velocity of the air in each step, with gusts and turbulence [m/s, north, east, down]; empty in calm air.
     """
 
     def __init__(self, settings: Atmosphere, plant: Air, rate_hz: int, steps: int, seed: int) -> None:
         self.settings, self.plant, self.rate_hz, self.seed = settings, plant, rate_hz, seed
         self.next_step = math.inf if settings.is_calm else 0
+        self._steps = steps
         self.wind = np.zeros((0 if settings.is_calm else steps, 3))
         self._steady = np.array(settings.wind_m_s)
         self._gusty = False
@@ -51,9 +53,13 @@ class Weather:
         if settings.is_own_turbulence:
             self._turbulence = Turbulence(settings, plant, rate_hz, steps, seed)
             self.wind = self._turbulence.wind
-            self.apply = self._apply_own if settings.gusts else self._turbulence.step
-        self._starts = [first_step_at(gust.at_s, rate_hz) for gust in settings.gusts]
-        self._gusts: list[tuple[float, float, np.ndarray] | None] = [None] * len(settings.gusts)
+            self.apply = self._turbulence.step
+        self._starts = list[int]()
+        self._gusts = list[tuple[float, float, list[float]] | None]()
+        # The first of them, whose velocity does not change now; its sum, and until when it is so if it is not zero.
+        self._settled, self._held, self._held_until_s = 0, (0.0, 0.0, 0.0), math.inf
+        for gust in settings.gusts:
+            self._expect(gust)
         if not settings.is_calm:
             plant.set_wind(self._steady)
 
@@ -64,6 +70,33 @@ class Weather:
             self._turbulence.begin(self._steady)
         elif w20 > 0.0:
             self.plant.set_turbulence(w20, severity(w20), engine_seed(self.seed, "turbulence"))
+
+    def log_calm(self) -> None:
+        """Log the wind of calm air too, from the first step on: then a gust can be added in flight."""
+        if math.isinf(self.next_step):
+            self.wind, self.next_step = np.zeros((self._steps, 3)), 0
+
+    def add(self, gust: Gust) -> None:
+        """Take one more gust, which begins at or after the next control step; the wind has been logged from the first step on."""
+        self.log_calm()
+        self.settings = self.settings.model_copy(update={"gusts": (*self.settings.gusts, gust)})
+        self._expect(gust)
+
+    def _expect(self, gust: Gust) -> None:
+        """Plan a gust of the settings."""
+        self._starts.append(first_step_at(gust.at_s, self.rate_hz))
+        self._gusts.append(None)
+        if self._turbulence is not None:
+            self.apply = self._apply_own
+
+    def lengthen(self, settings: Atmosphere, steps: int) -> None:
+        """Take more control steps; `settings` are those so far, but that the window of noise given has an end."""
+        self.settings, self._steps = settings, steps
+        if self._turbulence is not None:
+            self._turbulence.lengthen(settings.noise, steps)
+            self.wind = self._turbulence.wind
+        elif not math.isinf(self.next_step):
+            self.wind = longer(self.wind, steps)
 
     def _apply_jsbsims(self, step: int) -> None:
         self.wind[step] = self.plant.total_wind()
@@ -91,6 +124,8 @@ class Weather:
 
     def _blowing(self, step: int) -> bool:
         """Whether any gust has begun and is not over."""
+        if self._held_until_s < math.inf:
+            return True
         for start, begun in zip(self._starts, self._gusts, strict=True):
             if step >= start and (begun is None or step < start + (2.0 * begun[0] + begun[1]) * self.rate_hz):
                 return True
@@ -98,22 +133,36 @@ class Weather:
 
     def columns(self, steps: int) -> dict[str, np.ndarray]:
         """Columns of the log that this weather adds."""
-        return {} if self.settings.is_calm else dict(zip(COLUMNS, self.wind[:steps].T, strict=True))
+        return dict(zip(COLUMNS, self.wind[:steps].T, strict=True))
 
     def _gust(self, step: int) -> np.ndarray:
         """Sum of the velocities of all gusts at the end of this step [m/s, north, east, down].
 
         A gust begins with the first step at or after its `at_s`.
         """
-        total = np.zeros(3)
-        for i, gust in enumerate(self.settings.gusts):
+        time_s = (step + 1) / self.rate_hz
+        if time_s >= self._held_until_s:
+            self._settled, self._held, self._held_until_s = 0, (0.0, 0.0, 0.0), math.inf
+        north, east, down = self._held
+        for i in range(self._settled, len(self._gusts)):
             if step < self._starts[i]:
                 continue
-            begun = self._gusts[i] or self._begin(i, gust)
-            total += profile((step + 1) / self.rate_hz - gust.at_s, begun[0], begun[1]) * begun[2]
-        return total
+            rise_s, hold_s, velocity = self._gusts[i] or self._begin(i, self.settings.gusts[i])
+            since_s = time_s - self.settings.gusts[i].at_s
+            share = profile(since_s, rise_s, hold_s)
+            north, east, down = (
+                north + share * velocity[0], east + share * velocity[1], down + share * velocity[2],
+            )  # fmt: skip
+            if i == self._settled and since_s > rise_s and share in (0.0, 1.0):
+                self._settle(north, east, down, time_s - since_s + rise_s + hold_s if share else math.inf)
+        return np.array([north, east, down])
 
-    def _begin(self, i: int, gust: Gust) -> tuple[float, float, np.ndarray]:
+    def _settle(self, north: float, east: float, down: float, until_s: float) -> None:
+        """Add the first gust that changes to those that do not change until then: they need not be summed in each step."""
+        self._settled += 1
+        self._held, self._held_until_s = (north, east, down), min(self._held_until_s, until_s)
+
+    def _begin(self, i: int, gust: Gust) -> tuple[float, float, list[float]]:
         """Rise and hold [s] and full velocity [m/s, north, east, down] of a gust that begins now."""
         airspeed, alpha, beta, *attitude = self.plant.air_data()
         velocity = np.array(gust.magnitude_m_s)
@@ -121,7 +170,7 @@ class Weather:
             velocity = body_from_wind(alpha, beta) @ velocity
         if gust.frame != "ned":
             velocity = body_from_ned(*attitude).T @ velocity
-        begun = (gust.rise_s(airspeed), gust.hold_s, velocity)
+        begun = (gust.rise_s(airspeed), gust.hold_s, velocity.tolist())
         self._gusts[i] = begun
         return begun
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Annotated, Any, Literal, NamedTuple
 
 from testbed.inputs.base import NonNegative, Positive, Settings
 
@@ -13,6 +13,19 @@ DERIVED: Any = None
 """Default of a setting that follows from the design model unless it is given (`controllers.scaling`)."""
 
 
+class Gain(NamedTuple):
+    """What is said of a gain of `Loops` in its type: where it belongs, and its value with ample authority of the actuators.
+
+    Attributes:
+        axis: whose cascade of loops it is a part of.
+        ample: its value for an aircraft with ample authority and fast engines [1/s; integrals 1/s2, that of altitude as a rate of
+            climb].
+    """
+
+    axis: Axis
+    ample: float
+
+
 class Loops(Settings):
     """Gains of the paper's outer loops [1/s unless the docstring says otherwise], and their limits.
 
@@ -20,37 +33,38 @@ class Loops(Settings):
     little; V is the reference airspeed.
     """
 
-    airspeed_kp: NonNegative = DERIVED
-    """0.8, or a third of the corner of the slowest propulsor's lag if that is less."""
-    airspeed_ki: NonNegative = DERIVED
-    """[1/s2] 0.1"""
+    airspeed_kp: Annotated[NonNegative, Gain("u_dot", 0.8)] = DERIVED
+    """Acceleration for an error of airspeed: 0.8, or a third of the corner of the slowest propulsor's lag if that is less."""
+    airspeed_ki: Annotated[NonNegative, Gain("u_dot", 0.1)] = DERIVED
+    """Acceleration for the integral of that error [1/s2]: 0.1"""
     u_dot_max: Positive = DERIVED
     """Largest acceleration that airspeed may ask for [m/s2]: 0.7, or 0.4 of the authority if that is less."""
-    altitude_kp: NonNegative = DERIVED
-    """0.7"""
-    altitude_ki: NonNegative = DERIVED
-    """[rad/(m s)] 0.18/V"""
+    altitude_kp: Annotated[NonNegative, Gain("q_dot", 0.7)] = DERIVED
+    """Climb rate for an error of altitude: 0.7"""
+    altitude_ki: Annotated[NonNegative, Gain("q_dot", 0.18)] = DERIVED
+    """Pitch for the integral of that error [rad/(m s)]: 0.18/V"""
     climb_max: Positive = DERIVED
     """Largest climb rate that altitude may ask for [m/s]: V/9, or what half of the excess thrust gives if that is less."""
-    pitch_kp: NonNegative = DERIVED
-    """3"""
-    q_kp: NonNegative = DERIVED
-    """8, and at least the aircraft's own damping of pitching"""
-    heading_kp: NonNegative = DERIVED
-    """0.5"""
-    heading_ki: NonNegative = DERIVED
-    """[1/s2] 0.02"""
+    pitch_kp: Annotated[NonNegative, Gain("q_dot", 3.0)] = DERIVED
+    """Pitch rate for an error of pitch: 3"""
+    q_kp: Annotated[NonNegative, Gain("q_dot", 8.0)] = DERIVED
+    """Pitch acceleration for an error of pitch rate: 8, and at least the aircraft's own damping of pitching"""
+    heading_kp: Annotated[NonNegative, Gain("p_dot", 0.5)] = DERIVED
+    """Turn rate for an error of heading: 0.5"""
+    heading_ki: Annotated[NonNegative, Gain("p_dot", 0.02)] = DERIVED
+    """Turn rate for the integral of that error [1/s2]: 0.02"""
     roll_max_deg: Positive = 25.0
-    roll_kp: NonNegative = DERIVED
-    """1.5"""
-    p_kp: NonNegative = DERIVED
-    """4, and at least the aircraft's own damping of rolling"""
-    sideslip_kp: NonNegative = DERIVED
-    """1"""
-    sideslip_ki: NonNegative = DERIVED
-    """[1/s2] 0.2"""
-    r_kp: NonNegative = DERIVED
-    """4, and at least the aircraft's own damping of yawing"""
+    """Largest bank that heading may ask for [deg]."""
+    roll_kp: Annotated[NonNegative, Gain("p_dot", 1.5)] = DERIVED
+    """Roll rate for an error of bank: 1.5"""
+    p_kp: Annotated[NonNegative, Gain("p_dot", 4.0)] = DERIVED
+    """Roll acceleration for an error of roll rate: 4, and at least the aircraft's own damping of rolling"""
+    sideslip_kp: Annotated[NonNegative, Gain("r_dot", 1.0)] = DERIVED
+    """Yaw rate for sideslip: 1"""
+    sideslip_ki: Annotated[NonNegative, Gain("r_dot", 0.2)] = DERIVED
+    """Yaw rate for the integral of sideslip [1/s2]: 0.2"""
+    r_kp: Annotated[NonNegative, Gain("r_dot", 4.0)] = DERIVED
+    """Yaw acceleration for an error of yaw rate: 4, and at least the aircraft's own damping of yawing"""
     heading_error_max_deg: Positive = 20.0
     """The heading error is limited to this; likewise the next two [deg, m, m/s]."""
     altitude_error_max_m: Positive = DERIVED
@@ -74,6 +88,15 @@ class Loops(Settings):
     lost_thrust_protect_from_m_s: NonNegative = DERIVED
     """In place of `protect_from_m_s` once a propeller has failed [m/s]. By default as much as is flown faster, so that altitude
     is given up below the reference airspeed."""
+
+
+LOOP_GAINS = {
+    name: entry
+    for name, info in Loops.model_fields.items()
+    for entry in info.metadata
+    if isinstance(entry, Gain)
+}
+"""The gains of the outer loops, by name."""
 
 
 class StateDeviations(Settings):

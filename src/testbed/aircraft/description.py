@@ -7,6 +7,7 @@ import math
 import os
 import re
 from collections.abc import Iterator
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -219,8 +220,9 @@ class Aircraft(Settings):
         return self if self._changes is None else self.changed_by(None)
 
     def changed_by(self, changes: Settings | None) -> Aircraft:
-        """The same aircraft with these changes to its truth, checked already."""
+        """The same aircraft with these changes to its truth, checked already; its files are looked at anew."""
         other = self.model_copy()
+        other.__dict__.pop("_contents", None)
         other._changes = changes
         return other
 
@@ -232,8 +234,13 @@ class Aircraft(Settings):
     def fingerprint(self) -> str:
         """Hash of everything that the plant and its trim depend on: JSBSim files, actuators, reference, start; not `control`.
 
-        The files are read each time (0.1 ms), so an edit is always noticed. Raises BadInput for one that is no regular file.
+        The files are read once for each time that the aircraft is loaded (0.1 ms), so the next flight notices an edit. Raises
+        BadInput for one that is no regular file.
         """
+        return self._contents
+
+    @cached_property
+    def _contents(self) -> str:
         included = {"model", "reference", "actuators"} | ({"start"} if self.start else set())
         seen = self.model_dump_json(include=included)
         text = hashlib.sha256(seen.encode())
@@ -260,7 +267,7 @@ def load_aircraft(name: str) -> Aircraft:
     """Load an aircraft by name or folder; raises BadInput with everything wrong in its YAML."""
     file = find_aircraft(name)
     text = read_text(file)
-    return _aircraft.get((file, text), lambda: _checked(file, text))
+    return _aircraft.get((file, text), lambda: _checked(file, text)).changed_by(None)
 
 
 def _checked(file: Path, text: str) -> Aircraft:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
@@ -25,34 +24,13 @@ def collect(problems: list[Problem], function: Callable[[], Result]) -> Result |
 
 
 def checked(file: str, settings: Sequence[str] = ()) -> Scenario:
-    """The scenario in a file, also checked against the log's columns, the metrics, the JSBSim model and its trimmed start.
-
-    Conditions that its controller is not made for are printed on stderr.
-    """
-    from testbed.aircraft.changes import chosen
-    from testbed.flight.columns import all_columns
-    from testbed.metrics import TABLE as METRICS
-    from testbed.plant.rehearsal import rehearse
+    """The scenario in a file, completely checked. Conditions that its controller is not made for are printed on stderr."""
     from testbed.scenario import conditions
-    from testbed.scenario.checks import unknown_names
     from testbed.scenario.load import load_scenario
+    from testbed.simulation.check import check
 
     scenario = load_scenario(file, settings)
-    aircraft = chosen(scenario.aircraft)
-    found: list[Problem] = []
-    at, initial = scenario.initial, ("initial",)
-    properties = collect(
-        found,
-        lambda: rehearse(
-            aircraft, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, math.radians(at.heading_deg)
-        ),
-    )
-    checkable = scenario if properties is not None else scenario.model_copy(update={"failures": ()})
-    names = unknown_names(checkable, aircraft, all_columns(aircraft, scenario), METRICS, properties or {})
-    # A problem without a file is that there is no trimmed flight to begin with.
-    problems = [*names, *(p if p.file else scenario.source.problem(initial, p.what) for p in found)]
-    if problems:
-        raise BadInput(problems)
+    check(scenario)
     for warning in conditions.warnings(scenario):
         print(f"WARNING: {warning}", file=sys.stderr)
     return scenario

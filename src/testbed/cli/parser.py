@@ -1,4 +1,4 @@
-"""The commands, and the parser of the command line: what it refuses it says as every other problem with the input is said."""
+"""The commands in their order, and the parser, which says what was probably meant by a word that it does not know."""
 
 from __future__ import annotations
 

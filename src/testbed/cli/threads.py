@@ -1,4 +1,4 @@
-"""Threads that a controller of one's own has left behind do not hold the command that flew it."""
+"""A thread that a user's controller leaves running does not keep the command from ending."""
 
 from __future__ import annotations
 

@@ -33,6 +33,9 @@ RATES = ("p_dot", "q_dot", "r_dot", "u_dot")
 SETPOINT = ("altitude", "airspeed", "heading", "altitude_rate", "airspeed_rate", "heading_rate")
 """Rate-limited references and their rates [m, m/s, rad, m/s, m/s2, rad/s]."""
 
+GROUND_M = 0.5
+"""Altitude of the centre of gravity below which the aircraft counts as on the ground [m]; the terrain is at sea level."""
+
 TELEMETRY = ("reference", "command", "effectiveness_estimate", "failed")
 """What a controller logs of each actuator: reference and command divided by the actuator's `scale`, the estimate of its
 effectiveness (1 is healthy), and a flag that is 1 while the controller takes it for failed."""
@@ -102,3 +105,15 @@ def as_records(rows: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
 def first_step_at(time_s: float, rate_hz: float) -> int:
     """The first control step at or after a time [s]; step k is at k / rate, for every part of a flight."""
     return math.ceil(time_s * rate_hz - _ROUNDING)
+
+
+def begins_within(at_s: float | None, rate_hz: float, steps: float) -> bool:
+    """Whether something that begins at a time [s], or at no stated one, may begin within the first `steps` control steps."""
+    return at_s is None or first_step_at(at_s, rate_hz) < steps
+
+
+def longer(rows: np.ndarray, steps: int) -> np.ndarray:
+    """Rows of signals [N, ...] for more control steps [steps, ...]: those so far, then zeros."""
+    made = np.zeros((steps, *rows.shape[1:]))
+    made[: len(rows)] = rows
+    return made

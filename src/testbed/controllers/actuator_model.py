@@ -8,6 +8,7 @@ the propellers' axis [m/s]. Propeller: T = rho n^2 D^4 C_T(J) and Q = rho n^2 D^
 speed n in rev/s. Motor: current I = (voltage - n/K_v)/R, torque K_t (I - i_0). Engine: thrust from a table over throttle and
 airspeed, for the throttle that the engine has followed so far.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

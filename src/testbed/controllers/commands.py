@@ -2,6 +2,7 @@
 
 Letters: m design model (`records.MODEL`), c settings (`records.SETTINGS`), s memory (`records.MEMORY`).
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -6,13 +6,18 @@ own purpose, can be compared with the adaptive law at the same diagnosis.
 Letters: y measured state, m design model, c settings of the diagnosis, s memory of the control law, d memory of the diagnosis,
 w working memory; their fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from testbed.common.jit import bound, compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
+from testbed.controllers.compiled_controller import CompiledController
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record, trimmed_memory
 from testbed.controllers.inversion.law import state_function
@@ -27,10 +32,9 @@ def diagnose(step, parts):
 
     Args:
         step: row of the channels.
-        parts: states, setpoints, then model, settings of the diagnosis, memory of the control, memory of the diagnosis, and working
-            memory.
+        parts: see `DiagnosedController`.
     """
-    states, setpoints, models, settings, memories, diagnoses, works = parts
+    states, setpoints, _, models, _, _, memories, works, settings, diagnoses = parts
     y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
     s, d, w = memories[0], diagnoses[0], works[0]
     for i in range(len(d.command)):
@@ -40,47 +44,45 @@ def diagnose(step, parts):
     return estimate(y, ref, m, c, d, w)
 
 
-class Diagnosis:
-    """The diagnosis of one flight.
+class DiagnosedController(CompiledController):
+    """A control law with modes, which are switched for what the diagnosis flags.
 
     Args:
-        model, memory, work: records of the control law.
-        modes: the control law's modes, which are switched for what is flagged.
+        law: as of `CompiledController`; its further arrays are settings and memory of the diagnosis.
+        settings: record of the control law's settings.
         active: whether there is to be a diagnosis; without it nothing is flagged and nothing is said.
 
-    Attributes:
-        records: settings and memory of the diagnosis, each an array of one record.
+    Raises:
+        BadInput: as in `InversionController`.
     """
 
     def __init__(
-        self,
-        setup: Setup,
-        model: np.ndarray,
-        memory: np.ndarray,
-        work: np.ndarray,
-        modes: ModeSwitch,
-        active: bool,
+        self, setup: Setup, law: Callable[[int, Any], int], settings: np.ndarray, active: bool
     ) -> None:
-        self._modes, self._control, self._active = modes, memory, active
-        settings = settings_record(setup, AdaptiveInversionSettings() if active else None)
-        self.records = (settings, trimmed_memory(setup))
-        self._own = (model, settings, memory, self.records[1], work)
+        self._memory, self._diagnosed, self._active = trimmed_memory(setup), trimmed_memory(setup), active
+        self._modes = ModeSwitch(setup, self._memory)
+        self.reasons = self._modes.reasons
+        chosen = settings_record(setup, AdaptiveInversionSettings() if active else None)
+        more = (chosen, self._diagnosed)
+        super().__init__(setup, law, settings, self._modes.record, self._memory, more)
 
-    def bind(self, states: np.ndarray, setpoints: np.ndarray) -> None:
-        """Take the measured states and the references of a flight (see `controllers.Controller.bind`)."""
-        self._parts = (states, setpoints, *self._own)
+    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
+        """Take the channels of a flight (see `Controller.bind`)."""
+        super().bind(states, setpoints, telemetry)
         if self._active:
             self._diagnose = bound(diagnose, 0, self._parts)
 
-    def step(self, step: int) -> None:
-        """Diagnose row `step`, and put the mode in force for what has been flagged."""
+    def step(self, step: int) -> memoryview:
+        """Diagnose row `step`, put the mode in force for what has been flagged; commands [n]."""
         if self._active and self._diagnose(step, self._parts):
             self._take_over(step)
+        self._step(step, self._parts)
+        return self._commands
 
     def _take_over(self, step: int) -> None:
         """The estimate of a jammed actuator becomes its position, and that of one that is lost, or used again, 1: a lost one is
         not used, and does not act. The others keep theirs."""
-        s, d = self._control[0], self.records[1][0]
+        s, d = self._memory[0], self._diagnosed[0]
         s.lambda_hat[(s.failed == 1) | (d.failed == 1)] = 1.0
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
         s.failed[:], s.jammed[:], s.early[:] = d.failed, d.jammed, d.early

@@ -12,6 +12,7 @@ a jam has none.
 
 Letters: y measured state, m design model, c settings, s memory, w working memory (`records`), h the bank of models (BANK).
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -17,24 +17,19 @@ separates what diagnosis brings from what compensation brings.
 Letters: y state, ref references, m design model, c settings, k control mode, s memory, w working memory; their fields,
 shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
-
-from testbed.common.jit import bound, compiled
+from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_beliefs, write_telemetry
 from testbed.controllers.config import IndiSettings
-from testbed.controllers.diagnosis import Diagnosis
-from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
+from testbed.controllers.diagnosis import DiagnosedController
+from testbed.controllers.initial_records import settings_record
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import low_pass, pressure_ratio_of, regressor, state_function
-from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.outer_loops import virtual_control
-from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
 
 
@@ -64,7 +59,7 @@ def indi_step(step, parts):
 
     Args:
         step: row of the channels.
-        parts: as in `inversion.step.adaptive_step`, and then settings and memory of the diagnosis.
+        parts: see `DiagnosedController`.
     """
     states, setpoints, telemetry, models, settings, modes, memories, works, chosen, diagnoses = parts
     y, ref, w = states[step], setpoints[step], works[0]
@@ -81,38 +76,9 @@ def indi_step(step, parts):
     write_beliefs(telemetry[step], chosen[0], diagnoses[0])
 
 
-class IndiController:
-    """Incremental inversion with the records, modes and outer loops of the inversion controller.
-
-    Its estimates are logged as 1, for no command is divided by one.
-
-    Raises:
-        BadInput: as in `InversionController`.
-    """
-
-    def __init__(self, setup: Setup) -> None:
-        memory = trimmed_memory(setup)
-        self._modes = ModeSwitch(setup, memory)
-        settings, chosen = settings_record(setup, None), setup.settings_as(IndiSettings)
-        settings[0].filter_rate = chosen.filter_rad_s
-        model, work = model_record(setup), np.zeros(1, work_dtype(len(setup.actuators)))
-        self._diagnosis = Diagnosis(setup, model, memory, work, self._modes, chosen.monitor)
-        self._own = (model, settings, self._modes.record, memory, work, *self._diagnosis.records)
-        self._commands = memoryview(memory[0].command)  # quicker to go through than the array
-
-    @property
-    def reasons(self) -> Sequence[tuple[int, str]]:
-        """See `Controller.reasons`."""
-        return self._modes.reasons
-
-    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `controllers.Controller`)."""
-        self._parts = (states, setpoints, telemetry, *self._own)
-        self._step = bound(indi_step, 0, self._parts)
-        self._diagnosis.bind(states, setpoints)
-
-    def step(self, step: int) -> memoryview:
-        """Commands [n] for row `step`."""
-        self._diagnosis.step(step)
-        self._step(step, self._parts)
-        return self._commands
+def indi(setup: Setup) -> DiagnosedController:
+    """The controller; raises BadInput as `InversionController` does. Its estimates are logged as 1, for no command is divided by
+    one."""
+    chosen, settings = setup.settings_as(IndiSettings), settings_record(setup, None)
+    settings[0].filter_rate = chosen.filter_rad_s
+    return DiagnosedController(setup, indi_step, settings, chosen.monitor)

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from testbed.aircraft.control_design import LOOP_GAINS
 from testbed.aircraft.design_model import DesignModel
 from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
@@ -106,10 +107,7 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
 def _fill_loops(c: np.record, setup: Setup) -> None:
     """Gains and limits of the outer loops, angles in radians."""
     loops = setup.control.loops
-    for name in (
-        "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
-        "heading_kp", "heading_ki", "roll_kp", "p_kp", "sideslip_kp", "sideslip_ki", "r_kp",
-    ):  # fmt: skip
+    for name in (*LOOP_GAINS, "u_dot_max", "climb_max"):
         c[name] = getattr(loops, name)
     c.roll_max = math.radians(loops.roll_max_deg)
     c.heading_error_max = math.radians(loops.heading_error_max_deg)

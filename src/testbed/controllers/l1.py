@@ -17,19 +17,18 @@ v' = k (r - z) is integral control on the measured rates: incremental inversion 
 Letters: y state, ref references, m design model, c settings, k control mode, s memory, d memory of the diagnosis, w working
 memory; their fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
-from testbed.common.jit import bound, compiled
+from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import command_actuators, write_beliefs, write_telemetry
 from testbed.controllers.config import L1InversionSettings
-from testbed.controllers.diagnosis import Diagnosis
-from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
+from testbed.controllers.diagnosis import DiagnosedController
+from testbed.controllers.initial_records import settings_record
 from testbed.controllers.inversion.allocation import allocate
 from testbed.controllers.inversion.law import (
     effect_ratio,
@@ -38,10 +37,8 @@ from testbed.controllers.inversion.law import (
     pressure_ratio_of,
     state_function,
 )
-from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.step import regression
 from testbed.controllers.outer_loops import virtual_control
-from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
 
 
@@ -97,7 +94,7 @@ def l1_step(step, parts):
 
     Args:
         step: row of the channels.
-        parts: as in `inversion.step.adaptive_step`, and then settings and memory of the diagnosis.
+        parts: see `DiagnosedController`.
     """
     states, setpoints, telemetry, models, settings, modes, memories, works, chosen, diagnoses = parts
     y, ref, w = states[step], setpoints[step], works[0]
@@ -117,41 +114,10 @@ def l1_step(step, parts):
     show_diagnosis(telemetry[step], chosen[0], diagnoses[0])
 
 
-class L1Controller:
-    """The three parts with the records, modes and outer loops of the inversion controller.
-
-    The estimates that are logged are those of the slow monitor.
-
-    Raises:
-        BadInput: as in `InversionController`.
-    """
-
-    def __init__(self, setup: Setup) -> None:
-        chosen = setup.settings_as(L1InversionSettings)
-        memory = trimmed_memory(setup)
-        self._modes = ModeSwitch(setup, memory)
-        model, work = model_record(setup), np.zeros(1, work_dtype(len(setup.actuators)))
-        self._diagnosis = Diagnosis(setup, model, memory, work, self._modes, chosen.monitor)
-        fast = fast_settings(setup, chosen)
-        self._own = (model, fast, self._modes.record, memory, work, *self._diagnosis.records)
-        self._commands = memoryview(memory[0].command)  # quicker to go through than the array
-
-    @property
-    def reasons(self) -> Sequence[tuple[int, str]]:
-        """See `Controller.reasons`."""
-        return self._modes.reasons
-
-    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `controllers.Controller`)."""
-        self._parts = (states, setpoints, telemetry, *self._own)
-        self._step = bound(l1_step, 0, self._parts)
-        self._diagnosis.bind(states, setpoints)
-
-    def step(self, step: int) -> memoryview:
-        """Commands [n] for row `step`."""
-        self._diagnosis.step(step)
-        self._step(step, self._parts)
-        return self._commands
+def l1_inversion(setup: Setup) -> DiagnosedController:
+    """The controller; raises BadInput as `InversionController` does. Logged are the estimates of the slow monitor."""
+    chosen = setup.settings_as(L1InversionSettings)
+    return DiagnosedController(setup, l1_step, fast_settings(setup, chosen), chosen.monitor)
 
 
 def fast_settings(setup: Setup, chosen: L1InversionSettings) -> np.ndarray:

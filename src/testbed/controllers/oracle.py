@@ -6,10 +6,6 @@ what it does not hold, no better diagnosis holds with this law. It is told by `S
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
-
 from testbed.controllers.config import OracleSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.inversion.controller import InversionController
@@ -18,7 +14,7 @@ from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
 
 
-class OracleController:
+class OracleController(InversionController):
     """The inversion law without estimation and monitor; before each of its steps the truth is written into its memory.
 
     Raises:
@@ -33,25 +29,16 @@ class OracleController:
         self._threshold = setup.settings_as(OracleSettings).threshold
         settings = settings_record(setup, None)
         settings[0].monitors = True  # what it is told is logged as what it believes
-        self._law = InversionController(setup, settings)
-        memory = self._law.memory[0]
+        super().__init__(setup, settings)
+        memory = self.memory[0]
         self._estimate, self._failed, self._jammed = memory.lambda_hat, memory.failed, memory.jammed
         self._designed = memory.designed_position
-
-    @property
-    def reasons(self) -> Sequence[tuple[int, str]]:
-        """See `Controller.reasons`."""
-        return self._law.reasons
-
-    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `controllers.Controller`)."""
-        self._law.bind(states, setpoints, telemetry)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""
         if self._learn():
-            self._law.switch(step)
-        return self._law.step(step)
+            self.switch(step)
+        return super().step(step)
 
     def _learn(self) -> bool:
         """Write the truth into the law's memory; returns whether the mode must be put in force anew."""

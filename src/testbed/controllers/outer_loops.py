@@ -7,6 +7,7 @@ gains are designed on the design model by `inversion.regulator`.
 Letters: y state, ref references, m design model, c settings, k mode, s memory, f and nu of the working memory; their
 fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -11,35 +11,31 @@ are rates per error, and those of one aircraft are near those of another.
 Structure: Stevens, Lewis and Johnson, Aircraft Control and Simulation, 3rd ed., sec. 4.4 to 4.6; bank by rudder and
 dihedral as on a two-axis glider. How the gains were found: `PidSettings`.
 
-Letters: y measured state, ref references, m design model, c settings, k control mode, s memory (`records`), g gains (GAINS).
+Letters: y measured state, ref references, m design model, c settings, k control mode, s memory (`records`), g gains
+(`PidSettings`).
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
-from testbed.common.jit import bound, compiled
-from testbed.common.signals import RATES
+from testbed.common.jit import compiled
+from testbed.common.signals import RATES, record_dtype
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_telemetry
-from testbed.controllers.config import PidSettings
-from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
+from testbed.controllers.compiled_controller import CompiledController
+from testbed.controllers.config import ControllerSettings, PidSettings
+from testbed.controllers.initial_records import settings_record, trimmed_memory
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import pressure_ratio_of
 from testbed.controllers.inversion.modes import allocation_of
 from testbed.controllers.outer_loops import clip, wrap
-from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, U_DOT, mode_dtype, work_dtype
+from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, U_DOT, mode_dtype
 from testbed.controllers.setup import Setup
-
-GAINS = (
-    "airspeed_kp", "airspeed_ki", "u_dot_max", "altitude_kp", "altitude_ki", "climb_max", "pitch_kp", "q_kp",
-    "heading_kp", "heading_ki", "roll_kp", "roll_max", "r_kp", "bank_kp", "p_kp",
-)  # fmt: skip
-"""Fields of the gains' record: those of `PidSettings`, with `roll_max` in radians."""
 
 # Errors are limited to these before they enter the loops.
 AIRSPEED_ERROR_MAX = 2.0  # m/s
@@ -92,8 +88,7 @@ def pid_step(step, parts):
 
     Args:
         step: row of the channels.
-        parts: states, setpoints and telemetry (see `Controller.bind`), then model, settings, mode, memory, working memory
-            and gains, each an array of one record.
+        parts: see `CompiledController`; the last is the record of the gains.
     """
     states, setpoints, telemetry, models, settings, modes, memories, works, gains = parts
     y, ref, g, w = states[step], setpoints[step], gains[0], works[0]
@@ -107,40 +102,23 @@ def pid_step(step, parts):
     write_telemetry(telemetry[step], k.released, s)
 
 
-class PidController:
-    """Loops and allocation. It takes all actuators for healthy, so its estimates are logged as 1.
+def pid(setup: Setup) -> CompiledController:
+    """The controller. It takes all actuators for healthy, so its estimates are logged as 1.
 
     Args:
         setup: design model (effects, trim, throttle curve), stops, released axes, gains in `settings`.
     """
-
-    reasons: Sequence[tuple[int, str]] = ()
-
-    def __init__(self, setup: Setup) -> None:
-        memory, work = trimmed_memory(setup), np.zeros(1, work_dtype(len(setup.actuators)))
-        gains = gains_record(setup.settings_as(PidSettings))
-        settings = settings_record(setup, None)
-        self._own = (model_record(setup), settings, mode_record(setup), memory, work, gains)
-        self._commands = memoryview(memory[0].command)  # quicker to go through than the array
-
-    def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `controllers.Controller`)."""
-        self._parts = (states, setpoints, telemetry, *self._own)
-        self._step = bound(pid_step, 0, self._parts)
-
-    def step(self, step: int) -> memoryview:
-        """Commands [n] for row `step`."""
-        self._step(step, self._parts)
-        return self._commands
+    settings, gains = settings_record(setup, None), gains_record(setup.settings_as(PidSettings))
+    return CompiledController(setup, pid_step, settings, mode_record(setup), trimmed_memory(setup), (gains,))
 
 
 def gains_record(settings: PidSettings) -> np.ndarray:
-    """The gains as the compiled functions read them: one record of GAINS."""
-    record = np.zeros(1, np.dtype((np.record, [(name, np.float64) for name in GAINS])))
-    for name in GAINS:
-        record[0][name] = (
-            math.radians(settings.roll_max_deg) if name == "roll_max" else getattr(settings, name)
-        )
+    """The gains as the compiled functions read them: one record of what `PidSettings` has, angles in radians."""
+    names = [name for name in PidSettings.model_fields if name not in ControllerSettings.model_fields]
+    record = np.zeros(1, record_dtype(tuple(name.removesuffix("_deg") for name in names)))
+    for name in names:
+        value = getattr(settings, name)
+        record[0][name.removesuffix("_deg")] = math.radians(value) if name.endswith("_deg") else value
     return record
 
 

@@ -16,11 +16,12 @@ actuators.
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
+from testbed.aircraft.control_design import LOOP_GAINS
 from testbed.aircraft.design_model import COLUMNS
 from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, PROPELLER_POINTS
 
@@ -68,20 +69,13 @@ MODEL = (
     Field("B_inv", (_N, 4), "scaled units per x_c", "B_m^-1 (pseudo-inverse)", "(6)"),
     Field("B_torque", (4, _N), "x_c per N m", "effect of torque beyond `torque_slope` times thrust"),
     Field("servo", (_N,), "flag", "the actuator is a servo"),
-    Field(
-        "engine",
-        (_N,),
-        "flag",
-        "the actuator is an engine; if it is no servo either, a motor with a propeller",
-    ),
+    Field("engine", (_N,), "flag", "the actuator is an engine; without this and `servo`, a motor with a propeller"),
     Field("scale", (_N,), "rad or N", "size of one scaled unit"),
     Field("low", (_N,), "scaled", "lower stop"),
     Field("high", (_N,), "scaled", "upper stop"),
     Field("lag", (_N,), "rad/s", "corner of the first-order lag, for small changes"),
     Field("rate", (_N,), "scaled/s", "rate limit of a servo"),
-    Field(
-        "trim_position", (_N,), "scaled", "position at the reference trim; a failed actuator is sent there"
-    ),
+    Field("trim_position", (_N,), "scaled", "position at the reference trim; a failed actuator is sent there"),
     Field("torque_slope", (_N,), "N m per scaled unit", "dQ/dT of steady motor torque, at the reference"),
     Field("diameter", (_N,), "m", "D of the propeller"),
     Field("advance_min", (_N,), "1", "first advance ratio J of the propeller's tables"),
@@ -97,16 +91,11 @@ MODEL = (
     Field("throttles", (_N, ENGINE_THROTTLES), "throttle", "of the columns of an engine's tables"),
     Field("speeds", (_N, ENGINE_SPEEDS), "m/s", "axial airspeeds of the rows of an engine's tables"),
     Field("thrust_map", (_N, ENGINE_SPEEDS, ENGINE_THROTTLES), "scaled", "steady thrust of an engine"),
-    Field(
-        "rising_map",
-        (_N, ENGINE_SPEEDS, ENGINE_THROTTLES),
-        "scaled",
-        "its monotone part, to look a throttle up in",
-    ),
+    Field("rising_map", (_N, ENGINE_SPEEDS, ENGINE_THROTTLES), "scaled", "its monotone part, to look a throttle up in"),
     Field("engine_lag", (_N,), "rad/s", "corner of the lag with which an engine follows its throttle"),
     Field("rise", (_N,), "1/s", "fastest increase of the throttle that an engine follows"),
     Field("fall", (_N,), "1/s", "fastest decrease of it"),
-)
+)  # fmt: skip
 """m: the design model f_m, B_m, and the actuators' own dynamics."""
 
 SETTINGS = (
@@ -125,20 +114,13 @@ SETTINGS = (
     Field("filter_rate", (), "rad/s", "corner of the two lags on both sides of the regression; 0 for none"),
     Field("channel_rate", (), "rad/s", "k, corner of the low-pass in the control channel of `l1`"),
     Field("threshold", (), "1", "an actuator is flagged if its estimate stays below this", "section 2.3"),
-    Field(
-        "threshold_rise", (_N,), "1", "added to `threshold` for a propeller, whose estimate is more certain"
-    ),
+    Field("threshold_rise", (_N,), "1", "added to `threshold` for a propeller, whose estimate is more certain"),
     Field("persistence", (), "s", "how long the estimate must stay below `threshold`", "section 2.3"),
     Field("recovery", (), "1", "a flag is removed when the estimate stays above this"),
     Field("recovery_time", (), "s", "how long the estimate must stay above `recovery`"),
     Field("flag_std_max", (), "1", "largest standard deviation of an estimate that may raise a flag"),
     Field("process_noise", (), "1/sqrt(s)", "of effectiveness, modelled as a random walk"),
-    Field(
-        "jam_process_noise",
-        (),
-        "scaled/sqrt(s)",
-        "of a jammed actuator's position, modelled as a random walk",
-    ),
+    Field("jam_process_noise", (), "scaled/sqrt(s)", "of a jammed actuator's position, modelled as a random walk"),
     Field("forgetting_time", (), "s", "time constant of forgetting in recursive least squares"),
     Field("noise", (4,), "x_c/sqrt(Hz)", "disturbance by gusts, root of its two-sided spectral density"),
     Field("model_error_std", (4,), "x_c", "standard deviation of the model error at the model's own trim"),
@@ -151,27 +133,18 @@ SETTINGS = (
     Field("late_noise", (), "1/sqrt(s)", "process noise of lateness, modelled as a random walk"),
     Field("jam_sigma", (), "1", "fitted offset over its standard deviation that indicates a jam"),
     Field("jam_time", (), "s", "how long an offset must stay beyond `jam_sigma` to be a jam"),
-    Field("airspeed_kp", (), "1/s", "u_dot for airspeed error"),
-    Field("airspeed_ki", (), "1/s2", "integral gain of the airspeed loop"),
+    *(
+        Field(name, (), "as in `Loops`", f"gain of the {gain.axis} loops")
+        for name, gain in LOOP_GAINS.items()
+    ),
     Field("u_dot_max", (), "m/s2", "largest u_dot that airspeed may ask for"),
-    Field("altitude_kp", (), "1/s", "climb rate for altitude error"),
-    Field("altitude_ki", (), "rad/(m s)", "integral gain of the altitude loop, on pitch"),
     Field("climb_max", (), "m/s", "largest climb rate that altitude may ask for"),
-    Field("pitch_kp", (), "1/s", "pitch rate for pitch error"),
-    Field("q_kp", (), "1/s", "q_dot for pitch-rate error"),
-    Field("heading_kp", (), "1/s", "turn rate for heading error"),
-    Field("heading_ki", (), "1/s2", "integral gain of the heading loop"),
     Field("roll_max", (), "rad", "largest bank that heading may ask for"),
-    Field("roll_kp", (), "1/s", "roll rate for bank error"),
-    Field("p_kp", (), "1/s", "p_dot for roll-rate error"),
-    Field("sideslip_kp", (), "1/s", "yaw rate for sideslip"),
-    Field("sideslip_ki", (), "1/s2", "integral gain of the sideslip loop"),
-    Field("r_kp", (), "1/s", "r_dot for yaw-rate error"),
     Field("give_up_time", (), "s", "time constant with which a regulator gives altitude up for airspeed"),
     Field("heading_error_max", (), "rad", "heading error is limited to this"),
     Field("altitude_error_max", (), "m", "altitude error is limited to this"),
     Field("airspeed_error_max", (), "m/s", "airspeed error is limited to this"),
-)
+)  # fmt: skip
 """c: what the control designer and the scenario chose."""
 
 MODE = (
@@ -180,9 +153,7 @@ MODE = (
     Field("released", (4,), "flag", "the rate is given up", "section 2.3"),
     Field("B_hat_inv", (_N, 4), "scaled per x_c", "inverse of the modified input matrix", "(29)"),
     Field("row_weight", (4,), "1 per x_c^2", "weight of each kept rate in the allocation; 0 if released"),
-    Field(
-        "hessian", (_N, _N), "1 per scaled^2", "B' diag(row_weight) B + deviation weight, of the allocation"
-    ),
+    Field("hessian", (_N, _N), "1 per scaled^2", "B' diag(row_weight) B + deviation weight, of the allocation"),
     Field("thrust_alone", (_N,), "flag", "the actuator answers to u_dot alone"),
     Field("thrust_hessian", (_N, _N), "1 per scaled^2", "`hessian` without what those actuators turn"),
     Field("slow_descent", (), "s", "altitude to give up per m/s beyond `slow_descent_from`"),
@@ -196,21 +167,13 @@ MODE = (
     Field("trim_effect", (_N,), "scaled", "r_trim, of surfaces times (V/V_0)^2 of that trim"),
     Field("x_trim", (_X,), "m/s, rad, rad/s, m", "state at the mode's own trim, by REGULATOR_STATE"),
     Field("K", (4, _X), "x_c per state", "regulator gains on the state"),
-    Field(
-        "K_actuator", (4, _N), "x_c per scaled unit", "regulator gains on the actuators' effective positions"
-    ),
+    Field("K_actuator", (4, _N), "x_c per scaled unit", "regulator gains on the actuators' effective positions"),
     Field("K_integral", (4, len(INTEGRALS)), "x_c per integral", "regulator gains on the integrals"),
-)
+)  # fmt: skip
 """k: the control mode in force: which actuators are used, and the modified inverse."""
 
 MEMORY = (
-    Field(
-        "lambda_hat",
-        (_N,),
-        "1",
-        "effectiveness estimates; for a jammed actuator its estimated position [scaled]",
-        "(13)",
-    ),
+    Field("lambda_hat", (_N,), "1", "effectiveness estimates; for a jammed actuator its estimated position [scaled]", "(13)"),
     Field("r", (_N,), "scaled", "reference actuator position", "(6), (29)"),
     Field("u", (_N,), "scaled", "commanded position, r / lambda_hat within the stops", "section 2.2.1"),
     Field("correction", (_N,), "scaled", "v, what the control channel of `l1` adds to r"),
@@ -224,85 +187,34 @@ MEMORY = (
     Field("torque", (_N,), "N m", "modelled motor torque"),
     Field("failed", (_N,), "flag", "the monitor has flagged the actuator", "section 2.3"),
     Field("flag_timer", (_N,), "s", "how long the estimate has been beyond threshold or recovery"),
-    Field(
-        "early",
-        (_N,),
-        "flag",
-        "a flag was set after `persistence`, and may be taken back once: the next then waits as `monitor` says",
-    ),
+    Field("early", (_N,), "flag", "the flag was the first, and may be taken back; the next then waits as `law.monitor` says"),
     Field("lambda_slow", (_N,), "1", "slow estimate: `lambda_hat` through a lag of `law.SLOW_LAG_S`"),
-    Field(
-        "since_flag",
-        (_N,),
-        "s",
-        "time since the flag was set or taken back, or the actuator taken for jammed",
-    ),
-    Field(
-        "jammed",
-        (_N,),
-        "flag",
-        "the force of the actuator does not follow its command, so its position is estimated",
-    ),
+    Field("since_flag", (_N,), "s", "time since the flag was set or taken back, or the actuator taken for jammed"),
+    Field("jammed", (_N,), "flag", "the force of the actuator does not follow its command, so its position is estimated"),
     Field("saturated", (), "flag", "in the last step an actuator would have had to pass a stop"),
     Field("jam_timer", (_N,), "s", "how long the residual has been explained best by this actuator"),
-    Field(
-        "reversal_timer",
-        (_N,),
-        "s",
-        "how long the estimate has been negative, with a small standard deviation",
-    ),
-    Field(
-        "designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"
-    ),
+    Field("reversal_timer", (_N,), "s", "how long the estimate has been negative, with a small standard deviation"),
+    Field("designed_position", (_N,), "scaled", "position of a jammed actuator that the mode was designed for"),
     Field("jammed_at", (_N,), "scaled", "position from which a jammed actuator may turn out to be reversed"),
     Field("reversed", (_N,), "flag", "the force of the actuator follows minus its command"),
     Field("own_force", (_N,), "scaled", "mean force of a given-up actuator, as a position"),
     Field("extreme", (_N,), "scaled", "largest or smallest `own_force` since it turned"),
     Field("last_extreme", (_N,), "scaled", "the one before `extreme`"),
     Field("rising", (_N,), "flag", "`own_force` came from a minimum"),
-    Field(
-        "turns", (_N,), "1", "how often `own_force` has turned, within the time of one swing each; -1 before"
-    ),
+    Field("turns", (_N,), "1", "how often `own_force` has turned, within the time of one swing each; -1 before"),
     Field("since_turn", (_N,), "s", "time since it turned"),
     Field("swing", (_N,), "scaled", "half of the way between the last two extremes"),
     Field("swing_sigmas", (_N,), "1", "`swing` in standard deviations of the mean force"),
     Field("half_period", (_N,), "s", "time between its last two turns"),
-    Field(
-        "own_noise",
-        (_N,),
-        "scaled2/s",
-        "process noise of the model error along the column of B of one that swings by itself; 0 for others",
-    ),
-    Field(
-        "offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"
-    ),
-    Field(
-        "moved",
-        (_N,),
-        "scaled",
-        "how far a surface seems to have moved from its command, at the reference airspeed; 0: not, or it is known what it does",
-    ),
-    Field(
-        "shift",
-        (_N,),
-        "scaled",
-        "position beyond its command that commands make up for: of one that moved or is offset",
-    ),
-    Field(
-        "at_stop",
-        (_N,),
-        "flag",
-        "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none",
-    ),
+    Field("own_noise", (_N,), "scaled2/s", "process noise of b along the column of B of one that swings by itself; 0 for others"),
+    Field("offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"),
+    Field("moved", (_N,), "scaled", "how far a surface seems to have moved from its command, at V_0; 0 once that is decided"),
+    Field("shift", (_N,), "scaled", "offset that commands make up for: of a surface that moved or is offset"),
+    Field("at_stop", (_N,), "flag", "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none"),
     Field("residual", (4,), "x_c", "running mean of e, first-order with time constant `residual_time`"),
     Field("late", (_N,), "1", "how late the actuator acts after its model, in time constants of the filter"),
     Field("late_variance", (_N,), "1", "variance of `late`"),
-    Field(
-        "late_rate",
-        (_N, 2, 4),
-        "x_c",
-        "rate of the filtered columns of Phi over the filter's corner, through one and two lags of half of `late`",
-    ),
+    Field("late_rate", (_N, 2, 4), "x_c", "rate of filtered columns of Phi over the corner, after one and two lags of `late` / 2"),
     Field("recent", (4,), "x_c", "running mean of the innovation e - b, with time constant `change_time`"),
     Field("b", (4,), "x_c", "estimate of the model's error: what f_m and B_m leave out of each rate"),
     Field("model_error_variance", (4,), "x_c^2", "variance of b that is expected"),
@@ -315,7 +227,7 @@ MEMORY = (
     Field("sideslip_integral", (), "rad/s", "integral term of the sideslip loop"),
     Field("given_up", (), "m", "altitude that is given up for airspeed"),
     Field("integral", (len(INTEGRALS),), "m, m s, rad s", "integrals of the regulator, by INTEGRALS"),
-)
+)  # fmt: skip
 """s: what the law remembers from step to step."""
 
 WORK = (
@@ -332,10 +244,11 @@ WORK = (
     Field("high", (_N,), "scaled", "upper stop of d"),
     Field("factor", (_N, _N), "1 per scaled", "Cholesky factor, in the allocation"),
     Field("step", (_N,), "scaled", "change of d, in the allocation"),
-)
+)  # fmt: skip
 """w: working memory of one step, so that nothing is allocated in flight."""
 
 
+@cache
 def _dtype(fields: tuple[Field, ...], n: int) -> np.dtype:
     sizes = {"n": n, "n+4": n + 4}
     columns = [
@@ -349,31 +262,7 @@ def _dtype(fields: tuple[Field, ...], n: int) -> np.dtype:
     return np.dtype((np.record, np.dtype(columns, align=True)))
 
 
-@cache
-def model_dtype(n: int) -> np.dtype:
-    """MODEL for n actuators. Cached, as the other dtypes: numba recognises the types of a call by their dtype objects."""
-    return _dtype(MODEL, n)
-
-
-@cache
-def settings_dtype(n: int) -> np.dtype:
-    """SETTINGS for n actuators."""
-    return _dtype(SETTINGS, n)
-
-
-@cache
-def mode_dtype(n: int) -> np.dtype:
-    """MODE for n actuators."""
-    return _dtype(MODE, n)
-
-
-@cache
-def memory_dtype(n: int) -> np.dtype:
-    """MEMORY for n actuators."""
-    return _dtype(MEMORY, n)
-
-
-@cache
-def work_dtype(n: int) -> np.dtype:
-    """WORK for n actuators."""
-    return _dtype(WORK, n)
+model_dtype, settings_dtype, mode_dtype, memory_dtype, work_dtype = (
+    partial(_dtype, table) for table in (MODEL, SETTINGS, MODE, MEMORY, WORK)
+)
+"""Dtype of each record for n actuators. It is made once: numba recognises the types of a call by their dtype objects."""

@@ -31,7 +31,8 @@ a moment; attitude may not."""
 
 
 _NEARLY = 0.95
-"""Ratio of authority to need with which no axis more is given up than has to be: its loss would cost more than is missing."""
+"""Share of the authority that an axis needs with which it is still kept, if as many axes are given up as have to be: to lose the
+axis would cost more than the missing authority."""
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,7 @@ error is not estimated. Without excitation P grows without bound under forgettin
 Letters: y measured state, m design model, c settings, s memory, w working memory; their fields, shapes and units are in
 `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from testbed.aircraft.control_design import ControlDesign, Loops
+from testbed.aircraft.control_design import LOOP_GAINS, ControlDesign, Loops
 from testbed.aircraft.design_model import DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
@@ -32,32 +32,24 @@ _ROTARY_GUSTS = {D_P: 1.64, D_Q: math.pi / 4.0, D_R: math.pi / 3.0}
 """Rotation of the air about each axis of the aircraft, by gusts that vary along it: this times gust velocity over span, above the
 corner of its spectrum, pi V / 4 b (after MIL-F-8785C, 3.7.5). Below the corner its density is constant."""
 _LOUD_RAD_S, _WIDE_RAD_S, _ESTIMATES_RAD_S = 7.1, 4.0, 1.0
-"""Corners at which a rotation of the air counts as above it, one of rolling second, and frequency at which effectiveness is
-estimated. The rotation is not measured, as the velocity is by alpha, beta and airspeed: it counts with its density at the latter,
-and with the margin that the v-tail's settings have over the density that was measured in its flights, whose corner is the first.
-Rolling has a smaller margin, and at least its density above the corner: with the first, the flag of a lost aileron comes too late
-for light aircraft; without any, whole gliders and wide biplanes lost their aileron to slow gusts."""
+"""Corners of the rotation of the air that were met in the v-tail's flights and by rolling, and the frequency at which effectiveness
+is estimated [rad/s].
+
+The velocity of the air is measured by alpha, beta and airspeed, its rotation is not. So the rotation counts with its density at
+the frequency of the estimates. The v-tail's settings have a margin over the density that was measured in its flights, and the
+first corner gives other aircraft the same margin. Rolling has less of it, by the second corner, and at least its density above the
+corner: with the first, the flag of a lost aileron came too late for light aircraft; without any, whole gliders and wide biplanes
+lost their aileron to slow gusts."""
 _TURNING_RAD_S = 0.3
 """Pitching and yawing of an aircraft in gusts, by which their velocity enters forward acceleration [rad/s]."""
 _MODEL_ANGLE = 0.005
 """Error of the design model at its own trim, as an angle of attack and of sideslip [rad]."""
 _MODEL_U_DOT = 0.1  # m/s2
 _ENGINE_MARGIN = 3.0  # the airspeed loop is this much slower than the slowest engine
-_LOOPS = {
-    "airspeed_kp": 0.8, "airspeed_ki": 0.1, "altitude_kp": 0.7, "altitude_ki": 0.18, "pitch_kp": 3.0, "q_kp": 8.0,
-    "heading_kp": 0.5, "heading_ki": 0.02, "roll_kp": 1.5, "p_kp": 4.0, "sideslip_kp": 1.0, "sideslip_ki": 0.2, "r_kp": 4.0,
-}  # fmt: skip
-"""Gains of an aircraft with ample authority and fast engines [1/s; integrals 1/s2, that of altitude as a rate of climb]."""
-_CASCADES = {
-    "u_dot": ("airspeed_kp", "airspeed_ki"),
-    "q_dot": ("altitude_kp", "altitude_ki", "pitch_kp", "q_kp"),
-    "p_dot": ("heading_kp", "heading_ki", "roll_kp", "p_kp"),
-    "r_dot": ("sideslip_kp", "sideslip_ki", "r_kp"),
-}
 _DEMANDS = {
-    "q_dot": _LOOPS["pitch_kp"] * _LOOPS["q_kp"] * 0.11,
-    "p_dot": _LOOPS["roll_kp"] * _LOOPS["p_kp"] * math.radians(25.0),
-    "r_dot": _LOOPS["sideslip_kp"] * _LOOPS["r_kp"] * 0.15,
+    "q_dot": LOOP_GAINS["pitch_kp"].ample * LOOP_GAINS["q_kp"].ample * 0.11,
+    "p_dot": LOOP_GAINS["roll_kp"].ample * LOOP_GAINS["p_kp"].ample * math.radians(25.0),
+    "r_dot": LOOP_GAINS["sideslip_kp"].ample * LOOP_GAINS["r_kp"].ample * 0.15,
 }
 """Acceleration that each cascade asks for at once [rad/s2]: for a climb at its limit (0.11 rad of path), a bank at its limit, and
 0.15 rad of sideslip."""
@@ -177,14 +169,13 @@ def _loops(
 
 
 def _gains(model: DesignModel, authority: Mapping[str, float], lags: Sequence[float]) -> dict[str, float]:
-    """`_LOOPS` at the pace that authority and engines allow, with rate loops no slower than the aircraft's damping."""
+    """`LOOP_GAINS` at the pace that authority and engines allow, with rate loops no slower than the aircraft's damping."""
     slowest = min((lag for lag, k in zip(lags, model.kinds, strict=True) if k != "servo"), default=math.inf)
     pace = {axis: _pace(authority.get(axis, math.inf), demand) for axis, demand in _DEMANDS.items()}
-    pace["u_dot"] = min(1.0, slowest / _ENGINE_MARGIN / _LOOPS["airspeed_kp"])
+    pace["u_dot"] = min(1.0, slowest / _ENGINE_MARGIN / LOOP_GAINS["airspeed_kp"].ample)
     gains = {
-        name: _LOOPS[name] * (pace[axis] ** 2 if name.endswith("_ki") else pace[axis])
-        for axis, names in _CASCADES.items()
-        for name in names
+        name: gain.ample * (pace[gain.axis] ** 2 if name.endswith("_ki") else pace[gain.axis])
+        for name, gain in LOOP_GAINS.items()
     }
     for name, own in _dampings(model).items():
         gains[name] = max(gains[name], own)

@@ -28,12 +28,12 @@ from testbed.failures.held import (
     StuckAt,
 )
 from testbed.failures.losses import Effectiveness, MotorStop, PropLoss, SurfaceLost
-from testbed.failures.overlaps import overlaps, same_property
+from testbed.failures.overlaps import held_by, meet, overlaps, same_property, windows
 from testbed.failures.varying import Decay, Delay, Intermittent, Oscillation, Runaway
 
 __all__ = [
     "TABLE", "ActuatorFailure", "AnyFailure", "Capture", "Course", "Failure", "Fault", "When",
-    "overlaps", "same_property",
+    "held_by", "meet", "overlaps", "same_property", "windows",
 ]  # fmt: skip
 
 TABLE: dict[str, type[Failure]] = {

@@ -84,6 +84,8 @@ class Failure(Settings):
     """Whether it may end before the flight does. False for a part that has fallen off."""
     follows_command: ClassVar[bool] = True
     """Whether the actuator still follows its command, if with less effect, late or with an offset."""
+    draws: ClassVar[bool] = False
+    """Whether its course is random: then its random numbers depend on its place among the failures of a scenario."""
     examples: ClassVar[Examples] = {}
     """For each kind of actuator, fields with a visible effect; they are flown by the tests and drawn in the catalogue."""
 

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from testbed.aircraft.description import Aircraft
 from testbed.failures.base import Failure
+
+Window = tuple[float, float]
+"""From when to when a failure holds its properties [s]."""
 
 
 def same_property(name: str) -> str:
@@ -13,28 +17,52 @@ def same_property(name: str) -> str:
     return name.replace("[0]", "")
 
 
+def held_by(failure: Failure, aircraft: Aircraft) -> frozenset[str]:
+    """The properties that a failure holds, each in one spelling."""
+    return frozenset(map(same_property, failure.properties(aircraft)))
+
+
 def overlaps(failures: Sequence[Failure], aircraft: Aircraft) -> Iterator[tuple[int, int, str]]:
     """Failures that would hold a property which an earlier one holds at that time: (first such index, index, property).
 
-    Two failures may hold the same property only if their windows [at_s, until_s) do not overlap. There is one exception,
-    for a failure that gets worse in steps: if two are of one type, both have `at_s` and neither has `until_s`, then the
-    later one replaces the earlier one (effectiveness 0.2 from 5 s, and 0.0 from 15 s). The window of a failure with
-    `when` begins at 0, because it may start at any time.
+    Two failures may hold the same property only if their `windows` do not meet.
     """
-    held = [{same_property(name) for name in failure.properties(aircraft)} for failure in failures]
-    for j, later in enumerate(failures):
-        for i, earlier in enumerate(failures[:j]):
+    held = [held_by(failure, aircraft) for failure in failures]
+    lasting = windows(failures, held)
+    for j in range(len(failures)):
+        for i in range(j):
             shared = held[i] & held[j]
-            if shared and _meet(earlier, later) and not _replaces(earlier, later):
+            if shared and meet(lasting[i], lasting[j]):
                 yield i, j, min(shared)
                 break
 
 
-def _meet(one: Failure, other: Failure) -> bool:
-    return max(one.window_s[0], other.window_s[0]) < min(one.window_s[1], other.window_s[1])
+def windows(failures: Sequence[Failure], held: Sequence[frozenset[str]]) -> list[Window]:
+    """When each failure acts: its [at_s, until_s), but for one that gets worse in steps.
+
+    A failure without `until_s` is replaced by the next one of its type on the same property, if both have `at_s` (effectiveness
+    0.2 from 5 s, and 0.0 from 15 s). When that one ends, the actuator is healthy. The window of a failure with `when` begins
+    at 0, because it may start at any time.
+
+    Args:
+        held: the properties that each holds (see `held_by`).
+    """
+    return [(each.window_s[0], _end(i, failures, held)) for i, each in enumerate(failures)]
 
 
-def _replaces(one: Failure, other: Failure) -> bool:
-    open_ended = one.until_s is None and other.until_s is None
-    timed = one.at_s is not None and other.at_s is not None
-    return open_ended and timed and one.type == other.type and one.at_s != other.at_s
+def _end(i: int, failures: Sequence[Failure], held: Sequence[frozenset[str]]) -> float:
+    """When a failure ends or is replaced [s]."""
+    one = failures[i]
+    if one.until_s is not None or one.at_s is None:
+        return one.window_s[1]
+    replaced_at = (
+        other.at_s
+        for other, names in zip(failures, held, strict=True)
+        if other.type == one.type and other.at_s is not None and other.at_s > one.at_s and names & held[i]
+    )
+    return min(replaced_at, default=math.inf)
+
+
+def meet(one: Window, other: Window) -> bool:
+    """Whether two windows have any time in common."""
+    return max(one[0], other[0]) < min(one[1], other[1])

@@ -113,6 +113,7 @@ class Intermittent(ActuatorFailure):
     """Effectiveness alternates between `value`, for `off_s` on average, and 1, for `on_s` on average; each duration is random."""
 
     type: Literal["intermittent"] = "intermittent"
+    draws: ClassVar[bool] = True
     value: Annotated[Number, Field(ge=0, le=1)] = 0.0
     off_s: Positive
     on_s: Positive

@@ -100,6 +100,42 @@ def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) ->
     return lambda step: float(_values(column, rate_hz, recorded, slice(step, step + 1))[0])
 
 
+class Row(Mapping[str, float]):
+    """One control step of an array of `Recorded` by the names and in its units; numbers are read when asked for."""
+
+    def __init__(self, columns: Mapping[str, _Column], values: np.ndarray, time_s: float) -> None:
+        """`columns` are those of `row_columns`, `values` the array's row."""
+        self._columns, self._values, self.time_s = columns, values, time_s
+
+    def __getitem__(self, name: str) -> float:
+        if name == _TIME.name:
+            return self.time_s
+        column = self._columns[name]
+        value = float(self._values[column.place]) * column.factor
+        return value % 360.0 if column.wrapped else value
+
+    def __iter__(self) -> Iterator[str]:
+        yield _TIME.name
+        yield from self._columns
+
+    def __len__(self) -> int:
+        return 1 + len(self._columns)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({dict(self)})"
+
+
+def row_columns(aircraft: Aircraft) -> dict[str, dict[str, _Column]]:
+    """For each array of `Recorded`, the columns of a `Row` of it by name.
+
+    Those of the measured state have the names of the true ones, and the rates.
+    """
+    usual = list(_columns(aircraft))
+    found = {array: {c.name: c for c in usual if c.array == array} for array in Recorded._fields}
+    state = {name: _Column(name, "measured", STATE.index(of), factor) for name, of, factor in _TRUTH}
+    return {**found, "measured": state | found["measured"]}
+
+
 def _values(column: _Column, rate_hz: float, recorded: Recorded, rows: slice) -> np.ndarray:
     if column is _TIME:
         return np.arange(rows.start, rows.stop) / rate_hz

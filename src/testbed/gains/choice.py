@@ -127,7 +127,10 @@ def _first_tolerable(
 
 
 def _allowed(offset: np.ndarray, tolerance: Tolerance) -> np.ndarray:
-    """Noise that is allowed beside these offsets; where offsets take all that is tolerated, half of it."""
+    """[n] largest standard deviation by noise, so that noise and offset together have the tolerated one.
+
+    At least half of the tolerated deviation is left to noise, also beside an offset that takes all of it.
+    """
     whole = min(tolerance.deviation, 1.0 / math.sqrt(LEAST_SHAPE))
     return np.sqrt(np.maximum(whole**2 - offset**2, (0.5 * whole) ** 2))
 

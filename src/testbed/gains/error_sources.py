@@ -1,4 +1,4 @@
-"""What errs in a scenario: each sensor's noise, wander and offset and each gust, as a disturbance of the measured error e.
+"""The errors in a scenario: noise, wander and offset of each sensor, and gusts, as disturbances of the measured error e.
 
 White noise of a sensor follows the convention of `testbed.sensors.settings`: the densities in a scenario are one-sided, per root
 hertz. A sensor without a low-pass after its noise has a sample's standard deviation of N sqrt(rate / 2).

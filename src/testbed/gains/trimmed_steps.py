@@ -3,6 +3,7 @@
 Letters: m design model, c settings, s memory, w working memory; their fields are in `testbed.controllers.records`. e [steps, 4]
 is a change of the measured error, z [4] and phi [4, n] are the two sides of the regression (10).
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

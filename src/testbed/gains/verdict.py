@@ -1,4 +1,4 @@
-"""Whether the predictions for the actuators are what was asked, and what would help where they are not."""
+"""Whether a design has what was asked for, and what would help where it has not."""
 
 from __future__ import annotations
 

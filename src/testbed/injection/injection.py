@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Iterator
+from copy import copy
 from typing import Any
 
-import numpy as np
-
 from testbed.aircraft.description import Aircraft
+from testbed.common.random_streams import generator
 from testbed.common.signals import first_step_at
-from testbed.failures import Capture, Course, Failure, same_property
+from testbed.failures import Capture, Course, Failure, held_by
 from testbed.flight.columns import Recorded, reader
 from testbed.injection.receipt import RECEIPT_STEPS, Hold, Watch, reads_back
 from testbed.plant.jsbsim import Plant
@@ -31,7 +31,9 @@ class Injection:
         actuator: name of the actuator that it breaks; None if its properties are not all in the block of one actuator.
         active: whether it has started and has not ended.
         waiting: whether it waits for its `when` to come true.
-        receipts: one of its start and one of its end, once these have happened (see `Injector`).
+        receipts: one of its start and one of its end, once these have happened (see `Injector`, which numbers them).
+        names: the properties that it holds, each in one spelling.
+        stream: the name of its random stream.
     """
 
     def __init__(
@@ -39,20 +41,30 @@ class Injection:
         plant: Plant,
         aircraft: Aircraft,
         failure: Failure,
-        index: int,
         rate_hz: float,
-        random: np.random.Generator,
+        seed: int,
+        stream: str,
+        healthy: Callable[[str], float] | None = None,
     ) -> None:
-        """`index` is the failure's place in the scenario, from 0; `random` is its own random stream."""
-        self.failure, self.active, self.waiting = failure, False, False
+        """A failure that has not started.
+
+        Args:
+            seed: that of the flight.
+            stream: name of its own random stream.
+            healthy: gives the value of a property before the flight, by default the present one. In flight, another failure may
+                hold the property, and the present value is not the one to be restored.
+        """
+        self.failure, self.active, self.waiting = failure, False, failure.when is not None
         self.actuator = broken_actuator(failure, aircraft)
         self.receipts: list[dict[str, Any]] = []
-        self._plant, self._aircraft, self._index, self._rate_hz = plant, aircraft, index, rate_hz
-        self._holds = [self._hold(name, value) for name, value in failure.properties(aircraft).items()]
-        self._names = {same_property(hold.name) for hold in self._holds}
+        self._plant, self._aircraft, self._rate_hz = plant, aircraft, rate_hz
+        self._holds = [
+            self._hold(name, value, healthy) for name, value in failure.properties(aircraft).items()
+        ]
+        self.names, self.stream = held_by(failure, aircraft), stream
         self._watch: Watch | None = None
         self._changes: tuple[Hold, Course] | None = None
-        changing = failure.course(aircraft, random)
+        changing = failure.course(aircraft, generator(seed, stream))
         if changing is not None:
             (hold,) = (hold for hold in self._holds if hold.name == changing[0])
             self._changes = hold, changing[1]
@@ -60,10 +72,15 @@ class Injection:
         self._late_commands: deque[float] = deque()
         self._signal: Callable[[int], float] | None = None
 
-    def _hold(self, name: str, value: float | Capture) -> Hold:
+    def _hold(self, name: str, value: float | Capture, healthy: Callable[[str], float] | None) -> Hold:
         get = self._plant.getter(name)
         held = self._plant.getter(value.source) if isinstance(value, Capture) else value
-        return Hold(name, held, self._plant.setter(name), get, healthy=get())
+        return Hold(name, held, self._plant.setter(name), get, healthy(name) if healthy else get())
+
+    @property
+    def started(self) -> bool:
+        """Whether it has started, even if it has ended since."""
+        return bool(self.receipts)
 
     def agenda(self) -> Iterator[tuple[int, bool]]:
         """(control step, whether it starts) for its start and for its end, where the scenario gives a time."""
@@ -77,7 +94,6 @@ class Injection:
         if self.failure.when is not None:
             signal = self.failure.when.signal
             self._signal = reader(self._aircraft, self._rate_hz, recorded, signal)
-            self.waiting = True
 
     def triggered(self, step: int) -> bool:
         """Whether the signal of `when` was beyond its limit in the step before this one."""
@@ -97,7 +113,7 @@ class Injection:
 
     def shares(self, other: Injection) -> bool:
         """Whether both hold at least one property in common."""
-        return not self._names.isdisjoint(other._names)
+        return not self.names.isdisjoint(other.names)
 
     def start(self, step: int) -> None:
         """Write the values of its properties, and begin to watch for the effect."""
@@ -142,10 +158,20 @@ class Injection:
         restored = all(reads_back(hold.get(), hold.healthy) for hold in self._holds)
         self._add_receipt(step, active=False, verified=restored)
 
+    def concluded(self) -> Injection:
+        """As it is if the flight ends now, after a step of the plant; this one goes on."""
+        last = copy(self)
+        last.receipts = [dict(receipt) for receipt in self.receipts]
+        last._watch = self._watch and self._watch.copy()
+        if last.active:
+            last.look()
+            last.let_go()
+        return last
+
     def let_go(self) -> None:
         """End without restoring anything: a later failure replaces this one, or the flight is over."""
         self.active = False
-        self._late_commands.clear()
+        self._late_commands = deque()
         if self._watch is not None:
             self._watch.finish()
             self._bring_up_to_date()
@@ -156,7 +182,7 @@ class Injection:
             {
                 "time_s": step / self._rate_hz,
                 "kind": "injection",
-                "failure": self._index,
+                "failure": -1,  # the injector knows its place
                 "type": self.failure.type,
                 "actuator": self.actuator,
                 "active": active,
@@ -171,10 +197,10 @@ class Injection:
         if self._watch is not None and start["verified"] is not False:
             start["verified"], start["effect"] = self._watch.verified, self._watch.effect
 
-    def warnings(self) -> Iterator[str]:
-        """One sentence for each thing that did not happen as the scenario asked."""
+    def warnings(self, place: int) -> Iterator[str]:
+        """One sentence for each thing that did not happen as the scenario asked; `place` is that in the scenario."""
         what = f"{self.failure.type}, {self.actuator}" if self.actuator else self.failure.type
-        name = f"failures.{self._index} ({what})"
+        name = f"failures.{place} ({what})"
         if not self.receipts:
             when = self.failure.when
             yield f"{name} never started: " + (

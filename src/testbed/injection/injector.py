@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 from testbed.aircraft.description import Aircraft
-from testbed.common.random_streams import generator
+from testbed.common.signals import begins_within
 from testbed.failures import Failure
+from testbed.failures.streams import stream_names
 from testbed.flight.columns import Recorded
 from testbed.injection.injection import Injection
 from testbed.plant.jsbsim import Plant
+
+
+class Planned(NamedTuple):
+    """A failure of a flight, and what applies it; None for one that is new to the flight."""
+
+    failure: Failure
+    injection: Injection | None = None
 
 
 class Injector:
@@ -30,18 +37,53 @@ class Injector:
         self, plant: Plant, aircraft: Aircraft, failures: Sequence[Failure], rate_hz: float, seed: int = 0
     ) -> None:
         """`seed` is that of the flight; each failure has a random stream of its own."""
-        streams = (generator(seed, name) for name in stream_names(failures))
-        self._injections = [
-            Injection(plant, aircraft, failure, index, rate_hz, random)
-            for index, (failure, random) in enumerate(zip(failures, streams, strict=True))
-        ]
-        self._agenda = sorted(
-            ((step, starts, each) for each in self._injections for step, starts in each.agenda()),
-            key=lambda entry: entry[:2],  # at one step ends come before starts, so that windows may touch
-        )
-        self._due = 0  # first entry of the agenda that has not been carried out
+        self._plant, self._aircraft, self._rate_hz, self._seed = plant, aircraft, rate_hz, seed
+        self._recorded: Recorded | None = None
         self.filters: list[Callable[[], None]] = []
-        self._plan(-1)
+        self.plan([Planned(failure) for failure in failures], 0)
+
+    def plan(self, plan: Sequence[Planned], step: int, healthy: Callable[[str], float] | None = None) -> None:
+        """Take these failures, from control step `step` on.
+
+        Args:
+            plan: new failures, and those so far, which may differ in `until_s`.
+            healthy: value of a property before the flight, by its name; by default the present value.
+        """
+        streams = stream_names([each.failure for each in plan])
+        self._injections = [
+            self._made(each, stream, healthy) for each, stream in zip(plan, streams, strict=True)
+        ]
+        agenda = (
+            (at, starts, each) for each in self._injections for at, starts in each.agenda() if at >= step
+        )
+        # At one step ends come before starts, so that windows may touch.
+        self._agenda = sorted(agenda, key=lambda entry: entry[:2])
+        self._due = 0  # first entry of the agenda that has not been carried out
+        self._plan(step - 1)
+
+    def _made(self, planned: Planned, stream: str, healthy: Callable[[str], float] | None) -> Injection:
+        """The injection of a failure: the one so far, unless it has not started and is to draw other random numbers."""
+        so_far = planned.injection
+        if so_far is not None and (so_far.started or so_far.stream == stream):
+            so_far.failure = planned.failure
+            return so_far
+        made = Injection(
+            self._plant, self._aircraft, planned.failure, self._rate_hz, self._seed, stream, healthy
+        )
+        made.waiting = so_far.waiting if so_far is not None else made.waiting
+        if self._recorded is not None:
+            made.observe(self._recorded)
+        return made
+
+    @property
+    def planned(self) -> list[Planned]:
+        """The failures of this flight, and what applies each."""
+        return [Planned(each.failure, each) for each in self._injections]
+
+    @property
+    def failures(self) -> tuple[Failure, ...]:
+        """The failures of this flight."""
+        return tuple(each.failure for each in self._injections)
 
     @property
     def receipts(self) -> list[dict[str, Any]]:
@@ -51,8 +93,7 @@ class Injector:
         start), properties, verified}. That of a start also has `effect` (see `testbed.injection.receipt`). `verified` is None if
         there was no effect to see.
         """
-        receipts = [receipt for injection in self._injections for receipt in injection.receipts]
-        return sorted(receipts, key=lambda receipt: (receipt["time_s"], receipt["active"]))
+        return _in_order(self._injections)
 
     @property
     def active(self) -> Iterator[Injection]:
@@ -61,9 +102,9 @@ class Injector:
 
     def observe(self, recorded: Recorded) -> None:
         """Give failures with `when` the arrays that the loop fills. They read the row of the step before, which is complete."""
+        self._recorded = recorded
         for injection in self._injections:
             injection.observe(recorded)
-        self._plan(-1)
 
     def apply(self, step: int) -> None:
         """Check the effects in the last step, start and end the failures that are due, and write the values that change."""
@@ -101,23 +142,20 @@ class Injector:
         self.next_step = step + 1 if self._busy or waiting else timed
         self.filters[:] = [injection.delay for injection in self._injections if injection.delays]
 
-    def finish(self) -> list[str]:
-        """Complete the receipts at the end of the flight; returns a warning for each failure that did not act as asked."""
-        for injection in self._injections:
-            if injection.active:
-                injection.look()  # at the flight's last step
-                injection.let_go()
-        return [text for injection in self._injections for text in injection.warnings()]
+    def concluded(self, steps: int) -> tuple[list[dict[str, Any]], list[str]]:
+        """The receipts as they are if the flight ends now, and a warning for each failure that did not act as asked.
+
+        Args:
+            steps: the flight's control steps. Failures that begin after them are left out.
+        """
+        last = [
+            injection.concluded()
+            for injection in self._injections
+            if begins_within(injection.failure.at_s, self._rate_hz, steps)
+        ]
+        return _in_order(last), [text for i, each in enumerate(last) for text in each.warnings(i)]
 
 
-def stream_names(failures: Sequence[Failure]) -> Iterator[str]:
-    """Name of each failure's random stream: its type, its actuator, and its number among failures with the same two.
-
-    So the random numbers of a failure stay the same when one of another type or actuator is inserted or removed, and when its
-    own time or severity changes.
-    """
-    seen: Counter[tuple[str, str | None]] = Counter()
-    for failure in failures:
-        kind = (failure.type, failure.actuator)
-        yield f"failure/{failure.type}/{failure.actuator}/{seen[kind]}"
-        seen[kind] += 1
+def _in_order(injections: Sequence[Injection]) -> list[dict[str, Any]]:
+    receipts = [{**receipt, "failure": i} for i, each in enumerate(injections) for receipt in each.receipts]
+    return sorted(receipts, key=lambda receipt: (receipt["time_s"], receipt["active"]))

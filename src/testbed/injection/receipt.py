@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from copy import copy
 from dataclasses import dataclass
 from typing import Any
 
@@ -108,6 +109,14 @@ class Watch:
             demand, position = (get(f"{block}{name}")() for name in ("demand-rad", "servo-rad"))
             self._observed = {"effective_deg": lambda: effective() * DEGREES_PER_RADIAN}
             self._models = ServoModel(demand, position), ServoModel(demand, position)
+
+    def copy(self) -> Watch:
+        """One that goes on from here by itself, on the same plant."""
+        other = copy(self)
+        if self._actuator is not None:
+            healthy, broken = self._models
+            other._models = copy(healthy), copy(broken)
+        return other
 
     def look(self) -> None:
         """Check the control step that the plant has just made."""

@@ -19,7 +19,7 @@ from testbed.margins.flown_bias import ActuatorBias, biases, flown, sector_limit
 from testbed.margins.mode_margins import Condition, ModeMargin, condition, mode_margin
 from testbed.plant.identification import input_matrix
 from testbed.plant.jsbsim import Plant
-from testbed.plant.stand import PROPELLER_SPEEDS, stand_physics_hz
+from testbed.plant.thrust_stand import PROPELLER_SPEEDS, stand_physics_hz
 from testbed.plant.trim import NoTrim, trim
 from testbed.scenario.load import Scenario
 from testbed.simulation import fly, start_and_setup

@@ -1,4 +1,4 @@
-"""What the estimates can be wrong by through the error of the input matrix, for the references that a flight flew."""
+"""Bounds of the bias that an error of the input matrix causes in the estimates, for the references of a flight."""
 
 from __future__ import annotations
 

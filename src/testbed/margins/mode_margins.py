@@ -1,4 +1,4 @@
-"""How far the input matrix of a control mode lies inside the certificate: by itself, and in flight at each airspeed."""
+"""Margins of a control mode: what error of its input matrix is certified, and how large the error is at each airspeed."""
 
 from __future__ import annotations
 

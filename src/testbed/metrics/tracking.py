@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from testbed.flight.recovery import recoveries
 from testbed.metrics.flight_view import Readings, settled_after
 
+_UNITS = {"altitude": "m", "heading": "deg", "airspeed": "m/s"}
 SETTLED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
 """A quantity has settled when it stays this close to its reference [m, deg, m/s]. Whether the aircraft has recovered is
 decided in `flight.recovery`, with limits that also suit turbulence."""
@@ -19,79 +21,26 @@ def survived(readings: Readings) -> float:
     return float(readings.survived)
 
 
-def altitude_error_max_m(readings: Readings) -> float:
-    """Largest distance of altitude from its reference, over the whole flight [m]."""
-    return _largest(readings.error("altitude"))
+def _error_max(readings: Readings, quantity: str) -> float:
+    return _largest(readings.error(quantity))
 
 
-def heading_error_max_deg(readings: Readings) -> float:
-    """Largest distance of heading from its reference, over the whole flight [deg]."""
-    return _largest(readings.error("heading"))
+def _error_rms(readings: Readings, quantity: str) -> float:
+    """It does not use a dot product, whose last digit depends on the number of BLAS threads."""
+    error = readings.error(quantity)
+    return math.sqrt(float(np.square(error).mean())) if len(error) else math.nan
 
 
-def airspeed_error_max_m_s(readings: Readings) -> float:
-    """Largest distance of airspeed from its reference, over the whole flight [m/s]."""
-    return _largest(readings.error("airspeed"))
+def _error_end(readings: Readings, quantity: str) -> float:
+    return _largest(readings.error(quantity)[-1:])
 
 
-def altitude_error_rms_m(readings: Readings) -> float:
-    """Root mean square distance of altitude from its reference, over the whole flight [m]."""
-    return _rms(readings.error("altitude"))
+def _excursion_healthy(readings: Readings, quantity: str) -> float:
+    return _largest(readings.error(quantity)[: readings.first_failed_row()])
 
 
-def heading_error_rms_deg(readings: Readings) -> float:
-    """Root mean square distance of heading from its reference, over the whole flight [deg]."""
-    return _rms(readings.error("heading"))
-
-
-def airspeed_error_rms_m_s(readings: Readings) -> float:
-    """Root mean square distance of airspeed from its reference, over the whole flight [m/s]."""
-    return _rms(readings.error("airspeed"))
-
-
-def altitude_error_end_m(readings: Readings) -> float:
-    """Distance of altitude from its reference in the last row of the log [m]."""
-    return _largest(readings.error("altitude")[-1:])
-
-
-def heading_error_end_deg(readings: Readings) -> float:
-    """Distance of heading from its reference in the last row of the log [deg]."""
-    return _largest(readings.error("heading")[-1:])
-
-
-def airspeed_error_end_m_s(readings: Readings) -> float:
-    """Distance of airspeed from its reference in the last row of the log [m/s]."""
-    return _largest(readings.error("airspeed")[-1:])
-
-
-def altitude_excursion_healthy_m(readings: Readings) -> float:
-    """Largest distance of altitude from its reference before the first failure [m]."""
-    return _largest(readings.error("altitude")[: readings.first_failed_row()])
-
-
-def heading_excursion_healthy_deg(readings: Readings) -> float:
-    """Largest distance of heading from its reference before the first failure [deg]."""
-    return _largest(readings.error("heading")[: readings.first_failed_row()])
-
-
-def airspeed_excursion_healthy_m_s(readings: Readings) -> float:
-    """Largest distance of airspeed from its reference before the first failure [m/s]."""
-    return _largest(readings.error("airspeed")[: readings.first_failed_row()])
-
-
-def altitude_excursion_failed_m(readings: Readings) -> float:
-    """Largest distance of altitude from its reference since the first failure [m]; NaN without a failure."""
-    return _largest(readings.error("altitude")[readings.first_failed_row() :])
-
-
-def heading_excursion_failed_deg(readings: Readings) -> float:
-    """Largest distance of heading from its reference since the first failure [deg]; NaN without a failure."""
-    return _largest(readings.error("heading")[readings.first_failed_row() :])
-
-
-def airspeed_excursion_failed_m_s(readings: Readings) -> float:
-    """Largest distance of airspeed from its reference since the first failure [m/s]; NaN without a failure."""
-    return _largest(readings.error("airspeed")[readings.first_failed_row() :])
+def _excursion_failed(readings: Readings, quantity: str) -> float:
+    return _largest(readings.error(quantity)[readings.first_failed_row() :])
 
 
 def roll_excursion_failed_deg(readings: Readings) -> float:
@@ -110,24 +59,9 @@ def recovery_s(readings: Readings) -> float:
     As `flight.recovery` has it: they have to stay there for at least 5 s, and to the end of the flight. NaN if they never do.
     """
     times = readings.failure_times_s()
-    found = recoveries(readings.log, times, readings.survived)
-    recovered = found[-1][1] if found else None
+    each = recoveries(readings.log, times, readings.survived)
+    recovered = each[-1][1] if each else None
     return math.nan if recovered is None else recovered - times[-1]
-
-
-def altitude_recovery_s(readings: Readings) -> float:
-    """Time from the start of the last failure until altitude stays within 1 m of its reference [s]; NaN if never."""
-    return _recovery(readings, "altitude")
-
-
-def heading_recovery_s(readings: Readings) -> float:
-    """Time from the start of the last failure until heading stays within 2 deg of its reference [s]; NaN if never."""
-    return _recovery(readings, "heading")
-
-
-def airspeed_recovery_s(readings: Readings) -> float:
-    """Time from the start of the last failure until airspeed stays within 0.5 m/s of its reference [s]; NaN if never."""
-    return _recovery(readings, "airspeed")
 
 
 def _recovery(readings: Readings, quantity: str) -> float:
@@ -145,18 +79,40 @@ def _largest(values: np.ndarray) -> float:
     return float(max(values.max(), -values.min())) if len(values) else math.nan
 
 
-def _rms(values: np.ndarray) -> float:
-    """Root mean square. It does not use a dot product, whose last digit depends on the number of BLAS threads."""
-    return math.sqrt(float(np.square(values).mean())) if len(values) else math.nan
+def _of_each(
+    name: str, meaning: str, value: Callable[[Readings, str], float]
+) -> Iterator[Callable[[Readings], float]]:
+    """The metric of altitude, of heading and of airspeed; {quantity}, {unit} and {limit} in its name and meaning are replaced."""
+    for quantity, unit in _UNITS.items():
+
+        def metric(readings: Readings, quantity: str = quantity) -> float:
+            return value(readings, quantity)
+
+        metric.__name__ = name.format(quantity=quantity, unit=unit.replace("/", "_"))
+        metric.__doc__ = meaning.format(quantity=quantity, unit=unit, limit=f"{SETTLED[quantity]:g} {unit}")
+        yield metric
 
 
+_ERROR = "distance of {quantity} from its reference"
 TABLE = (
     survived,
-    altitude_error_max_m, heading_error_max_deg, airspeed_error_max_m_s,
-    altitude_error_rms_m, heading_error_rms_deg, airspeed_error_rms_m_s,
-    altitude_error_end_m, heading_error_end_deg, airspeed_error_end_m_s,
-    altitude_excursion_healthy_m, heading_excursion_healthy_deg, airspeed_excursion_healthy_m_s,
-    altitude_excursion_failed_m, heading_excursion_failed_deg, airspeed_excursion_failed_m_s,
-    roll_excursion_failed_deg, beta_excursion_failed_deg,
-    recovery_s, altitude_recovery_s, heading_recovery_s, airspeed_recovery_s,
+    *_of_each("{quantity}_error_max_{unit}", f"Largest {_ERROR}, over the whole flight [{{unit}}].", _error_max),
+    *_of_each("{quantity}_error_rms_{unit}", f"Root mean square {_ERROR}, over the whole flight [{{unit}}].", _error_rms),
+    *_of_each("{quantity}_error_end_{unit}", f"{_ERROR.capitalize()} in the last row of the log [{{unit}}].", _error_end),
+    *_of_each(
+        "{quantity}_excursion_healthy_{unit}",
+        f"Largest {_ERROR} before the first failure [{{unit}}].",
+        _excursion_healthy,
+    ),
+    *_of_each(
+        "{quantity}_excursion_failed_{unit}",
+        f"Largest {_ERROR} since the first failure [{{unit}}]; NaN without a failure.",
+        _excursion_failed,
+    ),
+    roll_excursion_failed_deg, beta_excursion_failed_deg, recovery_s,
+    *_of_each(
+        "{quantity}_recovery_s",
+        "Time from the start of the last failure until {quantity} stays within {limit} of its reference [s]; NaN if never.",
+        _recovery,
+    ),
 )  # fmt: skip

@@ -3,6 +3,7 @@
 Plain Python that numba compiles. A row of truth has `signals.STATE`, then the position and then the effectiveness of each
 actuator (see `Plant.raw`).
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
@@ -12,13 +13,10 @@ import numpy as np
 
 from testbed.aircraft.description import Envelope
 from testbed.common.jit import compiled
-from testbed.common.signals import STATE, as_records
+from testbed.common.signals import GROUND_M, STATE, as_records
 
 GOES_ON, DIVERGED, ON_THE_GROUND, OUTSIDE_ENVELOPE = range(4)
 """Results of `observe`: the flight goes on, or why it ends."""
-
-GROUND_M = 0.5
-"""Altitude of the centre of gravity below which the aircraft counts as on the ground [m]; the terrain is at sea level."""
 
 LIMITS = ("altitude_min", "airspeed_min", "airspeed_max", "alpha_max", "beta_max", "roll_max")
 """Limits of the flight envelope [m, m/s, rad]."""

@@ -1,7 +1,7 @@
-"""The first load of an aircraft's model happens in a child process, because what is wrong with a model can end the process.
+"""The first load of an aircraft's model happens in a child process, because a mistake in a model can end the process.
 
-An aircraft is known by the digest of its files. What the first load showed is recorded in the user's cache folder, so that a
-known aircraft costs one look for a file in a new process, and nothing but its digest in a process that has seen it.
+What it showed is recorded in the user's cache folder, under the digest of the aircraft's files. So a later process only looks
+whether there is such a record, and looks once.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from testbed.aircraft.model_files.used import model_file
 from testbed.common import child
 from testbed.common.cache import Cache
 from testbed.inputs.problems import BadInput, Problem
-from testbed.plant import known
+from testbed.plant import model_cache
 
 _PROBE = "testbed.plant.probe"
 _LIMITS = child.Limits(processor_s=10, writes_files=False)
@@ -22,7 +22,7 @@ _LIMITS = child.Limits(processor_s=10, writes_files=False)
 _WORDS = 300
 """Longest text of JSBSim's that is repeated in a message [characters]."""
 
-_records: Cache[known.Record] = Cache(64)
+_records: Cache[model_cache.Record] = Cache(64)
 _assured: Cache[bool] = Cache(64)
 
 
@@ -33,7 +33,7 @@ def assure(aircraft: Aircraft) -> None:
     """
     aircraft = aircraft.nominal  # a change of its numbers makes no model unsafe
     digest = aircraft.fingerprint()
-    _assured.get(digest, lambda: known.holds(digest) or bool(_first_load(aircraft, digest)))
+    _assured.get(digest, lambda: model_cache.has(digest) or bool(_first_load(aircraft, digest)))
 
 
 def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
@@ -43,7 +43,7 @@ def property_catalog(aircraft: Aircraft) -> dict[str, bool]:
     """
     aircraft = aircraft.nominal
     digest = aircraft.fingerprint()
-    found = _records.get(digest, lambda: known.read(digest) or _first_load(aircraft, digest))
+    found = _records.get(digest, lambda: model_cache.read(digest) or _first_load(aircraft, digest))
     _assured.get(digest, lambda: True)
     return dict(found["properties"])
 
@@ -53,17 +53,17 @@ def trust(aircraft: Aircraft) -> None:
     _assured.get(aircraft.fingerprint(), lambda: True)
 
 
-def _first_load(aircraft: Aircraft, digest: str) -> known.Record:
+def _first_load(aircraft: Aircraft, digest: str) -> model_cache.Record:
     """Check the files, load the model in a new process, and record what it shows; raises BadInput."""
     problems = model_problems(aircraft)
     if problems:
         raise BadInput(problems)
     found = _answer(aircraft)
-    known.keep(digest, found)
+    model_cache.write(digest, found)
     return found
 
 
-def _answer(aircraft: Aircraft) -> known.Record:
+def _answer(aircraft: Aircraft) -> model_cache.Record:
     """What the process of the first load says."""
     described = aircraft.model_dump(mode="json", exclude_none=True)
     request = {"folder": str(aircraft.folder.resolve()), "aircraft": described}

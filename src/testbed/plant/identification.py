@@ -27,7 +27,7 @@ from testbed.common.units import NEWTON_METRES_PER_FOOT_POUND
 from testbed.inputs.problems import BadInput, Issue
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import accelerations
-from testbed.plant.stand import air_density, changed, propulsors_of, stand_physics_hz
+from testbed.plant.thrust_stand import air_density, changed, propulsors_of, stand_physics_hz
 from testbed.plant.trim import Search, Trim, command_range, trim
 
 _ANGLE_STEP, _RATE_STEP = 0.005, 0.01  # of the central differences [rad, rad/s]

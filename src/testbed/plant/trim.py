@@ -33,6 +33,10 @@ _ENGINES_ENOUGH = 1e-7
 """An engine that is as steady as `STEADY` leaves accelerations of this order: a search that goes on finds noise."""
 
 
+_NEAR_GROUND_M = 50.0
+"""Lowest altitude at which no aircraft's wheels reach the ground."""
+
+
 class NoTrim(BadInput):
     """No steady flight was found."""
 
@@ -238,14 +242,31 @@ _starts: Cache[Trim] = Cache(32)
 def trimmed_start(
     aircraft: Aircraft, physics_hz: float, airspeed_m_s: float, altitude_m: float, heading_rad: float
 ) -> Trim:
-    """Steady flight in which a flight begins; raises NoTrim. It is found on a new plant, so that it depends on nothing else.
+    """Steady flight in which a flight begins. It is found on a new plant, so that it depends on nothing else.
 
-    Cached: the flights of a sweep share it, and to find it takes as long as to simulate some seconds of flight.
+    Raises NoTrim, also where the aircraft would touch the ground. Cached: the flights of a sweep share it, and to find it takes
+    as long as to simulate some seconds of flight.
     """
-    return _starts.get(
-        (aircraft.fingerprint(), physics_hz, airspeed_m_s, altitude_m, heading_rad),
-        lambda: trim(Plant(aircraft, physics_hz), airspeed_m_s, altitude_m, heading_rad),
-    )
+
+    def found() -> Trim:
+        plant = Plant(aircraft, physics_hz)
+        start = trim(plant, airspeed_m_s, altitude_m, heading_rad)
+        if altitude_m < _NEAR_GROUND_M:
+            _refuse_on_ground(plant, start)
+        return start
+
+    return _starts.get((aircraft.fingerprint(), physics_hz, airspeed_m_s, altitude_m, heading_rad), found)
+
+
+def _refuse_on_ground(plant: Plant, start: Trim) -> None:
+    """Raise NoTrim if a wheel or another contact point of the model is in the ground there."""
+    contacts = [name for name in plant.catalog() if name.endswith("/WOW")]
+    if not contacts:
+        return
+    begin_at(plant, start)
+    if any(plant[name] for name in contacts):
+        what = f"{plant.aircraft.name} touches the ground at {start.state['altitude']:g} m"
+        raise NoTrim([Problem(what, expected="a higher altitude_m")])
 
 
 def begin_at(plant: Plant, start: Trim) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from testbed.air.config import PARTS
 from testbed.air.noise import window_of
 from testbed.aircraft.description import Aircraft
-from testbed.common.signals import first_step_at
+from testbed.common.signals import GROUND_M, first_step_at
 from testbed.common.text import with_article
 from testbed.failures import Failure, overlaps, same_property
 from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
@@ -56,14 +56,43 @@ def _properties(scenario: Scenario, aircraft: Aircraft, known: Mapping[str, bool
         return  # to save time: a model may have a thousand properties, and this is done for each flight
     writable = {same_property(name): can for name, can in known.items()}
     for i, failure in enumerate(scenario.failures):
-        for name in failure.properties(aircraft):
-            written = name in getattr(failure, "set", {})
-            path: TreePath = ("failures", i, "set", name) if written else ("failures", i)
-            can = writable.get(same_property(name))
-            if can is None:
-                yield Issue(path, f"unknown property {name}", suggestion=did_you_mean(name, writable))
-            elif not can:
-                yield Issue(path, f"property {name} is read-only", "a writable property")
+        yield from _unwritable(failure, aircraft, writable, ("failures", i))
+
+
+def _unwritable(
+    failure: Failure, aircraft: Aircraft, writable: Mapping[str, bool], path: TreePath
+) -> Iterator[Issue]:
+    """Properties that one failure cannot hold."""
+    for name in failure.properties(aircraft):
+        here = (*path, "set", name) if name in getattr(failure, "set", {}) else path
+        can = writable.get(same_property(name))
+        if can is None:
+            yield Issue(here, f"unknown property {name}", suggestion=did_you_mean(name, writable))
+        elif not can:
+            yield Issue(here, f"property {name} is read-only", "a writable property")
+
+
+def failure_issues(
+    failure: Failure,
+    aircraft: Aircraft,
+    rate_hz: float,
+    signals: Iterable[str],
+    properties: Mapping[str, bool],
+    path: TreePath,
+) -> Iterator[Issue]:
+    """What does not fit of one failure alone, whose keys are valid; arguments as of `unknown_names`.
+
+    With an unknown actuator, nothing else can be said.
+    """
+    if (unfit := _actuator(failure, aircraft, (*path, "actuator"))) is not None:
+        yield unfit
+        return
+    for fault in failure.faults(aircraft, rate_hz):
+        yield Issue((*path, fault.field), fault.what, fault.expected)
+    if failure.when is not None:
+        yield from _known(failure.when.signal, list(signals), "signal", (*path, "when", "signal"))
+    writable = {same_property(name): can for name, can in properties.items()}
+    yield from _unwritable(failure, aircraft, writable, path)
 
 
 def _names(scenario: Scenario, signals: list[str], metrics: list[str]) -> Iterator[Issue]:
@@ -118,11 +147,8 @@ def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
 
 def _ends(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
     """Path and time [s] of everything that ends in the flight."""
-    noise = scenario.atmosphere.noise
     yield from _given(("failures",), scenario.failures, "until_s")
     yield from _given(("sensors", "faults"), scenario.sensors.faults, "until_s")
-    if noise is not None and noise.until_s is not None:
-        yield ("atmosphere", "noise", "until_s"), noise.until_s
     yield from _given(("requirements",), scenario.requirements, "until_s")
 
 
@@ -152,6 +178,9 @@ def _steps(scenario: Scenario) -> Iterator[Issue]:
 
 def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     envelope, initial = aircraft.envelope, scenario.initial
+    if initial.altitude_m < GROUND_M:
+        what = f"{initial.altitude_m:g} m is on or below the ground, which is at sea level"
+        yield Issue(("initial", "altitude_m"), what, f"at least {GROUND_M:g}")
     limits = [
         ("airspeed_m_s", initial.airspeed_m_s, envelope.airspeed_min_m_s, envelope.airspeed_max_m_s),
         ("altitude_m", initial.altitude_m, envelope.altitude_min_m, None),
@@ -169,12 +198,23 @@ def _initial(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
 
 def _glide(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     """Altitudes that an aircraft without propulsion is asked to fly to: its reference of altitude is its glide."""
-    if any(actuator.kind != "servo" for actuator in aircraft.actuators.values()):
+    if not glides(aircraft):
         return
     for i, command in enumerate(scenario.commands):
         if command.altitude_m not in (None, scenario.initial.altitude_m):
-            what = f"{aircraft.name} has no propulsion: it glides, and holds no altitude"
-            yield Issue(("commands", i, "altitude_m"), what, "no altitude_m")
+            yield no_altitude(aircraft, ("commands", i, "altitude_m"))
+
+
+def glides(aircraft: Aircraft) -> bool:
+    """Whether an aircraft has no propulsion."""
+    return all(actuator.kind == "servo" for actuator in aircraft.actuators.values())
+
+
+def no_altitude(aircraft: Aircraft, path: TreePath) -> Issue:
+    """The issue of a commanded altitude for an aircraft that glides."""
+    return Issue(
+        path, f"{aircraft.name} has no propulsion: it glides, and holds no altitude", "no altitude_m"
+    )
 
 
 def _axes(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
@@ -205,6 +245,9 @@ def _noise(scenario: Scenario) -> Iterator[Issue]:
     if noise is None or scenario.rate_hz <= 1:
         return
     first, end = window_of(noise, scenario.rate_hz, scenario.steps)
+    if end > MAX_STEPS:
+        what = f"{noise.until_s:g} s is control step {end}"
+        yield Issue(("atmosphere", "noise", "until_s"), what, f"at most {MAX_STEPS}")
     for part in PARTS:
         count = len(getattr(noise, part))
         if count > max(end - first, 0) > 0:

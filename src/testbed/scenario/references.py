@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -32,14 +33,11 @@ def references(scenario: Scenario, path_angle: float = 0.0) -> np.ndarray:
     time = np.arange(scenario.steps) / scenario.rate_hz
     rows = np.zeros((scenario.steps, len(SETPOINT)))
     for name, key, factor in _FIELDS:
-        start = getattr(scenario.initial, key) * factor
-        value = np.full_like(time, start)
+        value = np.full_like(time, getattr(scenario.initial, key) * factor)
         rate = np.zeros_like(time)
-        for command in scenario.commands:
-            target, first = getattr(command, key), first_step_at(command.at_s, scenario.rate_hz)
-            if target is None or first >= scenario.steps:
-                continue
-            after, start = slice(first, None), value[first]
+        for first, end, target in _targets(scenario, key):
+            # One row more than until the next command, which starts from there.
+            after, start = slice(first, end + 1), value[first]
             change = _change(start, target * factor, name)
             elapsed = time[after] - time[first]
             value[after] = start + math.copysign(1.0, change) * np.minimum(rates[name] * elapsed, abs(change))
@@ -52,6 +50,19 @@ def references(scenario: Scenario, path_angle: float = 0.0) -> np.ndarray:
     sunk = np.concatenate([[0.0], np.cumsum(airspeed[:-1])]) * math.sin(path_angle) / scenario.rate_hz
     rows[:, SETPOINT.index("altitude")] += sunk
     return rows
+
+
+def _targets(scenario: Scenario, key: str) -> Iterator[tuple[int, int, float]]:
+    """First control step of each command of one quantity, that of the next, and what is commanded."""
+    given = [
+        (first, target)
+        for command in scenario.commands
+        if (target := getattr(command, key)) is not None
+        and (first := first_step_at(command.at_s, scenario.rate_hz)) < scenario.steps
+    ]
+    ends = [*(first for first, _ in given[1:]), scenario.steps]
+    for (first, target), end in zip(given, ends, strict=False):
+        yield first, end, target
 
 
 def _change(now: float, target: float, name: str) -> float:

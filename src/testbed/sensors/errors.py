@@ -1,4 +1,5 @@
 """Errors and faults of sensors, drawn for the whole flight before it begins."""
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -3,6 +3,7 @@
 A reading is made of the truth in this order: low-pass, scale and drawn errors (what is *sensed*), then delay, faults and
 resolution (what is *read*). What the controller is told is computed from the readings alone.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from testbed.common.angles import wrap
 from testbed.common.jit import bound
-from testbed.common.signals import STATE, as_records
+from testbed.common.signals import STATE, as_records, begins_within
 from testbed.sensors.channels import CHANNELS, channels_of, logged
 from testbed.sensors.errors import drawn, enter
 from testbed.sensors.faults import SensorFault
@@ -41,7 +41,10 @@ class IdealSensors:
         """No columns of their own."""
         return {}
 
-    def receipts(self, steps: int) -> list[dict[str, Any]]:
+    def lengthen(self, steps: int) -> None:
+        """Nothing to draw."""
+
+    def receipts(self, steps: int, planned: float = math.inf) -> list[dict[str, Any]]:
         """No faults."""
         return []
 
@@ -58,17 +61,25 @@ class RealSensors:
     def __init__(
         self, settings: SensorSettings, plant: Accelerated, rate_hz: int, steps: int, seed: int
     ) -> None:
-        self.settings, self.rate_hz = settings, float(rate_hz)
-        self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
+        self.settings, self.rate_hz, self._seed = settings, float(rate_hz), seed
         self._channels = np.zeros(len(CHANNELS), PARAMETERS)
         self._lagged = np.zeros(len(CHANNELS))
         self._force = plant.specific_force_reader("x")
+        self.table = np.zeros((LAYERS, 0, len(CHANNELS)))
+        self.lengthen(steps)
+
+    def lengthen(self, steps: int) -> None:
+        """Take more control steps: the errors of a longer flight begin with those so far. Call `bind` again after it."""
+        so_far, rate_hz = self.table, round(self.rate_hz)
+        self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
         for i, channel in enumerate(CHANNELS):
-            model = settings.of(channel.sensor)
-            scale, self.table[ERROR, :, i] = drawn(i, model, steps, rate_hz, seed)
+            model = self.settings.of(channel.sensor)
+            scale, self.table[ERROR, :, i] = drawn(i, model, steps, rate_hz, self._seed)
             self._channels[i] = _parameters(i, model, scale, rate_hz)
-        for i, fault in enumerate(settings.faults):
-            enter(fault, i, rate_hz, seed, self.table[OFFSET], self.table[FAULT])
+        for i, fault in enumerate(self.settings.faults):
+            enter(fault, i, rate_hz, self._seed, self.table[OFFSET], self.table[FAULT])
+        for layer in (SENSED, READING):
+            self.table[layer, : so_far.shape[1]] = so_far[layer]
 
     def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
         """Take the rows of a flight, one a step: the truth (as `Plant.read`) and the measured state to be filled."""
@@ -85,10 +96,16 @@ class RealSensors:
         """Columns of the log beyond those of ideal sensors, in the rows of `truth`."""
         return dict(logged(truth, self.table[READING, : len(truth)]))
 
-    def receipts(self, steps: int) -> list[dict[str, Any]]:
-        """Beginning and end of each fault as events. `verified` says whether the fault changed any reading."""
+    def receipts(self, steps: int, planned: float = math.inf) -> list[dict[str, Any]]:
+        """Beginning and end of each fault as events. `verified` says whether the fault changed any reading.
+
+        Args:
+            steps: control steps flown.
+            planned: those of the whole flight. Faults that begin after them are left out, and not counted.
+        """
         events: list[dict[str, Any]] = []
-        for i, fault in enumerate(self.settings.faults):
+        faults = [f for f in self.settings.faults if begins_within(f.at_s, self.rate_hz, planned)]
+        for i, fault in enumerate(faults):
             start, end = fault.window(self.rate_hz)
             told = {"kind": "sensor_fault", "fault": i, "type": fault.type, "sensor": fault.sensor}
             if start < steps:

@@ -13,7 +13,6 @@ from short_flights import scenario, worst_errors
 from vtail_setup import vtail_setup
 
 from testbed.common.signals import SETPOINT, STATE
-from testbed.controllers.config import FixedInversionSettings
 from testbed.controllers.make import CONSTRUCTORS
 from testbed.controllers.user.adapter import Reference, State, adapted
 from testbed.controllers.user.loader import load_controller
@@ -53,7 +52,7 @@ def test_the_example_flies_from_the_command_line_and_from_python(tmp_path: Path)
 
 
 def test_one_with_bind_and_step_flies_as_it_is(tmp_path: Path) -> None:
-    flight = fly(scenario(tmp_path, "pid", 2), controller=CONSTRUCTORS[FixedInversionSettings])
+    flight = fly(scenario(tmp_path, "pid", 2), controller=CONSTRUCTORS["fixed_inversion"])
     again = fly(scenario(tmp_path, "fixed_inversion", 2))
     assert np.array_equal(flight.data, again.data, equal_nan=True)
 

@@ -112,6 +112,7 @@ def test_an_index_without_its_half_width_says_so(summary: dict[str, Any], tmp_pa
     assert "0.25 ± unknown" in "".join(parts(summary, tmp_path))
 
 
+@pytest.mark.nightly
 def test_it_names_commands_that_work(tmp_path: Path) -> None:
     monte_carlo.sweep(written(tmp_path), tmp_path / "out", runs=4, jobs=1, save_logs="none", figures=False)
     write_sweep_report(tmp_path / "out")

@@ -43,6 +43,7 @@ def test_a_sweep_goes_on_after_a_full_disk(tmp_path: Path) -> None:
         goes_on(plan, whole, tmp_path / "out", limit)
 
 
+@pytest.mark.nightly
 def test_a_sweep_goes_on_where_the_disk_was_full_at_the_end_of_a_record(tmp_path: Path) -> None:
     """The last byte of a line of the journal is the one that is lacking, or the first of the next; every third line is tried."""
     plan = load_sweep(written(tmp_path))

@@ -1,4 +1,4 @@
-"""Functions of a model that would end the process in flight: a first load of some steps need not reach what does."""
+"""Functions of a model that can end the process in flight, also in a branch that the few steps of a first load do not reach."""
 
 from __future__ import annotations
 

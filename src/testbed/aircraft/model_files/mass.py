@@ -1,4 +1,4 @@
-"""Mass and moments of inertia of a model that a body can have."""
+"""Whether a body can have the mass and the moments of inertia of a model."""
 
 from __future__ import annotations
 

@@ -10,46 +10,12 @@ from testbed.aircraft.model_files.safe_xml import Element
 from testbed.aircraft.model_files.used import ModelFiles
 from testbed.inputs.problems import Problem
 
-_NUMERIC = frozenset(
-    [
-        "value",
-        "v",
-        "x",
-        "y",
-        "z",
-        "roll",
-        "pitch",
-        "yaw",
-        "radius",
-        "ixx",
-        "iyy",
-        "izz",
-        "ixy",
-        "ixz",
-        "iyz",
-        "emptywt",
-        "weight",
-        "wingarea",
-        "wingspan",
-        "chord",
-        "htailarea",
-        "htailarm",
-        "vtailarea",
-        "vtailarm",
-        "diameter",
-        "numblades",
-        "maxvolts",
-        "velocityconstant",
-        "coilresistance",
-        "noloadcurrent",
-        "power",
-        "capacity",
-        "contents",
-        "milthrust",
-        "maxthrust",
-        "bypassratio",
-    ]
-)
+_NUMERIC = frozenset((
+    "value", "v", "x", "y", "z", "roll", "pitch", "yaw", "radius", "ixx", "iyy", "izz", "ixy", "ixz", "iyz",
+    "emptywt", "weight", "wingarea", "wingspan", "chord", "htailarea", "htailarm", "vtailarea", "vtailarm", "diameter",
+    "numblades", "maxvolts", "velocityconstant", "coilresistance", "noloadcurrent", "power", "capacity", "contents",
+    "milthrust", "maxthrust", "bypassratio",
+))  # fmt: skip
 """Elements that hold one number and nothing else."""
 _LONGEST_TABLE = 1_000_000
 """Most characters of one table; JSBSim takes longer than a first load may for seven million, and its own models have 10 000."""

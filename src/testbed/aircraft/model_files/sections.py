@@ -1,4 +1,4 @@
-"""The sections of a model, and its engines: there is one of each that JSBSim needs, and none without its parts."""
+"""Whether each section that JSBSim needs is there, and whether engines, propellers and motors are complete."""
 
 from __future__ import annotations
 

@@ -8,6 +8,7 @@ way: airspeed before attitude.
 Letters: m design model, c settings, k control mode, s memory, w working memory; their fields, shapes and units are in
 `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -8,6 +8,7 @@ bound costs anything, the minimum is reached: for a strictly convex function thi
 
 The start is the result of the step before (warm start): from one control step to the next the active set seldom changes.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

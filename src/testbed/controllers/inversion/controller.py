@@ -2,28 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from testbed.common.jit import bound
+from testbed.controllers.compiled_controller import CompiledController
 from testbed.controllers.config import AdaptiveInversionSettings
-from testbed.controllers.initial_records import model_record, settings_record, trimmed_memory
+from testbed.controllers.initial_records import settings_record, trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.step import adaptive_step, command_step
-from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
 
 
-class InversionController:
+class InversionController(CompiledController):
     """Control inversion with adaptive compensation and automatic goal switching (the paper's figure 2).
 
     Args:
         setup: design model, gains and actuators.
         settings: [1] record of `records.settings_dtype`; by default that of the scenario.
         law: the compiled step, by default the adaptive one; it takes and returns what `adaptive_step` does.
-        more: arrays that `law` needs beyond those of `adaptive_step`; they come last in its `parts`.
+        more: arrays that `law` needs beyond those of `adaptive_step`.
+
+    Attributes:
+        memory: the law's memory, an array of one record of `records.MEMORY`.
 
     Raises:
         BadInput: the aircraft's input matrix cannot be inverted, or no steady flight was found for the axes that are
@@ -39,32 +42,19 @@ class InversionController:
     ) -> None:
         if settings is None:
             settings = settings_record(setup, setup.settings_as(AdaptiveInversionSettings))
-        self._memory = trimmed_memory(setup)
-        self._modes = ModeSwitch(setup, self._memory)
-        work = np.zeros(1, work_dtype(len(setup.actuators)))
-        self._own = (model_record(setup), settings, self._modes.record, self._memory, work)
-        self._law, self._more = law, more
-        self._commands = memoryview(self._memory[0].command)  # quicker to go through than the array
-
-    @property
-    def reasons(self) -> Sequence[tuple[int, str]]:
-        """See `Controller.reasons`."""
-        return self._modes.reasons
-
-    @property
-    def memory(self) -> np.ndarray:
-        """The law's memory, an array of one record of `records.MEMORY`."""
-        return self._memory
+        self.memory = trimmed_memory(setup)
+        self._modes = ModeSwitch(setup, self.memory)
+        self.reasons = self._modes.reasons
+        super().__init__(setup, law, settings, self._modes.record, self.memory, more)
 
     def switch(self, step: int) -> None:
         """Put the mode in force that belongs to the flags in `memory`, from row `step` on."""
-        self._modes.switch(step, float(self._common[0][step].airspeed))
+        self._modes.switch(step, float(self._parts[0][step].airspeed))
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
-        """Take the channels of a flight (see `controllers.Controller`)."""
-        self._common = (states, setpoints, telemetry, *self._own)
-        self._parts = (*self._common, *self._more)
-        self._step = bound(self._law, 0, self._parts)
+        """Take the channels of a flight (see `Controller.bind`)."""
+        super().bind(states, setpoints, telemetry)
+        self._common = self._parts[:8]  # without `more`
         self._command = bound(command_step, 0, self._common)
 
     def step(self, step: int) -> memoryview:

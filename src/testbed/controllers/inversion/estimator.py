@@ -9,6 +9,7 @@ rates that gusts disturb most have the least weight. A small position has little
 Letters: y measured state, m design model, c settings, s memory; z, phi and P_h of the working memory; their fields,
 shapes and units are in `records`. pressure_ratio is (V/V_0)^2.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -7,6 +7,7 @@ effectiveness: its column of `law.regressor` is the effect of one scaled unit.
 Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
@@ -33,8 +34,8 @@ from testbed.controllers.records import D_ALPHA, Q_DOT
 REVERSED_BELOW = -0.5
 """An estimate below this with a small standard deviation means that the actuator is reversed, not that it lost effectiveness."""
 REVERSED_SIGMA, REVERSED_S = 3.0, 0.02
-"""Standard deviations below zero that are enough on an aircraft that is unstable in pitch, and for how long [s]: it is beyond the
-stall before the standard deviation is small."""
+"""On an aircraft that is unstable in pitch, an estimate that is so many standard deviations below zero for so long [s] means the
+same: such an aircraft is beyond the stall before the standard deviation is small."""
 RECENT_FLAG_S = 2.0
 """Detecting a jam takes about this long. A flag raised less than this before may be an effect of the jam, and is removed."""
 NOT_DESIGNED = 1e9

@@ -19,6 +19,7 @@ The derivative of the effect by l is minus rho through one more such lag.
 
 Letters: c settings, s memory, w, e and phi the working memory; their fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -7,6 +7,7 @@ Letters: y measured state, m design model, c settings, k control mode, s memory;
 Their fields, shapes and units are in `records`. pressure_ratio is (V/V_0)^2, the dynamic pressure divided by that at the
 reference condition.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

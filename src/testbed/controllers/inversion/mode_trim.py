@@ -44,8 +44,8 @@ and so decide by an uncertain number whether the aircraft has to slow down."""
 _MARGIN_TO_DESCEND = 0.3
 """Scaled margin that level flight must have after a jam, or the aircraft is too fast: it has no margin to descend with."""
 _NEARLY_LEVEL = 0.03
-"""Path angle [rad] of a flight with a stuck motor that may be level flight: a third of an aircraft's drag over its weight. Altitude
-is held, and given up only while the aircraft is too slow."""
+"""With a stuck motor, a flight whose path angle [rad] is smaller than this is taken for level: this is a third of an aircraft's
+drag over its weight. Altitude is held then, and given up only while the aircraft is too slow."""
 _ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its stop is within it
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same without thrust: half of it is worth less than the altitude that it costs
@@ -254,12 +254,9 @@ def margins(degraded: DegradedAircraft, flights: SteadyFlight, stop_factor: floa
         stop_factor: the stops are multiplied by this.
     """
     used, state = degraded.used, flights.state
-    low = np.maximum(stop_factor * degraded.limits[:, 0], degraded.least_positions(state[:, AIRSPEED]))[
-        :, used
-    ]
-    high = np.minimum(stop_factor * degraded.limits[:, 1], degraded.most_positions(state[:, AIRSPEED]))[
-        :, used
-    ]
+    least, most = degraded.bounds(state[:, AIRSPEED])
+    low = np.maximum(stop_factor * degraded.limits[:, 0], least)[:, used]
+    high = np.minimum(stop_factor * degraded.limits[:, 1], most)[:, used]
     positions = flights.positions[:, used]
     airspeed_ratio = state[:, [AIRSPEED]] / degraded.model.airspeed_m_s
     worth = np.minimum(np.where(degraded.servos[used], airspeed_ratio, 1.0 / airspeed_ratio), 1.0)

@@ -19,7 +19,8 @@ from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 
 _CLEARLY = 0.5
-"""Share of the largest authority that can remain, with which less important axes are given up in place of others."""
+"""Less important axes are given up in place of others if at least this share remains of the authority that the best choice
+leaves."""
 
 
 @dataclass(frozen=True)
@@ -169,8 +170,8 @@ def _inverse(b: np.ndarray, kept: Sequence[int], available: Sequence[int], alone
 def _thrust_alone(
     b: np.ndarray, fast: np.ndarray, kept: Sequence[int], available: Sequence[int], condition_max: float
 ) -> np.ndarray:
-    """[n] which actuators answer to u_dot alone. Differential thrust turns an aircraft too, but an engine takes seconds for it, and
-    a demand that it meets too late is one that it works against."""
+    """[n] which actuators answer to u_dot alone. Differential thrust turns an aircraft too, but an engine takes seconds for it:
+    when it meets a demand for a rate of rotation, the demand has often the opposite sign already."""
     rotating = [i for i in kept if RATES[i] != "u_dot"]
     quick = [i for i in available if fast[i]]
     if len(rotating) > len(quick) or not rotating:

@@ -12,6 +12,7 @@ Motors and engines are excluded: what they give beside their throttle is a jam.
 Letters: m design model, c settings, s memory, phi of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -92,23 +92,16 @@ class DegradedAircraft:
         """Whether an actuator that is not available has a force."""
         return bool(np.any(self.effective > self.available))
 
-    def least_positions(self, airspeeds: np.ndarray) -> np.ndarray:
-        """[m, n] least scaled position that the model knows at each of m airspeeds: a windmilling propeller's drag grows as
-        V^2; of other actuators minus infinity."""
+    def bounds(self, airspeeds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """[m, n] least and largest scaled position at each of m airspeeds [m/s], whatever the stops: of motors and engines the thrust
+        of a windmilling propeller and that at full throttle; of servos infinite."""
         least = np.full((len(airspeeds), len(self.scale)), -np.inf)
+        most, density = -least, self.model.density_kg_m3
         for i, propulsor in enumerate(self.model.propulsors):
             if propulsor is not None:
-                least[:, i] = propulsor.least_thrust(airspeeds, self.model.density_kg_m3) / self.scale[i]
-        return least
-
-    def most_positions(self, airspeeds: np.ndarray) -> np.ndarray:
-        """[m, n] largest scaled positions at m airspeeds [m/s]: of motors and engines the thrust at full throttle, which falls with
-        airspeed; of servos infinity."""
-        most = np.full((len(airspeeds), len(self.scale)), np.inf)
-        for i, propulsor in enumerate(self.model.propulsors):
-            if propulsor is not None:
-                most[:, i] = propulsor.most_thrust(airspeeds, self.model.density_kg_m3) / self.scale[i]
-        return most
+                least[:, i] = propulsor.least_thrust(airspeeds, density) / self.scale[i]
+                most[:, i] = propulsor.most_thrust(airspeeds, density) / self.scale[i]
+        return least, most
 
     def with_thrust(self, x: np.ndarray, a: np.ndarray) -> np.ndarray:
         """Scaled positions a [..., n] with those of jammed motors and engines at the airspeed of the state x [..., 10]."""

@@ -3,6 +3,7 @@
 Letters: y measured state, ref references, m design model, c settings, k control mode, s memory, w working memory; their
 fields, shapes and units are in `records`.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
@@ -38,8 +39,7 @@ def adaptive_step(step, parts):
 
     Args:
         step: row of the channels.
-        parts: states, setpoints and telemetry (see `Controller.bind`), then model, settings, mode, memory and working
-            memory, each an array of one record. They are one tuple because a call with it takes a third of the time.
+        parts: see `CompiledController`.
     """
     states, setpoints, _, models, settings, modes, memories, works = parts
     y, ref, m, c = states[step], setpoints[step], models[0], settings[0]

@@ -9,6 +9,7 @@ column of B, so that its effectiveness is judged by what follows the command alo
 Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
 """
+# mypy: allow-untyped-defs
 
 from __future__ import annotations
 

@@ -35,16 +35,8 @@ class Throttle:
             BadInput: the aircraft has no motor or engine of this name.
         """
         if actuator not in self._motors:
-            problem = f"{actuator!r} is no motor of this aircraft"
-            raise BadInput(
-                [
-                    Problem(
-                        problem,
-                        expected=one_of(self._motors),
-                        suggestion=did_you_mean(actuator, self._motors),
-                    )
-                ]
-            )
+            what, near = f"{actuator!r} is no motor of this aircraft", did_you_mean(actuator, self._motors)
+            raise BadInput([Problem(what, expected=one_of(self._motors), suggestion=near)])
         i, m, s = self._motors[actuator], self._model, self._memory
         s.u[i] = thrust_n / m.scale[i]
         command_actuators(state.airspeed * math.cos(state.alpha) * math.cos(state.beta), m, s)

@@ -1,4 +1,4 @@
-"""What is known of aircraft that were loaded before: a small record for each digest, in the user's cache folder.
+"""Records of aircraft that were loaded and checked before: a small file for each digest, in the user's cache folder.
 
 A record is lost without harm: what it says is then found again, which takes a second or so.
 """
@@ -25,7 +25,7 @@ can be written."""
 _KEPT_DAYS = 30.0
 
 
-def holds(digest: str) -> bool:
+def has(digest: str) -> bool:
     """Whether there is a record of this digest. It was written whole, so it is not read here."""
     file = _file_of(digest)
     return file is not None and file.is_file()
@@ -41,7 +41,7 @@ def read(digest: str) -> Record | None:
     return found if isinstance(found, dict) and isinstance(found.get("properties"), dict) else None
 
 
-def keep(digest: str, found: Record) -> None:
+def write(digest: str, found: Record) -> None:
     """Write what was found, whole or not at all; without a folder that can be written, the next process finds it anew."""
     file = _file_of(digest)
     if file is None:

@@ -56,6 +56,7 @@ def uncompiled(folder: Path) -> Path:
     return folder
 
 
+@pytest.mark.nightly
 def test_compiled_flies_as_the_page_reads(tmp_path: Path) -> None:
     """To the last bit, through a failure, its detection and a mode switch. Powers were what differed (numba makes
     products of x**4, Python asks the C library), so the pages write them as products.
@@ -112,6 +113,7 @@ def other_servo(folder: Path) -> None:
     )
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("edit", [heavier, other_design, other_servo])
 def test_an_edited_aircraft_flies_as_in_a_new_process(
     vtail_copy: Path, tmp_path: Path, edit: Callable[[Path], None]

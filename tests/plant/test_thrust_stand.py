@@ -16,7 +16,7 @@ from testbed.common.signals import STATE
 from testbed.plant.identification import identify
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import settle_at
-from testbed.plant.stand import follow, throttle_grid
+from testbed.plant.thrust_stand import follow, throttle_grid
 from testbed.plant.trim import Trim, begin_at, trimmed_start
 
 HZ = 200

@@ -1,0 +1,110 @@
+"""Change the failures of a flight in flight: what is broken by hand replaces what it would overlap."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from testbed.aircraft.description import Aircraft
+from testbed.failures import Failure, held_by, meet, windows
+from testbed.failures.streams import stream_names
+from testbed.injection.injector import Planned
+from testbed.inputs.problems import BadInput, Problem
+
+
+def with_failure(planned: Sequence[Planned], failure: Failure, aircraft: Aircraft) -> list[Planned]:
+    """The plan with one more failure.
+
+    What holds one of its properties when it starts ends then, or is replaced by it if it is of its type and does not hold more.
+    If another is planned to hold one of them later, this one ends then.
+
+    Raises:
+        BadInput: what it would end cannot be undone; it starts at no stated time or ends after another one is planned, and they
+            hold the same property.
+    """
+    failure = _until_the_next(planned, failure, aircraft)
+    if failure.at_s is None:
+        return [*planned, Planned(failure)]
+    names = held_by(failure, aircraft)
+    each = [one.failure for one in planned]
+    held = [held_by(one, aircraft) for one in each]
+    lasting = windows([*each, failure], [*held, names])
+    made = list[Planned]()
+    for one, its, window in zip(planned, held, lasting, strict=False):
+        replaced = one.failure.type == failure.type and its <= names
+        met = its & names and meet(window, lasting[-1])
+        if its & names and not replaced and window[1] == failure.at_s and one.failure.until_s is None:
+            met = True  # it would be replaced, and would leave something broken that nothing mends
+        made += [one] if not met else _ended(one, failure.at_s)
+    return _renumbered(planned, [*made, Planned(failure)])
+
+
+def mended(planned: Sequence[Planned], actuator: str, time_s: float) -> list[Planned]:
+    """The plan in which everything that has broken this actuator ends now.
+
+    Raises:
+        BadInput: it has no failure now, or one that cannot be undone.
+    """
+    broken = [one for one in planned if _breaks(one, actuator, time_s)]
+    if not broken:
+        others = sorted(
+            {str(one.injection.actuator) for one in planned if one.injection and one.injection.active}
+        )
+        what = f"{actuator} has no failure now"
+        raise BadInput([Problem(what, "mend", expected=f"one of {', '.join(others)}" if others else "")])
+    made = [new for one in planned for new in (_ended(one, time_s) if one in broken else [one])]
+    return _renumbered(planned, made)
+
+
+def _breaks(one: Planned, actuator: str, time_s: float) -> bool:
+    """Whether a failure breaks an actuator now, or is just about to."""
+    injection = one.injection
+    if injection is None or injection.actuator != actuator:
+        return False
+    return injection.active or (not injection.started and one.failure.at_s == time_s)
+
+
+def _ended(one: Planned, at_s: float) -> list[Planned]:
+    """The failure with its end at this time; none if it would not have begun by then. Raises BadInput."""
+    started = one.injection is not None and one.injection.started
+    if not one.failure.undone and started:
+        what = f"{one.failure.type} of {one.failure.actuator} cannot be undone"
+        raise BadInput([Problem(what, path="failure", expected="a failure of another actuator")])
+    if one.failure.window_s[0] >= at_s or not one.failure.undone:
+        return []
+    return [one._replace(failure=one.failure.model_copy(update={"until_s": at_s}))]
+
+
+def _until_the_next(planned: Sequence[Planned], failure: Failure, aircraft: Aircraft) -> Failure:
+    """The failure, with an end where another is planned to hold a property of it later."""
+    names = held_by(failure, aircraft)
+    each = [*(one.failure for one in planned), failure]
+    held = [held_by(one, aircraft) for one in each]
+    lasting = windows(each, held)
+    start_s = failure.window_s[0]
+    later = [
+        window[0]
+        for its, window in zip(held[:-1], lasting, strict=False)
+        if its & names and meet(window, lasting[-1]) and (window[0] > start_s or failure.at_s is None)
+    ]
+    if not later:
+        return failure
+    if failure.at_s is None or failure.until_s is not None or not failure.undone:
+        what = "holds a property that another failure of this flight holds in the same time"
+        raise BadInput([Problem(what, "inject", path="failure", expected="at_s, and an end before it")])
+    return failure.model_copy(update={"until_s": min(later)})
+
+
+def _renumbered(before: Sequence[Planned], after: list[Planned]) -> list[Planned]:
+    """`after`, or BadInput if one that has started would have drawn other random numbers."""
+    names = dict(
+        zip(map(id, _injections(before)), stream_names([one.failure for one in before]), strict=True)
+    )
+    for one, name in zip(after, stream_names([one.failure for one in after]), strict=True):
+        if one.injection and one.injection.started and one.failure.draws and names[id(one.injection)] != name:
+            what = f"the random numbers of {one.failure.type} at {one.failure.at_s:g} s depend on one that would go"
+            raise BadInput([Problem(what, path="failures")])
+    return after
+
+
+def _injections(planned: Sequence[Planned]) -> list[object]:
+    return [one.injection for one in planned]

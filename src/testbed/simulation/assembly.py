@@ -1,0 +1,120 @@
+"""The parts of one flight, all made new for it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from testbed.air.wind import Weather
+from testbed.aircraft.changes import chosen
+from testbed.aircraft.conventional_shape import drawn_by_effect
+from testbed.aircraft.description import Aircraft
+from testbed.aircraft.shape import Shape, load_shape
+from testbed.controllers import Controller
+from testbed.controllers.config import OracleSettings
+from testbed.controllers.make import make_controller
+from testbed.controllers.setup import Setup, setup_for
+from testbed.controllers.user.adapter import adapted
+from testbed.controllers.user.loader import name_of
+from testbed.controllers.user.own import unused_parameters
+from testbed.injection.injector import Injector
+from testbed.injection.truth import Truth
+from testbed.inputs.problems import BadInput
+from testbed.plant.identification import stored
+from testbed.plant.jsbsim import Plant
+from testbed.plant.trim import Trim, begin_at, trimmed_start
+from testbed.scenario.model import Scenario
+from testbed.scenario.references import references
+from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
+from testbed.simulation.check import check
+
+
+@dataclass
+class Assembly:
+    """Everything that takes part in one flight; all of it is made for this flight.
+
+    Attributes:
+        references: [steps, 6] rate-limited references by `signals.SETPOINT`.
+        path_angle: of the steady flight in which the flight begins [rad].
+        flown_by: name of the user's controller that flies in place of the scenario's, or empty.
+    """
+
+    scenario: Scenario
+    aircraft: Aircraft
+    plant: Plant
+    controller: Controller
+    injector: Injector
+    weather: Weather
+    sensors: IdealSensors | RealSensors
+    references: np.ndarray
+    path_angle: float
+    shape: Shape
+    flown_by: str = ""
+
+
+def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
+    """Make plant, weather, controller, failures and sensors, and put the aircraft into trimmed flight.
+
+    Raises BadInput with everything that `check` finds, or when the controller cannot be made.
+    """
+    aircraft = check(scenario, remembered=False)
+    plant = Plant(
+        aircraft, scenario.physics_hz, scenario.physics_steps, scenario.atmosphere.is_own_turbulence
+    )
+    start = _start(scenario, aircraft)
+    weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
+    begin_at(plant, start)
+    weather.begin()
+    if controller is None and (problems := unused_parameters(scenario.controller)):
+        raise BadInput(problems)
+    setup = _setup(scenario, aircraft, start)
+    injector = Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed)
+    if controller is None and isinstance(scenario.controller, OracleSettings):
+        setup = replace(setup, truth=Truth(plant, injector))
+    return Assembly(
+        scenario=scenario,
+        aircraft=aircraft,
+        plant=plant,
+        controller=adapted(controller, setup) if controller else make_controller(setup),
+        injector=injector,
+        weather=weather,
+        sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
+        references=references(scenario, start.state["path_angle"]),
+        path_angle=start.state["path_angle"],
+        shape=load_shape(aircraft.folder) or drawn_by_effect(setup.model, plant.span_m),
+        flown_by=name_of(controller) if controller else "",
+    )
+
+
+def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
+    """Trimmed flight at the scenario's initial condition."""
+    at = scenario.initial
+    heading = math.radians(at.heading_deg)
+    return trimmed_start(aircraft, scenario.physics_hz, at.airspeed_m_s, at.altitude_m, heading)
+
+
+def start_and_setup(scenario: Scenario) -> tuple[Trim, Setup]:
+    """The trimmed flight in which a scenario begins, and what its controller is told before it; raises BadInput."""
+    aircraft = chosen(scenario.aircraft)
+    start = _start(scenario, aircraft)
+    return start, _setup(scenario, aircraft, start)
+
+
+def _setup(scenario: Scenario, aircraft: Aircraft, start: Trim) -> Setup:
+    """What the controller is told before the flight: of the aircraft as its files are, also where the truth is changed."""
+    if aircraft.changes is not None:
+        aircraft = aircraft.nominal
+        start = _start(scenario, aircraft)
+    return setup_for(
+        aircraft,
+        stored(aircraft),
+        scenario.controller,
+        1.0 / scenario.rate_hz,
+        start.commands,
+        start.positions,
+        start.state["pitch"],
+    )

@@ -1,0 +1,84 @@
+"""Judge what a flight has recorded: its log, events, metrics, and verdicts on the requirements."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from testbed.flight.columns import Recorded, all_columns, table
+from testbed.flight.events import controller_events
+from testbed.flight.flight import Outcome
+from testbed.flight.loss import loss_event
+from testbed.flight.recovery import recovery_events
+from testbed.flight.requirements import judge
+from testbed.metrics import Readings, adaptation_rates, measure
+from testbed.reporting.flight import ReportedFlight
+from testbed.scenario import conditions
+from testbed.scenario.model import Scenario
+from testbed.simulation.assembly import Assembly
+
+
+def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Recorded) -> ReportedFlight:
+    """The flight, with its log, events, metrics and verdicts on the requirements. The parts can be flown on.
+
+    Args:
+        scenario: what was flown: that of the parts, or the part of it that was flown so far.
+        recorded: the rows of the control steps flown.
+    """
+    aircraft, steps = parts.aircraft, len(recorded[0])
+    names = all_columns(aircraft, scenario)
+    more = parts.sensors.columns(recorded[0])
+    if not scenario.atmosphere.is_calm:
+        more |= parts.weather.columns(steps)
+    data = table(aircraft, scenario.rate_hz, recorded, more.values())
+    log, every = dict(zip(names, data, strict=True)), scenario.rate_hz // scenario.log_hz
+    actuators = {
+        name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
+        for name, actuator in aircraft.actuators.items()
+    }
+    injections, warnings = parts.injector.concluded(scenario.steps)
+    if not parts.flown_by:
+        warnings += conditions.warnings(scenario)
+    faults = parts.sensors.receipts(steps, scenario.steps)
+    events = _events(parts, log, outcome, actuators, injections, faults)
+    gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
+    metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))
+    return ReportedFlight(
+        scenario=scenario,
+        outcome=outcome,
+        end_time_s=steps / scenario.rate_hz,
+        columns=names,
+        data=np.ascontiguousarray(data[:, ::every]).T,
+        events=events,
+        metrics=metrics,
+        requirements=judge(scenario.requirements, log, metrics, scenario.duration_s),
+        actuators=actuators,
+        warnings=warnings,
+        shape=parts.shape,
+        flown_by=parts.flown_by,
+    )
+
+
+def _events(
+    parts: Assembly,
+    log: dict[str, np.ndarray],
+    outcome: Outcome,
+    actuators: dict[str, dict[str, Any]],
+    injections: list[dict[str, Any]],
+    faults: list[dict[str, Any]],
+) -> list[dict[str, Any]]:
+    """Injections, sensor faults, what the controller flagged and released, its reasons, recoveries and the loss of the
+    aircraft, in order of time."""
+    survived = outcome is Outcome.completed
+    events = [
+        *injections,
+        *faults,
+        *controller_events(log, tuple(actuators), injections),
+        *recovery_events(log, injections, survived),
+    ]
+    if not survived:
+        events.append(loss_event(log, outcome, parts.aircraft.envelope, actuators))
+    for step, text in parts.controller.reasons:
+        events.append({"time_s": step / parts.scenario.rate_hz, "kind": "diagnosis", "text": text})
+    return sorted(events, key=lambda event: event["time_s"])

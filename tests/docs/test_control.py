@@ -1,0 +1,70 @@
+"""The numbers of the law that docs/explanation/control.md says are those of the law."""
+
+from __future__ import annotations
+
+import pytest
+from command_line import ROOT
+
+from testbed.aircraft.control_design import AllocationWeights
+from testbed.controllers import initial_records, released_axes, scaling
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.inversion import (
+    estimator,
+    jam_detection,
+    law,
+    mode_trim,
+    offset_detection,
+    swing_detection,
+)
+
+PAGE = " ".join((ROOT / "docs" / "explanation" / "control.md").read_text(encoding="utf-8").split())
+SET = AdaptiveInversionSettings.model_validate({"type": "adaptive_inversion"})
+NUMBER = {3: "three"}
+SENTENCES = [
+    f"kept if its authority is at least {released_axes.MARGIN['q_dot']:g} times its disturbance, airspeed if it is at least once",
+    f"two first-order lags of {SET.filter_rad_s:g} rad/s",
+    f"of the last {initial_records._CHANGE_TIME_S:g} s",
+    f"If one change is more than {initial_records._CHANGE_SIGMA:g} standard deviations, "
+    f"and explains it {initial_records._CHANGE_LEAD:g} times better",
+    f"the standard deviation of its estimate is below {SET.flag_std_max:g}, and the estimate itself below {SET.threshold:g}, "
+    f"or {SET.propeller_threshold:g} for a propeller, for {SET.persistence_s:g} s",
+    f"its estimate has fallen by more than {law.SUDDEN_LOSS:g} within a few seconds",
+    f"once the estimate has been above {SET.recovery:g} (`recovery`) for {SET.recovery_s:g} s",
+    f"`lambda_min` is {SET.lambda_min:g} here",
+    f"until its estimate has stayed below {law.CONFIRM_BELOW:g} for {law.CONFIRM_S:g} s and the flight is no longer steady",
+    f"is {law.STEADY_M:g} m from its reference",
+    f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
+    f"Altitude is given up with a lag of {initial_records._GIVE_UP_TIME_S:g} s",
+    f"that remains after adaptation is averaged over {initial_records._RESIDUAL_TIME_S:g} s",
+    f"When the value has been above {initial_records._JAM_SIGMA:g} for {initial_records._JAM_TIME_S:g} s",
+    f"below {jam_detection.REVERSED_BELOW:g} is {NUMBER[jam_detection.REVERSED_SIGMA]} standard deviations below zero "
+    f"for {jam_detection.REVERSED_S:g} s",
+    f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust",
+    f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
+    f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
+    f"each is believed when the other is {NUMBER[offset_detection.BEYOND_SIGMAS]} standard deviations away",
+    f"goes more than half of that way within {estimator.REVERSAL_S:g} s, and the way is longer than one scaled unit",
+    f"(process noise {estimator.REVERSAL_NOISE:g}, later {initial_records._JAM_PROCESS_NOISE:g} scaled units",
+    f"After {NUMBER[swing_detection.TURNS]} turns it is used again",
+    f"averaged over {swing_detection.FORCE_TIME_S:g} s",
+    f"within {swing_detection.SLOWEST_S:g} s of the turn before",
+    f"searched from {mode_trim._AIRSPEEDS[0]:g} to {mode_trim._AIRSPEEDS[-1]:g} times the reference airspeed",
+    f"Margin beyond {mode_trim._MARGIN_ENOUGH:g} does not count",
+    f"If no level trim has a margin of {mode_trim._MARGIN_OF_LEVEL_FLIGHT:g}",
+    f"a descent of at most {mode_trim._NEARLY_LEVEL:g} rad",
+    f"the shallowest with a margin of {mode_trim._MARGIN_OF_A_GLIDE:g}",
+    f"the margin of level flight is {mode_trim._MARGIN_TO_DESCEND:g}",
+    f"has moved by {jam_detection.REDESIGN_AFTER:g} units, the regulator is designed again",
+    f"one up to {mode_trim._BEYOND_STOPS - 1:.0%} beyond them".replace("%", " %"),
+    f"Where the authority over the axis is less than {scaling._AMPLE:g} times that",
+]
+
+
+@pytest.mark.parametrize("sentence", SENTENCES)
+def test_the_page_says_the_numbers_of_the_law(sentence: str) -> None:
+    assert sentence in PAGE
+
+
+def test_the_check_can_fail() -> None:
+    """Negative control: another threshold is not on the page."""
+    assert not any(sentence.replace("0.06", "0.07") in PAGE for sentence in SENTENCES if "0.06" in sentence)
