@@ -98,3 +98,14 @@ def test_reading_side_needs_no_simulator() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_sheet_drawn_again_shows_nothing_of_what_it_showed_before(name: str, tmp_path: Path) -> None:
+    """All figures of a flight are drawn on one sheet; each is what a sheet of its own shows."""
+    from testbed.reporting.figures.sheet import plain_text, png
+
+    draw(broken(), tmp_path)
+    with plain_text():
+        alone = png(plot(broken(), name))
+    assert (tmp_path / "figures" / f"{name}.png").read_bytes() == alone

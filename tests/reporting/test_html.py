@@ -59,3 +59,8 @@ def test_only_figures_that_are_there_are_shown(tmp_path: Path) -> None:
     data = base64.b64decode(page.references[0].partition(",")[2])
     with Image.open(io.BytesIO(data)) as picture:
         assert picture.size == (300, 200) and picture.convert("RGB").getpixel((75, 50))[0] > 240
+
+
+def test_data_cannot_end_its_script() -> None:
+    page = html.data({"name": "</SCRIPT><img src=x onerror=alert(1)>"}, "flight")
+    assert page.count("<") == 2 and "img" not in Page(page).tags

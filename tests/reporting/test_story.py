@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 from handmade import at, flight_of, injection, level_log, lost
 
+from testbed.common.signals import BELIEFS, Belief
 from testbed.flight.flight import Outcome
+from testbed.reporting.panels import effectiveness
 from testbed.reporting.story import story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -181,3 +183,28 @@ def test_the_shipped_flight_is_told_as_it_was() -> None:
     assert "wrongly" not in text
     assert [e for e in flight.events if e["kind"] == "recovered"][-1]["time_s"] == pytest.approx(15.0)
     assert len(story(flight)) <= 4
+
+
+def believed(code: Belief, position: float, since_s: float) -> dict[str, np.ndarray]:
+    """A log in which the elevon is taken for something from a time [s] on."""
+    log = {
+        **level_log(),
+        **{f"elevon_{what}": np.full(len(level_log()["time_s"]), np.nan) for what in BELIEFS},
+    }
+    log["elevon_belief"][at(since_s) :], log["elevon_believed_position"][at(since_s) :] = code, position
+    return log
+
+
+def test_what_a_noticed_actuator_was_taken_for_is_said() -> None:
+    log = believed(Belief.held, 8.1, 4.3)
+    notice = {"time_s": 4.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    assert "noticed the elevon after 0.30 s (as held at 8.1 deg)." in told(log, injection(4.0), notice)
+    (panel, *_) = effectiveness(flight_of(log, [injection(4.0), notice]))
+    assert [(since, words) for since, _, words in panel.notes] == [
+        (pytest.approx(4.3), "believed held at 8.1 deg")
+    ]
+
+
+def test_what_is_used_on_is_said_where_nothing_was_flagged() -> None:
+    text = told(believed(Belief.late, math.nan, 6.0), injection(4.0))
+    assert "It took the elevon for late from 6.0 s on, and used it." in text
