@@ -20,7 +20,7 @@ from testbed import simulation
 from testbed.plant import jsbsim
 from testbed.scenario.load import Scenario
 from testbed.simulation import check
-from testbed.sweeps.load import load_sweep
+from testbed.studies.load import load_sweep
 
 SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
 CHECKS = ((jsbsim, "assure"), (check, "unknown_names"))

@@ -41,7 +41,7 @@ from testbed.plant.jsbsim import Plant
 from testbed.scenario.load import Scenario, load_scenario
 from testbed.simulation import Assembly, assemble, assembly, check, conclude, fly
 from testbed.simulation.lockstep import Lockstep
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 SCENARIO = "scenarios/left_tail_fail.yaml"
 _clock = time.thread_time

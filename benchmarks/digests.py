@@ -21,8 +21,8 @@ CODE: Mapping[str, tuple[str, ...]] = {
     "law": ("controllers", "aircraft/control_design"),
     "plant": ("plant", "air", "failures", "injection", "sensors"),
     "simulation": ("simulation", "scenario", "aircraft", "flight", "metrics", "common"),
-    "searches": ("reliability", "searches"),
-    "sweeps": ("sweeps", "monte_carlo"),
+    "searches": ("reliability", "searches", "studies"),
+    "sweeps": ("sweeps", "monte_carlo", "studies"),
     "theory": ("theory", "gains", "margins", "../../benchmarks/paper"),
     "adoption": ("adoption",),
 }

@@ -1,18 +1,18 @@
-"""Fly variations of one scenario in several processes, for the other benchmarks. `sweeps.workers.flying` describes records."""
+"""Fly variations of one scenario in several processes, for the other benchmarks. `testbed.studies.record` describes records."""
 
 from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import closing
 from typing import Any
 
 import numpy as np
 
 from testbed.inputs.yaml_source import parse
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
-from testbed.sweeps.workers.flying import FLY, Job
-from testbed.sweeps.workers.pool import fly_locally
+from testbed.studies.drawing.builder import Builder, Task, Variant
+from testbed.studies.flying.flight import FLY, Job
+from testbed.studies.flying.pool import workers
+from testbed.studies.record import NO_RESULT
 
 Values = Mapping[str, Any]
 """Settings by dotted paths, as for `--set`."""
@@ -43,13 +43,13 @@ def fly_each(
     """
     tasks = [Task(run, 0, seed, values) for run, (seed, values) in enumerate(flights)]
     job = Job(Builder(parse(base, "campaign"), (Variant("", {}),)), fly, save_logs="none", time_limit_s=600.0)
-    with closing(fly_locally(job, tasks, jobs)) as flying:
-        for done, (task, flown) in enumerate(flying, 1):
-            if flown.record["outcome"] in ("invalid", "error", "timeout", "crashed"):
-                raise SystemExit(f"a flight could not be flown: {flown.record['reason']}: {flown.record}")
+    with workers(job, jobs) as fly_tasks:
+        for done, (task, flown) in enumerate(fly_tasks(tasks), 1):
+            if flown.record.outcome in NO_RESULT:
+                raise SystemExit(f"a flight could not be flown: {flown.record.reason}: {flown.record}")
             if done % 100 == 0 or done == len(tasks):
                 print(f"\r{done} of {len(tasks)} flights", end="", file=sys.stderr, flush=True)
-            yield task.run, flown.record
+            yield task.run, vars(flown.record)
     print(file=sys.stderr)
 
 

@@ -24,8 +24,8 @@ import yaml
 
 from testbed import fly
 from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.common.statistics import proportion
 from testbed.inputs.problems import BadInput
-from testbed.sweeps.statistics import proportion
 
 DURATION_S, TURN_S, FAILURE_S, CLIMB_S = 90.0, 5.0, 20.0, 25.0
 TURN_DEG, CLIMB_M = 30.0, 20.0

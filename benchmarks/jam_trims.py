@@ -1,6 +1,6 @@
 """Which jams have a trim: a search on JSBSim itself, beside what the controller's design chooses. Writes docs/results/jam_trims.md.
 
-    python benchmarks/jam_trims.py            # every position of every actuator of the v-tail: an hour
+    python benchmarks/jam_trims.py            # every position of every actuator of the v-tail: ten minutes
     python benchmarks/jam_trims.py --quick    # three positions each
 
 For every position of a jammed surface (steps of 5 deg) and every throttle of a stuck propeller (steps of 0.1), steady straight
@@ -22,10 +22,11 @@ from scipy.optimize import least_squares
 from testbed.aircraft.description import Aircraft, Servo, load_aircraft
 from testbed.common.frames import level_pitch
 from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.inversion.steady_flights import DegradedAircraft, SteadyFlight, path_angles
-from testbed.controllers.records import AIRSPEED, ALPHA
+from testbed.controllers.inversion.steady_flights import SteadyFlight, path_angles
+from testbed.controllers.records import AIRSPEED
 from testbed.controllers.setup import Setup, setup_for
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
@@ -156,7 +157,7 @@ def design(setup: Setup, jammed: int, position: float) -> str:
         return "none"
     (path,) = np.degrees(path_angles(SteadyFlight(flight.state[None], flight.positions[None])))
     slope = "level" if "altitude" in held else f"path {path:+.0f} deg"
-    return f"{slope}, {flight.state[AIRSPEED]:.1f} m/s, alpha {math.degrees(flight.state[ALPHA]):.0f} deg"
+    return f"{slope}, {flight.state[AIRSPEED]:.1f} m/s"
 
 
 def row(setup: Setup, aircraft: Aircraft, jammed: int, name: str, command: float, words: str) -> str:
@@ -175,7 +176,7 @@ def row(setup: Setup, aircraft: Aircraft, jammed: int, name: str, command: float
     position = math.degrees(command) if isinstance(actuator, Servo) else best.positions[jammed]
     chosen = design(setup, jammed, position / actuator.scale)
     slope = "level" if best.path_deg == 0.0 else f"path {best.path_deg:+.0f} deg"
-    what = f"{slope}, {best.airspeed_m_s:.0f} m/s, alpha {best.alpha_deg:.0f}, beta {best.beta_deg:.0f} deg"
+    what = f"{slope}, {best.airspeed_m_s:.0f} m/s"
     return f"| {name} | {words} | {speeds}{beyond} | {what} | {best.margin:.2f} | {chosen} |"
 
 

@@ -11,7 +11,7 @@ matplotlib.use("agg")
 import matplotlib.pyplot as plt
 from mission_results import FAMILIES, Row, family
 
-from testbed.sweeps.statistics import proportion
+from testbed.common.statistics import proportion
 
 _MARKS = "os^Dvx+*PX"
 

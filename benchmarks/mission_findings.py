@@ -12,7 +12,7 @@ matplotlib.use("agg")
 import matplotlib.pyplot as plt
 from mission_results import FAMILIES, Row, family, held_more
 
-from testbed.sweeps.statistics import Paired
+from testbed.common.statistics import Paired
 
 
 @dataclass(frozen=True)

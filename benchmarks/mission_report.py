@@ -9,7 +9,6 @@ Exits if a seed for tuning is among the flights.
 from __future__ import annotations
 
 import argparse
-import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -235,8 +234,11 @@ def _missions(trims: Mapping[str, str]) -> list[str]:
 
 
 def _said(failure: Mapping[str, object]) -> str:
+    """`stuck left_propeller at_s 35`."""
     fields = {key: value for key, value in failure.items() if key != "at_s" or value != FAILURE_S}
-    return f"`{json.dumps(fields)[1:-1]}`".replace('"', "")
+    words = (str(value) if key in ("type", "actuator") else f"{key} {value:g}" if isinstance(value, float) else f"{key} {value}"
+             for key, value in fields.items())  # fmt: skip
+    return f"`{' '.join(words)}`"
 
 
 def _trims() -> list[tuple[Mission, list]]:

@@ -13,7 +13,7 @@ from typing import Any
 from flights import Record
 from mission_list import ALTITUDE_M, HEADING_DEG, Condition, Mission
 
-from testbed.sweeps.statistics import Paired, paired
+from testbed.common.statistics import Paired, paired
 
 Key = tuple[str, Condition, int]
 """Mission, condition and seed: flights of two controllers with the same key are a pair."""

@@ -16,7 +16,7 @@ from pathlib import Path
 import pandas as pd
 from blocks import write
 
-from testbed.sweeps.statistics import paired, proportion
+from testbed.common.statistics import paired, proportion
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "results" / "monte_carlo.md"

@@ -17,9 +17,10 @@ from pathlib import Path
 from typing import Any
 
 import testbed
-from testbed.searches.limit_state import failed
-from testbed.sweeps.folder.journal import records
-from testbed.sweeps.statistics import proportion
+from testbed.common.statistics import proportion
+from testbed.studies.folder import store
+from testbed.studies.search.limit_state import failed
+from testbed.studies.search.plan import coordinates
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "rare_flights.md"
 CASE = "scenarios/searches/rare_gust.yaml"
@@ -103,7 +104,8 @@ def _more(folder: Path, budget: int) -> bool:
 
 def plain(folder: Path) -> tuple[int, int]:
     """Failures and flights of plain sampling, also of a search that is under way; without the flight at the origin."""
-    drawn = [record for _, record in records(folder / "journal.jsonl") if any(record.get("u", ()))]
+    with store.reading(folder) as flights:
+        drawn = [record for key, record in flights.records() if any(coordinates(key))]
     return sum(map(failed, drawn)), len(drawn)
 
 

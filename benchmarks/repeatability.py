@@ -23,12 +23,11 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
-from testbed.sweeps.folder.histories import RECORD_BYTES
-from testbed.sweeps.folder.journal import records
-from testbed.sweeps.load import load_sweep
-from testbed.sweeps.workers.flying import Job, fly_task
+from testbed.studies.flying.flight import Job, fly_task
+from testbed.studies.folder import store
+from testbed.studies.load import load_sweep
+from testbed.studies.record import Record
 
 ROOT = Path(__file__).parents[1]
 SCENARIO = ROOT / "scenarios" / "mems_turbulence.yaml"
@@ -48,9 +47,9 @@ def written(folder: Path, scenario: Path, seconds: float, flights: int) -> Path:
     return file
 
 
-def digest(record: dict[str, Any], history: bytes, log: bytes) -> str:
+def digest(record: Record, history: bytes, log: bytes) -> str:
     """Digest of a flight; the number of its run is no part of it."""
-    text = json.dumps({key: value for key, value in record.items() if key != "run"}, sort_keys=True)
+    text = json.dumps({**vars(record), "run": 0}, sort_keys=True)
     return hashlib.sha256(text.encode() + history + log).hexdigest()[:16]
 
 
@@ -59,7 +58,7 @@ def here(sweep: Path, flights: int) -> None:
     plan = load_sweep(sweep)
     for k in range(flights):
         flown = fly_task(Job(plan.builder, save_logs="all"), plan.task(k))
-        print(digest(json.loads(json.dumps(flown.record)), flown.history, flown.log), flush=True)
+        print(digest(flown.record, flown.history, flown.log), flush=True)
 
 
 def conditions(rng: random.Random, folder: Path) -> dict[str, str]:
@@ -111,8 +110,8 @@ def in_sweeps(folder: Path, sweep: Path, flights: int) -> Iterator[str]:
         command += ["--runs", str(count), "--save-logs", "all", "--no-plots"]
         environment = {**os.environ, "PYTHONPATH": str(ROOT / "src")}
         process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
-        while process.poll() is None and lines(out) < count // 2:
-            time.sleep(0.01)
+        while process.poll() is None and finished(out) < count // 2:
+            time.sleep(0.1)
         process.send_signal(signal.SIGKILL)
         process.wait()
         resumed = subprocess.run(
@@ -123,20 +122,20 @@ def in_sweeps(folder: Path, sweep: Path, flights: int) -> Iterator[str]:
         yield from in_folder(out)
 
 
-def lines(out: Path) -> int:
-    """Finished flights of a sweep folder, and one."""
-    journal = out / "journal.jsonl"
-    return journal.read_bytes().count(b"\n") if journal.is_file() else 0
+def finished(out: Path) -> int:
+    """Number of finished flights of a sweep folder."""
+    if not store.exists(out):
+        return 0
+    with store.reading(out) as flights:
+        return len(flights)
 
 
 def in_folder(out: Path) -> Iterator[str]:
     """Digests of the flights of a sweep folder."""
-    histories = (out / "histories.f32").read_bytes()
-    for _, record in records(out / "journal.jsonl"):
-        if "run" in record:
-            run = record["run"]
-            history = histories[run * RECORD_BYTES : (run + 1) * RECORD_BYTES]
-            yield digest(record, history, (out / "logs" / f"run-{run:06d}.parquet").read_bytes())
+    with store.reading(out) as flights:
+        for key, record in flights.records():
+            log = out / "logs" / f"run-{record.run:06d}.parquet"
+            yield digest(record, flights.history(key), log.read_bytes())
 
 
 def main() -> int:

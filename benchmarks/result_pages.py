@@ -75,7 +75,7 @@ PAGES: tuple[Page, ...] = (
         ("results/missions.md", "explanation/when_adaptation_pays.md"),
     ),
     Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
-    Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 3600),
+    Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
     Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),
     Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 600, _THEORY),
     Page("section4_bandwidth", ("benchmarks/section4_bandwidth.py",), "1", 1200, _THEORY),

@@ -52,7 +52,7 @@ def bias_rows(quick: bool, jobs: int | None) -> Iterator[str]:
         found = choose(law, Errors.of(law, with_values(values)), Tolerance())
         flown = over(records, "mean")
         for kind, i in (("tail", 0), ("propeller", 2)):
-            n = float(found.bias[i])
+            n = float(found.predicted.bias[i])
             end = flown[0, i] if len(flown) else math.nan
             literal = noise.biased_by_reference(1.0, n, 1.0)
             yield row(

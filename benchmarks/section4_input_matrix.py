@@ -19,7 +19,7 @@ from linear_loop import LinearLoop, Slipstream
 from paper.matrix_classes import is_p_matrix
 from prediction_errors import summary
 
-from testbed.aircraft.changes import ChangedAircraft, chosen
+from testbed.aircraft.changes import ChangedAircraft, load_with_changes
 from testbed.common.signals import RATES
 from testbed.controllers.setup import Setup
 from testbed.flight.flight import Outcome
@@ -116,7 +116,7 @@ class Truth:
     def __init__(self, setup: Setup, **changes: Any) -> None:
         self._b = np.array(setup.model.input_matrix)[:4] * setup.scale
         self._scale = setup.scale
-        aircraft = chosen(ChangedAircraft(name="vtail", **changes))
+        aircraft = load_with_changes(ChangedAircraft(name="vtail", **changes))
         self.plant = Plant(aircraft, stand_physics_hz(aircraft))
 
     def level(self, airspeed: float = AIRSPEED_M_S) -> Trim:

@@ -102,7 +102,7 @@ def remark_4() -> Iterator[str]:
 def _n_over_a(bias: float) -> float:
     scenario = with_values(_biased(bias))
     law = law_of(scenario)
-    return float(choose(law, Errors.of(law, scenario), Tolerance()).bias[2])
+    return float(choose(law, Errors.of(law, scenario), Tolerance()).predicted.bias[2])
 
 
 def _biased(bias: float) -> dict[str, Any]:

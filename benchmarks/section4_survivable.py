@@ -66,6 +66,8 @@ def survivable(quick: bool, jobs: int | None, figure: Path) -> Iterator[str]:
     yield f"| coefficient | {' | '.join(LAWS)} |\n| --- |{' --- |' * len(LAWS)}"
     for name in names:
         cells = [words(*ranges[law, name], factors) for law in LAWS]
+        if len(set(cells)) == 1 and ">" in cells[0] and "<" in cells[0]:
+            continue  # no factor of any law is too much
         yield f"| `{name}` | {' | '.join(cells)} |"
 
 

@@ -24,13 +24,12 @@ from testbed.aircraft.description import load_aircraft
 from testbed.failures import TABLE as FAILURES
 from testbed.inputs.yaml_source import parse
 from testbed.reliability import smallest_failure
-from testbed.searches.flying import Workers, workers
-from testbed.searches.limit_state import robustness
-from testbed.searches.space import Coordinate, Origin, Space
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
-from testbed.sweeps.drawing.distributions import Distribution
-from testbed.sweeps.run import Options
-from testbed.sweeps.workers.flying import Job
+from testbed.studies.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.distributions import Distribution
+from testbed.studies.flying.flight import Job
+from testbed.studies.flying.pool import FlyAll, workers
+from testbed.studies.search.limit_state import robustness
+from testbed.studies.search.space import Coordinate, Origin, Space
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "smallest_failures.md"
 COMPARED = ("default", "indi")
@@ -123,7 +122,7 @@ def fly(options: argparse.Namespace, done: set[tuple[str, str, int]]) -> list[Ro
     job = Job(
         Builder(parse(BASE, "smallest failures"), (Variant("", {}),)), save_logs="none", time_limit_s=600.0
     )
-    with workers(job, Options(options.jobs)) as flying, file.open("a", newline="") as stream:
+    with workers(job, options.jobs) as flying, file.open("a", newline="") as stream:
         writer = csv.DictWriter(stream, HEAD)
         if not done:
             writer.writeheader()
@@ -137,7 +136,7 @@ def fly(options: argparse.Namespace, done: set[tuple[str, str, int]]) -> list[Ro
     return rows
 
 
-def searched(name: str, controller: str, flying: Workers, budget: int) -> Row:
+def searched(name: str, controller: str, flying: FlyAll, budget: int) -> Row:
     """The smallest failure of one type with one controller."""
     failures, space = failures_of(name), space_of(name)
 
@@ -146,7 +145,7 @@ def searched(name: str, controller: str, flying: Workers, budget: int) -> Row:
             Task(i, 0, SEED, {"controller": dict(CONTROLLERS[controller]), "failures": failures, **values})
             for i, values in enumerate(space.values(u))
         ]
-        records = {task.run: flown.record for task, flown in flying.fly(tasks)}
+        records = {task.run: flown.record for task, flown in flying(tasks)}
         return np.array([robustness(records[i]) for i in range(len(u))])
 
     actuator = failures[0]["actuator"] if failures else ""

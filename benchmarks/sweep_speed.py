@@ -11,8 +11,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-from testbed.sweeps.load import load_sweep
-from testbed.sweeps.run import Options, fly_sweep
+from testbed.studies.load import load_sweep
+from testbed.studies.run import Options
+from testbed.studies.sweep import fly_sweep
 
 SWEEP = "scenarios/sweeps/left_tail_monte_carlo.yaml"
 

@@ -25,7 +25,7 @@ from testbed.inputs.yaml_source import parse
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import accelerations
 from testbed.plant.trim import command_range, trim
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 AIRSPEEDS_M_S = range(11, 28)
 PATH_ANGLES_DEG = (0, 3, -3, 6, -6)

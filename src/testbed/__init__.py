@@ -7,31 +7,31 @@ if TYPE_CHECKING:
     from typing import Any
 
     from testbed.adoption.entry import adopt as adopt
+    from testbed.api.load import load as load
+    from testbed.api.search import search as search
+    from testbed.api.sweep import sweep as sweep
     from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
-    from testbed.loading import load as load
-    from testbed.monte_carlo import sweep as sweep
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison.compare import compare as compare
-    from testbed.searching import search as search
     from testbed.simulation import Session as Session
     from testbed.simulation import fly as fly
-    from testbed.sweeps.run import Stopped as Stopped
+    from testbed.studies.run import Stopped as Stopped
 
     __version__: str
 
 _MODULES = {
     "BadInput": "testbed.inputs.problems",
     "Session": "testbed.simulation",
-    "Stopped": "testbed.sweeps.run",
+    "Stopped": "testbed.studies.run",
     "adopt": "testbed.adoption.entry",
     "compare": "testbed.reporting.comparison.compare",
     "design": "testbed.gains.design",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
-    "load": "testbed.loading",
-    "search": "testbed.searching",
-    "sweep": "testbed.monte_carlo",
+    "load": "testbed.api.load",
+    "search": "testbed.api.search",
+    "sweep": "testbed.api.sweep",
 }
 
 __all__ = [

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from testbed.aircraft.changes import ChangedAircraft, chosen
+from testbed.aircraft.changes import ChangedAircraft, load_with_changes
 from testbed.aircraft.description import Aircraft
 from testbed.inputs.problems import BadInput
 from testbed.plant.identification import stored
@@ -23,7 +23,7 @@ TAIL = "scenarios/left_tail_fail.yaml"
 
 
 def changed(**changes: Any) -> Aircraft:
-    return chosen(ChangedAircraft(name="vtail", **changes))
+    return load_with_changes(ChangedAircraft(name="vtail", **changes))
 
 
 def test_mass_is_that_asked_for(vtail: Aircraft) -> None:
@@ -79,7 +79,7 @@ def test_each_change_is_another_aircraft_to_every_cache(vtail: Aircraft) -> None
     ]
     assert len(set(prints)) == 4
     assert changed(mass_kg=5.1).nominal.fingerprint() == prints[0]
-    assert chosen(ChangedAircraft(name="vtail")).fingerprint() == prints[0], "nothing is changed"
+    assert load_with_changes(ChangedAircraft(name="vtail")).fingerprint() == prints[0], "nothing is changed"
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,7 @@ def test_a_model_with_its_mass_in_another_file_is_refused(vtail: Aircraft, tmp_p
     (folder / "mass.xml").write_text(text[start:end].strip())
     model.write_text(text[:start] + '<mass_balance file="mass"/>' + text[end:])
     with pytest.raises(BadInput, match=r"vtail\.xml has no mass_balance with emptywt of its own to change"):
-        chosen(ChangedAircraft(name=str(folder), mass_kg=5.5))
+        load_with_changes(ChangedAircraft(name=str(folder), mass_kg=5.5))
 
 
 def test_a_problem_has_its_place_in_the_scenario() -> None:

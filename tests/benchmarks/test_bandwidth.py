@@ -12,7 +12,7 @@ from section4_bandwidth import MOVING, flights
 
 from paper import bandwidth
 from testbed.inputs.yaml_source import parse
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 
 def record(

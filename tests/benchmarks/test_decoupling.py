@@ -14,7 +14,7 @@ from mission_list import BASE
 from mission_results import Row
 
 from testbed.inputs.yaml_source import parse
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 HELD = Row("default", "hard_healthy", "vtail", 25.0, 0.0, 90001, "completed", 5.0, 15.0, 0.5, 0, 0)
 

@@ -11,7 +11,7 @@ from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel, load_design_model
 from testbed.controllers.scaling import gust_density
 from testbed.inputs.yaml_source import parse
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 
 @pytest.fixture(scope="module")

@@ -16,7 +16,7 @@ from mission_results import FAMILIES, Row, Table, by_mission, errors, family, he
 from true_trims import failures_of, steady_flights
 
 from testbed.inputs.yaml_source import parse
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 HELD = Row("a", "hard_healthy", "vtail", 25.0, 0.0, 1, "completed", 5.0, 15.0, 0.5, 0, 0)
 

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import pytest
 import rare_flights
 from rare_flights import CHECKED, RARE
 
-from testbed.searches.load import load_search
-from testbed.sweeps.checks import check
-from testbed.sweeps.folder.journal import Journal
+from testbed.studies.checks import check
+from testbed.studies.folder import store
+from testbed.studies.record import Record
+from testbed.studies.search.load import load_search
+from testbed.studies.search.plan import Part, key_of
+from testbed.studies.search.space import Space
 
 
 @pytest.fixture
@@ -19,16 +23,15 @@ def out(tmp_path: Path) -> Path:
     """One of 8 plain flights failed, one has no result; the flight at the origin failed; and one search has been made."""
     folder = tmp_path / "plain-4m-seed2"
     folder.mkdir()
-    journal = Journal(folder / "journal.jsonl")
-    journal.append({"journal": 1})
+    store.create(folder, {})
+    flights, part = store.opened(folder), Part(0, 0, {}, 1.0, Space(()))
     for number in range(9):
         passed, robustness = number > 2, 0.5 if number > 2 else -0.5
-        record = {"part": 0, "u": [float(number), 0.0], "passed": passed, "robustness": robustness}
         if number == 1:
-            del record["robustness"]
-            record["passed"] = True
-        journal.append(record)
-    journal.close()
+            passed, robustness = True, math.nan
+        record = Record(number, 0, 1, {}, "completed", passed, robustness=robustness)
+        flights.add(key_of(part, (float(number), 0.0)), record)
+    flights.close()
     made = tmp_path / "adaptive-4m-seed1"
     made.mkdir()
     known = {"estimate": 0.01, "low": 0.005, "high": 0.02, "coefficient_of_variation": 0.3, "flights": 700}

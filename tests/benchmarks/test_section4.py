@@ -60,4 +60,4 @@ def test_errors_are_relative_to_the_prediction() -> None:
     pairs = [(2.0, 1.0), (1.0, 1.1), (1.0, float("inf")), (float("nan"), 1.0)]
     assert prediction_errors.relative_errors(pairs) == pytest.approx([-0.5, 0.1])
     *_, line = prediction_errors.summary({"gain": pairs})
-    assert line == "| gain | 2 | 30.0 % | 50.0 % | -50.0 % | +10.0 % |"
+    assert line == "| gain | 2 | 30.0 % | -50.0 % | +10.0 % |"

@@ -10,12 +10,13 @@ from pathlib import Path
 
 import pytest
 from command_line import Called, in_this_process, interruptible
-from sweep_files import SWEEP, command, fly_here, journal_lines, table, written
+from sweep_files import SWEEP, command, finished, fly_here, table, written
 
 import testbed
 from testbed.aircraft.shipped import data_root, sweep_files
 from testbed.flight.folder import load as load_flight
-from testbed.sweeps.load import load_sweep
+from testbed.studies.folder import store
+from testbed.studies.load import load_sweep
 
 
 @pytest.mark.parametrize(
@@ -66,8 +67,8 @@ def test_a_sweep_folder_is_reported_without_flying(here: Path, called: Called) -
 
 def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) -> None:
     folder = fly_here(load_sweep(written(here)), here / "out")
-    journal = (folder / "journal.jsonl").read_bytes().splitlines(keepends=True)
-    (folder / "journal.jsonl").write_bytes(journal[0])
+    (folder / store.NAME).unlink()
+    store.create(folder, {})
     assert called("report", "out") == (2, "", "out: no flight has finished in this sweep folder\n")
 
 
@@ -120,7 +121,7 @@ def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
         start_new_session=True,
         preexec_fn=interruptible,
     )
-    while journal_lines(tmp_path / "out") < 10:
+    while finished(tmp_path / "out") < 9:
         assert process.poll() is None
         time.sleep(0.01)
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does: to every process of the group
@@ -128,7 +129,7 @@ def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
     assert process.returncode == 130
     assert "interrupted" in err and "of 800 flights are kept, --resume flies the rest" in err
     assert "Traceback" not in err and out == ""
-    kept = journal_lines(tmp_path / "out") - 1
+    kept = finished(tmp_path / "out")
     assert 9 <= kept == len(table(tmp_path / "out"))
     report = in_this_process(tmp_path, "report", "out")  # of what there is
     assert report.returncode == 1 and "adaptive_inversion" in report.stdout

@@ -20,9 +20,8 @@ from testbed.failures import TABLE as FAILURES
 from testbed.inputs.base import Number, Positive, Settings
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
-from testbed.searches.model import Search
 from testbed.sensors.settings import SENSORS, SensorSettings
-from testbed.sweeps.model import Sweep
+from testbed.studies.model import Search, Sweep
 
 DOCS = ROOT / "docs"
 PAGES = sorted(page for page in DOCS.rglob("*.md") if "generate" not in page.parts)

@@ -45,6 +45,13 @@ def test_only_a_failure_of_the_same_type_is_replaced() -> None:
     assert list(overlaps([failure(**LEFT, at_s=1), lost], AIRCRAFT)) == [(0, 1, PROPERTY)]
 
 
+def test_what_got_worse_and_was_mended_is_over() -> None:
+    """Another type may hold the property after it, but not while the last step of it lasts."""
+    worse = [failure(**LEFT, at_s=1), failure(**LEFT, at_s=2, until_s=3)]
+    for at_s, refused in ((2.5, [(1, 2, PROPERTY)]), (3, [])):
+        assert list(overlaps([*worse, failure("surface_lost", **LEFT, at_s=at_s)], AIRCRAFT)) == refused
+
+
 def test_different_properties_may_be_held_at_once() -> None:
     both = [
         failure(**LEFT, at_s=1),

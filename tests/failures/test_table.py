@@ -114,6 +114,16 @@ def test_yaml_round_trip(tmp_path: Path, name: str, actuator: str) -> None:
     assert load_scenario(tmp_path / "scenario.yaml") == once
 
 
+@pytest.mark.parametrize(("name", "actuator"), cases())
+def test_a_type_says_whether_its_course_is_random(name: str, actuator: str) -> None:
+    """By the random numbers that making the course draws."""
+    failure = TABLE[name].model_validate(example(name, actuator))
+    stream, untouched = np.random.default_rng(1), np.random.default_rng(1)
+    failure.course(AIRCRAFT, stream)
+    drew = stream.bit_generator.state != untouched.bit_generator.state
+    assert drew == TABLE[name].draws
+
+
 # Refusals ------------------------------------------------------------------------------------------
 
 

@@ -24,7 +24,8 @@ import sys
 import tempfile
 import time
 import traceback
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -32,9 +33,9 @@ import mutants
 import yaml
 
 if TYPE_CHECKING:
-    from testbed.sweeps.drawing.builder import Task
-    from testbed.sweeps.workers.flying import Job
-    from testbed.sweeps.workers.pool import Done
+    from testbed.studies.drawing.builder import Task
+    from testbed.studies.flying.flight import Job
+    from testbed.studies.flying.pool import Done, FlyAll
 
 _SCENARIO = """\
 name: fuzz
@@ -45,8 +46,8 @@ failures: [{type: effectiveness, actuator: left_ruddervator, at_s: 0.5, value: 0
 """
 _LONGEST_S = 4.0
 """Longest flight that is flown here [s]."""
-_BUDGET, _MOST_PARTS = 20, 1
-"""Flights of a search that is flown here, and most searches in one file."""
+_BUDGET, _MOST_PARTS, _MOST_VARIANTS = 20, 1, 3
+"""Flights of a search that is flown here, most searches in one file, and most variants of a sweep."""
 _NO_MORE = 77
 """Exit status of a fork that has read the last mutant; a mutant that makes it exit gives another one."""
 
@@ -147,66 +148,61 @@ def _scenario(fly: bool, begin: Callable[[str], None]) -> str:
 
 
 def _sweep(fly: bool, begin: Callable[[str], None]) -> str:
-    from testbed import monte_carlo
-    from testbed.sweeps.folder import results
-    from testbed.sweeps.folder.store import Store
-    from testbed.sweeps.workers.flying import Job, fly_task
+    from testbed.api import sweep
+    from testbed.studies.run import Options
+    from testbed.studies.sweep import fly_sweep
 
     begin("checking")
-    plan, _ = monte_carlo.prepare("sweep.yaml")
-    if not fly or plan.builder.scenario(plan.task(0)).duration_s > _LONGEST_S:
+    plan, _ = sweep.prepare("sweep.yaml")
+    if (
+        not fly
+        or len(plan.variants) > _MOST_VARIANTS
+        or plan.builder.scenario(plan.task(0)).duration_s > _LONGEST_S
+    ):
         return "valid"
     begin("flying")
-    store = Store(Path("out"), plan, "", resume=False)
-    for k in range(min(2, plan.size)):
-        store.add(k, fly_task(Job(plan.builder, save_logs="all"), plan.task(k)))
-        assert store.record(k)["outcome"] != "error", store.record(k)["reason"]
-    results.write(plan, lambda: (record for _, record in store.records(1)), Path("out"))
-    store.close()
-    monte_carlo.finish(plan, Path("out"), figures=False)
+    plan = replace(plan, runs=1)
+    fly_sweep(plan, Path("out"), Options(save_logs="all", workers=_here))
+    sweep.finish(plan, Path("out"), figures=False)
     return "flown"
 
 
 def _search(fly: bool, begin: Callable[[str], None]) -> str:
-    from testbed import searching
-    from testbed.searches.folder import Store
-    from testbed.searches.run import Refused, search_in
-    from testbed.sweeps.workers.flying import Job
+
+    from testbed.api import search
+    from testbed.studies.run import Options, Refused
+    from testbed.studies.search.run import run_search
 
     begin("checking")
-    searching.prepare("search.yaml")
+    search.prepare("search.yaml")
     if not fly:
         return "valid"
-    plan, folder = searching.prepare("search.yaml", "out", budget=_BUDGET)
+    plan, folder = search.prepare("search.yaml", "out", budget=_BUDGET)
     scenario = plan.plan.builder.scenario(plan.plan.task(0))
     if len(plan.parts) > _MOST_PARTS or scenario.duration_s > _LONGEST_S or scenario.physics_hz > 1000:
         return "valid"
     begin("flying")
-    job = Job(plan.plan.builder, save_logs="none")
-    store = Store(folder, plan, "", resume=False)
+    options = Options(save_logs="none", workers=_here)
     try:
-        found = search_in(plan, store, _Here(job))
+        found = run_search(plan, folder, options)
     except Refused:
-        store.remove()
         return "flown"
-    store.close()
-    searching.finish(plan, folder, found, job, figures=False)
+    search.finish(plan, folder, found, options.job(plan.plan), figures=False)
     return "flown"
 
 
-class _Here:
-    """Flies the batches of a search in this process."""
+@contextlib.contextmanager
+def _here(job: Job, jobs: int | None, cluster: str | None) -> Iterator[FlyAll]:
+    """Flies in this process, where an exception is a defect."""
+    from testbed.studies.flying.flight import fly_task
 
-    def __init__(self, job: Job) -> None:
-        self._job = job
-
-    def fly(self, tasks: Sequence[Task]) -> Iterator[Done]:
-        from testbed.sweeps.workers.flying import fly_task
-
+    def fly_all(tasks: Iterable[Task]) -> Iterator[Done]:
         for task in tasks:
-            flown = fly_task(self._job, task)
-            assert flown.record["outcome"] != "error", flown.record["reason"]
+            flown = fly_task(job, task)
+            assert flown.record.outcome != "error", flown.record.reason
             yield task, flown
+
+    yield fly_all
 
 
 def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:

@@ -121,7 +121,7 @@ def test_model_error_at_another_airspeed_is_predicted_as_flown() -> None:
             duration_s=45,
         )
         flown = estimates(at, 40.0).mean(axis=0)
-        predicted = 1.0 + chosen(at).bias
+        predicted = 1.0 + chosen(at).predicted.bias
         assert flown == pytest.approx(predicted, rel=2e-3)
         assert abs(predicted[0] - 1.0) > 0.04
 
@@ -138,10 +138,10 @@ def test_white_noise_in_flight_is_within_a_quarter_of_the_prediction() -> None:
     flown = (1.0 / estimates(at, 10.0)).std(axis=0)
     assert flown == pytest.approx(predicted, rel=0.25)
     found = chosen(at, deviation=0.08)
-    assert found.noise.max() <= 0.08
+    assert found.predicted.noise.max() <= 0.08
     designed = changed(at, {f"controller.{key}": found.settings[key] for key in ("gamma", "epsilon")})
     flown = (1.0 / estimates(designed, 10.0)).std(axis=0)
-    assert flown == pytest.approx(found.noise, rel=0.25)
+    assert flown == pytest.approx(found.predicted.noise, rel=0.25)
 
 
 def gamma_of(found: Chosen, kind: str) -> float:
@@ -160,7 +160,9 @@ def test_gamma_goes_as_one_over_the_intensity() -> None:
     for found, density in ((quiet, 0.3), (loud, 0.6)):
         s = float(law.model.B_inv[2, 3]) ** 2 * noise.one_sided_intensity(density)
         wanted = float(noise.time_times_variance(law.positions[2], s))
-        assert noise.convergence_time(found.rates[2]) * found.noise[2] ** 2 == pytest.approx(wanted, rel=0.05)
+        assert noise.convergence_time(found.predicted.rates[2]) * found.predicted.noise[
+            2
+        ] ** 2 == pytest.approx(wanted, rel=0.05)
         assert found.settings["epsilon"]["motor"] <= law.positions[2]
 
 
@@ -185,7 +187,7 @@ def test_the_default_law_gets_a_process_noise() -> None:
     )
     key = "process_noise_per_root_s"
     assert loud.settings[key] < quiet.settings[key]
-    assert loud.rates[2] < quiet.rates[2]
+    assert loud.predicted.rates[2] < quiet.predicted.rates[2]
     changed(scenario(), {"controller": dict(quiet.settings)})
     found = design(scenario(controller=default))
     assert found.possible and all(one.detection_s < 1.0 for one in found.actuators)

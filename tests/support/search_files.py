@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
-from testbed import searching
-from testbed.searches.folder import Store
-from testbed.searches.run import Refused, search_in
-from testbed.searching import SearchResult
-from testbed.sweeps.drawing.builder import Task
-from testbed.sweeps.workers.flying import Flown, Job, fly_task
+import search_flights
+
+from testbed.api import search
+from testbed.api.search import SearchResult
+from testbed.studies.flying.flight import Job
+from testbed.studies.flying.pool import FlyAll, serial
+from testbed.studies.run import Options
+from testbed.studies.search.plan import SearchPlan
+from testbed.studies.search.run import run_search
 
 SEARCH = """\
 name: gusty
@@ -39,30 +43,26 @@ def written(folder: Path, text: str = SEARCH, name: str = "gusty.yaml") -> Path:
     return file
 
 
-class Here:
-    """Flies in this process: for tests of what is made of the flights, as starting workers would take longer than all the rest."""
-
-    def __init__(self, job: Job) -> None:
-        self.job = job
-
-    def fly(self, tasks: Sequence[Task]) -> Iterator[tuple[Task, Flown]]:
-        """The tasks in reverse, as no order is promised."""
-        for task in reversed(tasks):
-            yield task, fly_task(self.job, task)
+@contextmanager
+def backwards(job: Job, jobs: int | None = None, cluster: str | None = None) -> Iterator[FlyAll]:
+    """Flies in this process, the tasks in reverse, as no order is promised."""
+    with serial(job) as fly_all:
+        yield lambda tasks: fly_all(reversed(list(tasks)))
 
 
 def searched(
     file: Path, folder: Path, *settings: str, fly: str = "gusty", resume: bool = False, figures: bool = False
 ) -> SearchResult:
     """A whole search with made-up flights, flown in this process."""
-    plan, _ = searching.prepare(file, folder, settings)
-    job = Job(plan.plan.builder, f"search_flights:{fly}", "none")
-    store = Store(folder, plan, job.fly, resume=resume)
-    try:
-        found = search_in(plan, store, Here(job))
-    except Refused:
-        store.remove()
-        raise
-    finally:
-        store.close()
-    return SearchResult(folder, searching.finish(plan, folder, found, job, figures=figures))
+    plan, _ = search.prepare(file, folder, settings)
+    options = Options(save_logs="none", fly=getattr(search_flights, fly), workers=backwards)
+    return search_here(plan, folder, options, resume=resume, figures=figures)
+
+
+def search_here(
+    plan: SearchPlan, folder: Path, options: Options, *, resume: bool = False, figures: bool = False
+) -> SearchResult:
+    """A whole search, as `testbed.search`."""
+    found = run_search(plan, folder, options, resume=resume)
+    said = search.finish(plan, folder, found, options.job(plan.plan), figures=figures)
+    return SearchResult(folder, said)

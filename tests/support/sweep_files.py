@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pkgutil
 import subprocess
 import sys
 from pathlib import Path
@@ -9,10 +10,11 @@ from pathlib import Path
 import pandas as pd
 
 import testbed
-from testbed.sweeps.folder import results
-from testbed.sweeps.folder.store import Store
-from testbed.sweeps.plan import Plan
-from testbed.sweeps.workers.flying import Job, fly_task
+from testbed.studies.flying.pool import serial
+from testbed.studies.folder import store
+from testbed.studies.plan import Plan
+from testbed.studies.run import Options
+from testbed.studies.sweep import fly_sweep
 
 SWEEP = """\
 name: small
@@ -55,17 +57,27 @@ def run(folder: Path, *arguments: object) -> subprocess.CompletedProcess[str]:
 
 
 def same_rows(one: Path, other: Path) -> None:
-    for name in ("results.csv", "results.parquet", "histories.f32"):
+    for name in ("results.csv", "results.parquet"):
         assert (one / name).read_bytes() == (other / name).read_bytes(), name
+    assert stored(one) == stored(other)
+
+
+def stored(folder: Path) -> list[tuple[bytes, str, bytes]]:
+    """The key, the record and the error history of each finished flight of a folder, in order."""
+    with store.reading(folder) as flights:
+        return [(key, repr(record), flights.history(key)) for key, record in flights.records()]
+
+
+def finished(folder: Path) -> int:
+    """Number of flights that have finished in a folder, which may be flown into meanwhile."""
+    if not store.exists(folder):
+        return 0
+    with store.reading(folder) as flights:
+        return len(flights)
 
 
 def sorted_files(folder: Path) -> dict[str, bytes]:
     return {f.name: f.read_bytes() for f in sorted(folder.glob("logs/*"))}
-
-
-def journal_lines(folder: Path) -> int:
-    file = folder / "journal.jsonl"
-    return file.read_bytes().count(b"\n") if file.is_file() else 0
 
 
 def fly_here(plan: Plan, folder: Path, fly: str = "sweep_flights:quick", save_logs: str = "none") -> Path:
@@ -73,12 +85,13 @@ def fly_here(plan: Plan, folder: Path, fly: str = "sweep_flights:quick", save_lo
 
     For tests of what is done with the results; starting workers would take longer than all the rest.
     """
-    store, job = Store(folder, plan, fly, resume=False), Job(plan.builder, fly, save_logs)
-    for k in range(plan.size):
-        store.add(k, fly_task(job, plan.task(k)))
-    results.write(plan, lambda: (record for _, record in store.records(plan.runs)), folder)
-    store.close()
+    fly_sweep(plan, folder, here(fly, save_logs))
     return folder
+
+
+def here(fly: str = "sweep_flights:quick", save_logs: str = "none") -> Options:
+    """Options that fly in this process."""
+    return Options(save_logs=save_logs, fly=pkgutil.resolve_name(fly), workers=serial)
 
 
 def script(text: str) -> list[str]:

@@ -12,7 +12,7 @@ from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.flight.flight import Flight
 from testbed.inputs.yaml_source import parse
 from testbed.simulation import fly
-from testbed.sweeps.drawing.builder import Builder, Task, Variant
+from testbed.studies.drawing.builder import Builder, Task, Variant
 
 BASE = """\
 name: turning flight

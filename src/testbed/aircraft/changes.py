@@ -62,7 +62,7 @@ def name_in(said: object) -> str:
     return str(said["name"] if isinstance(said, Mapping) else said)
 
 
-def chosen(choice: str | ChangedAircraft) -> Aircraft:
+def load_with_changes(choice: str | ChangedAircraft) -> Aircraft:
     """The aircraft of a scenario; raises BadInput if it cannot be loaded, or has no part that is to be changed.
 
     A problem with a change has its path below the scenario's `aircraft`, and no file.

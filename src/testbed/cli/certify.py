@@ -6,13 +6,13 @@ from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
 from pathlib import Path
 
-from testbed.cli.checked import checked, collect
+from testbed.cli.checked import checked
 from testbed.cli.command import Command, add_file, add_number, add_out, add_set
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET
 from testbed.cli.working import working
 from testbed.inputs.output_file import refuse_unwritable, written
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, collect
 
 _ENDINGS = (".csv", ".json")
 

@@ -3,24 +3,11 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, TypeVar
-
-from testbed.inputs.problems import BadInput, Problem
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from testbed.scenario.load import Scenario
-
-Result = TypeVar("Result")
-
-
-def collect(problems: list[Problem], function: Callable[[], Result]) -> Result | None:
-    """Result of a function. If it raises BadInput, its problems are added to `problems`, and the result is None."""
-    try:
-        return function()
-    except BadInput as error:
-        problems += error.problems
-        return None
 
 
 def checked(file: str, settings: Sequence[str] = ()) -> Scenario:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli.checked import collect
 from testbed.cli.command import Command, add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET
 from testbed.inputs.output_file import refuse_unwritable
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, collect
 
 
 def _arguments(command: ArgumentParser) -> None:
@@ -22,7 +21,7 @@ def _arguments(command: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Print what differs between flights, and write their page. Raises BadInput."""
-    from testbed.loading import load_flight
+    from testbed.api.load import load_flight
     from testbed.reporting.comparison.compare import MOST, Comparison
     from testbed.reporting.html import is_page
 

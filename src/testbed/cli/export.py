@@ -18,7 +18,7 @@ def _arguments(command: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Write a run in a format of `reporting.export.TABLE`, by default into its folder; raises BadInput."""
-    from testbed.loading import load_flight
+    from testbed.api.load import load_flight
     from testbed.reporting.export import export, format_of
     from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
 

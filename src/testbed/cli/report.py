@@ -15,8 +15,8 @@ def _arguments(command: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Rebuild what the kind of folder has; raises BadInput for a folder of no kind."""
+    from testbed.api.load import is_search_folder, is_sweep_folder, names_kept_log
     from testbed.cli import run, search, sweep
-    from testbed.loading import is_search_folder, is_sweep_folder, names_kept_log
 
     if names_kept_log(options.folder):
         return sweep.report_run(options.folder)

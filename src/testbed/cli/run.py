@@ -11,14 +11,13 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from testbed.cli.checked import checked, collect
+from testbed.cli.checked import checked
 from testbed.cli.command import Command, add_file, add_origin, add_out, add_set
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.terminal import print_verdict_word
-from testbed.cli.working import working
-from testbed.inputs.problems import BadInput, Problem
-from testbed.reporting.attempt import add_report
+from testbed.cli.working import erase, working
+from testbed.inputs.problems import BadInput, Problem, collect
 from testbed.reporting.numbers import number
 
 if TYPE_CHECKING:
@@ -43,6 +42,7 @@ def _arguments(command: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     """Fly one scenario into a run folder; raises BadInput with every problem at once."""
     from testbed.flight.folder import refuse_existing, refuse_unwritable
+    from testbed.reporting.attempt import add_report
 
     problems: list[Problem] = []
     if options.out is not None:  # before the flight, not after it
@@ -57,12 +57,11 @@ def _run(options: Namespace) -> int:
         raise BadInput(problems)
     with later():
         refuse_unwritable(options.out or _default_folder(scenario, 1))  # nor this after the flight
-    from testbed.common.jit import has_compiled
+    from testbed.common.jit_program import estimate
     from testbed.scenario import conditions
     from testbed.simulation import fly
 
-    if not has_compiled():
-        print("compiling the control law for the first flight: some seconds, once", file=sys.stderr)
+    estimate.tell = _compiling
     with working("flying"), stay:
         flight = fly(scenario, controller, watch=viewer)
     with working("drawing and writing"), tidily():
@@ -72,9 +71,16 @@ def _run(options: Namespace) -> int:
     return MET if flight.passed else NOT_MET
 
 
+def _compiling(seconds: float) -> None:
+    """Say before the first flight how long it takes [s]."""
+    erase()
+    print(f"compiling the control law for the first flight: about {seconds:.0f} s, once", file=sys.stderr)
+
+
 def report(folder: Path) -> int:
     """Draw the figures and write the report of a run folder again; returns the exit status."""
     from testbed.flight.folder import load
+    from testbed.reporting.attempt import add_report
 
     flight = load(folder)
     with working("drawing and writing"), tidily():
@@ -100,13 +106,13 @@ def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) 
         )
     if address is None or scenario is None:
         return None
-    from testbed.aircraft.changes import chosen
+    from testbed.aircraft.changes import load_with_changes
     from testbed.plant.identification import stored
     from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
     from testbed.reporting.flightgear import Viewer, address_of, facts_of
 
     place = DEFAULT_ORIGIN if origin is None else parse_origin(origin)
-    aircraft = chosen(scenario.aircraft)
+    aircraft = load_with_changes(scenario.aircraft)
     return Viewer(address_of(address), facts_of(aircraft.actuators, stored(aircraft)), place)
 
 

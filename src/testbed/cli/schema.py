@@ -32,13 +32,13 @@ def _scenario() -> type[BaseModel]:
 
 
 def _search() -> type[BaseModel]:
-    from testbed.searches.model import Search
+    from testbed.studies.model import Search
 
     return Search
 
 
 def _sweep() -> type[BaseModel]:
-    from testbed.sweeps.model import Sweep
+    from testbed.studies.model import Sweep
 
     return Sweep
 

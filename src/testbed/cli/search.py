@@ -15,8 +15,8 @@ from testbed.cli.command import (
     whole_number,
 )
 from testbed.cli.interrupts import tidily
-from testbed.cli.keeping import flying, writing
 from testbed.cli.status import MET, NOT_MET
+from testbed.cli.study import flying, writing
 from testbed.cli.working import working
 
 
@@ -36,11 +36,12 @@ def _run(options: Namespace) -> int:
 
     Raises BadInput when nothing can be searched, and Ended when it ends early.
     """
-    from testbed import monte_carlo, searching
-    from testbed.searches.run import run_search
+    from testbed.api import search as study
+    from testbed.api.options import checked_options
+    from testbed.studies.search.run import run_search
 
-    how = monte_carlo.options(options.jobs, options.cluster, "none")
-    plan, folder = searching.prepare(
+    how = checked_options(options.jobs, options.cluster)
+    plan, folder = study.prepare(
         options.search,
         options.out,
         options.set,
@@ -54,7 +55,7 @@ def _run(options: Namespace) -> int:
             found = run_search(plan, folder, how, resume=options.resume)
         with writing(folder, "--resume writes the rest"):
             job = how.job(plan.plan)
-            summary = searching.finish(plan, folder, found, job, figures=not options.no_plots)
+            summary = study.finish(plan, folder, found, job, figures=not options.no_plots)
     _print(summary)
     print(f"wrote {folder}")
     return _status(summary)
@@ -62,10 +63,10 @@ def _run(options: Namespace) -> int:
 
 def report(folder: Path) -> int:
     """Write figures and report of a search folder again; returns the exit status."""
-    from testbed import searching
+    from testbed.api import search as study
 
     with working("drawing and writing"), tidily():
-        summary = searching.rebuild(folder)
+        summary = study.rebuild(folder)
     _print(summary)
     return _status(summary)
 

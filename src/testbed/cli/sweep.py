@@ -15,16 +15,16 @@ from testbed.cli.command import (
     whole_number,
 )
 from testbed.cli.interrupts import later, tidily
-from testbed.cli.keeping import flying, writing
 from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
+from testbed.cli.study import flying, writing
 from testbed.cli.working import working
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
 from testbed.study_reports.sweep.answer import answer
 
 if TYPE_CHECKING:
-    from testbed.sweeps.run import Options
+    from testbed.studies.run import Options
 
 
 def _arguments(command: ArgumentParser) -> None:
@@ -48,15 +48,16 @@ def _run(options: Namespace) -> int:
 
     Raises BadInput when nothing can be flown, and Ended when it ends early.
     """
-    from testbed import monte_carlo
-    from testbed.sweeps.run import fly_sweep
+    from testbed.api import sweep as study
+    from testbed.api.options import checked_options
+    from testbed.studies.sweep import fly_sweep
 
-    how = monte_carlo.options(options.jobs, options.cluster, options.save_logs)
+    how = checked_options(options.jobs, options.cluster, options.save_logs)
     if options.only is None and options.variant is not None:
         raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
     if options.only is not None:
         return _fly_only(options, how)
-    plan, folder = monte_carlo.prepare(
+    plan, folder = study.prepare(
         options.sweep,
         options.out,
         options.set,
@@ -69,7 +70,7 @@ def _run(options: Namespace) -> int:
         with flying():
             flights = fly_sweep(plan, folder, how, resume=options.resume)
         with writing(folder, f"`testbed report {folder}` writes the rest"):
-            summary = monte_carlo.finish(plan, folder, figures=not options.no_plots)
+            summary = study.finish(plan, folder, figures=not options.no_plots)
     print_answer(summary)
     print(flights if flights.count else "no flight was missing")
     print(f"wrote {folder}")
@@ -78,10 +79,10 @@ def _run(options: Namespace) -> int:
 
 def report(folder: Path) -> int:
     """Write table, summary, figures and report of a sweep folder again; returns the exit status."""
-    from testbed import monte_carlo
+    from testbed.api import sweep as study
 
     with working("drawing and writing"), tidily():
-        summary = monte_carlo.rebuild(folder)
+        summary = study.rebuild(folder)
     print_answer(summary)
     return _status(summary)
 
@@ -113,10 +114,10 @@ def _status(summary: dict[str, Any]) -> int:
 
 def _fly_only(options: Namespace, how: Options) -> int:
     """Fly one run alone, tell each of its flights, and return the exit status."""
-    from testbed import monte_carlo
+    from testbed.api import sweep as study
     from testbed.flight.folder import refuse_existing, refuse_unwritable
 
-    plan, usual = monte_carlo.prepare(
+    plan, usual = study.prepare(
         options.sweep, None, options.set, runs=options.runs, seed=options.seed, controllers=options.controller
     )
     folder = options.out or usual.with_name(_name(usual.name, options.only, options.variant))
@@ -124,7 +125,7 @@ def _fly_only(options: Namespace, how: Options) -> int:
     with later():
         refuse_unwritable(folder)
     with tidily():
-        passed, flights = monte_carlo.fly_run(
+        passed, flights = study.fly_run(
             plan, options.only, folder, how, variant=options.variant, figures=not options.no_plots
         )
     for flight in flights:
@@ -142,10 +143,10 @@ def _name(sweep: str, run: int, variant: str | None) -> str:
 
 def report_run(path: Path) -> int:
     """Write the page of each kept log of a run in a sweep; returns the exit status."""
-    from testbed import monte_carlo
+    from testbed.api import sweep as study
 
     with tidily():
-        made = monte_carlo.report_run(path)
+        made = study.report_run(path)
     for flight, file in made:
         print_verdict(flight)
         print(f"wrote {file}")
@@ -157,7 +158,7 @@ COMMAND = Command(
     _arguments,
     _run,
     (
-        "testbed sweep left_tail_monte_carlo.yaml --runs 100",
+        "testbed sweep left_tail_study.yaml --runs 100",
         "testbed sweep my_sweep.yaml --out runs/my-sweep --resume --runs 1000",
         "testbed sweep my_sweep.yaml --only 17",
     ),

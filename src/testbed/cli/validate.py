@@ -6,11 +6,11 @@ from argparse import ArgumentParser, Namespace
 from functools import partial
 
 from testbed.aircraft.shipped import find_scenario
-from testbed.cli.checked import checked, collect
+from testbed.cli.checked import checked
 from testbed.cli.command import Command, add_file
 from testbed.cli.status import MET
 from testbed.cli.working import working
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, collect
 
 
 def _arguments(command: ArgumentParser) -> None:
@@ -36,14 +36,14 @@ def valid(file: str) -> object:
 
     tree = yaml_source.read(find_scenario(file)).tree
     if is_search(tree):
-        from testbed import searching
+        from testbed.api import search
 
-        return searching.prepare(file)
+        return search.prepare(file)
     if not is_sweep(tree):
         return checked(file)
-    from testbed import monte_carlo
+    from testbed.api import sweep
 
-    return monte_carlo.prepare(file)
+    return sweep.prepare(file)
 
 
 COMMAND = Command(

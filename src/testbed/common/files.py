@@ -53,6 +53,15 @@ def partial_of(file: Path) -> Path:
     return file.with_name(f".{file.name}.partial")
 
 
+def write_whole(file: Path, content: bytes) -> None:
+    """Write a file completely or not at all, in a folder that is made where it is missing, and flush it to disk."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with replacing(file) as partial, partial.open("wb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
+
+
 def plain(value: Any) -> Any:
     """Python's own types, for JSON; None for a number that is not finite.
 

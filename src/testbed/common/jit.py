@@ -21,10 +21,11 @@ import numpy as np
 from testbed.common.cache import Cache
 from testbed.common.files import cache_home
 from testbed.common.jit_cache import CodeCache
+from testbed.common.jit_program import Function
 
 F = TypeVar("F", bound=Callable[..., Any])
 LONGEST_WAIT_S = 60.0
-"""How long a process waits for another one that compiles. One function takes seconds, on a busy machine too."""
+"""How long a process waits for another one that compiles. A control law takes ten seconds, on a busy machine thirty."""
 
 
 def _cache_folder() -> Path | None:
@@ -108,7 +109,9 @@ def _take(lock: Callable[[], None]) -> None:
 
 def compiled(function: F) -> F:
     """Compile a function at its first call; without fast-math, so that results agree with the uncompiled function."""
-    made = numba.njit(error_model="numpy")(function)
+    if numba.config.DISABLE_JIT:
+        return function
+    made = Function(function)
     if _FOLDER is not None and isinstance(made, numba.core.dispatcher.Dispatcher):
         ours = _OURS and function.__module__.startswith("testbed.")
         cache = CodeCache(function, _FOLDER if ours else None)
@@ -143,10 +146,3 @@ def _type_of(value: Any) -> Any:
     flags = value.flags
     key = (value.dtype, value.ndim, flags.c_contiguous, flags.f_contiguous, flags.writeable, flags.aligned)
     return _array_types.get(key, lambda: numba.typeof(value))
-
-
-def has_compiled() -> bool:
-    """Whether compiled code of these sources is kept already; else the first flight compiles for some seconds."""
-    if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
-        return True
-    return _FOLDER is not None and next(_FOLDER.rglob("*.nbi"), None) is not None

@@ -26,6 +26,8 @@ class Controller(Protocol):
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the arrays of a flight (its channels), with one row for each control step.
 
+        A flight that is extended gives longer ones, which begin with the rows so far; nothing else has changed then.
+
         Args:
             states: [steps] measured states, a record array with the fields of `signals.STATE`.
             setpoints: [steps] references, a record array with the fields of `signals.SETPOINT`.

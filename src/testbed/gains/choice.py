@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -45,21 +45,16 @@ class Tolerance:
 
 @dataclass(frozen=True)
 class Chosen:
-    """The settings chosen, and the predictions for each of the n actuators; attributes as in `Candidate`.
+    """The settings chosen, and what is predicted of the n actuators.
 
     Attributes:
         settings: keys of the scenario's `controller`.
+        predicted: what errors do to the estimates, of each actuator with the gain of its kind.
         met: [n] whether noise and false alarms are tolerable for each actuator.
-        middle: [n] as `Candidate.middle`.
     """
 
     settings: Mapping[str, Any]
-    parts: np.ndarray
-    noise: np.ndarray
-    offset: np.ndarray
-    bias: np.ndarray
-    rates: np.ndarray
-    middle: np.ndarray
+    predicted: Candidate
     met: np.ndarray
     false_alarms_per_s: float
 
@@ -79,11 +74,7 @@ def choose(law: TrimmedLaw, errors: Errors, tolerance: Tolerance, moving: Moving
         picked[group] = _first_tolerable(candidates(law, errors), of, law, tolerance)
     every = [picked[kind if newton else "every"] for kind in kinds]
     persistence = max(found for _, found, _ in every)
-    whole = {
-        name: np.stack([getattr(each, name)[..., i] for i, (each, _, _) in enumerate(every)], axis=-1)
-        for name in ("parts", "noise", "offset", "bias", "rates")
-    }
-    joint = Candidate(math.nan, **whole)
+    joint = _joint([each for each, _, _ in every])
     share = _share(joint.middle[joint.judged(np.ones(errors.n, dtype=bool))])
     threshold = _rounded(share * tolerance.keep)
     gains = {group: each.gain for group, (each, _, _) in picked.items()}
@@ -103,10 +94,20 @@ def choose(law: TrimmedLaw, errors: Errors, tolerance: Tolerance, moving: Moving
         head["preset"] = "paper"
     return Chosen(
         settings={**head, **settings},
-        middle=joint.middle,
+        predicted=joint,
         met=np.array([met for _, _, met in every]),
         false_alarms_per_s=float(joint.alarms(law.setup.dt_s, persistence, share).sum()),
-        **whole,
+    )
+
+
+def _joint(candidates: Sequence[Candidate]) -> Candidate:
+    """Of actuator i, what candidate i predicts."""
+    return Candidate(
+        math.nan,
+        *(
+            np.stack([getattr(each, name)[..., i] for i, each in enumerate(candidates)], axis=-1)
+            for name in ("parts", "noise", "offset", "bias", "rates")
+        ),
     )
 
 

@@ -147,16 +147,16 @@ def _actuator(
 ) -> ActuatorDesign:
     kind, name = law.setup.model.kinds[i], law.setup.model.actuators[i]
     flagged = detection(scenario, settings, name)
-    rate = float(chosen.rates[i])
-    parts = chosen.parts[:, i]
+    rate = float(chosen.predicted.rates[i])
+    parts = chosen.predicted.parts[:, i]
     order = np.argsort(-parts)
     return ActuatorDesign(
         name=name,
         kind=kind,
         position=float(law.positions[i]),
-        noise=float(chosen.noise[i]),
-        offset=float(chosen.offset[i]),
-        bias=float(chosen.bias[i]),
+        noise=float(chosen.predicted.noise[i]),
+        offset=float(chosen.predicted.offset[i]),
+        bias=float(chosen.predicted.bias[i]),
         convergence_s=convergence_time(rate) if law.newton else convergence_s(scenario, settings, name),
         detection_s=flagged.median_s,
         soonest_s=flagged.soonest_s,

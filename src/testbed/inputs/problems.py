@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
+Result = TypeVar("Result")
 TreePath = tuple[str | int, ...]
 """The keys and list indices that lead to a value in a tree read from YAML."""
 
@@ -51,6 +52,15 @@ class BadInput(Exception):
     def __reduce__(self) -> tuple[type[BadInput], tuple[tuple[Problem, ...]]]:
         """Pickle by the problems, because in a sweep the exception is sent between processes."""
         return type(self), (self.problems,)
+
+
+def collect(problems: list[Problem], function: Callable[[], Result]) -> Result | None:
+    """Result of a function. If it raises BadInput, its problems are added to `problems`, and the result is None."""
+    try:
+        return function()
+    except BadInput as error:
+        problems += error.problems
+        return None
 
 
 def did_you_mean(word: object, candidates: Iterable[str]) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from testbed.aircraft.changes import chosen
+from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import Aircraft
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.inversion.modes import enumerate_modes
@@ -67,7 +67,7 @@ def certify(scenario: Scenario, error: float = 0.1) -> Certificate:
         BadInput: the controller estimates no effectiveness, its input matrix has not full column rank, or it cannot be flown.
     """
     settings = _estimation(scenario)
-    aircraft = chosen(scenario.aircraft)
+    aircraft = load_with_changes(scenario.aircraft)
     _, setup = start_and_setup(scenario)
     b = np.array(setup.model.input_matrix)[:4] * setup.scale
     n, rank = b.shape[1], int(np.linalg.matrix_rank(b))

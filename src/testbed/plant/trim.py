@@ -18,6 +18,7 @@ from testbed.common.cache import Cache
 from testbed.common.frames import level_pitch
 from testbed.common.nearest_root import SMALLEST, NearestRoot
 from testbed.inputs.problems import BadInput, Problem
+from testbed.plant.first_load import property_catalog
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import STEADY, accelerations, settle_at
 
@@ -35,6 +36,8 @@ _ENGINES_ENOUGH = 1e-7
 
 _NEAR_GROUND_M = 50.0
 """Lowest altitude at which no aircraft's wheels reach the ground."""
+_GLANCE_S = 0.005
+"""Step of a look at the wheels, in which the airframe is held."""
 
 
 class NoTrim(BadInput):
@@ -249,24 +252,26 @@ def trimmed_start(
     """
 
     def found() -> Trim:
-        plant = Plant(aircraft, physics_hz)
-        start = trim(plant, airspeed_m_s, altitude_m, heading_rad)
         if altitude_m < _NEAR_GROUND_M:
-            _refuse_on_ground(plant, start)
-        return start
+            _refuse_on_ground(aircraft, airspeed_m_s, altitude_m)
+        return trim(Plant(aircraft, physics_hz), airspeed_m_s, altitude_m, heading_rad)
 
     return _starts.get((aircraft.fingerprint(), physics_hz, airspeed_m_s, altitude_m, heading_rad), found)
 
 
-def _refuse_on_ground(plant: Plant, start: Trim) -> None:
-    """Raise NoTrim if a wheel or another contact point of the model is in the ground there."""
-    contacts = [name for name in plant.catalog() if name.endswith("/WOW")]
+def _refuse_on_ground(aircraft: Aircraft, airspeed_m_s: float, altitude_m: float) -> None:
+    """Raise NoTrim if a wheel or another contact point of the model is in the ground at this altitude."""
+    contacts = [name for name in property_catalog(aircraft) if name.endswith("/WOW")]
     if not contacts:
         return
-    begin_at(plant, start)
+    plant = Plant(aircraft, 1.0 / _GLANCE_S)
+    alpha = _FIRST_ANGLES["alpha"]
+    plant.place({"airspeed": airspeed_m_s, "altitude": altitude_m, "alpha": alpha, "pitch": alpha})
+    plant.settle(1)
     if any(plant[name] for name in contacts):
-        what = f"{plant.aircraft.name} touches the ground at {start.state['altitude']:g} m"
-        raise NoTrim([Problem(what, expected="a higher altitude_m")])
+        raise NoTrim(
+            [Problem(f"{aircraft.name} touches the ground at {altitude_m:g} m", expected="a higher one")]
+        )
 
 
 def begin_at(plant: Plant, start: Trim) -> None:

@@ -12,6 +12,7 @@ import math
 import numpy as np
 from threadpoolctl import threadpool_limits
 
+from testbed.common.statistics import CONFIDENCE
 from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend, Mixture, fitted
@@ -19,7 +20,6 @@ from testbed.reliability.results import FailureProbability
 from testbed.reliability.rounds import Rounds
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
-from testbed.sweeps.statistics import CONFIDENCE
 
 ROUND = 500
 LEAST = 3 * ROUND
@@ -29,7 +29,7 @@ TARGET = 0.4
 SPENT = 2 / 3
 """Share of what the subset simulation left of the budget that may be drawn; the rest is for going on without."""
 MOST_DIMENSIONS = 200
-"""In more, no fit knows where the failures differ from other points."""
+"""In more dimensions the failures found are too few to fit where they differ from other points."""
 LEVELS, EVERYWHERE = 0.6, 0.1
 """Shares of the first points that are drawn about the two levels above the failures, and from a broad normal."""
 BROAD = 1.7
@@ -39,9 +39,9 @@ KEPT = 0.4
 WIDER = 1.1
 """Factor on the covariances of what is fitted to the failures drawn."""
 ALIKE = 60
-"""Number of equal weights that those of the failures are flattened to, before a mixture is fitted to them."""
+"""Effective sample size to which the weights of the failures are flattened, before a mixture is fitted to them."""
 CHAINED, COPIED = 3, 4
-"""Points of a level, and failures of chains, that tell as much as one independent point."""
+"""Correlated points that count as one independent point: points of a level, and failures of chains."""
 HEAVY = 0.2
 """Share of the sum that a single weight may have."""
 UNCOVERED = 0.05
@@ -103,12 +103,12 @@ def _equal(points: np.ndarray) -> np.ndarray:
 
 
 def _known(run: Run) -> float:
-    """Number of independent failures that those of the subset simulation tell as much as."""
+    """Number of independent failures that those of the subset simulation count as."""
     return float(max(len(np.unique(run.failures, axis=0)) / COPIED, run.ancestors))
 
 
 def _fitted(rounds: Rounds, run: Run, random: np.random.Generator) -> Mixture:
-    """The mixture of the failures drawn, and of those of the subset simulation with a quarter of what they tell."""
+    """The mixture fitted to the failures drawn, and to those of the subset simulation, which count a quarter."""
     points, weights = rounds.failures()
     weights, effective = _flattened(weights)
     before = _known(run) / 4
@@ -122,17 +122,18 @@ def _fitted(rounds: Rounds, run: Run, random: np.random.Generator) -> Mixture:
 
 
 def _flattened(weights: np.ndarray) -> tuple[np.ndarray, float]:
-    """Weights to a power of at most 1 with which they are worth ALIKE equal ones, of sum 1, and how many they are worth."""
+    """The weights to a power of at most 1, with which their effective sample size is ALIKE, and that size; their sum is 1."""
     wanted, low, high = min(ALIKE, len(weights)), 0.0, 1.0
-    if _worth(weights) < wanted:
+    if _effective_size(weights) < wanted:
         for _ in range(30):
             middle = (low + high) / 2
-            low, high = (middle, high) if _worth(weights**middle) >= wanted else (low, middle)
+            low, high = (middle, high) if _effective_size(weights**middle) >= wanted else (low, middle)
         weights = weights**low
-    return weights / weights.sum(), _worth(weights)
+    return weights / weights.sum(), _effective_size(weights)
 
 
-def _worth(weights: np.ndarray) -> float:
+def _effective_size(weights: np.ndarray) -> float:
+    """Kish's effective sample size (1965)."""
     return float(weights.sum() ** 2 / np.sum(weights**2))
 
 

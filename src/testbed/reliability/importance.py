@@ -13,6 +13,7 @@ from scipy import stats
 from scipy.special import logsumexp
 from threadpoolctl import threadpool_limits
 
+from testbed.common.statistics import CONFIDENCE
 from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import FailureProbability
@@ -20,7 +21,6 @@ from testbed.reliability.smallest import search_from
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
 from testbed.reliability.surface import Search
-from testbed.sweeps.statistics import CONFIDENCE
 
 EXPLORED = 1 / 8
 """Points a level of the subset simulation that looks for regions, as a share of the budget."""
@@ -31,7 +31,8 @@ COVERED = 0.8
 MISSED = 0.02
 """Share of the failures found beforehand that may belong to no region."""
 SINGLE = 0.15
-"""Share of the independent draws that may be alone in their region: so much of the failures are then in regions not found."""
+"""Largest share of the independent draws that may be alone in their region. It estimates the share of the failures in regions
+that were not found."""
 HEAVY = 0.1
 """Share of the sum that a single weight may have."""
 
@@ -73,17 +74,17 @@ class Weighed:
 
     @property
     def heaviest(self) -> float:
-        """Share of the greatest weight in the sum."""
+        """The greatest weight, as a share of the sum."""
         return float(self.weights.max() / self.weights.sum())
 
     @property
     def useless(self) -> bool:
-        """Whether hardly any point failed, or one weight has most of the sum."""
+        """Whether fewer than 10 points failed, or one weight is more than HEAVY of the sum."""
         return not math.isfinite(self.cov) or self.heaviest > HEAVY
 
     @property
     def effective(self) -> int:
-        """Number of equal weights that would vary as much."""
+        """Effective sample size (Kish 1965): the number of equal weights that have the same coefficient of variation."""
         return int(self.weights.sum() ** 2 / np.sum(self.weights**2))
 
 

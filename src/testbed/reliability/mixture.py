@@ -92,7 +92,7 @@ class Blend:
 
 
 def fitted(points: np.ndarray, weights: np.ndarray, effective: float, random: np.random.Generator) -> Mixture:
-    """The mixture of points [n, d] with weights [n] that sum to 1, which tell as much as `effective` independent points.
+    """The mixture of points [n, d] with weights [n] that sum to 1, with the effective sample size `effective`.
 
     Of one to MOST components the number with the least Bayesian information criterion (Schwarz 1978).
     """

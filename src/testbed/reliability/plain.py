@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
+from testbed.common.statistics import proportion
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import FailureProbability, Level
-from testbed.sweeps.statistics import proportion
 
 BATCH = 1000
 

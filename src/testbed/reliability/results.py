@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from testbed.reliability import display
+from testbed.reliability.display import block, number
 
 
 @dataclass(frozen=True)
@@ -52,11 +52,28 @@ class FailureProbability:
         return math.inf if self.design_point is None else float(np.linalg.norm(self.design_point))
 
     def __repr__(self) -> str:
-        return display.probability_line(self)
+        low, high = map(number, self.interval)
+        doubt = "" if self.converged else "not known well: "
+        cov = f"{self.cov:.2f}" if math.isfinite(self.cov) else "unknown"
+        return (
+            f"<FailureProbability {number(self.probability)} ({low} to {high}), c.o.v. {cov}, "
+            f"{self.evaluations} evaluations, {self.method}: {doubt}{self.reason}>"
+        )
 
     def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        return display.probability_html(self)
+        """What a notebook shows: the line, what plain sampling would need, and the levels."""
+        plain = ""
+        if 0 < self.probability < 1 and math.isfinite(self.cov):
+            needed = (1 - self.probability) / (self.probability * self.cov**2)
+            plain = (
+                f"Plain sampling needs about {needed:.2g} evaluations for the same coefficient of variation."
+            )
+        rows = [
+            (f"{level.threshold:.4g}", f"{level.probability:.3g}", f"{level.cov:.2f}", level.evaluations)
+            for level in self.levels
+        ]
+        head = ("at or below", "probability given the one before", "c.o.v.", "evaluations")
+        return block([repr(self).strip("<>"), plain], head, rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,8 +106,10 @@ class SmallestFailure:
     reason: str
 
     def __repr__(self) -> str:
-        return display.smallest_line(self)
+        found = f"at {self.distance:.4g} standard deviations" if self.found else "not found"
+        return f"<SmallestFailure {found}, {self.evaluations} evaluations: {self.reason}>"
 
     def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        return display.smallest_html(self)
+        """What a notebook shows: the line, and the last improvements."""
+        rows = [(step.evaluations, f"{step.distance:.4g}") for step in self.path[-10:]]
+        return block([repr(self).strip("<>")], ("evaluations", "distance"), rows)

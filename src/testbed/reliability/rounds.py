@@ -12,7 +12,7 @@ from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend
 
 FEWEST = 10
-"""Failures drawn before their weights say anything."""
+"""Number of failures from which on the scatter of their weights is an estimate of its own error."""
 
 
 @dataclass
@@ -44,13 +44,13 @@ class Rounds:
 
     @property
     def terms(self) -> np.ndarray:
-        """What each point adds to the estimate."""
+        """The contribution of each point to the estimate, which is their sum."""
         parts = zip(self._shares, self.weights, strict=True)
         return np.concatenate([share * w / len(w) for share, w in parts])
 
     @property
     def _shares(self) -> np.ndarray:
-        """Share of each round in the estimate."""
+        """Weight of each round in the estimate; their sum is 1."""
         shares = np.array([math.sqrt(i + 1) * len(w) for i, w in enumerate(self.weights)])
         return shares / shares.sum()
 
@@ -73,13 +73,13 @@ class Rounds:
 
     @property
     def heaviest(self) -> float:
-        """Share of the greatest term in the sum."""
+        """The greatest term, as a share of the sum."""
         terms = self.terms
         return float(terms.max() / terms.sum()) if terms.any() else 1.0
 
     @property
     def effective(self) -> int:
-        """Number of equal terms that would vary as much."""
+        """Effective sample size (Kish 1965): the number of terms of one size that have the same coefficient of variation."""
         terms = self.terms
         return int(terms.sum() ** 2 / np.sum(terms**2)) if terms.any() else 0
 

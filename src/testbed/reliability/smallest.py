@@ -9,6 +9,7 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from testbed.common.random_streams import generator
+from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reliability import arguments
 from testbed.reliability.evolution import evolve
@@ -16,7 +17,6 @@ from testbed.reliability.exploration import Exploration
 from testbed.reliability.limit_state import Asked, LimitState
 from testbed.reliability.results import SmallestFailure, Step
 from testbed.reliability.surface import Search, around, plane, section, toward_plane
-from testbed.sweeps.statistics import CONFIDENCE, proportion
 
 MOST_DIMENSIONS = 1000
 """More would take matrices of their square."""

@@ -8,11 +8,11 @@ from collections.abc import Sequence
 import numpy as np
 from scipy import stats
 
+from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.subset_run import LENGTH, Run, run_levels
-from testbed.sweeps.statistics import CONFIDENCE, proportion
 
 LEAST = 100
 """Fewest points a level: ten chains."""
@@ -175,7 +175,7 @@ def _unknown(asked: Asked, runs: Sequence[Run]) -> FailureProbability:
 
 
 def _high(run: Run, last: float) -> float:
-    """Upper end of the last level's share, as if each of its chains were one point."""
+    """Upper confidence limit of the share of the last level that is inside it, with each chain counted as one point."""
     chains = run.size // LENGTH
     return proportion(math.ceil(last * chains), chains, method="exact").high
 
@@ -183,7 +183,7 @@ def _high(run: Run, last: float) -> float:
 def _why(run: Run) -> str:
     level = run.levels[-1]
     if run.end == "stuck":
-        return f"The chains hardly move ({run.taken:.0%} of the steps taken): the limit state is too rough to be followed down."
+        return f"The chains hardly move ({run.accepted:.0%} of the steps taken): the limit state is too rough to be followed down."
     if run.end == "flat":
         return f"The limit state is flat at {level.threshold:.3g}: {level.probability:.0%} of a level have the same lowest value."
     return f"The budget was spent at the level {level.threshold:.3g}, before the failures were reached."

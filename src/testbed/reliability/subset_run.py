@@ -11,10 +11,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from testbed.common.statistics import proportion
 from testbed.reliability.conditional import Spread, run_chains
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import Level
-from testbed.sweeps.statistics import proportion
 
 LENGTH = 10
 """Points of each chain with its seed; 1 / LENGTH is the probability of each level given the one before."""
@@ -25,7 +25,7 @@ FLAT = 0.5
 FEWEST = 5
 """Fewest points below a flat part from which chains are run."""
 STUCK = 0.1
-"""Share of candidates taken, below which the points of a chain are mostly copies."""
+"""Acceptance rate below which the points of a chain are mostly copies of each other."""
 
 
 @dataclass
@@ -40,7 +40,7 @@ class Run:
     levels: list[Level] = field(default_factory=list)
     unknown: list[float] = field(default_factory=list)
     end: str = ""
-    taken: float = 1.0
+    accepted: float = 1.0
     ancestors: int = 0
     shared: float = math.inf
     failures: np.ndarray = field(default_factory=lambda: np.empty((0, 0)))
@@ -85,17 +85,17 @@ class Population:
 def run_levels(asked: Asked, size: int, random: np.random.Generator) -> Run:
     """Run subset simulation with `size` points a level, a multiple of LENGTH."""
     run, spread = Run(size), Spread()
-    people = _draw(asked, run, random)
+    population = _draw(asked, run, random)
     while not run.end:
-        run.populations = [*run.populations[-2:], people.points]
-        threshold = _threshold(people.values, size // LENGTH)
-        inside = people.values <= threshold
-        run.levels.append(_level(people, inside, threshold))
+        run.populations = [*run.populations[-2:], population.points]
+        threshold = _threshold(population.values, size // LENGTH)
+        inside = population.values <= threshold
+        run.levels.append(_level(population, inside, threshold))
         run.end = _end(run, inside, asked)
         if not run.end:
-            people = _next(asked, run, people, inside, spread, random)
-    failing = people.values <= 0
-    run.failures, run.draws = people.points[failing], people.draw[failing]
+            population = _next(asked, run, population, inside, spread, random)
+    failing = population.values <= 0
+    run.failures, run.draws = population.points[failing], population.draw[failing]
     shares = np.bincount(run.draws) / max(failing.sum(), 1)
     run.ancestors = int(np.count_nonzero(shares))
     run.shared = float(np.sum(shares**2)) if run.ancestors else math.inf
@@ -125,18 +125,18 @@ def _threshold(values: np.ndarray, chains: int) -> float:
     return max(lowest, 0.0)
 
 
-def _level(people: Population, inside: np.ndarray, threshold: float) -> Level:
+def _level(population: Population, inside: np.ndarray, threshold: float) -> Level:
     """The level with its coefficient of variation, from the sums over its independent parts, the chains."""
     share = float(inside.mean())
     if share == 0:
-        return Level(threshold, 0.0, math.inf, people.evaluations)
-    sums = np.bincount(people.chain, weights=inside - share)
-    return Level(threshold, share, float(np.sqrt(np.sum(sums**2)) / inside.sum()), people.evaluations)
+        return Level(threshold, 0.0, math.inf, population.evaluations)
+    sums = np.bincount(population.chain, weights=inside - share)
+    return Level(threshold, share, float(np.sqrt(np.sum(sums**2)) / inside.sum()), population.evaluations)
 
 
 def _end(run: Run, inside: np.ndarray, asked: Asked) -> str:
     """Why the run ends with this level, "" if it does not."""
-    if run.taken < STUCK:
+    if run.accepted < STUCK:
         return "stuck"
     if run.levels[-1].threshold <= 0:
         return "reached"
@@ -148,7 +148,7 @@ def _end(run: Run, inside: np.ndarray, asked: Asked) -> str:
 def _next(
     asked: Asked,
     run: Run,
-    people: Population,
+    population: Population,
     inside: np.ndarray,
     spread: Spread,
     random: np.random.Generator,
@@ -158,16 +158,22 @@ def _next(
     chains = len(seeds)
     steps = min(run.size // chains - 1, asked.left // chains)
     found = run_chains(
-        asked, people.points[seeds], people.values[seeds], run.levels[-1].threshold, steps, spread, random
+        asked,
+        population.points[seeds],
+        population.values[seeds],
+        run.levels[-1].threshold,
+        steps,
+        spread,
+        random,
     )
-    run.taken = found.taken
+    run.accepted = found.accepted
     run.unknown.append(run.probability * _most_unknown(found.unknown, steps * chains))
     repeated = steps + 1
     return Population(
         points=found.points.reshape(-1, asked.dimensions),
         values=found.values.ravel(),
         chain=np.tile(np.arange(chains), repeated),
-        draw=np.tile(people.draw[seeds], repeated),
+        draw=np.tile(population.draw[seeds], repeated),
         evaluations=steps * chains,
     )
 

@@ -38,15 +38,21 @@ def unknown_names(
     signals: Iterable[str],
     metrics: Iterable[str],
     properties: Mapping[str, bool],
+    in_flight: Iterable[str] | None = None,
 ) -> list[Problem]:
     """Unknown names of properties, signals and metrics in failures and requirements, each with its place in the file.
 
     Args:
         signals: columns of the flight's log.
+        in_flight: those that are known while it is flown, for which a failure can wait; default all.
         metrics: names of all metrics.
         properties: those of the loaded JSBSim model, and whether each can be written; not used without failures.
     """
-    issues = [*_names(scenario, list(signals), list(metrics)), *_properties(scenario, aircraft, properties)]
+    logged = list(signals)
+    issues = [
+        *_names(scenario, logged, list(metrics), list(logged if in_flight is None else in_flight)),
+        *_properties(scenario, aircraft, properties),
+    ]
     return [scenario.source.problem(*issue) for issue in issues]
 
 
@@ -95,11 +101,13 @@ def failure_issues(
     yield from _unwritable(failure, aircraft, writable, path)
 
 
-def _names(scenario: Scenario, signals: list[str], metrics: list[str]) -> Iterator[Issue]:
+def _names(
+    scenario: Scenario, signals: list[str], metrics: list[str], in_flight: list[str]
+) -> Iterator[Issue]:
     """Unknown signals in `when` of failures and in requirements, and unknown metrics in requirements."""
     for i, failure in enumerate(scenario.failures):
         if failure.when is not None:
-            yield from _known(failure.when.signal, signals, "signal", ("failures", i, "when", "signal"))
+            yield from _known(failure.when.signal, in_flight, "signal", ("failures", i, "when", "signal"))
     for i, requirement in enumerate(scenario.requirements):
         here = ("requirements", i)
         if requirement.metric is not None:

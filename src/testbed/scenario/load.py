@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from testbed.air.config import Atmosphere, Gust
-from testbed.aircraft.changes import ChangedAircraft, chosen, name_in
+from testbed.aircraft.changes import ChangedAircraft, load_with_changes, name_in
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shipped import find_scenario, is_folder_name
 from testbed.controllers.config import TABLE as CONTROLLERS
@@ -92,7 +92,7 @@ def _aircraft(source: Source) -> tuple[Aircraft | None, list[Problem]]:
         return None, []
     holder[key] = placed_name(name, source.file)
     try:
-        return chosen(_choice(source.tree["aircraft"])), []
+        return load_with_changes(_choice(source.tree["aircraft"])), []
     except BadInput as error:
         return None, [_placed(source, problem) for problem in error.problems]
 

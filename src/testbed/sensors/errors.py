@@ -37,25 +37,26 @@ def drawn(index: int, model: SensorModel, steps: int, rate_hz: float, seed: int)
         walk = np.cumsum(normal("drift", steps)) * density / math.sqrt(rate_hz)
         error[1:] += walk[:-1]
     if sigma := model.si("wander"):
-        error += sigma * wandering(normal("wander", steps), math.exp(-1.0 / (rate_hz * model.wander_time_s)))
+        wander = normal("wander", steps)
+        correlate(wander, math.exp(-1.0 / (rate_hz * model.wander_time_s)))
+        error += sigma * wander
     if density := model.si("noise"):
         error += density * math.sqrt(rate_hz / 2.0) * normal("noise", steps)
     return scale, error
 
 
 @compiled
-def wandering(noise, correlation):
-    """First-order Gauss-Markov sequence of variance one: x[k] = c x[k-1] + sqrt(1 - c^2) noise[k], x[0] = noise[0].
+def correlate(x, correlation):
+    """Turn white noise, in place, into a first-order Gauss-Markov sequence of variance one:
+    x[k] = c x[k-1] + sqrt(1 - c^2) noise[k], x[0] = noise[0].
 
     Args:
-        noise: [steps] standard normal.
+        x: [steps] standard normal noise, and result.
         correlation: c, the correlation of neighbouring steps, exp(-dt / correlation time).
     """
-    x = noise.copy()
     fresh = math.sqrt(1.0 - correlation * correlation)
     for k in range(1, len(x)):
-        x[k] = correlation * x[k - 1] + fresh * noise[k]
-    return x
+        x[k] = correlation * x[k - 1] + fresh * x[k]
 
 
 def enter(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from testbed.air.wind import Weather
-from testbed.aircraft.changes import chosen
+from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.conventional_shape import drawn_by_effect
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shape import Shape, load_shape
@@ -99,7 +99,7 @@ def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:
 
 def start_and_setup(scenario: Scenario) -> tuple[Trim, Setup]:
     """The trimmed flight in which a scenario begins, and what its controller is told before it; raises BadInput."""
-    aircraft = chosen(scenario.aircraft)
+    aircraft = load_with_changes(scenario.aircraft)
     start = _start(scenario, aircraft)
     return start, _setup(scenario, aircraft, start)
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 
-from testbed.aircraft.changes import chosen
+from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import Aircraft
 from testbed.common.cache import Cache
-from testbed.flight.columns import all_columns
+from testbed.flight.columns import all_columns, columns
 from testbed.inputs.problems import BadInput, Problem
 from testbed.metrics import TABLE as METRICS
 from testbed.plant.first_load import property_catalog
@@ -33,7 +33,7 @@ def check(scenario: Scenario, *, remembered: bool = True) -> Aircraft:
     Raises:
         BadInput: with every problem: unknown names, a model that cannot be loaded, no trimmed flight to begin with.
     """
-    aircraft = chosen(scenario.aircraft)
+    aircraft = load_with_changes(scenario.aircraft)
     _sound.get((id(scenario), aircraft.fingerprint()), lambda: _checked(scenario, aircraft, remembered))
     return aircraft
 
@@ -64,4 +64,5 @@ def _checked(scenario: Scenario, aircraft: Aircraft, remembered: bool) -> Scenar
 
 
 def _unknown(scenario: Scenario, aircraft: Aircraft, properties: dict[str, bool]) -> list[Problem]:
-    return unknown_names(scenario, aircraft, all_columns(aircraft, scenario), METRICS, properties)
+    every, in_flight = all_columns(aircraft, scenario), columns(aircraft)
+    return unknown_names(scenario, aircraft, every, METRICS, properties, in_flight)

@@ -50,6 +50,11 @@ class Lockstep:
         self._log_truth = bound(observe, 0, self._channels)
 
     @property
+    def steps(self) -> int:
+        """Control steps of the whole flight."""
+        return len(self.rows.truth)
+
+    @property
     def recorded(self) -> Recorded:
         """The rows of the control steps flown."""
         return Recorded(*(rows[: self.done] for rows in self.rows))
@@ -73,7 +78,7 @@ class Lockstep:
         """
         plant, controller, injector = self.parts.plant, self.parts.controller, self.parts.injector
         weather, sensors = self.parts.weather, self.parts.sensors
-        log_truth, channels, steps = self._log_truth, self._channels, len(self.rows.truth)
+        log_truth, channels, steps = self._log_truth, self._channels, self.steps
         k, ending = self.done, GOES_ON
         try:
             with plant.in_words():

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
+from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, Self
 
@@ -14,6 +16,7 @@ from testbed.controllers.setup import Setup
 from testbed.failures import Failure, same_property
 from testbed.flight.columns import Row, row_columns
 from testbed.flight.flight import Outcome
+from testbed.injection.injector import Planned
 from testbed.injection.replanning import mended, with_failure
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.flight import ReportedFlight
@@ -27,9 +30,6 @@ from testbed.simulation.conclude import conclude
 from testbed.simulation.given import command_of, failure_of, gust_of
 from testbed.simulation.lockstep import Lockstep
 
-Watch = Callable[[float, np.ndarray], object]
-"""Looks at a flight while it is flown: called with time [s] and row of truth of each control step."""
-
 
 class Session:
     """One flight in the hand.
@@ -39,7 +39,7 @@ class Session:
 
     What is done to the flight begins in the next control step. `scenario` has all that was done, and flies to the same bytes.
 
-        with testbed.Session("scenarios/cruise.yaml") as session:
+        with testbed.Session("scenarios/left_tail_fail.yaml") as session:
             session.run_to(5.0)
             session.inject({"type": "stuck", "actuator": "left_ruddervator"})
             session.run_to(12.0)
@@ -58,7 +58,8 @@ class Session:
             are given, and then nothing has changed; and when the flight was closed, or stopped by an error.
 
     Attributes:
-        parts: what takes part in the flight; what is done to it here directly, `scenario` does not know.
+        parts: what takes part in the flight.
+        loop: what steps it. Of what is done to the two directly, `scenario` does not know.
     """
 
     def __init__(
@@ -73,7 +74,8 @@ class Session:
         elif set:
             scenario = changed(scenario, set)
         self.parts = assemble(scenario, controller)
-        self._planned, self._flown, self._closed = scenario, Lockstep(self.parts), False
+        self.loop = Lockstep(self.parts)
+        self._planned, self._closed = scenario, False
         self._healthy: dict[str, float] = {}
         self._wind_m_s = scenario.atmosphere.wind_m_s
         self._columns = row_columns(self.parts.aircraft)
@@ -82,14 +84,14 @@ class Session:
 
     def step(self, n: int = 1) -> Outcome | None:
         """Fly n control steps, fewer if the flight ends; returns `ended`."""
-        if isinstance(n, bool) or not isinstance(n, int) or n < 1:
+        if isinstance(n, bool) or not isinstance(n, Integral) or n < 1:
             raise _refused("step", f"is {n!r}", "a whole number of control steps from 1")
-        return self._fly(self._flown.done + n)
+        return self._fly(self.loop.done + int(n))
 
     def run_to(self, time_s: float) -> Outcome | None:
         """Fly until `time_s` is this [s], or until the flight ends; returns `ended`."""
         now_s, end_s = self.time_s, self._planned.duration_s
-        if isinstance(time_s, bool) or not isinstance(time_s, int | float) or not now_s <= time_s <= end_s:
+        if isinstance(time_s, bool) or not isinstance(time_s, Real) or not now_s <= time_s <= end_s:
             what = f"a time from {now_s:g}, which is now, to duration_s {end_s:g}"
             raise _refused("run_to", f"is {time_s!r}", what)
         return self._fly(first_step_at(time_s, self._planned.rate_hz))
@@ -101,34 +103,34 @@ class Session:
             plant = self.parts.plant
             self.parts.weather.log_calm()
             self._healthy = {same_property(name): plant[name] for name in plant.catalog()}
-        if until > self._flown.done and self.ended is None:
-            self._flown.advance(until)
+        if until > self.loop.done and self.ended is None:
+            self.loop.advance(until)
         return self.ended
 
     def extend(self, duration_s: float) -> None:
         """Let a flight that goes on last until this time [s], later than planned; a whole number of control steps."""
         self._refuse_over()
         planned, parts = self._planned, self.parts
-        steps = duration_s * planned.rate_hz
+        steps = float(duration_s) * planned.rate_hz if isinstance(duration_s, Real) else math.nan
         if not planned.steps < steps <= MAX_STEPS or abs(steps - round(steps)) > 1e-6:
             least = f"whole control steps of 1/{planned.rate_hz} s, more than {planned.duration_s:g} s, at most {MAX_STEPS}"
             raise _refused("extend", f"is {duration_s!r}", least)
-        self._planned = parts.scenario = longer_scenario(self._whole(), duration_s)
+        self._planned = parts.scenario = longer_scenario(self._whole(), float(duration_s))
         parts.weather.lengthen(self._planned.atmosphere, round(steps))
         parts.sensors.lengthen(round(steps))
-        self._flown.lengthen(references(self._planned, parts.path_angle))
+        self.loop.lengthen(references(self._planned, parts.path_angle))
 
     # Look -----------------------------------------------------------------------------------------------------
 
     @property
     def time_s(self) -> float:
         """How long has been flown [s]; also the time of the next control step."""
-        return self._flown.done / self._planned.rate_hz
+        return self.loop.done / self._planned.rate_hz
 
     @property
     def ended(self) -> Outcome | None:
         """How the flight ended; None while it goes on."""
-        return self._flown.outcome
+        return self.loop.outcome
 
     @property
     def truth(self) -> Row:
@@ -152,8 +154,8 @@ class Session:
 
     def _row(self, array: str) -> Row:
         self._refuse_empty()
-        k = self._flown.done - 1
-        return Row(self._columns[array], getattr(self._flown.rows, array)[k], k / self._planned.rate_hz)
+        k = self.loop.done - 1
+        return Row(self._columns[array], getattr(self.loop.rows, array)[k], k / self._planned.rate_hz)
 
     # Intervene ------------------------------------------------------------------------------------------------
 
@@ -163,18 +165,21 @@ class Session:
         A failure that holds one of its properties ends when it starts. Where one is planned that will hold one of them, it ends.
         """
         self._refuse_over()
-        injector, done = self.parts.injector, self._flown.done
-        given = failure_of(failure, self.parts, self._flown.recorded)
-        plan = with_failure(injector.planned, given, self.parts.aircraft)
-        injector.plan(plan, done, self._healthy_value if done else None)
+        given = failure_of(failure, self.parts, self.loop.recorded)
+        self._replan(with_failure(self.parts.injector.planned, given, self.parts.aircraft))
 
     def mend(self, actuator: str) -> None:
         """End every failure that an actuator has now: its properties get their values of before the flight."""
         self._refuse_over()
         if actuator not in (known := self.parts.aircraft.actuators):
             raise _refused("mend", f"there is no actuator {actuator!r}", *guess(actuator, known))
-        injector = self.parts.injector
-        injector.plan(mended(injector.planned, actuator, self.time_s), self._flown.done, self._healthy_value)
+        self._replan(mended(self.parts.injector.planned, actuator, self.time_s))
+
+    def _replan(self, plan: Sequence[Planned]) -> None:
+        """Take other failures. What is healthy is as it was before the flight, whatever holds the properties now."""
+        healthy = self._healthy
+        value = (lambda name: healthy[same_property(name)]) if healthy else None
+        self.parts.injector.plan(plan, self.loop.done, value)
 
     def order(self, command: Command | Mapping[str, Any]) -> None:
         """Command altitude_m, airspeed_m_s, heading_deg or some of them: now, or at its `at_s`, at the scenario's command rates.
@@ -182,7 +187,7 @@ class Session:
         A command that is planned for the same time is completed or replaced; later ones stay as they are.
         """
         self._refuse_over()
-        done = self._flown.done
+        done = self.loop.done
         new = command_of(command, self.parts, done)
         others = {each.at_s: each for each in self._planned.commands}
         if new.at_s in others:
@@ -202,12 +207,8 @@ class Session:
                 far, reached within that time, by default 1 s. It is saved as a gust that lasts.
         """
         self._refuse_over()
-        done = self._flown.done
-        gust, self._wind_m_s = gust_of(air, self.parts, done, self._wind_m_s)
+        gust, self._wind_m_s = gust_of(air, self.parts, self.loop.done, self._wind_m_s)
         self.parts.weather.add(gust)
-
-    def _healthy_value(self, name: str) -> float:
-        return self._healthy[same_property(name)]
 
     # Keep -----------------------------------------------------------------------------------------------------
 
@@ -220,7 +221,7 @@ class Session:
         """
         self._refuse_empty()
         whole = self._whole()
-        return whole if self.ended is not None else flown_part(whole, self._flown.done)
+        return whole if self.ended is not None else flown_part(whole, self.loop.done)
 
     def _whole(self) -> Scenario:
         """The scenario with all that was done to the flight, and what is planned still."""
@@ -233,13 +234,13 @@ class Session:
     def flight(self) -> ReportedFlight:
         """The flight so far, judged as if it were to last until now; it can be flown on. Raises BadInput as `scenario`."""
         self._refuse_closed()
-        return conclude(self.parts, self.scenario, self.ended or Outcome.completed, self._flown.recorded)
+        return conclude(self.parts, self.scenario, self.ended or Outcome.completed, self.loop.recorded)
 
     def close(self) -> None:
         """Free the simulator; what was read and saved stays. Closing twice does nothing."""
         if not self._closed:
             self._closed = True
-            del self.parts, self._flown.parts
+            del self.parts, self.loop.parts
 
     def __enter__(self) -> Self:
         return self
@@ -254,7 +255,7 @@ class Session:
     def _refuse_stopped(self) -> None:
         """Raise BadInput if the flight cannot be flown on."""
         self._refuse_closed()
-        if (error := self._flown.stopped_by) is not None:
+        if (error := self.loop.stopped_by) is not None:
             why = str(error) or type(error).__name__
             raise _refused("Session", f"was stopped at {self.time_s:g} s: {why}", "a new one")
 
@@ -267,45 +268,9 @@ class Session:
 
     def _refuse_empty(self) -> None:
         self._refuse_closed()
-        if not self._flown.done:
+        if not self.loop.done:
             raise _refused("Session", "nothing has been flown yet", "step or run_to before")
 
 
 def _refused(verb: str, what: str, expected: str = "", suggestion: str = "") -> BadInput:
     return BadInput([Problem(what, verb, expected=expected, suggestion=suggestion)])
-
-
-def fly(
-    scenario: Scenario | str | Path,
-    controller: Callable[[Setup], Any] | None = None,
-    *,
-    set: Mapping[str, Any] | None = None,
-    watch: Watch | None = None,
-) -> ReportedFlight:
-    """Fly a scenario. The same scenario, aircraft and controller give the same flight, to the last bit.
-
-    Nothing is written; `ReportedFlight.save` writes a run folder as `testbed run` does.
-
-    Args:
-        scenario: the path of a scenario's YAML file, or a `Scenario`; a shipped file is found from any folder.
-        controller: a class of your own that flies in place of the scenario's controller. It has
-            `__init__(self, setup)` and `update(self, time_s, state, reference)`, as `examples/my_controller.py` shows.
-        set: settings to change, as `--set` does: {"sensors": "mems", "failures.0.value": 0.5}, by dotted paths.
-        watch: called in each control step with its time [s] and its row of truth (see `flight.columns.Recorded`), which it must
-            not change; it may wait, so that the flight is shown in real time.
-
-    Returns:
-        The finished flight: `passed`, `outcome`, `log` (a DataFrame), `events`, `metrics`, `requirements`, `plot()`, `save()`.
-        An aircraft that is lost is an outcome, not an exception.
-
-    Raises:
-        BadInput: the scenario, a name in it, its aircraft, or your controller cannot be used.
-    """
-    with Session(scenario, controller, set=set) as session:
-        if watch is None:
-            session._flown.advance(session._planned.steps)
-        while watch is not None and session.ended is None:
-            session._flown.advance(session._flown.done + 1)
-            truth = session._flown.recorded.truth
-            watch((len(truth) - 1) / session._planned.rate_hz, truth[-1])
-        return session.flight()

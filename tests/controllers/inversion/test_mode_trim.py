@@ -12,6 +12,7 @@ from vtail_setup import WEATHER, vtail_setup
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel, load_design_model
 from testbed.controllers.inversion import mode_trim
+from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft, motion
 from testbed.controllers.inversion.mode_trim import (
     NoSteadyFlight,
     airspeed_range,
@@ -21,10 +22,8 @@ from testbed.controllers.inversion.mode_trim import (
 )
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
 from testbed.controllers.inversion.steady_flights import (
-    DegradedAircraft,
     SteadyFlight,
     at_path_angles,
-    motion,
     path_angles,
 )
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, PITCH, REGULATOR_STATE, ROLL

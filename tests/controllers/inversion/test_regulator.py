@@ -14,6 +14,7 @@ from command_line import ROOT
 from scipy.linalg import expm
 from vtail_setup import vtail_setup
 
+from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, steady_flight
 from testbed.controllers.inversion.modes import Mode, enumerate_modes
 from testbed.controllers.inversion.regulator import (
@@ -23,7 +24,6 @@ from testbed.controllers.inversion.regulator import (
     lq_gains,
     regulator_for,
 )
-from testbed.controllers.inversion.steady_flights import DegradedAircraft
 from testbed.controllers.records import ALTITUDE
 
 SETUP = vtail_setup()

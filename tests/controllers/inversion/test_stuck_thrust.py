@@ -12,10 +12,11 @@ from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, load_design_model
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import trimmed_memory
+from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_switch import ModeSwitch
 from testbed.controllers.inversion.mode_trim import airspeed_range, margins, steady_flight
 from testbed.controllers.inversion.modes import enumerate_modes
-from testbed.controllers.inversion.steady_flights import DegradedAircraft, at_airspeeds, path_angles
+from testbed.controllers.inversion.steady_flights import at_airspeeds, path_angles
 from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 from testbed.controllers.setup import Setup, setup_for
 

@@ -11,9 +11,9 @@ import pytest
 from html_page import Page
 from search_files import searched, written
 
+from testbed.api.search import SearchResult
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import load_scenario
-from testbed.searching import SearchResult
 from testbed.study_reports.search.report import write_search_page
 from testbed.study_reports.search.words import answer, settings_of
 

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from testbed.common.statistics import paired, proportion
 from testbed.study_reports.sweep.answer import answer
-from testbed.sweeps.statistics import paired, proportion
 
 
 def variant(label: str, passed: int, n: int = 60, **more: Any) -> dict[str, Any]:

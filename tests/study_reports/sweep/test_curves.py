@@ -10,8 +10,9 @@ import pandas as pd
 import pytest
 
 from testbed.common.angles import unwrapped_deg
+from testbed.studies.folder import histories, store
+from testbed.studies.record import Record, key_of
 from testbed.study_reports.sweep.curves import drawn_inputs, error_band, pass_shares
-from testbed.sweeps.folder import histories
 
 
 def test_headings_go_on_beyond_a_half_turn() -> None:
@@ -25,12 +26,14 @@ def test_headings_go_on_beyond_a_half_turn() -> None:
 
 
 def test_a_band_has_quantiles_of_those_still_flying_and_the_worst(tmp_path: Path) -> None:
-    file = histories.Histories(tmp_path / "histories.f32")
+    store.create(tmp_path, {})
+    flights = store.opened(tmp_path)
     for k in range(21):
         record = np.full(histories.SHAPE, float(k - 10), dtype="<f4")
         record[:, 100:] = np.nan if k % 2 else float(k - 10)
-        file.put(k, record.tobytes())
-    file.close()
+        flown = Record(k, 0, 1, {}, "completed", True)
+        flights.add(key_of(k), flown, record.tobytes())
+    flights.close()
     band = error_band(tmp_path, np.arange(21), "altitude_error_m")
     assert band is not None
     assert (band.low[0], band.median[0], band.high[0]) == pytest.approx((-9.0, 0.0, 9.0))
@@ -38,7 +41,7 @@ def test_a_band_has_quantiles_of_those_still_flying_and_the_worst(tmp_path: Path
         np.quantile(np.arange(-10, 11, 2), 0.95)
     )
     assert band.flight in (0, 20) and abs(band.largest[0]) == 10.0
-    os.remove(tmp_path / "histories.f32")
+    os.remove(tmp_path / store.NAME)
     none = error_band(tmp_path, np.arange(21), "altitude_error_m")
     assert none is None or np.isnan(none.median).all()
 

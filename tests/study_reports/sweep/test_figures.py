@@ -9,9 +9,9 @@ import pandas as pd
 import pytest
 from sweep_files import fly_here, table, written
 
+from testbed.studies.load import load_sweep
+from testbed.studies.plan import Plan
 from testbed.study_reports.sweep.figures import TABLE, draw_sweep
-from testbed.sweeps.load import load_sweep
-from testbed.sweeps.plan import Plan
 
 Flown = tuple[Plan, pd.DataFrame, Path]
 

@@ -12,12 +12,12 @@ from chromium import Window, drawn
 from figure_flights import broken
 from sweep_files import fly_here, written
 
-from testbed import monte_carlo
+from testbed.api.sweep import finish
 from testbed.cli.commands import main
 from testbed.flight.flight import Outcome
 from testbed.reporting.comparison.compare import compare
-from testbed.sweeps.folder import kept
-from testbed.sweeps.load import load_sweep
+from testbed.studies.folder import logs
+from testbed.studies.load import load_sweep
 
 pytestmark = pytest.mark.nightly
 KEPT = "run-000007-fixed_inversion"
@@ -30,8 +30,8 @@ def sweep(tmp_path_factory: pytest.TempPathFactory) -> Path:
     plan = load_sweep(written(folder), ["runs=60"])
     fly_here(plan, folder / "out")
     (folder / "out/logs").mkdir()
-    (folder / f"out/logs/{KEPT}.parquet").write_bytes(kept.encode(broken()))
-    monte_carlo.finish(plan, folder / "out")
+    (folder / f"out/logs/{KEPT}.parquet").write_bytes(logs.encode(broken()))
+    finish(plan, folder / "out")
     assert main(["report", str(folder / "out" / KEPT)]) == 0
     return folder / "out/report.html"
 

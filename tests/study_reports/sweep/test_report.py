@@ -14,12 +14,13 @@ from command_line import in_this_process
 from html_page import Page
 from sweep_files import fly_here, written
 
-from testbed import monte_carlo
+import testbed
+from testbed.api.sweep import finish
 from testbed.cli.commands import main
 from testbed.cli.sweep import print_answer
+from testbed.studies.load import load_sweep
 from testbed.study_reports.sweep.answer import answer
 from testbed.study_reports.sweep.report import parts, write_sweep_report
-from testbed.sweeps.load import load_sweep
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +28,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A sweep of enough made-up flights for every section of the report."""
     folder = tmp_path_factory.mktemp("answered")
     plan = load_sweep(written(folder), ["runs=150"])
-    monte_carlo.finish(plan, fly_here(plan, folder / "out"))
+    finish(plan, fly_here(plan, folder / "out"))
     return folder / "out"
 
 
@@ -114,7 +115,7 @@ def test_an_index_without_its_half_width_says_so(summary: dict[str, Any], tmp_pa
 
 @pytest.mark.nightly
 def test_it_names_commands_that_work(tmp_path: Path) -> None:
-    monte_carlo.sweep(written(tmp_path), tmp_path / "out", runs=4, jobs=1, save_logs="none", figures=False)
+    testbed.sweep(written(tmp_path), tmp_path / "out", runs=4, jobs=1, save_logs="none", figures=False)
     write_sweep_report(tmp_path / "out")
     text = (tmp_path / "out/report.html").read_text(encoding="utf-8")
     commands = re.findall(r"<code>python -m testbed (.*?)</code>", text)

@@ -8,8 +8,8 @@ from sweep_files import fly_here, written
 
 import testbed
 from testbed.inputs.problems import BadInput
+from testbed.studies.load import load_sweep
 from testbed.study_reports.sweep.table import SweepTable
-from testbed.sweeps.load import load_sweep
 
 
 @pytest.fixture(scope="module")

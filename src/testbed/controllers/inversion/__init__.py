@@ -10,5 +10,5 @@
 
 When a failure is flagged, `mode_switch` puts another control mode in force. `modes` says which axes it releases and how the others
 are inverted. `regulator` designs the outer loop of a mode with released axes, about the trim that `mode_trim` chooses among the
-`steady_flights` of the design model, to which `forward_force` adds a term for glides.
+`steady_flights` of the `degraded_aircraft`.
 """

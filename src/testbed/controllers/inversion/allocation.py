@@ -15,7 +15,7 @@ from __future__ import annotations
 from testbed.common.jit import compiled
 from testbed.controllers.commands import command_actuators
 from testbed.controllers.inversion.bounded_least_squares import bounded_least_squares
-from testbed.controllers.inversion.law import compensate, effect_ratio, invert, reach
+from testbed.controllers.inversion.law import compensate, effect_ratio, invert, largest, reach
 from testbed.controllers.records import U_DOT
 
 
@@ -62,7 +62,7 @@ def allocate_within_stops(nu, pressure_ratio, m, c, k, s, w):
     for what they turn. Because d is the effective deviation, a weak actuator has lambda_hat times its travel.
     """
     set_bounds(pressure_ratio, m, c, k, s, w)
-    if k.thrust_alone.any():
+    if largest(k.thrust_alone):
         right_hand_side(nu, True, m, k, w)
         bounded_least_squares(k.thrust_hessian, w.g, w.low, w.high, w.d, s.at_stop, w.factor, w.step)
         for i in range(len(s.r)):

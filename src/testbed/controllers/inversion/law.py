@@ -34,6 +34,15 @@ TIMER_ROUNDING = 1e-9
 
 
 @compiled
+def largest(values):
+    """The largest of some numbers. numba takes a second to compile the method `max` of an array."""
+    most = values[0]
+    for value in values:
+        most = max(most, value)
+    return most
+
+
+@compiled
 def pressure_ratio_of(y, m):
     """(V/V_0)^2 [1], the air's density taken as constant."""
     return (y.airspeed / m.airspeed) * (y.airspeed / m.airspeed)

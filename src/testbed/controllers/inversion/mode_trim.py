@@ -14,8 +14,8 @@ import numpy as np
 
 from testbed.aircraft.control_design import Loops
 from testbed.aircraft.design_model import DesignModel
+from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.steady_flights import (
-    DegradedAircraft,
     SteadyFlight,
     at_airspeeds,
     at_path_angles,

@@ -18,6 +18,7 @@ from threadpoolctl import threadpool_limits
 from testbed.aircraft.control_design import RegulatorWeights
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
+from testbed.controllers.inversion.degraded_aircraft import DegradedAircraft
 from testbed.controllers.inversion.mode_trim import (
     AirspeedRange,
     NoSteadyFlight,
@@ -25,7 +26,7 @@ from testbed.controllers.inversion.mode_trim import (
     steady_flight,
 )
 from testbed.controllers.inversion.modes import Mode
-from testbed.controllers.inversion.steady_flights import DegradedAircraft, SteadyFlight
+from testbed.controllers.inversion.steady_flights import SteadyFlight
 from testbed.controllers.records import AIRSPEED, ALTITUDE, INTEGRALS, REGULATOR_STATE
 from testbed.controllers.setup import Setup
 

@@ -18,7 +18,7 @@ import math
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, forget_model_error, reset_covariance
 from testbed.controllers.inversion.jam_detection import filtered_position, settle_regression
-from testbed.controllers.inversion.law import effect_ratio
+from testbed.controllers.inversion.law import effect_ratio, largest
 
 FORCE_TIME_S = 0.15
 """Time constant of the mean of a given-up actuator's force [s]: gusts at 25 ft/s leave 0.02 scaled units of a ruddervator."""
@@ -44,7 +44,7 @@ def detect_swings(e, pressure_ratio, m, c, s):
         if not turned(i, sigma, m, c, s):
             continue
         count_turn(i, sigma, s)
-        if s.turns[i] >= TURNS and s.swing_sigmas[i] == s.swing_sigmas.max():
+        if s.turns[i] >= TURNS and s.swing_sigmas[i] == largest(s.swing_sigmas):
             use_again(i, pressure_ratio, m, s)
             changed = 1
     return changed

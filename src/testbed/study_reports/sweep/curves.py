@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from testbed.common.angles import unwrapped_deg
-from testbed.sweeps.folder import histories
-from testbed.sweeps.statistics import Proportion, proportion
+from testbed.common.statistics import Proportion, proportion
+from testbed.studies.folder import histories
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -100,12 +100,12 @@ def error_band(folder: Path, flights: np.ndarray, channel: str) -> Band | None:
         flights: their numbers k (see `Plan.task`).
         channel: one of `histories.CHANNELS`.
     """
-    file, every = folder / "histories.f32", -(-len(flights) // _MOST)
+    every = -(-len(flights) // _MOST)
     index = list(histories.CHANNELS).index(channel)
     sampled, largest, worst, number = [], -1.0, None, -1
     for first in range(0, len(flights), _CHUNK):
         chunk = flights[first : first + _CHUNK]
-        data = histories.read(file, chunk)[:, index]
+        data = histories.read(folder, chunk)[:, index]
         if channel.endswith("_deg"):
             data = unwrapped_deg(data)
         sampled.append(data[-first % every :: every])

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from testbed.common.statistics import proportion
 from testbed.reporting.figures.sheet import Drawing, plain_text, save
 from testbed.reporting.palette import COLOURS, MET, MISSED, nth
+from testbed.studies.folder.reading import groups_of, unit
+from testbed.studies.plan import Plan
+from testbed.studies.summary import requirement_titles
+from testbed.studies.verdicts import state
 from testbed.study_reports.sweep.curves import is_number
 from testbed.study_reports.sweep.flights import errors, shares
-from testbed.sweeps.folder.reading import groups_of, unit
-from testbed.sweeps.plan import Plan
-from testbed.sweeps.statistics import proportion
-from testbed.sweeps.summary import requirement_titles
-from testbed.sweeps.verdicts import state
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -194,7 +194,7 @@ def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | N
 
 def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """PAWN sensitivity of passing to each varied value, with the index that chance alone would give."""
-    from testbed.sweeps.sensitivity import sensitivity
+    from testbed.studies.sensitivity import sensitivity
 
     found = {
         label: sensitivity(rows, plan.paths, ["passed"])["passed"] for label, rows in groups_of(plan, frame)

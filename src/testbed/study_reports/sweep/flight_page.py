@@ -7,7 +7,7 @@ from pathlib import Path
 
 from testbed.flight.flight import Flight
 from testbed.reporting import html, run_report
-from testbed.sweeps.folder import kept
+from testbed.studies.folder import logs
 
 FOLDER = "flights"
 """Folder of these pages in a sweep folder."""
@@ -22,12 +22,12 @@ def write_kept_page(flight: Flight, log: Path) -> Path:
     """Write the page of the flight of a kept log; returns its file. Raises OSError when it cannot be written."""
     file = page_of(log)
     file.parent.mkdir(exist_ok=True)
-    back = html.Html(f'<p class="note">Run {kept.run_of(log)} of <a href="../report.html">a sweep</a>.</p>')
+    back = html.Html(f'<p class="note">Run {logs.run_of(log)} of <a href="../report.html">a sweep</a>.</p>')
     return run_report.write_page(flight, file, again=_again(log), back=back)
 
 
 def _again(log: Path) -> str:
-    command = only(kept.run_of(log), kept.label_of(log))
+    command = only(logs.run_of(log), logs.label_of(log))
     return (
         "<p>Run this in the folder of the sweep. It flies the same flight, and keeps its log in full precision; "
         f"here it has single precision.</p>\n<pre>{escape(command)}</pre>"

@@ -11,13 +11,13 @@ import numpy as np
 
 from testbed.reporting.panels import TRACKED, error_of, error_panel
 from testbed.scenario.requirement import Requirement
+from testbed.studies.folder import histories
+from testbed.studies.folder.names import flight_label, in_file_names
+from testbed.studies.folder.reading import groups_of, unit
+from testbed.studies.plan import Plan
+from testbed.studies.verdicts import STATES, missed, requirements_of, state
 from testbed.study_reports.sweep.curves import Band, Point, drawn_inputs, error_band, is_number, pass_shares
 from testbed.study_reports.sweep.flight_page import page_of
-from testbed.sweeps.folder import histories
-from testbed.sweeps.folder.names import flight_label, in_file_names
-from testbed.sweeps.folder.reading import groups_of, unit
-from testbed.sweeps.plan import Plan
-from testbed.sweeps.verdicts import STATES, missed, requirements_of, state
 
 if TYPE_CHECKING:
     import pandas as pd

@@ -9,12 +9,12 @@ from typing import Any
 
 from testbed.common.files import plain
 from testbed.reporting import html
+from testbed.studies.folder import reading
+from testbed.studies.folder.names import flight_label
+from testbed.studies.plan import Plan
 from testbed.study_reports.sweep import sections
 from testbed.study_reports.sweep.flight_page import FOLDER
 from testbed.study_reports.sweep.flights import PAGE, for_the_script, kept_of
-from testbed.sweeps.folder import reading
-from testbed.sweeps.folder.names import flight_label
-from testbed.sweeps.plan import Plan
 
 Summary = dict[str, Any]
 

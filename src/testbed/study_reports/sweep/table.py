@@ -9,7 +9,7 @@ import pandas as pd
 from pandas.plotting import PlotAccessor
 
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.sweeps.folder.reading import load_plan
+from testbed.studies.folder.reading import load_plan
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -1,0 +1,210 @@
+"""Sweeps from Python. `sweep` does everything; the other functions are its steps, which the command line uses too."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from testbed.api.options import changes, checked_options, own_options
+from testbed.common.files import slug
+from testbed.controllers.user.own import own_controllers
+from testbed.flight.folder import write_run_folder
+from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.reporting.attempt import add_report, attempt
+from testbed.studies import summary
+from testbed.studies.checks import check
+from testbed.studies.flying.flight import Fly, flight_of
+from testbed.studies.folder import logs, reading, store, table
+from testbed.studies.folder.begin import runs_of
+from testbed.studies.folder.names import flight_label, in_file_names, log_file
+from testbed.studies.load import load_sweep
+from testbed.studies.plan import Plan
+from testbed.studies.record import NO_RESULT
+from testbed.studies.run import Options
+from testbed.studies.sweep import fly_only, fly_sweep
+from testbed.study_reports.sweep.flight_page import write_kept_page
+from testbed.study_reports.sweep.report import write_sweep_report
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from testbed.flight.flight import Flight
+
+WORST_PAGES = 3
+"""Flights of each variant whose pages are written with the sweep's report, the worst ones."""
+
+
+def sweep(
+    sweep: str | Path,
+    out: str | Path | None = None,
+    *,
+    runs: int | None = None,
+    seed: int | None = None,
+    settings: Sequence[str] = (),
+    set: Mapping[str, Any] | None = None,
+    jobs: int | None = None,
+    cluster: str | None = None,
+    resume: bool = False,
+    save_logs: str = "failed",
+    fly: Fly | None = None,
+    figures: bool = True,
+    controllers: Sequence[str] = (),
+) -> pd.DataFrame:
+    """Fly the sweep of a file, write its folder, and return its table with a row for each flight (see `testbed.load`).
+
+    Args:
+        sweep: the sweep's YAML file; a shipped one is found from any folder.
+        out: the sweep folder to make, `runs/<name>` by default.
+        runs: number of runs, in place of the file's.
+        seed: seed of everything random, in place of the file's.
+        settings: changes as with `--set`, each KEY=VALUE.
+        set: the same as a mapping from dotted paths, as `fly` takes it: {"sensors": "mems", "runs": 50}.
+        jobs: number of processes; one for each core by default.
+        cluster: address of a Dask cluster to fly on instead.
+        resume: go on with an existing folder, and fly only the missing flights.
+        save_logs: which flights' logs to keep: `none`, `failed` or `all`.
+        fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
+        figures: whether to draw figures and write the report.
+        controllers: classes of your own to compare with the sweep's controllers, each NAME=FILE.py:CLASS.
+
+    Raises BadInput when nothing can be flown, Stopped when the sweep ended early; the finished flights are then kept.
+    """
+    how = checked_options(jobs, cluster, save_logs, fly)
+    plan, folder = prepare(
+        sweep, out, changes(settings, set), runs=runs, seed=seed, resume=resume, controllers=controllers
+    )
+    fly_sweep(plan, folder, how, resume=resume)
+    finish(plan, folder, figures=figures)
+    from testbed.study_reports.sweep.table import table_of  # with pandas
+
+    return table_of(reading.load(folder))
+
+
+def prepare(
+    file: str | Path,
+    out: str | Path | None = None,
+    settings: Sequence[str] = (),
+    *,
+    runs: int | None = None,
+    seed: int | None = None,
+    resume: bool = False,
+    controllers: Sequence[str] = (),
+) -> tuple[Plan, Path]:
+    """Read and check a sweep; returns the plan and the sweep folder. Raises BadInput with every problem found.
+
+    A sweep that is resumed without `runs` has at least as many runs as the folder's sweep.yaml says.
+    """
+    if runs is not None and runs < 1:
+        raise BadInput([Problem(f"is {runs}", "--runs", expected="at least 1")])
+    given = own_options(runs=runs, seed=seed)
+    own = own_controllers(controllers)
+    plan = load_sweep(file, [*settings, *given], own)
+    folder = Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="sweep")
+    before = runs_of(folder) if resume and runs is None else None
+    if before is not None and before > plan.runs:
+        plan = load_sweep(file, [*settings, *given, *own_options(runs=before)], own)
+    check(plan)
+    return plan, folder
+
+
+def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
+    """Evaluate a sweep folder's table: write summary.json, figures and report.html; returns the summary.
+
+    Figures or a report that cannot be made are a warning, `reporting.attempt.NotShown`.
+    """
+    frame = reading.load(folder)
+    found = summary.summarize(plan, frame)
+    summary.write(found, folder)
+    if figures and len(frame):
+        from testbed.study_reports.sweep.figures import draw_sweep  # with matplotlib
+
+        attempt("the figures", lambda: draw_sweep(plan, frame, folder))
+        attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
+        attempt("the report", lambda: write_sweep_report(folder))
+    return found
+
+
+def _write_worst_pages(plan: Plan, found: dict[str, Any], folder: Path) -> None:
+    """Write the pages of the worst flights of each variant, those whose logs were kept."""
+    for i, variant in enumerate(found["variants"]):
+        for worst in variant["worst"][:WORST_PAGES]:
+            log = log_file(folder, plan, worst["run"] * len(plan.variants) + i)
+            flight = logs.read(log) if log.is_file() else None
+            if flight is not None and flight.actuators:  # one made by a function of the user's may have none
+                write_kept_page(flight, log)
+
+
+def rebuild(folder: Path) -> dict[str, Any]:
+    """Write table, summary, figures and report of a sweep folder again, without flying; returns the summary.
+
+    For an unfinished sweep they cover the flights that have finished. Raises BadInput when there are none.
+    """
+    plan = reading.load_plan(folder)
+    finished = (folder / "results.parquet").is_file()
+    # After `stop_when` more runs may be stored than the table has, because others were still flying. The table stays. So does
+    # that of a folder which an earlier version has flown.
+    if not finished or (store.exists(folder) and plan.sweep.stop_when is None):
+        with store.reading(folder) as stored:
+            if not len(stored):
+                raise BadInput([Problem("no flight has finished in this sweep folder", str(folder))])
+            table.write(plan, lambda: reading.records(plan, stored), folder)
+    return finish(plan, folder)
+
+
+def fly_run(
+    plan: Plan, run: int, folder: Path, how: Options, *, variant: str | None = None, figures: bool = True
+) -> tuple[bool, list[Flight]]:
+    """Fly one run alone into a new folder: its rows in results.csv, and a run folder for each variant's flight.
+
+    With `variant`, the label of one of those compared, only that is flown, and the new folder itself is its run folder.
+    Returns whether every flight passed, and those flights that have a result. Raises BadInput when there is no such run.
+    """
+    done = fly_only(plan, run, how, None if variant is None else _numbered(plan, variant))
+    records = [flown.record for _, flown in done]
+    # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.
+    job = how.job(plan)
+    again = [task for task, flown in done if flown.record.outcome not in NO_RESULT]
+    flights = {task.variant: flight_of(job, task) for task in again}
+    if variant is None:
+        folder.mkdir(parents=True)
+        table.write(plan, lambda: records, folder)
+    elif not flights:
+        raise BadInput([Problem(f"run {run} has no result: {records[0].reason}", "--only")])
+    for number, flight in flights.items():
+        name = flight_label(plan, run * len(plan.variants) + number)
+        add = partial(add_report, flight, figures=figures)
+        write_run_folder(flight, folder if variant is not None else folder / name, add)
+    return all(record.passed for record in records), list(flights.values())
+
+
+def _numbered(plan: Plan, label: str) -> int:
+    """The number of a variant, by its label or by what file names have of it; raises BadInput when there is none."""
+    labels = [variant.label for variant in plan.variants]
+    in_files = [in_file_names(known) for known in labels]
+    if label in in_files:
+        return in_files.index(label)
+    if label not in labels:
+        expected, suggestion = guess(label, labels)
+        problem = Problem(
+            f"there is no variant {label!r}", "--variant", expected=expected, suggestion=suggestion
+        )
+        raise BadInput([problem])
+    return labels.index(label)
+
+
+def report_run(path: Path) -> list[tuple[Flight, Path]]:
+    """Write the pages of a run in a sweep, `SWEEP/17`, from its kept logs; returns each flight with its page.
+
+    The pages are SWEEP/flights/<name of the log>.html. The sweep's report is written again, if there is one, with links to
+    them. Raises BadInput when no log was kept.
+    """
+    made = []
+    for log in logs.logs_of(path):
+        flight = logs.read(log)
+        made.append((flight, write_kept_page(flight, log)))
+    sweep = made[0][1].parent.parent
+    if (sweep / "report.html").is_file() and (sweep / "summary.json").is_file():
+        write_sweep_report(sweep)
+    return made

@@ -1,0 +1,111 @@
+"""Checks before a sweep is flown: the ends of every range and the first draws must make valid scenarios."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import islice
+from typing import Any
+
+from testbed.aircraft.changes import load_with_changes
+from testbed.controllers.user.loader import undeclared
+from testbed.controllers.user.own import not_given, unused_parameters
+from testbed.inputs.problems import BadInput, Problem
+from testbed.simulation.check import name_problems
+from testbed.studies.drawing.builder import Task
+from testbed.studies.plan import Plan
+
+_DRAWS = 16
+"""Number of runs whose scenarios are checked before the sweep; the others are checked when they are flown."""
+_COMPANIONS = 3
+"""The end of a range is refused if it is invalid with each of this many draws of the other values."""
+_MOST_CHECKED = 2000
+"""Most scenarios that are checked for each of the two, ends and draws: some seconds of computing."""
+_MOST = 20
+"""Number of problems after which no further ends or draws are checked."""
+
+
+def check(plan: Plan) -> None:
+    """Raise BadInput with everything that is wrong with the scenarios of a sweep."""
+    checker = _Checker(plan)
+    found = [not_given(name) for name, own in plan.builder.own.items() if not own.code]
+    if found:
+        raise BadInput(found)
+    # The ends come first, because their messages show the value that the user wrote.
+    found = list(dict.fromkeys(checker.ends()))
+    if not found:
+        found = _once(checker.draws())
+    if found:
+        raise BadInput(found)
+
+
+def _once(problems: Iterable[Problem]) -> list[Problem]:
+    """Of the problems that differ in the drawn value alone, the first."""
+    found: dict[tuple[object, ...], Problem] = {}
+    for problem in problems:
+        found.setdefault((problem.file, problem.line, problem.path, problem.expected), problem)
+    return list(found.values())
+
+
+class _Checker:
+    def __init__(self, plan: Plan) -> None:
+        self._plan = plan
+
+    def draws(self) -> Iterator[Problem]:
+        """Problems of the first runs; with a table of cases, of all runs up to _MOST_CHECKED scenarios."""
+        plan, found = self._plan, 0
+        variants = range(min(len(plan.variants), _MOST_CHECKED))
+        most = max(_MOST_CHECKED // len(variants), 1)
+        for run in range(min(plan.runs, most if plan.cases is not None else min(most, _DRAWS))):
+            for variant in variants:
+                problems = self.problems(plan.task(run * len(plan.variants) + variant))
+                for problem in problems:
+                    yield (
+                        replace(problem, what=f"{problem.what} (run {run})")
+                        if plan.cases is not None
+                        else problem
+                    )
+                found += len(problems)
+            if found >= _MOST:
+                return
+
+    def ends(self) -> Iterator[Problem]:
+        """Problems of the lowest and highest value of every bounded range, and of every option of every choice."""
+        plan = self._plan
+        ends = (
+            (path, value, variant)
+            for path, distribution in plan.sweep.vary.items()
+            for value in distribution.bounds
+            for variant in range(len(plan.variants))
+        )
+        found = 0
+        for end in islice(ends, _MOST_CHECKED):
+            problems = self._always(*end)
+            yield from problems
+            found += len(problems)
+            if found >= _MOST:
+                return
+
+    def _always(self, path: str, value: Any, variant: int) -> list[Problem]:
+        """Problems of a value that occur with each of the first _COMPANIONS draws of the others; none if one draw is valid."""
+        found: list[Problem] = []
+        for run in range(min(self._plan.runs, _COMPANIONS)):
+            task = self._plan.task(run * len(self._plan.variants) + variant)
+            found = self.problems(replace(task, values={**task.values, path: value}))
+            if not found:
+                return []
+        return found
+
+    def problems(self, task: Task) -> list[Problem]:
+        """Everything wrong with one flight's scenario."""
+        try:
+            scenario = self._plan.builder.scenario(task)
+            aircraft = load_with_changes(scenario.aircraft)
+            own = self._plan.builder.own_controller(task)
+            if own is not None:
+                unknown = undeclared(own.load(), scenario.controller.parameters)
+            else:
+                unknown = unused_parameters(scenario.controller)
+            return unknown or name_problems(scenario, aircraft)
+        except BadInput as error:
+            return list(error.problems)

@@ -1,0 +1,217 @@
+"""A study's folder while it is flown. It must be new or, to resume, have been begun with the same inputs.
+
+sweep.yaml       or search.yaml: the resolved study with the scenario inside; it can be flown again as it is
+cases.csv        a sweep's table of runs, if it has one
+flights.sqlite   what the study was begun with, and every flight that has finished (see `store`)
+logs/            whole logs of the flights that --save-logs chooses, such as run-000012-adaptive_inversion.parquet
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import json
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from testbed.aircraft.description import load_aircraft
+from testbed.common.files import write_whole
+from testbed.flight.folder import FolderExists
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.input_file import read_text
+from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.yaml_source import Source, describe
+from testbed.studies.drawing.cases import LARGEST_TABLE
+from testbed.studies.folder import store
+from testbed.studies.plan import Plan
+
+_VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What differs between the folders of sweeps and of searches: `free` are the keys on which no flight depends."""
+
+    word: str
+    free: tuple[str, ...]
+
+    @property
+    def file(self) -> str:
+        """Name of the file with the resolved study."""
+        return f"{self.word}.yaml"
+
+
+SWEEP = Kind("sweep", ("name", "runs", "stop_when"))
+SEARCH = Kind("search", ("name", "budget", "cov", "method", "starts"))
+
+
+def begin(
+    folder: Path, kind: Kind, plan: Plan, tree: Mapping[str, Any], fly: str, *, resume: bool
+) -> store.Store:
+    """Make the folder of the study that `tree` describes, or open it to resume; returns its store.
+
+    Raises BadInput when it has another study, or exists without `resume`, or cannot be written.
+    """
+    try:
+        refuse_other(folder, kind, plan, tree, resume)
+        folder.mkdir(parents=True, exist_ok=True)
+        now = begun_with(plan, fly)
+        if not store.exists(folder):
+            store.create(folder, now)
+        stored = store.opened(folder)
+        try:
+            refuse_changed(stored.inputs, now, folder)
+            # Only now, when the folder is known to be of this study. The file is written again, as `runs` may have grown.
+            if plan.cases_text is not None:
+                write_whole(folder / "cases.csv", plan.cases_text.encode())
+            write_whole(folder / kind.file, yamlfile.dump(tree).encode())
+        except BaseException:
+            stored.close()
+            raise
+        return stored
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror or error}", str(folder))]) from None
+
+
+def is_new(folder: Path) -> bool:
+    """Whether there is no such folder, or an empty one; hidden files are what a killed process had begun to write."""
+    if not os.path.lexists(folder):
+        return True
+    return folder.is_dir() and all(file.name.startswith(".") for file in folder.iterdir())
+
+
+def begun_with(plan: Plan, fly: str) -> dict[str, Any]:
+    """Everything, besides the study itself, that the results of the flights depend on."""
+    own = {name: each.digest for name, each in plan.builder.own.items()}
+    return {
+        "fly": fly,
+        "aircraft_sha256": _aircraft_digest(plan),
+        "versions": _versions(),
+        "controllers_sha256": own,
+    }
+
+
+def refuse_changed(before: Mapping[str, Any], now: Mapping[str, Any], folder: Path) -> None:
+    """Raise BadInput when a folder's study was begun with other inputs than those of now."""
+    problems = [Problem(f"was begun with {what}", str(folder)) for what in _changed(before, now)]
+    if problems:
+        raise BadInput(problems)
+
+
+def refuse_other(folder: Path, kind: Kind, plan: Plan, tree: Mapping[str, Any], resume: bool) -> None:
+    """Raise BadInput unless the folder is new or empty or, with `resume`, has the same study with as many runs or fewer."""
+    if is_new(folder):
+        return
+    if not resume:
+        what = "a new folder, or --resume to go on with this one"
+        raise FolderExists([Problem("exists already", str(folder), expected=what)])
+    file = folder / kind.file
+    if not file.is_file():
+        others = any(os.path.lexists(folder / other.file) for other in (SWEEP, SEARCH))
+        if others or not store.exists(folder):
+            raise BadInput([Problem(f"is not the folder of a {kind.word}", str(folder))])
+        return  # the process was killed before it wrote the file
+    if (folder / "journal.jsonl").is_file() and not store.exists(folder):
+        what = "was begun by an earlier version of testbed, and cannot be resumed"
+        raise BadInput([Problem(what, str(folder), expected="a new folder")])
+    source = yamlfile.read(file)
+    now = yamlfile.parse(yamlfile.dump(tree)).tree
+    unchanged = f"an unchanged {kind.word}"
+    problems = [
+        Problem(what, str(file), None, path, unchanged)
+        for path, what in _differences(source.tree, now, kind.free)
+    ]
+    if kind is SWEEP:
+        problems += _refused_runs(plan, source)
+    if plan.cases_text is not None and _cases(folder) != plan.cases_text:
+        problems.append(Problem("the table has changed", str(file), None, "cases", unchanged))
+    if problems:
+        raise BadInput(problems)
+
+
+def _refused_runs(plan: Plan, source: Source) -> Iterator[Problem]:
+    """Why the sweep of a folder cannot go on with the number of runs of the plan."""
+    runs = runs_in(source)
+    if plan.runs < runs:
+        yield Problem(f"has {runs} already", source.file, None, "runs", "at least as many")
+    if plan.runs > runs and not plan.extendable:
+        what = f"a latin hypercube of {runs} runs cannot be made longer: its points depend on their number"
+        yield Problem(what, source.file, None, "runs", "sobol, halton or random for that")
+
+
+def runs_of(folder: Path) -> int | None:
+    """Number of runs in the sweep.yaml of a folder; None if there is none. Raises BadInput if the file does not say."""
+    file = folder / SWEEP.file
+    return runs_in(yamlfile.read(file)) if os.path.isfile(file) else None
+
+
+def runs_in(source: Source) -> int:
+    """The number of runs that a folder's sweep.yaml says; raises BadInput if it does not say one."""
+    runs = source.tree.get("runs")
+    if not isinstance(runs, int) or isinstance(runs, bool) or runs < 1:
+        raise BadInput([source.problem(("runs",), f"is {describe(runs)}", "the number of runs, at least 1")])
+    return runs
+
+
+def _cases(folder: Path) -> str | None:
+    """The text of a folder's table of cases; None if it has none."""
+    file = folder / "cases.csv"
+    return read_text(file, LARGEST_TABLE, "a CSV table") if os.path.isfile(file) else None
+
+
+def _differences(
+    before: Any, now: Any, free: tuple[str, ...] = (), path: str = ""
+) -> Iterator[tuple[str, str]]:
+    """(dotted path, what) of every difference between two trees; `free` are keys at their top that may differ."""
+    if isinstance(before, dict) and isinstance(now, dict):
+        for key in [*before, *(key for key in now if key not in before)]:
+            if path or key not in free:
+                yield from _differences(before.get(key), now.get(key), free, f"{path}.{key}".lstrip("."))
+    elif before != now:
+        yield path, f"was {_said(before)}, is now {_said(now)}"
+
+
+def _said(value: Any) -> str:
+    return json.dumps(value)[:80] if isinstance(value, list) else describe(value)
+
+
+def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
+    if before.get("fly") != now["fly"]:
+        yield f"the function {before.get('fly')}, this is {now['fly']}"
+    if before.get("aircraft_sha256") != now["aircraft_sha256"]:
+        yield "other files of the aircraft, which have changed since"
+    digests, versions = (_mapping(before.get(key)) for key in ("controllers_sha256", "versions"))
+    for name, digest in now["controllers_sha256"].items():
+        if digests.get(name) != digest:
+            yield f"other code of {name}, which has changed since"
+    for name, version in now["versions"].items():
+        if (old := versions.get(name)) != version:
+            yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
+
+
+def _mapping(value: Any) -> Mapping[str, Any]:
+    return value if isinstance(value, dict) else {}
+
+
+def _versions() -> dict[str, str]:
+    """Versions of the packages on which the last digits of a flight may depend."""
+    found = {}
+    for name in _VERSIONS:
+        try:
+            found[name] = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:  # run from the repository, not installed
+            found[name] = ""
+    return found
+
+
+def _aircraft_digest(plan: Plan) -> str:
+    """SHA-256 of the files of every aircraft that is flown: XML, YAML and design model."""
+    digest = hashlib.sha256()
+    for name in plan.aircraft_names:
+        folder = load_aircraft(name).folder
+        for file in sorted(f for f in folder.rglob("*") if f.suffix in (".xml", ".yaml", ".json")):
+            digest.update(f"{file.relative_to(folder)}\0".encode() + file.read_bytes() + b"\0")
+    return digest.hexdigest()

@@ -1,0 +1,105 @@
+"""Read a sweep folder as a DataFrame, whether the sweep is finished or not; needs no simulator."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from testbed.common.units import unit as unit
+from testbed.inputs.problems import BadInput, Problem
+from testbed.studies.folder import store, table
+from testbed.studies.load import load_sweep
+from testbed.studies.plan import Plan
+from testbed.studies.record import Record, key_of
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+def load(folder: str | Path) -> pd.DataFrame:
+    """The table of a sweep folder, with a row for each flight; for an unfinished sweep, for each flight that has finished.
+
+    Its `attrs` have the sweep's `name`, its `folder`, a `summary` in one sentence, and `units` {column: unit}.
+    Raises BadInput when the folder is not a sweep folder.
+    """
+    folder = Path(folder)
+    plan = load_plan(folder)
+    try:
+        frame = _finished(folder) if (folder / "results.parquet").is_file() else _unfinished(plan, folder)
+    except (OSError, ValueError) as error:  # pyarrow's errors are ValueErrors
+        problem = Problem(f"cannot be read: {error}", str(folder), expected="a sweep folder")
+        raise BadInput([problem]) from None
+    for name in ["outcome", *plan.sweep.compare]:
+        frame[name] = frame[name].astype("category")
+    frame.attrs |= {
+        "name": plan.name,
+        "folder": str(folder),
+        "summary": _sentence(plan, frame),
+        "units": {name: unit(name) for name in frame.columns},
+    }
+    return frame
+
+
+def load_plan(folder: Path) -> Plan:
+    """The sweep of a folder; raises BadInput when there is none."""
+    file = folder / "sweep.yaml"
+    if not file.is_file():
+        raise BadInput([Problem("is missing from the sweep folder", str(file))])
+    return load_sweep(file)
+
+
+def _sentence(plan: Plan, frame: pd.DataFrame) -> str:
+    """`small: 12 of 12 runs flown; passed: adaptive_inversion 11 of 12, pid 3 of 12`."""
+    shares = ", ".join(
+        f"{label} {int(np.count_nonzero(rows['passed']))} of {len(rows)}".strip()
+        for label, rows in groups_of(plan, frame)
+    )
+    return f"{plan.name}: {frame['run'].nunique()} of {plan.runs} runs flown; passed: {shares}"
+
+
+def records(plan: Plan, stored: store.Store, runs: int | None = None) -> Iterator[Record]:
+    """The records of the flights of the first `runs` runs, all by default, in the order of runs and variants.
+
+    Raises BadInput for one that is not of this sweep.
+    """
+    variants = len(plan.variants)
+    end = key_of((plan.runs if runs is None else runs) * variants)
+    for key, record in stored.records():
+        if key >= end:
+            return
+        if record.variant >= variants or key_of(record.run * variants + record.variant) != key:
+            what = f"has run {record.run}, variant {record.variant} in place of another flight"
+            raise BadInput([Problem(what, str(stored.folder / store.NAME))])
+        yield record
+
+
+def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFrame]]:
+    """(label, rows) of each variant; its rows are those with its values in the compared columns."""
+    for variant in plan.variants:
+        mask = np.ones(len(frame), dtype=bool)
+        for path, value in variant.values.items():
+            column = frame[path].astype(object)
+            text = len(column) and isinstance(column.iloc[0], str) and not isinstance(value, str)
+            mask &= (column == (json.dumps(value, ensure_ascii=False) if text else value)).to_numpy()
+        yield variant.label, frame[mask]
+
+
+def _finished(folder: Path) -> pd.DataFrame:
+    import pandas as pd
+
+    return pd.read_parquet(folder / "results.parquet")
+
+
+def _unfinished(plan: Plan, folder: Path) -> pd.DataFrame:
+    import pandas as pd
+
+    with store.reading(folder) as stored:
+        flown = list(records(plan, stored))
+    kinds = table.columns(plan, flown)
+    dtypes = {bool: "bool", int: "int64", float: "float64", str: "str"}
+    frame = pd.DataFrame(list(table.rows(plan, flown)), columns=list(kinds))
+    return frame.astype({n: dtypes[k] for n, k in kinds.items() if k in (float, str)})

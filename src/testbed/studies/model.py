@@ -1,0 +1,129 @@
+"""The models of sweep and search files: every key with default, range and meaning."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from testbed.inputs.base import Number, Positive, Settings, Text, Whole, refuse
+from testbed.scenario.model import MAX_NAME
+from testbed.studies.drawing.distributions import Distribution
+
+MOST_FLIGHTS = 10_000_000
+"""Most runs of a sweep, and most flights, which are runs times variants. Ten million flights take weeks."""
+MOST_LEVELS = 100_000
+"""Most levels of one value in a grid."""
+
+
+class StopWhen(Settings):
+    """Stop as soon as P(all requirements met) is known to +- `half_width` at this `confidence`, for every variant."""
+
+    half_width: Annotated[Number, Field(gt=0, lt=0.5)]
+    """Half of the width of the confidence interval."""
+    confidence: Annotated[Number, Field(gt=0, lt=1)] = 0.95
+    """Confidence of the interval."""
+
+
+class Study(Settings):
+    """What a sweep and a search share: a scenario, what varies, and what is compared under the same variations."""
+
+    name: Text | None = Field(default=None, max_length=MAX_NAME)
+    """Title of the study; default: the file's name."""
+    scenario: Text | dict[str, Any]
+    """Path of a scenario file, relative to the study's file; or the scenario itself."""
+    seed: Whole = 1
+    """Seed from which everything random is drawn."""
+    set: dict[str, Any] = {}  # noqa: RUF012  (pydantic copies it)
+    """Changes to the scenario for all flights, by dotted paths."""
+    vary: dict[str, Distribution] = {}  # noqa: RUF012
+    """Values that vary: a distribution for each dotted path."""
+    compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
+    """Variants that are flown with the same variations: a list of values for each dotted path; of several, all combinations."""
+    controllers: dict[str, Text] = {}  # noqa: RUF012
+    """Controllers of one's own among those compared, each FILE.py:CLASS. `--controller` fills it in; a file runs no code."""
+    time_limit_s: Positive = 300.0
+    """Wall time [s] after which a flight counts as hung."""
+
+    @field_validator("vary", "compare")
+    @classmethod
+    def _not_the_seed(cls, paths: dict[str, Any]) -> dict[str, Any]:
+        if "seed" in paths:
+            raise refuse("names seed", "other values: every run has a seed of its own already")
+        return paths
+
+    @model_validator(mode="after")
+    def _unambiguous(self) -> Study:
+        if (variants := math.prod(map(len, self.compare.values()))) > MOST_FLIGHTS:
+            raise refuse(f"compares {variants} variants", f"at most {MOST_FLIGHTS}")
+        for name, reference in self.controllers.items():
+            if not reference.rpartition(":")[0]:
+                raise refuse(f"has {name}: {reference!r}", "FILE.py:CLASS")
+        for one in self.vary:
+            for other in [*self.compare, *self.vary]:
+                if f"{one}.".startswith(f"{other}.") and (one != other or other in self.compare):
+                    raise refuse(f"gives {one} two meanings", f"not also {other}")
+        return self
+
+
+class Sweep(Study):
+    """One study by sampling: a scenario, what varies, and what is compared under the same variations."""
+
+    runs: Annotated[int, Field(strict=True, gt=0, le=MOST_FLIGHTS)] | None = None
+    """Number of runs. Default: 1000; with `cases` or a grid, all of their points."""
+    sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
+    """Sampling method: how the runs cover the ranges of the varied values."""
+    levels: Annotated[int, Field(strict=True, gt=1, le=MOST_LEVELS)] = 5
+    """Number of levels of each continuous value in a grid."""
+    cases: Text | None = None
+    """CSV table used instead of `vary`: a row for each run, a column for each dotted path; relative to the sweep's file."""
+    stop_when: StopWhen | None = None
+
+    @model_validator(mode="after")
+    def _varies(self) -> Sweep:
+        if self.cases is not None and self.vary:
+            raise refuse("has both vary and cases", "one of them")
+        if self.cases is None and not self.vary:
+            raise refuse("varies nothing", "vary, or cases: table.csv")
+        return self
+
+
+Goal = Literal["smallest", "probability"]
+GOALS: tuple[Goal, ...] = ("smallest", "probability")
+
+
+class Search(Study):
+    """One search: a scenario, what varies, and what is looked for. Keys that it shares with a sweep mean the same."""
+
+    goal: Goal
+    """What is looked for: the `smallest` failure that breaks a requirement, or the `probability` that one is broken."""
+    requirement: Text | None = None
+    """Name of the requirement that is to be broken; default: any of the scenario's."""
+    budget: Annotated[int, Field(strict=True, ge=20, le=MOST_FLIGHTS)] = 2000
+    """Most flights of each search. Every variant, and every option of a `choice`, is a search of its own."""
+    cov: Annotated[Number, Field(gt=0, le=1)] = 0.3
+    """For a probability: the coefficient of variation at which the search ends."""
+    method: Literal["subset", "importance", "adaptive", "plain"] = "subset"
+    """For a probability: subset simulation, importance sampling about the design points or about all failures, or plain
+    sampling as the check of them."""
+    starts: Annotated[int, Field(strict=True, ge=1, le=100)] = 3
+    """For the smallest failure: number of independent starts, of which the nearest failure counts."""
+    nominal: dict[str, Number] = {}  # noqa: RUF012
+    """Value from which distance is measured, by dotted path: one end of the value's range. Default: the value with which a failure
+    has no effect if that is an end of the range, else the median."""
+
+    @model_validator(mode="after")
+    def _varies(self) -> Search:
+        if not self.vary:
+            raise refuse("varies nothing", "vary")
+        for path in self.nominal:
+            if path not in self.vary:
+                raise refuse(f"has a nominal {path}, which does not vary", f"one of {', '.join(self.vary)}")
+        return self
+
+    def settings(self) -> dict[str, Any]:
+        """What is said of the search itself, beside what it shares with a sweep."""
+        names = ["goal", "requirement", "budget", "nominal"]
+        names += ["cov", "method"] if self.goal == "probability" else ["starts"]
+        return {name: value for name in names if (value := getattr(self, name)) not in (None, {})}

@@ -1,0 +1,58 @@
+"""What is kept of one flight of a study: its record, its error history, and perhaps its log.
+
+A flight without a result, such as one that crashed its process, has an outcome of NO_RESULT, a reason, and none of what a flight
+is measured by.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Annotated, Any
+
+from pydantic import Field, TypeAdapter
+
+NO_RESULT = ("invalid", "error", "timeout", "crashed")
+"""Outcomes of a flight without a result: refused as input, ended by an exception, hung, ended with its process."""
+
+_Number = Annotated[int, Field(ge=0)]
+_Verdict = tuple[bool, float, float]
+
+
+@dataclass(frozen=True)
+class Record:
+    """One flight: the numbers of its run and variant, its seed, the values drawn, and how it went.
+
+    `requirements` has (passed, value, robustness) of each requirement, NaN where there is no value. `reason` says why there is no
+    result.
+    """
+
+    run: _Number
+    variant: _Number
+    seed: _Number
+    values: dict[str, Any]
+    outcome: str
+    passed: bool
+    reason: str = ""
+    end_time_s: float = math.nan
+    robustness: float = math.nan
+    metrics: dict[str, float] = field(default_factory=dict)
+    requirements: tuple[_Verdict, ...] = ()
+
+
+@dataclass(frozen=True)
+class Flown:
+    """What is kept of one flight: its record, its error history (see `folder.histories`), and its log as Parquet, or b""."""
+
+    record: Record
+    history: bytes = b""
+    log: bytes = b""
+
+
+def key_of(k: int) -> bytes:
+    """The key by which flight number k of a sweep is stored (see `folder.store`)."""
+    return k.to_bytes(8, "big")
+
+
+CHECKED = TypeAdapter(Record)
+"""Reads a record from JSON, with the type and the range of each value checked."""

@@ -1,0 +1,74 @@
+"""A flight as a limit state: its robustness as a function of the coordinates of what varies; at or below 0 it fails."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from testbed.inputs.problems import BadInput, Problem
+from testbed.studies.flying.pool import FlyAll
+from testbed.studies.folder.store import Store
+from testbed.studies.record import Record
+from testbed.studies.search.plan import Part, Point, SearchPlan, key_of
+
+_LEAST = 1e-12
+"""What a requirement that is met exactly at its limit counts as."""
+
+
+class LimitState:
+    """The limit state of one part of a search. It flies what the store does not have, and keeps the order of points.
+
+    Attributes:
+        points: every point that was asked for, with its number, in the order of its first time.
+    """
+
+    def __init__(
+        self,
+        plan: SearchPlan,
+        part: Part,
+        store: Store,
+        fly_all: FlyAll,
+        flown: Callable[[Part, Point, bool], None],
+    ) -> None:
+        """`flown` is called with each point that has been flown, and whether it failed."""
+        self.part = part
+        self.points: dict[Point, int] = {}
+        self._plan, self._store, self._fly_all, self._flown = plan, store, fly_all, flown
+
+    def __call__(self, u: np.ndarray) -> np.ndarray:
+        """[n] robustness of the flights at points [n, dimensions]; NaN for a flight without a result."""
+        rows = [tuple(map(float, row)) for row in np.atleast_2d(u)]
+        new = [row for row in dict.fromkeys(rows) if row not in self.points]
+        if new:
+            self._fly(new)
+        return np.array([robustness(self.record(row)) for row in rows])
+
+    def record(self, point: Point) -> Record:
+        """The record of the flight at a point that was asked for, whose number is its run."""
+        record = self._store.record(key_of(self.part, point))
+        if record.variant != self.part.variant:
+            what = f"has variant {record.variant} in place of {self.part.variant}"
+            raise BadInput([Problem(what, str(self._store.folder))])
+        return replace(record, run=self.points[point])
+
+    def _fly(self, points: list[Point]) -> None:
+        tasks = self._plan.tasks(self.part, np.array(points), len(self.points))
+        for task, point in zip(tasks, points, strict=True):
+            self.points[point] = task.run
+        at = {task.run: point for task, point in zip(tasks, points, strict=True)}
+        missing = [task for task in tasks if key_of(self.part, at[task.run]) not in self._store]
+        for task, flown in self._fly_all(missing):
+            self._store.add(key_of(self.part, at[task.run]), flown.record)
+            self._flown(self.part, at[task.run], failed(flown.record))
+
+
+def robustness(record: Record) -> float:
+    """The robustness in a flight's record, with the sign of its verdict: above 0 exactly if it passed; NaN without a result."""
+    return max(record.robustness, _LEAST) if record.passed else min(record.robustness, 0.0)
+
+
+def failed(record: Record) -> bool:
+    """Whether a flight has a result, and a requirement was not met."""
+    return robustness(record) <= 0.0

@@ -1,0 +1,163 @@
+"""Run a search into its folder: the flight at the origin of every part, then each part's search, then the table."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from testbed.inputs.problems import Problem
+from testbed.reliability import (
+    FailureProbability,
+    SmallestFailure,
+    Step,
+    failure_probability,
+    smallest_failure,
+)
+from testbed.studies.drawing.builder import Task
+from testbed.studies.flying.pool import FlyAll
+from testbed.studies.folder import table
+from testbed.studies.folder.begin import SEARCH
+from testbed.studies.folder.store import Store
+from testbed.studies.progress import Progress
+from testbed.studies.record import Record
+from testbed.studies.run import Options, Refused, flying_into
+from testbed.studies.search.limit_state import LimitState, failed, robustness
+from testbed.studies.search.plan import Part, Point, SearchPlan
+
+Answer = SmallestFailure | FailureProbability
+
+
+@dataclass(frozen=True)
+class Found:
+    """What the search of one part found.
+
+    Attributes:
+        flights: number of flights made for it.
+        without_result: how many of them gave no result.
+        record: that of the flight at the design point; None if nothing failed.
+    """
+
+    part: Part
+    answer: Answer
+    flights: int
+    without_result: int
+    record: Record | None
+
+
+def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool = False) -> list[Found]:
+    """Search every part, and write the table of flights; returns what was found, in the order of the parts.
+
+    Raises BadInput and Stopped as `studies.run.flying_into`, and Refused when every flight at the origin fails already.
+    """
+    kept = "flights are kept, --resume goes on"
+    with flying_into(folder, SEARCH, plan.plan, plan.tree, options, kept, resume=resume) as (store, fly_all):
+        return search_in(plan, store, fly_all)
+
+
+def search_in(plan: SearchPlan, store: Store, fly_all: FlyAll) -> list[Found]:
+    """As `run_search`, into an open store, and with anything that flies. Raises Refused for what needs no search."""
+    nearest = Nearest(plan)
+    with Progress(plan.name, plan.search.budget * len(plan.parts), nearest.words) as progress:
+
+        def flown(part: Part, point: Point, failed: bool) -> None:
+            nearest.add(part, point, failed)
+            progress.add()
+
+        states = [LimitState(plan, part, store, fly_all, flown) for part in plan.parts]
+        _refuse_broken(plan, states)
+        found = [_found(plan, state) for state in states]
+    table.write(plan.plan, lambda: _rows(states), store.folder)
+    return found
+
+
+class Nearest:
+    """The nearest failure so far of the part that is being searched."""
+
+    def __init__(self, plan: SearchPlan) -> None:
+        self._plan = plan
+        self._distances: dict[int, float] = {}
+        self._part: Part | None = None
+
+    def add(self, part: Part, point: Point, failed: bool) -> None:
+        """Count one more flight."""
+        self._part = part
+        if failed:
+            known = self._distances.get(part.number, math.inf)
+            self._distances[part.number] = min(math.hypot(*point), known)
+
+    def words(self) -> str:
+        """`ACTUATOR: nearest failure at distance 2.31`."""
+        if self._part is None:
+            return ""
+        label, distance = self._plan.label(self._part), self._distances.get(self._part.number)
+        found = "no failure yet" if distance is None else f"nearest failure at distance {distance:.2f}"
+        return f"{label}: {found}" if label else found
+
+
+def _rows(states: Sequence[LimitState]) -> Iterator[Record]:
+    """The records as the table has them: each part's in the order asked for, with distance and coordinates."""
+    for state in states:
+        for point in state.points:
+            record = state.record(point)
+            named = {f"u.{each.path}": u for each, u in zip(state.part.space.coordinates, point, strict=True)}
+            distance = sum(u * u for u in point) ** 0.5
+            yield replace(record, metrics={"distance": distance, **named, **record.metrics})
+
+
+def _refuse_broken(plan: SearchPlan, states: Sequence[LimitState]) -> None:
+    """Raise Refused when a flight at the origin has no result, or when each of them breaks a requirement already."""
+    broken, problems = 0, []
+    for state in states:
+        origin = np.zeros((1, len(state.part.space)))
+        value = float(state(origin)[0])
+        record = state.record(tuple(origin[0]))
+        label = plan.label(state.part)
+        whose = f"the flight at the origin of the search{f' ({label})' if label else ''}"
+        if np.isnan(value):
+            problems.append(Problem(f"{whose} has no result: {record.reason}", plan.name))
+        broken += value <= 0.0
+    if broken == len(states):
+        what = f"{whose} breaks {' and '.join(broken_names(plan, record))} already"
+        expected = "a scenario that meets its requirements where distance is 0 (`testbed sweep` counts how often it does)"
+        problems.append(Problem(what, plan.name, expected=expected))
+    if problems:
+        raise Refused(problems)
+
+
+def broken_names(plan: SearchPlan, record: Record) -> list[str]:
+    """What a flight did not meet, by the requirements' names; that the aircraft was lost, if each was met until then."""
+    scenario = plan.plan.builder.scenario(Task(record.run, record.variant, record.seed, record.values))
+    verdicts = zip(scenario.requirements, record.requirements, strict=False)
+    names = [repr(requirement.title) for requirement, (passed, *_) in verdicts if not passed]
+    return names or [f"no requirement, but the flight ended early ({record.outcome})"]
+
+
+def _found(plan: SearchPlan, state: LimitState) -> Found:
+    answer = _answer(plan, state)
+    point = answer.design_point
+    record = None if point is None else state.record(tuple(map(float, point)))
+    unknown = sum(bool(np.isnan(robustness(state.record(each)))) for each in state.points)
+    return Found(state.part, answer, len(state.points), unknown, record)
+
+
+def _answer(plan: SearchPlan, state: LimitState) -> Answer:
+    search, dimensions = plan.search, len(state.part.space)
+    shared = {"seed": plan.seed(state.part), "budget": search.budget}
+    if search.goal == "probability":
+        return failure_probability(state, dimensions, cov=search.cov, method=search.method, **shared)
+    origin = np.zeros(dimensions)
+    if failed(state.record(tuple(origin))):
+        return _at_origin(origin)
+    return smallest_failure(
+        state, dimensions, starts=search.starts, mirrored=state.part.space.mirrored, **shared
+    )
+
+
+def _at_origin(origin: np.ndarray) -> SmallestFailure:
+    """What is found where the flight at the origin fails already: nothing has to break for it."""
+    return SmallestFailure(True, origin, 0.0, 0.0, 1, (Step(1, 0.0, origin),), 0, 1.0,
+                           "The flight at the origin fails already.")  # fmt: skip

@@ -1,0 +1,173 @@
+"""summary.json of a sweep, computed from its table. Its contents do not depend on the clock or the machine."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import math
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from testbed.common import statistics
+from testbed.common.files import plain, replacing
+from testbed.studies.folder.reading import groups_of
+from testbed.studies.plan import Plan
+from testbed.studies.sensitivity import sensitivity
+from testbed.studies.verdicts import missed, requirements_of
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+CLAIMS = (0.9, 0.99, 0.999)
+COVERAGES = (0.9, 0.95, 0.99)
+HALF_WIDTHS = (0.05, 0.01)
+WORST = 5
+
+
+def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
+    """Contents of summary.json for the finished flights; a number that is not finite becomes None."""
+    groups = list(groups_of(plan, frame))
+    probabilistic = plan.cases is None and plan.sweep.sampling != "grid"
+    summary = {
+        "sweep": plan.name,
+        "seed": plan.sweep.seed,
+        "sampling": "cases" if plan.cases is not None else plan.sweep.sampling,
+        "probabilistic": probabilistic,
+        "runs": int(frame["run"].nunique()),
+        "runs_asked": plan.runs,
+        "complete": len(frame) == plan.size,
+        "varied": plan.paths,
+        "variants": [_variant(plan, label, rows) for label, rows in groups],
+        "pairs": [
+            _pair(one[0], one[1], other[0], other[1]) for one, other in itertools.combinations(groups, 2)
+        ],
+    }
+    known: dict[str, Any] = plain(summary)
+    return known
+
+
+def write(summary: dict[str, Any], folder: Path) -> None:
+    """Write summary.json, whole or not at all."""
+    text = json.dumps(summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    with replacing(folder / "summary.json") as partial:
+        partial.write_text(text + "\n", encoding="utf-8")
+
+
+def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
+    """Names of the columns that are metrics."""
+    others = {"run", "seed", "outcome", "passed", "reason", "end_time_s", "robustness"}
+    others |= {*plan.paths, *plan.sweep.compare}
+    return [name for name in frame.columns if name not in others and not name.startswith("requirements.")]
+
+
+def requirement_titles(plan: Plan) -> list[str]:
+    """The title of each requirement, in order."""
+    return [requirement.title for requirement in requirements_of(plan)]
+
+
+def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
+    """The worst flights of those that did not pass, the worst first.
+
+    Flights without a result come first, then lost flights (the earliest first), then the others by their number of unmet
+    requirements, and by their largest altitude error.
+    """
+    failed = rows[~rows["passed"]]
+    flown = failed["outcome"].isin(["completed", "ground_contact", "envelope_exceeded", "diverged"])
+    verdicts = [
+        name for name in rows.columns if name.startswith("requirements.") and name.endswith(".passed")
+    ]
+    keys = {
+        "no_result": ~flown,
+        "lost": failed["outcome"] != "completed",
+        "early": -failed["end_time_s"].where(failed["outcome"] != "completed", 0.0).fillna(0.0),
+        "unmet": (failed[verdicts] == False).sum(axis=1),  # noqa: E712  (a missing verdict is neither True nor False)
+        "error": failed.get("altitude_error_max_m", failed["end_time_s"] * 0.0).fillna(0.0),
+    }
+    order = failed.assign(**{f"_{name}": key for name, key in keys.items()})
+    ranked = order.sort_values([f"_{name}" for name in keys], ascending=False, kind="stable")
+    return ranked[list(rows.columns)].head(count)
+
+
+def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
+    passed, n = int(rows["passed"].sum()), len(rows)
+    metrics = metric_names(plan, rows)
+    drivers = ["passed", *(name for name in metrics if "error_max" in name)]
+    return {
+        "label": label,
+        "outcomes": {str(k): int(v) for k, v in sorted(rows["outcome"].value_counts().items()) if v},
+        "all_requirements": _both_intervals(passed, n),
+        "requirements": list(_requirements(plan, rows)),
+        "metrics": {name: _metric(rows, name) for name in metrics},
+        "runs_needed": _runs_needed(passed, n),
+        "sensitivity": sensitivity(rows, plan.paths, drivers),
+        "worst": [_told(plan, row) for row in worst(plan, rows).to_dict("records")],
+    }
+
+
+def _told(plan: Plan, row: Mapping[Any, Any]) -> dict[str, Any]:
+    """A failed flight: its run, how it ended, and the requirement that it missed by most, with the worst value and the margin."""
+    requirements = requirements_of(plan)
+    by_most = missed(requirements, row)
+    told = {"run": int(row["run"]), "outcome": str(row["outcome"]), "reason": row.get("reason") or ""}
+    if by_most is None:
+        return told | {"missed": None, "value": None, "margin": None}
+    title = requirements[by_most.number].title
+    return told | {"missed": title, "value": by_most.value, "margin": by_most.margin}
+
+
+def _both_intervals(passed: int, n: int) -> dict[str, Any]:
+    wilson, exact = statistics.proportion(passed, n), statistics.proportion(passed, n, method="exact")
+    return {**wilson.plain, "exact_low": exact.low, "exact_high": exact.high}
+
+
+def _requirements(plan: Plan, rows: pd.DataFrame) -> Iterator[dict[str, Any]]:
+    """Share of flights that met each requirement; a flight without a result counts as not having met it."""
+    for j, title in enumerate(requirement_titles(plan)):
+        name = f"requirements.{j}.passed"
+        met = int((rows[name] == True).sum()) if name in rows else 0  # noqa: E712
+        yield {"name": title, **_both_intervals(met, len(rows))}
+
+
+def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:
+    """Quantiles of a metric, and its tolerance bounds; in the bounds a lost flight counts as an infinite value."""
+    values = rows[name].to_numpy(dtype=float)
+    known = values[np.isfinite(values)]
+    lost = (rows["outcome"] != "completed").to_numpy()
+    counted = np.where(lost, math.inf, values)
+    counted = counted[~np.isnan(counted)]
+    quantiles = np.quantile(known, [0.05, 0.5, 0.95]) if len(known) else [math.nan] * 3
+    bounds = {f"{c:g}": statistics.tolerance_bound(counted.tolist(), c) for c in COVERAGES}
+    return {
+        "n": len(known),
+        "lost": int(lost.sum()),
+        "p5": float(quantiles[0]),
+        "median": float(quantiles[1]),
+        "p95": float(quantiles[2]),
+        "largest": float(known.max()) if len(known) else math.nan,
+        "tolerance_confidence": statistics.CONFIDENCE,
+        "tolerance_bounds": {c: "none: flights were lost" if b == math.inf else b for c, b in bounds.items()},
+    }
+
+
+def _runs_needed(passed: int, n: int) -> dict[str, Any]:
+    """Runs needed for claims about P(all requirements met), and for narrower intervals."""
+    share = passed / n if n else 0.5
+    return {
+        "claim_without_a_failure": {f"{c:g}": statistics.runs_needed(c) for c in CLAIMS},
+        "claim_with_failures_as_now": {
+            f"{c:g}": statistics.runs_needed(c, n - passed) if share > c else None for c in CLAIMS
+        },
+        "half_width": {f"{w:g}": statistics.runs_for_half_width(share, w) for w in HALF_WIDTHS},
+        "tolerance_by_the_largest": {f"{c:g}": statistics.runs_for_tolerance(c) for c in COVERAGES},
+    }
+
+
+def _pair(one: str, first: pd.DataFrame, other: str, second: pd.DataFrame) -> dict[str, Any]:
+    """Two variants compared, over the runs that both have flown."""
+    a, b = first.set_index("run")["passed"], second.set_index("run")["passed"]
+    runs = a.index.intersection(b.index)
+    result = statistics.paired(a[runs].tolist(), b[runs].tolist())
+    return {"first": one, "second": other, "n": len(runs), **result.plain}

@@ -1,0 +1,82 @@
+"""How each flight of a sweep ended, in a word, and which requirement it missed by most."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from testbed.flight.flight import Outcome
+from testbed.scenario.requirement import Requirement
+from testbed.studies.plan import Plan
+
+STATES = ("passed", "missed", "lost", "no result")
+"""Passed; flown to the end with a requirement missed; ended early; not flown."""
+_LOST = {str(outcome) for outcome in Outcome if outcome is not Outcome.completed}
+
+
+class Missed(NamedTuple):
+    """The requirement that a flight missed by most: its number, the worst value, the margin (negative), and how many others.
+
+    Value and margin are NaN where there is no value, such as after the flight has ended.
+    """
+
+    number: int
+    value: float
+    margin: float
+    others: int
+
+
+def state(outcome: str, passed: bool) -> str:
+    """One of STATES."""
+    if passed:
+        return "passed"
+    if outcome in _LOST:
+        return "lost"
+    return "missed" if outcome == Outcome.completed else "no result"
+
+
+def requirements_of(plan: Plan) -> Sequence[Requirement]:
+    """The requirements of the scenario, in order."""
+    return plan.builder.scenario(plan.task(0)).requirements
+
+
+def missed(requirements: Sequence[Requirement], row: Mapping[Any, Any]) -> Missed | None:
+    """The requirement that a flight missed by most, as a share of its limit; None if it has met all, or was not flown.
+
+    Args:
+        row: the flight's row of the table, by column.
+    """
+    found = []
+    for j, requirement in enumerate(requirements):
+        if row.get(f"requirements.{j}.passed") in (False, 0):
+            value = row.get(f"requirements.{j}.value")
+            number = math.nan if value is None else float(value)
+            found.append((_share(requirement, number), j, number, margin(requirement, number)))
+    if not found:
+        return None
+    _, j, number, short = min(found)
+    return Missed(j, number, short, len(found) - 1)
+
+
+def margin(requirement: Requirement, value: float) -> float:
+    """Distance of a requirement's worst value from its limit, negative where it is missed; NaN without a value."""
+    if requirement.longest_s is not None:
+        return requirement.longest_s - value
+    limits = [
+        requirement.within - value if requirement.within is not None else math.nan,
+        requirement.at_most - value if requirement.at_most is not None else math.nan,
+        value - requirement.at_least if requirement.at_least is not None else math.nan,
+    ]
+    return min((limit for limit in limits if not math.isnan(limit)), default=math.nan)
+
+
+def _share(requirement: Requirement, value: float) -> float:
+    """The margin as a share of the limit; 0, which is the least missed, without a value."""
+    short = margin(requirement, value)
+    limit = next(
+        x
+        for x in (requirement.longest_s, requirement.within, requirement.at_most, requirement.at_least)
+        if x is not None
+    )
+    return 0.0 if math.isnan(short) else short / max(abs(limit), 1e-9)

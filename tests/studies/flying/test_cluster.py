@@ -1,0 +1,108 @@
+"""A Dask scheduler and two workers, real processes on 127.0.0.1 that have the package and nothing else."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import signal
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from dask_cluster import Cluster
+from own_controllers import own_controller
+from sweep_files import SWEEP, finished, fly_here, same_rows, sorted_files, written
+
+import testbed
+from testbed.aircraft.shipped import find_aircraft
+from testbed.controllers.user.own import own_controllers
+from testbed.inputs.problems import BadInput
+from testbed.studies.flying.cluster import fly_packed, pack
+from testbed.studies.flying.flight import Job, fly_task
+from testbed.studies.load import load_sweep
+
+pytest.importorskip("distributed", reason="the cluster extra")
+
+
+@pytest.fixture
+def cluster(tmp_path: Path) -> Iterator[Cluster]:
+    folder = tmp_path / "elsewhere"
+    folder.mkdir()
+    cluster = Cluster(folder)
+    yield cluster
+    cluster.close()
+
+
+@pytest.mark.nightly
+def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, tmp_path: Path) -> None:
+    sweep = written(tmp_path)
+    plan = load_sweep(sweep, ["runs=30"])
+    fly_here(plan, tmp_path / "here", "testbed.simulation:fly", save_logs="failed")
+
+    def kill_midway() -> None:
+        while finished(tmp_path / "there") < 10:
+            time.sleep(0.005)
+        cluster.kill_worker()
+
+    killer = threading.Thread(target=kill_midway, daemon=True)
+    killer.start()
+    there = testbed.sweep(sweep, tmp_path / "there", runs=30, cluster=cluster.address, figures=False)
+    killer.join()
+    assert cluster.processes[-1].wait() == -signal.SIGKILL
+    assert len(there) == 60
+    same_rows(tmp_path / "here", tmp_path / "there")
+    assert sorted_files(tmp_path / "here") == sorted_files(tmp_path / "there")
+    unpacked = list(cluster._folder.glob("testbed-*-*/vtail/vtail.yaml"))
+    assert len(unpacked) == 1  # the aircraft had travelled
+
+
+@pytest.mark.nightly
+def test_a_wrong_or_dead_address_is_refused_before_a_folder_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Text that is no address, a closed port, a port that never says a word."""
+    monkeypatch.setattr("testbed.studies.flying.cluster._CONNECT_S", 1)
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        listening = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
+        for address in ("nonsense", "tcp://127.0.0.1:9", listening):
+            with pytest.raises(BadInput, match=rf"--cluster: no cluster answers at {re.escape(address)}: \w"):
+                testbed.sweep(written(tmp_path), tmp_path / "out", cluster=address)
+    assert not (tmp_path / "out").exists()
+
+
+def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The aircraft's folder, gone after packing, is flown from what was packed; the row is the same."""
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    folder = tmp_path / "mine" / "vtail"
+    shutil.copytree(find_aircraft("vtail").parent, folder)
+    plan = load_sweep(written(tmp_path, SWEEP.replace("set:", f"set:\n  aircraft: {folder}")))
+    job = Job(plan.builder, save_logs="none")
+    expected = fly_task(job, plan.task(4))
+    packed = pack(job)
+    shutil.rmtree(folder)
+    flown = fly_packed(packed, plan.task(4))
+    assert flown.record.outcome == "completed"
+    assert (repr(flown.record), flown.history) == (repr(expected.record), expected.history)
+
+
+def test_the_code_of_ones_own_controller_travels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Class, and the module beside it: both gone after packing, and the row is the same."""
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    own = own_controllers([own_controller(tmp_path / "mine")])
+    plan = load_sweep(tmp_path / "mine" / "own.yaml", (), own)
+    job = Job(plan.builder, save_logs="none")
+    expected = fly_task(job, plan.task(2))
+    packed = pack(job)
+    shutil.rmtree(tmp_path / "mine")
+    flown = fly_packed(packed, plan.task(2))
+    assert flown.record.outcome == "completed"
+    assert (repr(flown.record), flown.history) == (repr(expected.record), expected.history)
+
+
+def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:
+    plan = load_sweep(written(tmp_path))
+    with pytest.raises(BadInput, match="there is no folder"):
+        pack(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))

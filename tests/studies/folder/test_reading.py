@@ -1,0 +1,86 @@
+"""A sweep's folder as a DataFrame."""
+
+from __future__ import annotations
+
+import csv
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from sweep_files import fly_here, table, written
+
+from testbed.inputs.problems import BadInput
+from testbed.studies.folder import store
+from testbed.studies.folder.reading import groups_of, load, unit
+from testbed.studies.load import load_sweep
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    where = tmp_path_factory.mktemp("reading")
+    return fly_here(load_sweep(written(where)), where / "out")
+
+
+def test_the_table_loads_with_dtypes_and_units(folder: Path) -> None:
+    frame = table(folder)
+    assert str(frame["outcome"].dtype) == str(frame["controller.type"].dtype) == "category"
+    assert frame["passed"].dtype == bool and frame["run"].dtype == np.int64
+    assert frame.attrs["units"]["altitude_error_max_m"] == "m"
+    assert frame.attrs["units"]["failures.0.at_s"] == "s" and frame.attrs["units"]["passed"] == ""
+    text, binary = pd.read_csv(folder / "results.csv"), pd.read_parquet(folder / "results.parquet")
+    assert list(text.columns) == list(binary.columns) == list(frame.columns)
+    assert (text["altitude_error_max_m"] == binary["altitude_error_max_m"]).all()
+    with (folder / "results.csv").open() as stream:
+        assert all(row["reason"] == "" for row in csv.DictReader(stream))
+
+
+def test_the_table_says_what_it_is_of(folder: Path) -> None:
+    frame = table(folder)
+    assert (frame.attrs["name"], frame.attrs["folder"]) == ("small", str(folder))
+    passed = [int(rows["passed"].sum()) for _, rows in groups_of(load_sweep(folder / "sweep.yaml"), frame)]
+    assert frame.attrs["summary"] == (
+        f"small: 12 of 12 runs flown; passed: adaptive_inversion {passed[0]} of 12, "
+        f"fixed_inversion {passed[1]} of 12"
+    )
+    assert frame.query("passed").attrs == frame.attrs  # pandas keeps them
+
+
+@pytest.mark.parametrize(
+    ("column", "expected"),
+    [
+        ("airspeed_error_max_m_s", "m/s"),
+        ("rate_deg_s2", "deg/s^2"),
+        ("failures.0.over_s", "s"),
+        ("passed", ""),
+    ],
+)
+def test_a_column_has_the_unit_that_its_name_ends_in(column: str, expected: str) -> None:
+    assert unit(column) == expected
+
+
+@pytest.mark.parametrize("finished", [0, 5])
+def test_an_unfinished_sweep_has_the_flights_that_finished(
+    folder: Path, tmp_path: Path, finished: int
+) -> None:
+    (tmp_path / "sweep.yaml").write_bytes((folder / "sweep.yaml").read_bytes())
+    with store.reading(folder) as whole_store:
+        store.create(tmp_path, whole_store.inputs)
+        flights = store.opened(tmp_path)
+        for key, record in islice(whole_store.records(), finished):
+            flights.add(key, record)
+    frame = table(tmp_path)  # while it is open, as when it is being flown
+    flights.close()
+    assert table(tmp_path).equals(frame)
+    assert len(frame) == finished and list(frame.columns[:2]) == ["run", "seed"]
+    assert f"{-(-finished // 2)} of 12 runs flown" in frame.attrs["summary"]
+    whole = table(folder)
+    for name in ("run", "seed", "passed", "altitude_error_max_m"):
+        if finished:
+            assert list(frame[name]) == list(whole[name][:finished])
+
+
+def test_a_folder_that_is_no_sweep_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match=r"sweep\.yaml: is missing from the sweep folder"):
+        load(tmp_path)
