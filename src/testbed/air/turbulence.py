@@ -125,6 +125,7 @@ def blow(k, arrays):
     air[4] = -slope(flown / length_q, length_q, w, states[6:7])
     air[5] = slope(flown / length_r, length_r, v, states[7:8])
     if k + 1 < len(wind):
-        wind[k + 1] = air[:3]
+        for i in range(3):  # numba would allocate a copy of a slice
+            wind[k + 1, i] = air[i]
     for i in range(len(air)):
         air[i] *= of.air_factors[i]

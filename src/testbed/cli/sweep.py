@@ -158,7 +158,7 @@ COMMAND = Command(
     _arguments,
     _run,
     (
-        "testbed sweep left_tail_study.yaml --runs 100",
+        "testbed sweep any_failure_in_turbulence.yaml --runs 100",
         "testbed sweep my_sweep.yaml --out runs/my-sweep --resume --runs 1000",
         "testbed sweep my_sweep.yaml --only 17",
     ),

@@ -109,10 +109,10 @@ def _take(lock: Callable[[], None]) -> None:
 
 def compiled(function: F) -> F:
     """Compile a function at its first call; without fast-math, so that results agree with the uncompiled function."""
-    if numba.config.DISABLE_JIT:
+    if numba.config.DISABLE_JIT:  # type: ignore[attr-defined]
         return function
     made = Function(function)
-    if _FOLDER is not None and isinstance(made, numba.core.dispatcher.Dispatcher):
+    if _FOLDER is not None:
         ours = _OURS and function.__module__.startswith("testbed.")
         cache = CodeCache(function, _FOLDER if ours else None)
         made._cache = cache  # type: ignore[attr-defined]  # no public way to give numba another
@@ -125,7 +125,7 @@ def bound(function: F, *like: Any) -> F:
     numba looks up the types of the arguments in each call, which is half of the cost of a short call. The function returned
     here skips the look-up. It must only be called with arguments of the same types: arrays of the same dtype and memory layout.
     """
-    if not isinstance(function, numba.core.dispatcher.Dispatcher):
+    if not isinstance(function, Function):
         return function  # NUMBA_DISABLE_JIT: the plain Python function
     types = tuple(map(_type_of, like))
     if types not in function.overloads:

@@ -20,11 +20,11 @@ from typing import Any
 from numba.core import typed_passes, untyped_passes
 from numba.core.codegen import JITCodeLibrary
 from numba.core.compiler import CompilerBase
-from numba.core.dispatcher import _FunctionCompiler
+from numba.core.dispatcher import _FunctionCompiler  # type: ignore[attr-defined]
 from numba.core.registry import CPUDispatcher
 from numba.core.sigutils import normalize_signature
 from numba.core.types.functions import BaseFunction
-from numba.core.typing import make_concrete_template
+from numba.core.typing.templates import make_concrete_template
 
 _OPTIONS = {
     "nopython": True,
@@ -193,9 +193,9 @@ class Function(CPUDispatcher):
         self._parts: dict[tuple[Any, ...], Any] = {}
         self._part_compiler = _FunctionCompiler(py_func, self.targetdescr, options, {}, _PartCompiler)
 
-    def get_call_template(self, args: Any, kws: Any) -> tuple[Any, Any, Any, dict[str, Any]]:
+    def get_call_template(self, args: Any, kws: Any) -> Any:
         """numba's question, while it types a call: what comes out for arguments of these types? The part is compiled first."""
-        signature, args = self._compiler.fold_argument_types(args, kws)
+        signature, args = self._part_compiler.fold_argument_types(args, kws)
         types, name = tuple(args), self.py_func.__name__
         if types not in self._parts:
             self._parts[types] = self._part_compiler.compile(types, None)
@@ -234,8 +234,8 @@ def _remembered_types() -> Iterator[None]:
             known[key] = (plain(self, context, args, kws), self, args)
         return known[key][0]
 
-    BaseFunction.get_call_type = get_call_type
+    BaseFunction.get_call_type = get_call_type  # type: ignore[method-assign]
     try:
         yield
     finally:
-        BaseFunction.get_call_type = plain
+        BaseFunction.get_call_type = plain  # type: ignore[method-assign]

@@ -13,6 +13,10 @@ from testbed.controllers.oracle import OracleController
 from testbed.controllers.pid import pid
 from testbed.controllers.rls import rls_inversion
 from testbed.controllers.setup import Setup
+from testbed.controllers.user.adapter import adapted
+from testbed.controllers.user.loader import Factory
+from testbed.controllers.user.own import unused_parameters
+from testbed.inputs.problems import BadInput
 
 CONSTRUCTORS: dict[str, Callable[[Setup], Controller]] = {
     "adaptive_inversion": InversionController,
@@ -27,6 +31,13 @@ CONSTRUCTORS: dict[str, Callable[[Setup], Controller]] = {
 """By the `type` of their settings."""
 
 
-def make_controller(setup: Setup) -> Controller:
-    """A new controller for these settings; raises BadInput when the aircraft cannot be flown by it."""
+def make_controller(setup: Setup, own: Factory | None = None) -> Controller:
+    """A new controller for these settings, or of a class of the user's own in its place.
+
+    Raises BadInput when the aircraft cannot be flown by it, the user's class fails, or a shipped controller is given parameters.
+    """
+    if own is not None:
+        return adapted(own, setup)
+    if problems := unused_parameters(setup.settings):
+        raise BadInput(problems)
     return CONSTRUCTORS[setup.settings.type](setup)

@@ -25,16 +25,20 @@ def with_failure(planned: Sequence[Planned], failure: Failure, aircraft: Aircraf
     if failure.at_s is None:
         return [*planned, Planned(failure)]
     names = held_by(failure, aircraft)
-    each = [one.failure for one in planned]
-    held = [held_by(one, aircraft) for one in each]
-    lasting = windows([*each, failure], [*held, names])
+    # What would start at the same instant has been overtaken before it began.
+    others = [
+        one
+        for one in planned
+        if one.failure.at_s != failure.at_s or not names & held_by(one.failure, aircraft)
+    ]
+    held = [held_by(one.failure, aircraft) for one in others]
+    lasting = windows([*(one.failure for one in others), failure], [*held, names])
     made = list[Planned]()
-    for one, its, window in zip(planned, held, lasting, strict=False):
-        replaced = one.failure.type == failure.type and its <= names
-        met = its & names and meet(window, lasting[-1])
-        if its & names and not replaced and window[1] == failure.at_s and one.failure.until_s is None:
-            met = True  # it would be replaced, and would leave something broken that nothing mends
-        made += [one] if not met else _ended(one, failure.at_s)
+    for one, its, window in zip(others, held, lasting, strict=False):
+        # One of its type that holds more would be replaced, and leave something broken that nothing mends.
+        left = one.failure.until_s is None and window[1] == failure.at_s and not its <= names
+        in_the_way = its & names and (left or meet(window, lasting[-1]))
+        made += _ended(one, failure.at_s) if in_the_way else [one]
     return _renumbered(planned, [*made, Planned(failure)])
 
 

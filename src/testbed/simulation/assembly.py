@@ -18,12 +18,9 @@ from testbed.controllers import Controller
 from testbed.controllers.config import OracleSettings
 from testbed.controllers.make import make_controller
 from testbed.controllers.setup import Setup, setup_for
-from testbed.controllers.user.adapter import adapted
 from testbed.controllers.user.loader import name_of
-from testbed.controllers.user.own import unused_parameters
 from testbed.injection.injector import Injector
 from testbed.injection.truth import Truth
-from testbed.inputs.problems import BadInput
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
@@ -69,8 +66,6 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     weather = Weather(scenario.atmosphere, plant, scenario.rate_hz, scenario.steps, scenario.seed)
     begin_at(plant, start)
     weather.begin()
-    if controller is None and (problems := unused_parameters(scenario.controller)):
-        raise BadInput(problems)
     setup = _setup(scenario, aircraft, start)
     injector = Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed)
     if controller is None and isinstance(scenario.controller, OracleSettings):
@@ -79,7 +74,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
-        controller=adapted(controller, setup) if controller else make_controller(setup),
+        controller=make_controller(setup, controller),
         injector=injector,
         weather=weather,
         sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
