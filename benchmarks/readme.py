@@ -20,8 +20,8 @@ from blocks import write
 import testbed
 from testbed.common.files import replacing
 from testbed.flight.flight import Flight
-from testbed.reporting.comparison import Comparison
-from testbed.reporting.comparison.picture import png
+from testbed.reporting.comparison.compare import Comparison
+from testbed.reporting.comparison.figure import picture
 from testbed.scenario.load import load_scenario
 
 ROOT = Path(__file__).parents[1]
@@ -152,7 +152,7 @@ def main() -> None:
     rivals = {name: at_its_best(controller) for name, controller in RIVALS.items()}
     with replacing(FIGURE) as partial:
         partial.write_bytes(
-            png(Comparison([default.flights[0], *(rivals[name].flights[0] for name in DRAWN)]))
+            picture(Comparison([default.flights[0], *(rivals[name].flights[0] for name in DRAWN)]))
         )
     write(README, "picture", sentences(default, rivals))
     write(README, "missions", table(MISSIONS.read_text(encoding="utf-8")))

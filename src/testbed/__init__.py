@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
     from testbed.reliability.probability import failure_probability as failure_probability
-    from testbed.reporting.comparison import compare as compare
+    from testbed.reporting.comparison.compare import compare as compare
     from testbed.simulation import Session as Session
     from testbed.simulation import fly as fly
     from testbed.studies.run import Stopped as Stopped
@@ -25,7 +25,7 @@ _MODULES = {
     "Session": "testbed.simulation",
     "Stopped": "testbed.studies.run",
     "adopt": "testbed.adoption.entry",
-    "compare": "testbed.reporting.comparison",
+    "compare": "testbed.reporting.comparison.compare",
     "design": "testbed.gains.design",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import sys
 
 TYPE_CHECKING = False  # as `typing` has it, without the time to import it: until Ctrl-C is handled, every millisecond counts
@@ -13,6 +15,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command, of `sys.argv` if none is given, and return its exit status."""
     from testbed.cli import interrupts, start_checks, status
 
+    atexit.register(
+        gc.freeze
+    )  # at its end Python would go through all that numba has loaded once more, for half a second
     interrupts.end_at_once()  # before everything else is imported, which takes most of a second
     if words := start_checks.too_little_memory():
         print(words, file=sys.stderr)

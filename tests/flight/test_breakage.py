@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from handmade import at, injection, level_log, readings_of
 
-from testbed.flight.breakage import LOST, broken, broken_since
+from testbed.flight.breakage import LOST, broken, broken_since, failure_times_s, failures_of
 from testbed.flight.columns import stretches
 from testbed.flight.events import controller_events
 from testbed.metrics import measure
@@ -95,3 +95,12 @@ def test_a_log_with_fewer_rows_than_steps() -> None:
     log = {name: column[::10] for name, column in level_log().items()}
     found = broken_since(log, "elevon", [injection(1.04, type="stuck")])
     assert np.isnan(found[:11]).all() and set(found[11:]) == {log["time_s"][11]}
+
+
+def test_failures_are_active_from_their_start_to_their_end() -> None:
+    fan = {"actuator": "fan", "type": "motor_stop", "failure": 1}
+    events = [injection(2.0), injection(3.0, **fan), injection(5.0, **fan, active=False)]
+    first, second = failures_of([*events, {"time_s": 6.0, "kind": "release", "axis": "p_dot"}])
+    assert (first.number, first.actuator, first.from_s, first.until_s) == (0, "elevon", 2.0, math.inf)
+    assert (second.number, second.type, second.from_s, second.until_s) == (1, "motor_stop", 3.0, 5.0)
+    assert failure_times_s(events) == [2.0, 3.0]

@@ -13,8 +13,7 @@ from handmade import make_flight
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load, refuse_unwritable, write_run_folder
 from testbed.inputs.problems import BadInput
-from testbed.reporting.attempt import NotShown
-from testbed.reporting.present import present
+from testbed.reporting.attempt import NotShown, add_report
 
 STRIDE = 211
 """Every byte would take a minute; this stride is a prime, so that it meets the middle of lines."""
@@ -36,34 +35,35 @@ def test_a_run_folder_is_whole_or_not_there(tmp_path: Path) -> None:
         assert load(write_run_folder(flight, tmp_path / "run")).data.tobytes() == flight.data.tobytes()
 
 
-@pytest.mark.parametrize("what", ["the figures", "the report"])
-def test_a_full_disk_never_costs_a_flight_for_its_figures_or_report(tmp_path: Path, what: str) -> None:
+@pytest.mark.parametrize("lacking", [["the figures", "the report"], ["the report"]], ids=" and ".join)
+def test_a_full_disk_never_costs_a_flight_for_its_figures_or_report(
+    tmp_path: Path, lacking: list[str]
+) -> None:
     """The log fits, the figures or the report do not: they are left out whole, with a warning."""
     flight = broken()
-    without = largest(write_run_folder(flight, tmp_path / "without"))
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         write_run_folder(
-            flight, tmp_path / "run", lambda folder: present_within(flight, folder, without, what)
+            flight,
+            tmp_path / "run",
+            lambda folder: add_within(flight, folder, figures="the figures" not in lacking),
         )
     assert [str(w.message) for w in caught if w.category is NotShown] == [
-        f"{what} could not be made: File too large"
+        f"{what} could not be made: File too large" for what in lacking
     ]
     assert load(tmp_path / "run").data.tobytes() == flight.data.tobytes()
     there = {path.name for path in (tmp_path / "run").rglob("*")}
     assert "log.csv" in there and not {name for name in there if "partial" in name}
-    assert ("report.html" in there, "states.png" in there) == (what != "the report", what != "the figures")
+    assert "report.html" not in there and ("states.png" in there) == ("the figures" not in lacking)
 
 
-def present_within(flight: Flight, folder: Path, limit: int, what: str) -> None:
-    if what == "the figures":
-        with largest_file(limit):
-            present(flight, folder)  # the report without figures is smaller than the log
-    else:
-        present(flight, folder)
+def add_within(flight: Flight, folder: Path, figures: bool) -> None:
+    """Add figures and report while no file may be larger than 10 kB; with `figures`, these are there before."""
+    if figures:
+        add_report(flight, folder)
         (folder / "report.html").unlink()
-        with largest_file(limit):
-            assert not present(flight, folder, figures=False)
+    with largest_file(10_000):
+        assert not add_report(flight, folder, figures=not figures)
 
 
 def test_a_folder_that_cannot_be_made_is_refused_before_the_flight(tmp_path: Path) -> None:

@@ -13,12 +13,12 @@ from handmade import ACTUATORS, flight_of, level_log
 
 from testbed.flight.flight import Outcome
 from testbed.reporting.figures import TABLE as FIGURES
-from testbed.reporting.figures import draw
+from testbed.reporting.figures import draw, plot
 
 
 @pytest.mark.parametrize("name", FIGURES)
 def test_axes_have_units_and_lines(name: str) -> None:
-    shown = panels(FIGURES[name][1](broken()))
+    shown = panels(plot(broken(), name))
     assert shown
     for axes in shown:
         assert axes.get_ylabel().endswith("]") and "[" in axes.get_ylabel()
@@ -30,7 +30,7 @@ def test_axes_have_units_and_lines(name: str) -> None:
 
 @pytest.mark.parametrize("name", FIGURES)
 def test_events_are_marked_everywhere_and_labelled_once(name: str) -> None:
-    figure = FIGURES[name][1](broken())
+    figure = plot(broken(), name)
     for axes in panels(figure):
         upright = {line.get_xdata()[0] for line in axes.lines if len(set(line.get_xdata())) == 1}
         assert {3.0, 3.4, 6.0} <= upright
@@ -41,7 +41,7 @@ def test_events_are_marked_everywhere_and_labelled_once(name: str) -> None:
 
 @pytest.mark.parametrize("name", FIGURES)
 def test_lines_are_told_apart_without_colour(name: str) -> None:
-    for axes in panels(FIGURES[name][1](broken())):
+    for axes in panels(plot(broken(), name)):
         signals = [line for line in axes.lines if len(set(line.get_xdata())) > 2]
         looks = {(str(line._dash_pattern), line.get_linewidth()) for line in signals}
         assert len(looks) == len(signals)
@@ -52,7 +52,7 @@ def test_lines_are_told_apart_without_colour(name: str) -> None:
     [("rates", "axis released"), ("effectiveness", "flagged failed"), ("actuators", "flagged failed")],
 )
 def test_released_and_flagged_times_are_shaded(name: str, label: str) -> None:
-    first, *rest = panels(FIGURES[name][1](broken()))
+    first, *rest = panels(plot(broken(), name))
     (patch,) = (p for p in first.patches if p.get_label() == label)
     box = patch.get_path().get_extents(patch.get_patch_transform())
     assert (box.x0, box.x1) == pytest.approx((3.4, 10.0))
@@ -91,10 +91,21 @@ def test_drawing_twice_gives_the_same_bytes(tmp_path: Path) -> None:
 
 def test_reading_side_needs_no_simulator() -> None:
     code = (
-        "import sys, testbed.reporting.run_report, testbed.metrics, testbed.reporting.figures.states, testbed.flight.requirements;"
+        "import sys, testbed.reporting.run_report, testbed.metrics, testbed.reporting.figures.sheet, testbed.flight.requirements;"
         "bad = {'jsbsim', 'numba', 'matplotlib.pyplot', 'testbed.plant.jsbsim', 'testbed.simulation'}"
         " & set(sys.modules);"
         "sys.exit(', '.join(bad) or 0)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_sheet_drawn_again_shows_nothing_of_what_it_showed_before(name: str, tmp_path: Path) -> None:
+    """All figures of a flight are drawn on one sheet; each is what a sheet of its own shows."""
+    from testbed.reporting.figures.sheet import plain_text, png
+
+    draw(broken(), tmp_path)
+    with plain_text():
+        alone = png(plot(broken(), name))
+    assert (tmp_path / "figures" / f"{name}.png").read_bytes() == alone

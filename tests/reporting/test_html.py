@@ -52,10 +52,15 @@ def test_a_table_has_its_head_rows_and_caption() -> None:
 
 def test_only_figures_that_are_there_are_shown(tmp_path: Path) -> None:
     Image.new("RGB", (300, 200), "red").save(tmp_path / "one.png")
-    (shown,) = html.figures(tmp_path, {"one": "a <caption>", "two": "missing"}, width=150)
+    (shown,) = html.figures(tmp_path, {"one": "a <caption>", "two": "missing"})
     assert "a &lt;caption&gt;" in shown
     page = Page(shown)
     assert page.fetches_and_runs_nothing()
     data = base64.b64decode(page.references[0].partition(",")[2])
     with Image.open(io.BytesIO(data)) as picture:
-        assert picture.size == (150, 100) and picture.convert("RGB").getpixel((75, 50))[0] > 240
+        assert picture.size == (300, 200) and picture.convert("RGB").getpixel((75, 50))[0] > 240
+
+
+def test_data_cannot_end_its_script() -> None:
+    page = html.data({"name": "</SCRIPT><img src=x onerror=alert(1)>"}, "flight")
+    assert page.count("<") == 2 and "img" not in Page(page).tags

@@ -12,8 +12,9 @@ from handmade import at, flight_of, injection, level_log, lost
 
 from testbed.flight.requirements import judge
 from testbed.reporting.page.columns import MOST_ROWS, packed
-from testbed.reporting.page.panels import error_columns, groups
+from testbed.reporting.page.panels import groups
 from testbed.reporting.page.phases import phases
+from testbed.reporting.panels import error_columns
 from testbed.scenario.requirement import Requirement
 
 
@@ -106,10 +107,11 @@ def test_nothing_broken_is_healthy_all_the_time() -> None:
 
 
 def test_no_estimate_is_drawn_where_the_controller_makes_none() -> None:
-    log = level_log()
-    flight = flight_of(lost(2.0), [injection(2.0)])
-    for estimates, count in ((True, 2), (False, 1)):
-        made = {g["name"]: g["panels"] for g in groups(flight, log | error_columns(log), estimates)}
+    without, estimated = lost(2.0), lost(2.0)
+    estimated["elevon_effectiveness_estimate"][400:] = 0.5
+    for log, count in ((estimated, 2), (without, 1)):
+        flight = flight_of(log, [injection(2.0)])
+        made = {g["name"]: g["panels"] for g in groups(flight, log | error_columns(log))}
         assert all(len(panel["series"]) == count for panel in made["effectiveness"])
 
 
@@ -119,7 +121,7 @@ def test_bands_of_requirements_and_the_stretches_that_miss_them() -> None:
     within = Requirement(signal="altitude_m", within=1.0, of="altitude_command_m", from_s=4.0, until_s=8.0)
     flight = flight_of(log, requirements=judge([within], log, {}))
     object.__setattr__(flight.scenario, "requirements", (within,))
-    panels = {g["name"]: g["panels"] for g in groups(flight, log | error_columns(log), False)}
+    panels = {g["name"]: g["panels"] for g in groups(flight, log | error_columns(log))}
     (altitude,) = (p for p in panels["errors"] if p["title"].startswith("altitude"))
     assert altitude["bands"] == [{"from_s": 4.0, "until_s": 8.0, "low": -1.0, "high": 1.0, "passed": False}]
     (missed,) = altitude["missed"]
@@ -143,6 +145,6 @@ def test_stretches_that_a_requirement_allows_are_not_marked(
     within = Requirement(signal="altitude_m", within=1.0, of="altitude_command_m", **key)
     flight = flight_of(log, requirements=judge([within], log, {}))
     object.__setattr__(flight.scenario, "requirements", (within,))
-    altitude = groups(flight, log | error_columns(log), True)[0]["panels"][0]
+    altitude = groups(flight, log | error_columns(log))[0]["panels"][0]
     assert altitude["bands"][0]["from_s"] == begins_s
     assert [missed["from_s"] for missed in altitude["missed"]] == pytest.approx(missed_at_s)

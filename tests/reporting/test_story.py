@@ -8,10 +8,9 @@ import numpy as np
 import pytest
 from handmade import at, flight_of, injection, level_log, lost
 
-from testbed.failures import TABLE as FAILURES
-from testbed.failures.base import Failure
+from testbed.common.signals import BELIEFS, Belief
 from testbed.flight.flight import Outcome
-from testbed.reporting.failure_words import TABLE, predicate
+from testbed.reporting.panels import effectiveness
 from testbed.reporting.story import story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -29,35 +28,6 @@ def released(**axes: tuple[float, float]) -> dict[str, np.ndarray]:
         f"{axis}_released": ((time_s >= from_s - 1e-9) & (time_s < until_s - 1e-9)).astype(float)
         for axis, (from_s, until_s) in axes.items()
     }
-
-
-def test_every_type_of_failure_has_words() -> None:
-    assert TABLE.keys() == FAILURES.keys()
-
-
-@pytest.mark.parametrize("name", [n for n, kind in FAILURES.items() if kind.examples])
-def test_words_of_each_example(name: str) -> None:
-    for kind, fields in FAILURES[name].examples.items():
-        failure: Failure = FAILURES[name].model_validate({"type": name, "actuator": "a", "at_s": 1, **fields})
-        unit = "deg" if kind == "servo" else "N"
-        words = predicate(failure, {"kind": kind, "unit": unit})
-        assert words[0].islower() and "None" not in words
-
-
-@pytest.mark.parametrize(
-    ("shape", "words"), [("linear", "within 3.3 s"), ("exponential", "with a time constant of 3.3 s")]
-)
-def test_a_time_constant_is_not_called_an_end(shape: str, words: str) -> None:
-    fields = {"type": "decay", "actuator": "a", "at_s": 1, "value": 0.05, "over_s": 3.3, "shape": shape}
-    failure: Failure = FAILURES["decay"].model_validate(fields)
-    assert predicate(failure, {"kind": "motor"}) == f"began to lose its effect (to 5 % {words})"
-
-
-@pytest.mark.parametrize(("value", "words"), [(0.4, "followed only 40 %"), (1.5, "followed 150 %")])
-def test_more_than_all_of_a_command_is_not_called_only_so_much(value: float, words: str) -> None:
-    fields = {"type": "command_scale", "actuator": "a", "at_s": 1, "value": value}
-    failure: Failure = FAILURES["command_scale"].model_validate(fields)
-    assert predicate(failure, {"kind": "servo"}) == f"{words} of its commands"
 
 
 def test_what_failed_and_when_it_was_noticed() -> None:
@@ -213,3 +183,28 @@ def test_the_shipped_flight_is_told_as_it_was() -> None:
     assert "wrongly" not in text
     assert [e for e in flight.events if e["kind"] == "recovered"][-1]["time_s"] == pytest.approx(15.0)
     assert len(story(flight)) <= 4
+
+
+def believed(code: Belief, position: float, since_s: float) -> dict[str, np.ndarray]:
+    """A log in which the elevon is taken for something from a time [s] on."""
+    log = {
+        **level_log(),
+        **{f"elevon_{what}": np.full(len(level_log()["time_s"]), np.nan) for what in BELIEFS},
+    }
+    log["elevon_belief"][at(since_s) :], log["elevon_believed_position"][at(since_s) :] = code, position
+    return log
+
+
+def test_what_a_noticed_actuator_was_taken_for_is_said() -> None:
+    log = believed(Belief.held, 8.1, 4.3)
+    notice = {"time_s": 4.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    assert "noticed the elevon after 0.30 s (as held at 8.1 deg)." in told(log, injection(4.0), notice)
+    (panel, *_) = effectiveness(flight_of(log, [injection(4.0), notice]))
+    assert [(since, words) for since, _, words in panel.notes] == [
+        (pytest.approx(4.3), "believed held at 8.1 deg")
+    ]
+
+
+def test_what_is_used_on_is_said_where_nothing_was_flagged() -> None:
+    text = told(believed(Belief.late, math.nan, 6.0), injection(4.0))
+    assert "It took the elevon for late from 6.0 s on, and used it." in text

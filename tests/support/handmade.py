@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from testbed.flight.columns import ALWAYS_KNOWN
-from testbed.flight.flight import Flight, Outcome
+from testbed.flight.flight import Outcome
 from testbed.metrics import Readings
+from testbed.reporting.flight import ReportedFlight
 from testbed.scenario.load import Scenario, load_scenario
 from testbed.scenario.requirement import Requirement
 
@@ -78,7 +79,7 @@ def flight_of(
     requirements: Sequence[Mapping[str, Any]] = (),
     metrics: Mapping[str, float] | None = None,
     name: str = "handmade",
-) -> Flight:
+) -> ReportedFlight:
     """A finished flight with this log."""
     scenario = Scenario.model_validate(
         {
@@ -91,7 +92,7 @@ def flight_of(
             "failures": [{"type": "effectiveness", "actuator": "elevon", "at_s": 2.0, "value": 0.0}],
         }
     )
-    return Flight(
+    return ReportedFlight(
         scenario=scenario,
         outcome=outcome,
         end_time_s=len(log["time_s"]) / 100.0,
@@ -104,7 +105,7 @@ def flight_of(
     )
 
 
-def make_flight(rows: int = 100, columns: int = 20, **changes: object) -> Flight:
+def make_flight(rows: int = 100, columns: int = 20, **changes: object) -> ReportedFlight:
     """A flight of numbers that are hard to write exactly, in a shipped scenario."""
     data = np.random.default_rng(1).standard_normal((rows, columns)) * 10.0 ** np.arange(columns)
     data[0, -1], data[1, -1], data[2, -1] = -0.0, 5e-324, 1.7976931348623157e308
@@ -122,4 +123,4 @@ def make_flight(rows: int = 100, columns: int = 20, **changes: object) -> Flight
             {"name": "a", "passed": True, "value": 0.1, "limit": "at most 1", "robustness": 0.25}
         ],
     }
-    return Flight(**(contents | changes))  # type: ignore[arg-type]
+    return ReportedFlight(**(contents | changes))  # type: ignore[arg-type]

@@ -11,10 +11,10 @@ from testbed.inputs.problems import BadInput, Problem
 if TYPE_CHECKING:
     import pandas as pd
 
-    from testbed.flight.flight import Flight
+    from testbed.reporting.flight import ReportedFlight
 
 
-def load(folder: str | Path) -> Flight | pd.DataFrame:
+def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
     """Read a run folder as a Flight, or a sweep or search folder as a DataFrame with a row for each flight.
 
     A flight of a sweep whose log was kept is read as a Flight, too: `SWEEP/logs/run-000017-pid.parquet`, or `SWEEP/17` for
@@ -31,8 +31,8 @@ def load(folder: str | Path) -> Flight | pd.DataFrame:
 
         return pd.read_parquet(Path(folder) / "results.parquet")
     if is_sweep_folder(folder):
-        from testbed.reporting.sweep_table import table_of
         from testbed.studies.folder import reading
+        from testbed.study_reports.sweep.table import table_of
 
         return table_of(reading.load(folder))
     return _flown_alone(folder)
@@ -73,7 +73,7 @@ def names_kept_log(path: str | Path) -> bool:
     return logs.is_kept(path)
 
 
-def load_flight(path: str | Path) -> Flight:
+def load_flight(path: str | Path) -> ReportedFlight:
     """Read a run folder or a kept log of a sweep; raises BadInput when it is a sweep, a search, or neither."""
     if names_kept_log(path):
         return _kept_flight(path)
@@ -86,13 +86,15 @@ def load_flight(path: str | Path) -> Flight:
     return _flown_alone(path)
 
 
-def _kept_flight(path: str | Path) -> Flight:
+def _kept_flight(path: str | Path) -> ReportedFlight:
+    from testbed.reporting.flight import ReportedFlight
     from testbed.studies.folder import logs
 
-    return logs.load(path)
+    return ReportedFlight.of(logs.load(path))
 
 
-def _flown_alone(folder: str | Path) -> Flight:
+def _flown_alone(folder: str | Path) -> ReportedFlight:
     from testbed.flight import folder as run_folder
+    from testbed.reporting.flight import ReportedFlight
 
-    return run_folder.load(folder)
+    return ReportedFlight.of(run_folder.load(folder))

@@ -17,10 +17,7 @@ from testbed.common.files import slug
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
-from testbed.reporting.attempt import attempt
-from testbed.reporting.present import present
-from testbed.reporting.search_page.page import write_search_page
-from testbed.reporting.search_page.words import answer, settings_of
+from testbed.reporting.attempt import add_report, attempt
 from testbed.studies import summary as sweep_summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
@@ -30,6 +27,8 @@ from testbed.studies.search.load import load_search
 from testbed.studies.search.plan import SearchPlan
 from testbed.studies.search.run import Found, run_search
 from testbed.studies.search.summary import nearest, summarize
+from testbed.study_reports.search.report import write_search_page
+from testbed.study_reports.search.words import answer, settings_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -168,7 +167,7 @@ def _write_found(
         # Flown again, because a worker has sent a record and not the whole log.
         flight = flight_of(job, plan.tasks(found.part, np.array([point]), 0)[0])
         shutil.rmtree(target, ignore_errors=True)  # of a search that has gone on
-        add = partial(present, flight, figures=figures)
+        add = partial(add_report, flight, figures=figures)
         write_run_folder(flight, target, add if figures and flight.actuators else lambda _: None)
     return target.name, settings_of(flight, [each.path for each in found.part.space.coordinates])
 

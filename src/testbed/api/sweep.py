@@ -12,10 +12,7 @@ from testbed.common.files import slug
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.reporting.attempt import attempt
-from testbed.reporting.kept_report import write_kept_page
-from testbed.reporting.present import present
-from testbed.reporting.sweep_report import write_sweep_report
+from testbed.reporting.attempt import add_report, attempt
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, flight_of
@@ -27,6 +24,8 @@ from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
 from testbed.studies.run import Options
 from testbed.studies.sweep import fly_only, fly_sweep
+from testbed.study_reports.sweep.flight_page import write_kept_page
+from testbed.study_reports.sweep.report import write_sweep_report
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -78,7 +77,7 @@ def sweep(
     )
     fly_sweep(plan, folder, how, resume=resume)
     finish(plan, folder, figures=figures)
-    from testbed.reporting.sweep_table import table_of  # with pandas
+    from testbed.study_reports.sweep.table import table_of  # with pandas
 
     return table_of(reading.load(folder))
 
@@ -119,7 +118,7 @@ def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
     found = summary.summarize(plan, frame)
     summary.write(found, folder)
     if figures and len(frame):
-        from testbed.reporting.sweep_figures import draw_sweep  # with matplotlib
+        from testbed.study_reports.sweep.figures import draw_sweep  # with matplotlib
 
         attempt("the figures", lambda: draw_sweep(plan, frame, folder))
         attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
@@ -175,7 +174,7 @@ def fly_run(
         raise BadInput([Problem(f"run {run} has no result: {records[0].reason}", "--only")])
     for number, flight in flights.items():
         name = flight_label(plan, run * len(plan.variants) + number)
-        add = partial(present, flight, figures=figures)
+        add = partial(add_report, flight, figures=figures)
         write_run_folder(flight, folder if variant is not None else folder / name, add)
     return all(record.passed for record in records), list(flights.values())
 

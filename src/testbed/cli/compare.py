@@ -22,7 +22,7 @@ def _arguments(command: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     """Print what differs between flights, and write their page. Raises BadInput."""
     from testbed.api.load import load_flight
-    from testbed.reporting.comparison import MOST, Comparison
+    from testbed.reporting.comparison.compare import MOST, Comparison
     from testbed.reporting.html import is_page
 
     problems: list[Problem] = []

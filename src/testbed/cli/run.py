@@ -42,7 +42,7 @@ def _arguments(command: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     """Fly one scenario into a run folder; raises BadInput with every problem at once."""
     from testbed.flight.folder import refuse_existing, refuse_unwritable
-    from testbed.reporting.present import present
+    from testbed.reporting.attempt import add_report
 
     problems: list[Problem] = []
     if options.out is not None:  # before the flight, not after it
@@ -65,7 +65,7 @@ def _run(options: Namespace) -> int:
     with working("flying"), stay:
         flight = fly(scenario, controller, watch=viewer)
     with working("drawing and writing"), tidily():
-        folder = write(flight, options.out, partial(present, flight, figures=not options.no_plots))
+        folder = write(flight, options.out, partial(add_report, flight, figures=not options.no_plots))
     print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
     return MET if flight.passed else NOT_MET
@@ -80,11 +80,11 @@ def _compiling(seconds: float) -> None:
 def report(folder: Path) -> int:
     """Draw the figures and write the report of a run folder again; returns the exit status."""
     from testbed.flight.folder import load
-    from testbed.reporting.present import present
+    from testbed.reporting.attempt import add_report
 
     flight = load(folder)
     with working("drawing and writing"), tidily():
-        shown = present(flight, folder)
+        shown = add_report(flight, folder)
     print_verdict(flight)
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 

@@ -72,7 +72,7 @@ def report(folder: Path) -> int:
 
 
 def _print(summary: dict[str, Any]) -> None:
-    from testbed.reporting.search_page.words import answer
+    from testbed.study_reports.search.words import answer
 
     for line in answer(summary):
         print(line)

@@ -21,7 +21,7 @@ from testbed.cli.study import flying, writing
 from testbed.cli.working import working
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
-from testbed.reporting.sweep_page.answer import answer
+from testbed.study_reports.sweep.answer import answer
 
 if TYPE_CHECKING:
     from testbed.studies.run import Options

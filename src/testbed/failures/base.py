@@ -40,6 +40,11 @@ def travel_of(actuator: AnyActuator) -> tuple[float, float]:
     return actuator.limits if isinstance(actuator, Servo) else actuator.throttle
 
 
+def stop_words(to: str) -> str:
+    """The stop that `to: max` or `to: min` names, in words."""
+    return f"{'highest' if to == 'max' else 'lowest'} stop"
+
+
 class Fault(NamedTuple):
     """Why a failure does not fit the aircraft or the scenario: the field, what is wrong, what was expected."""
 
@@ -110,6 +115,15 @@ class Failure(Settings):
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any] | None:
         """Fields with which the failure has no effect on this actuator; None if there are no such fields."""
         return None
+
+    def words(self, kind: str, unit: str) -> str:
+        """What it does to its actuator, as the predicate of a sentence: "was lost completely".
+
+        Args:
+            kind: of the actuator, one of `kinds`.
+            unit: of the failure's values: "deg" for a servo's, "of throttle" for those of a motor or engine.
+        """
+        raise NotImplementedError
 
     def properties(self, aircraft: Aircraft) -> Mapping[str, float | Capture]:
         """JSBSim properties that are held while the failure lasts, each with the value that is written when it starts."""

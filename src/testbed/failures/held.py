@@ -9,7 +9,16 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Field, field_validator, model_validator
 
 from testbed.aircraft.description import Aircraft, AnyActuator
-from testbed.failures.base import ActuatorFailure, Capture, Examples, Failure, Fault, both, travel_of
+from testbed.failures.base import (
+    ActuatorFailure,
+    Capture,
+    Examples,
+    Failure,
+    Fault,
+    both,
+    stop_words,
+    travel_of,
+)
 from testbed.inputs.base import Number, Positive, refuse
 
 
@@ -24,6 +33,10 @@ class CommandScale(ActuatorFailure):
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0}
 
+    def words(self, kind: str, unit: str) -> str:
+        few = "only " if self.value < 1.0 else ""
+        return f"followed {few}{100 * self.value:.0f} % of its commands"
+
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "command-scale"): self.value}
 
@@ -36,6 +49,9 @@ class Reversal(ActuatorFailure):
     follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = {"servo": {}}
 
+    def words(self, kind: str, unit: str) -> str:
+        return "acted against its commands"
+
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "command-scale"): -1.0}
 
@@ -46,6 +62,9 @@ class Stuck(ActuatorFailure):
     type: Literal["stuck"] = "stuck"
     follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = both({})
+
+    def words(self, kind: str, unit: str) -> str:
+        return "got stuck where it was"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         if self.is_servo(aircraft):
@@ -62,6 +81,9 @@ class StuckAt(ActuatorFailure):
     follows_command: ClassVar[bool] = False
     value: Number
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": 0.3})
+
+    def words(self, kind: str, unit: str) -> str:
+        return f"got stuck at {self.value:g} {unit}"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         value = self.inside(aircraft, self.value)
@@ -80,6 +102,11 @@ class Hardover(ActuatorFailure):
     to: Literal["max", "min"] = "max"
     examples: ClassVar[Examples] = both({"to": "max"})
 
+    def words(self, kind: str, unit: str) -> str:
+        if kind == "servo":
+            return f"ran to its {stop_words(self.to)}"
+        return "ran at full throttle" if self.to == "max" else "ran at its lowest throttle"
+
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         stop = self.inside(aircraft, self.travel(aircraft)[self.to == "max"])
         override = self.name(aircraft, "override-rad", "override-norm")
@@ -94,6 +121,9 @@ class Float(ActuatorFailure):
     follows_command: ClassVar[bool] = False
     gain: Annotated[Number, Field(ge=0, le=1)] | None = None
     examples: ClassVar[Examples] = {"servo": {}}
+
+    def words(self, kind: str, unit: str) -> str:
+        return "floated freely"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         gain = {} if self.gain is None else {self.name(aircraft, "float-gain"): self.gain}
@@ -110,6 +140,9 @@ class Bias(ActuatorFailure):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 0.0}
+
+    def words(self, kind: str, unit: str) -> str:
+        return f"was offset by {self.value:g} {unit}"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         name = self.name(aircraft, "linkage-bias-rad", "command-bias-norm")
@@ -140,6 +173,13 @@ class PositionLimit(ActuatorFailure):
             raise refuse(f"from {self.low:g} to {self.high:g} leaves no travel", "low below high")
         return self
 
+    def words(self, kind: str, unit: str) -> str:
+        if self.low is None:
+            return f"could go no higher than {self.high:g} {unit}"
+        if self.high is None:
+            return f"could go no lower than {self.low:g} {unit}"
+        return f"was limited to {self.low:g} to {self.high:g} {unit}"
+
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         limits = (("min", self.low), ("max", self.high))
         return {
@@ -165,6 +205,9 @@ class RateLimit(ActuatorFailure):
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": actuator.rate_limit}
 
+    def words(self, kind: str, unit: str) -> str:
+        return f"moved at no more than {self.value:g} {unit}/s"
+
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "servo-rate-rad_sec"): self.inside(aircraft, self.value)}
 
@@ -183,6 +226,9 @@ class Lag(ActuatorFailure):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"lag_rad_s": actuator.lag_rad_s}
+
+    def words(self, kind: str, unit: str) -> str:
+        return f"became slow (a lag of {1.0 / self.lag_rad_s:.2g} s)"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "servo-lag-rad_sec"): self.lag_rad_s}
@@ -216,6 +262,9 @@ class Property(Failure):
             if "[0]" in name and name.replace("[0]", "") in held:
                 raise refuse(f"holds {name} twice", "one spelling of it")
         return held
+
+    def words(self, kind: str, unit: str) -> str:
+        return ", ".join(f"{name} was held at {value:g}" for name, value in self.set.items())
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return dict(self.set)

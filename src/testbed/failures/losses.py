@@ -11,6 +11,8 @@ from testbed.aircraft.description import Aircraft, AnyActuator, Servo
 from testbed.failures.base import ActuatorFailure, Capture, Examples, Fault, both
 from testbed.inputs.base import Number
 
+LOST = 0.1
+"""An actuator with this true effectiveness or less is lost. It does not depend on a controller's own threshold."""
 Gain = Annotated[Number, Field(ge=0, le=1.5)]
 
 
@@ -25,6 +27,18 @@ class Effectiveness(ActuatorFailure):
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0}
 
+    def words(self, kind: str, unit: str) -> str:
+        percent = f"{100 * self.value:.0f} %"
+        if self.value == 0.0:
+            return "was lost completely"
+        if self.value == 1.0:
+            return "had its full effect"
+        return (
+            f"was lost but for {percent} of its effect"
+            if self.value < LOST
+            else f"kept {percent} of its effect"
+        )
+
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "effectiveness"): self.value}
 
@@ -36,6 +50,9 @@ class PropLoss(ActuatorFailure):
     undone: ClassVar[bool] = False
     type: Literal["prop_loss"] = "prop_loss"
     examples: ClassVar[Examples] = {"motor": {}}
+
+    def words(self, kind: str, unit: str) -> str:
+        return "was lost completely (its propeller is gone)"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "effectiveness"): 0.0}
@@ -49,6 +66,9 @@ class MotorStop(ActuatorFailure):
     follows_command: ClassVar[bool] = False
     braked: StrictBool = False
     examples: ClassVar[Examples] = {"motor": {}}
+
+    def words(self, kind: str, unit: str) -> str:
+        return "stopped and was braked" if self.braked else "stopped"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         if self.braked:  # at zero volts JSBSim's motor is short-circuited, and brakes
@@ -70,6 +90,9 @@ class SurfaceLost(ActuatorFailure):
     undone: ClassVar[bool] = False
     type: Literal["surface_lost"] = "surface_lost"
     examples: ClassVar[Examples] = {"servo": {}}
+
+    def words(self, kind: str, unit: str) -> str:
+        return "broke off"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         servo = aircraft.actuators[self.actuator]

@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field
 
 from testbed.aircraft.description import Aircraft, AnyActuator
-from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both
+from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both, stop_words
 from testbed.failures.losses import Gain
 from testbed.inputs.base import NonNegative, Number, Positive
 
@@ -28,6 +28,9 @@ class Delay(ActuatorFailure):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"delay_s": 0.0}
+
+    def words(self, kind: str, unit: str) -> str:
+        return f"followed its commands {self.delay_s:g} s late"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         command = self.name(aircraft, "command-rad", "command-norm")
@@ -56,6 +59,9 @@ class Oscillation(ActuatorFailure):
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"amplitude": 0.0, "frequency_hz": 3.0}
 
+    def words(self, kind: str, unit: str) -> str:
+        return f"oscillated by {self.amplitude:g} {unit} at {self.frequency_hz:g} Hz"
+
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "command-bias-rad", "command-bias-norm"): 0.0}
 
@@ -80,6 +86,9 @@ class Runaway(ActuatorFailure):
     rate: Positive
     to: Literal["max", "min"] = "max"
     examples: ClassVar[Examples] = both({"rate": 10.0}, {"rate": 0.3})
+
+    def words(self, kind: str, unit: str) -> str:
+        return f"moved to its {stop_words(self.to)} at {self.rate:g} {unit}/s"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         override = self.name(aircraft, "override-rad", "override-norm")
@@ -113,6 +122,10 @@ class Intermittent(ActuatorFailure):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0, "off_s": 0.2, "on_s": 0.3}
+
+    def words(self, kind: str, unit: str) -> str:
+        share = f"at {100 * self.value:.0f} % for {self.off_s:g} s"
+        return f"began to fail on and off ({share}, healthy for {self.on_s:g} s on average)"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "effectiveness"): self.value}
@@ -151,6 +164,10 @@ class Decay(ActuatorFailure):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0, "over_s": 0.8}
+
+    def words(self, kind: str, unit: str) -> str:
+        how = "within" if self.shape == "linear" else "with a time constant of"
+        return f"began to lose its effect (to {100 * self.value:.0f} % {how} {self.over_s:g} s)"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         name = self.name(aircraft, "effectiveness")

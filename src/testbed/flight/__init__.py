@@ -1,6 +1,6 @@
 """A finished flight, read without the simulator.
 
-`flight` has the class `Flight`; `display` shows it in a terminal or a notebook; `folder` writes and reads its run folder.
-`columns` names and fills the columns of the log, and finds rows in it. `breakage` says which actuator was broken and since
+`flight` has the class `Flight`, and how flights end; `folder` writes and reads its run folder.
+`columns` names and fills the columns of the log, and finds rows in it. `breakage` says what was broken and since
 when, `events` what the controller did (detections with their delay), and `requirements` which requirements were met.
 """

@@ -1,4 +1,6 @@
-"""Is an actuator broken, and since when? Decided here for events and metrics alike, from the true state and the injections.
+"""What is broken, and since when? Decided here for events, metrics and reports alike, from the true state and the injections.
+
+A failure is active from the receipt of its injection to that of its end, or to the end of the flight (`failures_of`).
 
 An actuator is broken in a row of the log if either holds:
 
@@ -17,14 +19,49 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from testbed.failures.losses import LOST as LOST
 from testbed.flight.columns import row_at, stretches
 
-LOST = 0.1
-"""An actuator with this true effectiveness or less is lost. It does not depend on a controller's own threshold."""
+
+class ActiveFailure(NamedTuple):
+    """A failure of a flight, and when it was active.
+
+    `until_s` is infinite where it lasted to the end of the flight. `verified` says whether its effect was observed; None where it
+    cannot be.
+    """
+
+    number: int
+    """Its place in `Scenario.failures`."""
+    type: str
+    actuator: str
+    """The actuator that it breaks; empty where there is none."""
+    from_s: float
+    until_s: float
+    verified: bool | None
+
+
+def failures_of(events: Iterable[Mapping[str, Any]]) -> list[ActiveFailure]:
+    """The failures that began in a flight, from its events, in order of time."""
+    found: list[ActiveFailure] = []
+    latest: dict[int, int] = {}  # place in `found` of the last start of each failure
+    for event in (event for event in events if event["kind"] == "injection"):
+        number = event.get("failure", 0)
+        if event.get("active", True):
+            latest[number] = len(found)
+            who, seen = event.get("actuator") or "", event.get("verified", True)
+            found.append(ActiveFailure(number, event.get("type", ""), who, event["time_s"], math.inf, seen))
+        elif number in latest:
+            found[latest[number]] = found[latest[number]]._replace(until_s=event["time_s"])
+    return found
+
+
+def failure_times_s(events: Iterable[Mapping[str, Any]]) -> list[float]:
+    """Times at which failures began, each once, in order [s]."""
+    return sorted({failure.from_s for failure in failures_of(events)})
 
 
 def lost(log: Mapping[str, np.ndarray], actuator: str) -> np.ndarray:
@@ -37,16 +74,10 @@ def broken(
 ) -> np.ndarray:
     """[rows] True while the actuator is broken (see the module); `injections` are the events of this kind, in order of time."""
     rows = lost(log, actuator).copy()
-    starts: dict[int, int] = {}
-    for event in injections:
-        if event["actuator"] == actuator and event["type"] != "effectiveness":
-            row = row_at(log["time_s"], event["time_s"])
-            if event["active"]:
-                starts[event["failure"]] = row
-            else:
-                rows[starts.pop(event["failure"], row) : row] = True
-    for start in starts.values():  # never ended: active to the end of the flight
-        rows[start:] = True
+    for failure in failures_of(injections):
+        if failure.actuator == actuator and failure.type != "effectiveness":
+            first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
+            rows[first:end] = True
     return rows
 
 

@@ -39,13 +39,13 @@ def _problems(flight: Flight, file: str) -> Iterator[Problem]:
         for name in ALWAYS_KNOWN:
             yield from _not_numbers(flight, file, name)
     if "time_s" not in missing:
-        time_s = flight.data[:, flight.columns.index("time_s")]
+        time_s = flight.column("time_s")
         for row in np.flatnonzero(~(np.diff(time_s) > 0.0)):
             yield Problem(f"is {time_s[row + 1]:g}", file, int(row) + 3, "time_s", "times that increase")
 
 
 def _not_numbers(flight: Flight, file: str, name: str) -> Iterator[Problem]:
-    values = flight.data[:, flight.columns.index(name)] if name in flight.columns else np.zeros(0)
+    values = flight.column(name) if name in flight.columns else np.zeros(0)
     for row in np.flatnonzero(~np.isfinite(values)):
         yield Problem(
             f"is {values[row]:g}", file, int(row) + 2, name, "a finite number"

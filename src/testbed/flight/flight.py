@@ -13,14 +13,11 @@ import numpy as np
 
 from testbed.aircraft.shape import Shape
 from testbed.common.files import plain
-from testbed.flight import columns, display
+from testbed.flight import columns
 from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     import pandas as pd
-    from matplotlib.figure import Figure
 
 
 class Outcome(StrEnum):
@@ -36,6 +33,11 @@ class Outcome(StrEnum):
         """The predicate of a sentence about the aircraft: "hit the ground"."""
         return _SENTENCES[self]
 
+    @property
+    def is_lost(self) -> bool:
+        """Whether the aircraft was lost: the flight ended early."""
+        return self is not Outcome.completed
+
 
 _SENTENCES = {
     Outcome.completed: "flew to the end",
@@ -43,11 +45,17 @@ _SENTENCES = {
     Outcome.envelope_exceeded: "left the aircraft's flight envelope",
     Outcome.diverged: "diverged to a state that is not finite",
 }
+LOSSES = frozenset(str(outcome) for outcome in Outcome if outcome.is_lost)
+"""Outcomes of flights in which the aircraft was lost, as tables and summaries name them; other words are of flights that were
+not flown."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Flight:
-    """A scenario and its result. `data` [rows, columns] is the log, with a row for each logged control step, named by `columns`."""
+    """A scenario and its result, as data; `reporting.flight` draws and reports it.
+
+    `data` [rows, columns] is the log, with a row for each logged control step, named by `columns`.
+    """
 
     scenario: Scenario
     outcome: Outcome
@@ -70,53 +78,29 @@ class Flight:
     """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
 
     def __repr__(self) -> str:
-        return display.line(self)
-
-    def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        from testbed.reporting import shown
-
-        return shown.html(self)
-
-    def plot(self, figure: str = "states") -> Figure:
-        """A figure of the flight: `states`, `actuators`, `effectiveness` or `rates`; raises BadInput for another name."""
-        from testbed.reporting import shown
-
-        return shown.plot(self, figure)
-
-    def report(self, file: str | Path) -> Path:
-        """Write the flight's page, one HTML file that needs no other, replacing the file; returns it. Raises OSError."""
-        from testbed.reporting import shown
-
-        return shown.report(self, file)
-
-    def save(self, folder: str | Path, *, figures: bool = True) -> Path:
-        """Write a run folder as `testbed run` does; returns it. `testbed.load` reads it.
-
-        Raises BadInput when the folder exists or cannot be made, OSError when the disk is full.
-        """
-        from testbed.reporting import shown
-
-        return shown.save(self, folder, figures)
-
-    def export(self, to: str, file: str | Path, *, origin: str | None = None) -> Path:
-        """Write the flight for another program; returns the file.
-
-        Args:
-            to: `acmi`, `kml`, `parquet`, `mcap` or `mat`.
-            file: the file to write; an existing one is never overwritten.
-            origin: where the flight starts, `LAT,LON` or `LAT,LON,ALT` in degrees and metres.
-
-        Raises BadInput when that cannot be done.
-        """
-        from testbed.reporting import shown
-
-        return shown.export(self, to, file, origin)
+        """`<Flight 'left tail failure': completed at 60 s, passed (25 of 25 requirements), ...>`."""
+        met = sum(bool(r["passed"]) for r in self.requirements)
+        rows, columns = self.data.shape
+        events = f"{len(self.events)} event{'' if len(self.events) == 1 else 's'}"
+        return (
+            f"<Flight {self.scenario.name!r}: {self.outcome} at {self.end_time_s:g} s, "
+            f"{'passed' if self.passed else 'not passed'} ({met} of {len(self.requirements)} requirements), "
+            f"{rows} rows x {columns} columns, {events}>"
+        )
 
     @property
     def controller(self) -> str:
         """The controller that flew: the type of the scenario's, or the name of the user's own."""
         return self.flown_by or self.scenario.controller.type
+
+    def column(self, name: str) -> np.ndarray:
+        """[rows] a column of the log; raises ValueError when there is none of this name."""
+        return self.data[:, self.columns.index(name)]
+
+    @cached_property
+    def signals(self) -> dict[str, np.ndarray]:
+        """The columns of the log by name, each [rows] and contiguous."""
+        return dict(zip(self.columns, np.ascontiguousarray(self.data.T), strict=True))
 
     @cached_property
     def log(self) -> pd.DataFrame:
@@ -127,8 +111,7 @@ class Flight:
 
     def beliefs(self) -> list[dict[str, Any]]:
         """What the controller took each actuator for, and when: see `flight.columns.beliefs`."""
-        log = dict(zip(self.columns, self.data.T, strict=True))
-        return columns.beliefs(log, self.actuators)
+        return columns.beliefs(self.signals, self.actuators)
 
     @property
     def passed(self) -> bool:

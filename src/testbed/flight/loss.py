@@ -15,15 +15,15 @@ from testbed.flight.flight import Outcome
 BEFORE_S = 1.0
 """How long before the end of the flight commands are looked at [s]."""
 _AT_STOP = 1e-3  # a command counts as at its stop within this fraction of the travel
-# Limit of the envelope: (column of the log, sign of the side on which the limit is passed, unit).
-_LIMITS = {
-    "alpha_max_deg": ("alpha_deg", 0, "deg"),
-    "beta_max_deg": ("beta_deg", 0, "deg"),
-    "roll_max_deg": ("roll_deg", 0, "deg"),
-    "airspeed_min_m_s": ("airspeed_m_s", -1, "m/s"),
-    "airspeed_max_m_s": ("airspeed_m_s", 1, "m/s"),
-    "altitude_min_m": ("altitude_m", -1, "m"),
+LIMITS = {
+    "alpha_max_deg": ("angle of attack", "alpha_deg", 0, "deg"),
+    "beta_max_deg": ("sideslip", "beta_deg", 0, "deg"),
+    "roll_max_deg": ("bank", "roll_deg", 0, "deg"),
+    "airspeed_min_m_s": ("airspeed", "airspeed_m_s", -1, "m/s"),
+    "airspeed_max_m_s": ("airspeed", "airspeed_m_s", 1, "m/s"),
+    "altitude_min_m": ("altitude", "altitude_m", -1, "m"),
 }
+"""Limit of the envelope: (what it limits, column of the log, sign of the side on which it is passed, unit)."""
 
 
 def loss_event(
@@ -53,7 +53,7 @@ def loss_event(
 
 
 def _passed(log: Mapping[str, np.ndarray], envelope: Envelope) -> Iterator[dict[str, Any]]:
-    for name, (column, side, unit) in _LIMITS.items():
+    for name, (_, column, side, unit) in LIMITS.items():
         allowed, value = getattr(envelope, name), float(log[column][-1])
         if allowed is not None and ((side * value if side else abs(value)) > (side or 1) * allowed):
             yield {"limit": name, "value": value, "allowed": allowed, "unit": unit}

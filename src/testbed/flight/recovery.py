@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from testbed.common.angles import wrap_deg
+from testbed.flight.breakage import failure_times_s
 from testbed.flight.columns import row_at
 
 RECOVERED = {"altitude": 5.0, "heading": 15.0}
@@ -30,11 +31,6 @@ def tracking_error(log: Mapping[str, np.ndarray], quantity: str) -> np.ndarray:
     unit = UNITS[quantity]
     error: np.ndarray = log[f"{quantity}_{unit}"] - log[f"{quantity}_command_{unit}"]
     return wrap_deg(error) if quantity == "heading" else error
-
-
-def failure_times_s(events: Iterable[Mapping[str, Any]]) -> list[float]:
-    """Times at which failures began, each once, in order [s]."""
-    return sorted({e["time_s"] for e in events if e["kind"] == "injection" and e.get("active", True)})
 
 
 def recoveries(

@@ -1,5 +1,6 @@
-"""Reports and figures of finished flights and sweeps. Nothing here flies, or depends on how the flights were made.
+"""Reports and figures of finished flights. Nothing here flies, or depends on how the flights were made.
 
-`run_report` and `figures` are for a run folder, `sweep_report` and `sweep_figures` for a sweep folder. Both reports write
-their page with `html` and their numbers with `numbers`. `export` writes flights for other programs.
+`flight` is a flight that draws, reports, saves and exports itself. `panels` says what is drawn together: by `figures`, by the page
+of a flight (`run_report`) and by `comparison`; `story` and `words` tell it, and `export` writes it for other programs. All pages
+are made with `html`.
 """

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
+from pathlib import Path
+
+from testbed.flight.flight import Flight
 
 
 class NotShown(UserWarning):
@@ -19,3 +22,20 @@ def attempt(what: str, write: Callable[[], object]) -> bool:
         warnings.warn(NotShown(f"{what} could not be made: {words}"), stacklevel=2)
         return False
     return True
+
+
+def add_report(flight: Flight, folder: Path, figures: bool = True) -> bool:
+    """Add the report, and the figures if wanted, to a folder with log and summary; returns whether all could be made."""
+
+    def draw() -> None:
+        from testbed.reporting.figures import draw
+
+        draw(flight, folder)
+
+    def write() -> None:
+        from testbed.reporting.run_report import write_page
+
+        write_page(flight, folder / "report.html", folder / "figures")
+
+    drawn = not figures or attempt("the figures", draw)
+    return attempt("the report", write) and drawn

@@ -6,12 +6,13 @@ A report is one HTML file. It contains its figures and scripts, and loads nothin
 from __future__ import annotations
 
 import base64
-import io
-from collections.abc import Iterable, Mapping
+import json
+from collections.abc import Callable, Iterable, Mapping
 from html import escape
 from pathlib import Path
+from typing import Any, TypeVar
 
-from testbed.common.files import replacing
+from testbed.common.files import plain, replacing
 from testbed.reporting.numbers import number
 
 _ASSETS = Path(__file__).parent / "assets"
@@ -22,6 +23,15 @@ _POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inl
 class Html(str):
     """Text that is already HTML. Any other text is escaped when it is put into a table or a note."""
 
+
+Item = TypeVar("Item")
+_SHAPES = (
+    '<circle cx="7" cy="7" r="5"/>',
+    '<rect x="2.5" y="2.5" width="9" height="9"/>',
+    '<path d="M7 1.5 13 12H1Z"/>',
+    '<path d="M7 1 13 7 7 13 1 7Z"/>',
+)
+"""Shapes of the marks of flights or variants that are compared, in their order; their colours are in sweep.css."""
 
 Cell = str | float | None
 """Content of a table's cell: text, HTML, a number, or None where there is no value."""
@@ -73,33 +83,45 @@ def table(heads: Iterable[str], rows: Iterable[Html], caption: str = "") -> Html
     return Html(f'<div class="table"><table>{inside}</table></div>')
 
 
-def figures(folder: Path, captions: Mapping[str, str], width: int = 1100) -> list[Html]:
-    """A figure for each `folder/<name>.png` of {name: caption} that exists, with the picture embedded.
+def listing(
+    items: Iterable[Item],
+    columns: Mapping[str, Callable[[Item], Cell]],
+    caption: str = "",
+    kind: Callable[[Item], str] = lambda _: "",
+) -> Html:
+    """A table with a row for each item: {head: the cell of an item}; `kind` gives the row's CSS class."""
+    cells = list(columns.values())
+    return table(columns, (row([cell(item) for cell in cells], kind(item)) for item in items), caption)
 
-    Pictures are embedded no wider than `width` [pixels] and with 128 colours, which makes them a quarter of the size.
-    """
-    found = ((folder / f"{name}.png", escape(caption)) for name, caption in captions.items())
-    return [_figure(file, caption, width) for file, caption in found if file.is_file()]
+
+def bar(name: str, share: float, said: str, i: int = 0, chance: float | None = None, kind: str = "") -> Html:
+    """A bar as long as a share of 1, in the i-th colour, with a name and what is `said` of it; `chance` is a line across it."""
+    line = "" if chance is None else f'<u style="left:{100 * chance:.1f}%"></u>'
+    return Html(
+        f'<div class="driver{kind}"><div class="name">{escape(name)}</div><div class="track">'
+        f'<i class="v{i % 6}" style="width:{100 * share:.1f}%"></i>{line}</div>'
+        f'<div class="number">{escape(said)}</div></div>'
+    )
+
+
+def figures(folder: Path, captions: Mapping[str, str]) -> list[Html]:
+    """A figure for each `folder/<name>.png` of {name: caption} that exists, with the picture embedded."""
+    found = ((folder / f"{name}.png", caption) for name, caption in captions.items())
+    return [picture(file.read_bytes(), caption) for file, caption in found if file.is_file()]
 
 
 def picture(data: bytes, caption: str) -> Html:
     """A figure whose picture is the contents of a PNG file."""
-    return _figure(io.BytesIO(data), caption, 1100)
+    encoded, said = base64.b64encode(data).decode("ascii"), escape(caption)
+    image = f'<img alt="{said}" src="data:image/png;base64,{encoded}">'
+    return Html(f"<figure>{image}<figcaption>{said}</figcaption></figure>")
 
 
-def _figure(file: Path | io.BytesIO, caption: str, width: int) -> Html:
-    from PIL import Image  # slow to import, and needed only here
-
-    with Image.open(file) as opened:
-        shown = opened.convert("RGB")
-    if shown.width > width:
-        shown = shown.resize((width, round(shown.height * width / shown.width)), Image.Resampling.LANCZOS)
-    few = shown.quantize(128, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
-    stream = io.BytesIO()
-    few.save(stream, "png", optimize=True)
-    data = base64.b64encode(stream.getvalue()).decode("ascii")
-    image = f'<img alt="{caption}" src="data:image/png;base64,{data}">'
-    return Html(f"<figure>{image}<figcaption>{caption}</figcaption></figure>")
+def panels(group: Mapping[str, Any]) -> Html:
+    """The place of a group of panels (see `page.panels`), which the page's script fills."""
+    inside = Html(f'<div class="panels" id="panels-{group["name"]}"></div>')
+    title = group["title"]
+    return folded(title, inside) if group["folded"] else Html(f"<h2>{escape(title)}</h2>{inside}")
 
 
 def script(text: str, kind: str = "", name: str = "") -> Html:
@@ -107,6 +129,31 @@ def script(text: str, kind: str = "", name: str = "") -> Html:
     about = "".join(f' {key}="{value}"' for key, value in (("type", kind), ("id", name)) if value)
     inside = text.replace("</script", "<\\/script").replace("<!--", "<\\!--")  # would end the script
     return Html(f"<script{about}>{inside}</script>")
+
+
+def data(value: object, name: str) -> Html:
+    """Data for a script, as JSON; a number that is not finite is null."""
+    text = json.dumps(plain(value), separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
+    return script(text, "application/json", name)
+
+
+def listed(lines: Iterable[str], kind: str = "") -> Html:
+    """A list of sentences; `kind` is its CSS class."""
+    inside = "".join(f"<li>{escape(line)}</li>" for line in lines)
+    return Html(f'<ul class="{kind}">{inside}</ul>' if kind else f"<ul>{inside}</ul>")
+
+
+def mark(i: int) -> Html:
+    """The mark of the i-th flight or variant: a shape in its colour."""
+    shape = _SHAPES[i % len(_SHAPES)]
+    about = 'width="14" height="14" viewBox="0 0 14 14" aria-hidden="true"'
+    return Html(f'<svg class="mark v{i % 6}" {about}>{shape}</svg>')
+
+
+def legend(names: Iterable[str]) -> Html:
+    """The mark of each flight or variant with its name."""
+    named = (f"<span>{mark(i)} {escape(name)}</span>" for i, name in enumerate(names))
+    return Html(f'<p class="legend">{"".join(named)}</p>')
 
 
 def chips(facts: Mapping[str, str]) -> Html:

@@ -16,6 +16,11 @@ def number(value: Any, form: str = ".4g", absent: str = "-") -> str:
     return str(value) if isinstance(value, int) else format(value, form)
 
 
+def rounded(value: float | None) -> str:
+    """A number with three digits, and 0 for what is only rounding."""
+    return "0" if value is not None and abs(value) < 1e-6 else number(value, ".3g")
+
+
 def interval(known: Mapping[str, Any], of: str = "estimate", form: str = ".3f") -> str:
     """`0.970 (0.957 to 0.979)`: the estimate `known[of]` with its interval, `low` to `high`; each may be None."""
     low, high = number(known["low"], form), number(known["high"], form)

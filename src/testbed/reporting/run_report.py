@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from html import escape
 from pathlib import Path
@@ -11,18 +10,17 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.conventional_shape import conventional
-from testbed.common.files import plain
+from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
-from testbed.flight.recovery import failure_times_s
 from testbed.reporting import html
 from testbed.reporting.figures import TABLE as FIGURES
-from testbed.reporting.figures.marks import describe
 from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
-from testbed.reporting.page.panels import error_columns, groups
+from testbed.reporting.page.panels import groups
 from testbed.reporting.page.phases import phases
-from testbed.reporting.story import has_estimates
+from testbed.reporting.panels import error_columns, has_estimates
+from testbed.reporting.words import describe
 
 _REPLAYED = ("north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg")
 """Columns without which there is nothing to replay."""
@@ -52,14 +50,14 @@ def write_page(
 
 
 def _parts(flight: Flight, figures: Path | None, again: str, back: str) -> Iterator[str]:
-    log = dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True))
+    log = dict(flight.signals)
     moving = len(flight.data) > 1 and all(name in log for name in _REPLAYED)
     yield back
     yield sections.head(flight)
     if moving:
         log |= error_columns(log)
         told, columns = packed(log)
-        shown = groups(flight, log, has_estimates(log, flight.actuators))
+        shown = groups(flight, log)
         yield _moving(shown, list(log))
     if figures is not None:
         yield _figures(figures)
@@ -68,7 +66,7 @@ def _parts(flight: Flight, figures: Path | None, again: str, back: str) -> Itera
     yield sections.metrics(flight)
     yield sections.again(flight, again)
     if moving:
-        yield html.script(_json(_for_the_script(flight, told, shown, log)), "application/json", "flight")
+        yield html.data(_for_the_script(flight, told, shown, log), "flight")
         yield html.script(columns, "text/plain", "columns")
         yield html.script(html.asset("flight.js"))
 
@@ -79,10 +77,7 @@ def _moving(shown: list[dict[str, Any]], columns: list[str]) -> str:
     parts.append(
         '<p class="note">Drag in a panel to zoom, double-click for the whole flight, click to go there.</p>'
     )
-    for group in shown:
-        inside = f'<div class="panels" id="panels-{group["name"]}"></div>'
-        title = escape(group["title"])
-        parts.append(html.folded(title, inside) if group["folded"] else f"<h2>{title}</h2>{inside}")
+    parts += map(html.panels, shown)
     options = "".join(f"<option>{escape(name)}</option>" for name in columns if name != "time_s")
     chosen = f'<div id="any-column"><label>column <select>{options}</select></label></div>'
     parts.append(html.folded("Any column of the log", chosen))
@@ -107,11 +102,7 @@ def _for_the_script(
     }
 
 
-def _json(value: object) -> str:
-    return json.dumps(plain(value), separators=(",", ":"), ensure_ascii=False)
-
-
 def _figures(folder: Path) -> str:
     """The static figures; they are hidden where the script runs, and printed."""
-    shown = html.figures(folder, {name: caption for name, (caption, _) in FIGURES.items()}, width=800)
+    shown = html.figures(folder, {name: figure.caption for name, figure in FIGURES.items()})
     return "\n".join(['<div class="still"><h2>Figures</h2>', *shown, "</div>"]) if shown else ""

@@ -12,11 +12,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from testbed.flight.breakage import failure_times_s, failures_of
+from testbed.flight.columns import beliefs
 from testbed.flight.flight import Flight, Outcome
-from testbed.flight.recovery import DWELL_S, RECOVERED, failure_times_s
+from testbed.flight.loss import LIMITS
+from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
 from testbed.metrics.flight_view import settled_after
-from testbed.reporting.failure_words import predicate
+from testbed.reporting.panels import has_estimates
+from testbed.reporting.words import believed, broke, joined, title
 
 AXES = {
     "p_dot": "roll acceleration",
@@ -31,14 +35,6 @@ _LAST = 0.25  # share of the time since a failure from which the final state is 
 _MOST = 3  # failures that are told one by one
 _ROUND_DEG = 170.0  # heading is measured the short way, so that it cannot be much further off
 _STEEP_DEG = 30.0  # of bank or pitch, worth a word when the aircraft is lost
-_LIMITS = {
-    "alpha_max_deg": "angle of attack",
-    "beta_max_deg": "sideslip",
-    "roll_max_deg": "bank",
-    "airspeed_min_m_s": "airspeed",
-    "airspeed_max_m_s": "airspeed",
-    "altitude_min_m": "altitude",
-}
 _STAYED = (
     f"altitude stayed within {RECOVERED['altitude']:g} m and heading within {RECOVERED['heading']:g} deg"
 )
@@ -65,44 +61,17 @@ def diagnoses(flight: Flight) -> list[str]:
     return [f"controller at {event['time_s']:.1f} s: {event['text']}" for event in said]
 
 
-def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bool:
-    """Whether the controller estimated effectiveness: some estimate was not 1 all the time.
-
-    A controller without estimates has exactly 1; in calm air those of an estimator differ from it by 1e-5 or less.
-    """
-    columns = (log.get(f"{name}_effectiveness_estimate") for name in actuators)
-    return any(c is not None and bool(np.any(np.abs(c - 1.0) > 0.0)) for c in columns)
-
-
-def title(name: str) -> str:
-    """An actuator's name in words."""
-    return name.replace("_", " ")
-
-
-def _starts(events: Iterable[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    return [e for e in events if e["kind"] == "injection" and _begins(e)]
-
-
-def _begins(injection: Mapping[str, Any]) -> bool:
-    return bool(injection.get("active", True))
-
-
 def _failures(flight: Flight) -> Iterator[str]:
-    starts = _starts(flight.events)
-    if not starts:
+    failures = failures_of(flight.events)
+    if not failures:
         yield "Nothing was broken."
-    ends = {e["failure"]: e["time_s"] for e in flight.events if e["kind"] == "injection" and not _begins(e)}
-    for event in starts[:_MOST]:
-        what = predicate(
-            flight.scenario.failures[event["failure"]], flight.actuators.get(event["actuator"], {})
-        )
-        who = f" the {title(event['actuator'])}" if event["actuator"] and event["type"] != "property" else ""
-        late = " This had no effect on the aircraft." if event.get("verified") is False else ""
-        until = f", until {ends[event['failure']]:.1f} s" if event["failure"] in ends else ""
-        yield f"At {event['time_s']:.1f} s{who} {what}{until}.{late}"
-    if more := starts[_MOST:]:
-        failures = "failure followed," if len(more) == 1 else "failures followed, the last"
-        yield f"{len(more)} more {failures} at {more[-1]['time_s']:.1f} s."
+    for failure in failures[:_MOST]:
+        late = " This had no effect on the aircraft." if failure.verified is False else ""
+        until = f", until {failure.until_s:.1f} s" if math.isfinite(failure.until_s) else ""
+        yield f"At {failure.from_s:.1f} s {broke(flight, failure.number)}{until}.{late}"
+    if more := failures[_MOST:]:
+        said = "failure followed," if len(more) == 1 else "failures followed, the last"
+        yield f"{len(more)} more {said} at {more[-1].from_s:.1f} s."
 
 
 def stretches_of(view: Readings) -> list[Stretch]:
@@ -121,13 +90,14 @@ def _controller(view: Readings) -> Iterator[str]:
         yield _unnoticed(estimates, bool(false))
     for stretch in stretches_of(view):
         yield from _noticed(view, stretch, notices)
+    yield from _used_on(view)
     if estimates:
         yield from _estimates(view)
     if false:
-        who = _and(list(dict.fromkeys(f"the {title(e['actuator'])}" for e in false)))
+        who = joined(list(dict.fromkeys(f"the {title(e['actuator'])}" for e in false)))
         gave_up = _gave_up([axis for event in false for axis in _released(view, event)])
         first = f"{who}, first at {false[0]['time_s']:.1f} s"
-        yield f"It wrongly flagged {_and([first, *gave_up])}."
+        yield f"It wrongly flagged {joined([first, *gave_up])}."
 
 
 def _unnoticed(estimates: bool, false_alarms: bool) -> str:
@@ -144,14 +114,35 @@ def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, An
     here = {e["actuator"]: e for e in reversed(notices) if stretch.begin_s <= e["time_s"] < stretch.end_s}
     if not here:
         return
-    first = [f"noticed the {title(name)} after {e['delay_s']:.2f} s" for name, e in reversed(here.items())]
+    first = [
+        f"noticed the {title(name)} after {e['delay_s']:.2f} s{_taken_for(view, e, stretch.end_s)}"
+        for name, e in reversed(here.items())
+    ]
     flags = [e for e in notices if stretch.begin_s <= e["time_s"] < stretch.end_s]
     gave_up = _gave_up([axis for event in flags for axis in _released(view, event)])
-    yield f"The controller {_and([*first, *gave_up, *_sideslip(view, stretch)])}."
+    yield f"The controller {joined([*first, *gave_up, *_sideslip(view, stretch)])}."
+
+
+def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
+    """What the controller took a noticed actuator for at last, before the next failure."""
+    own = beliefs(view.log, [notice["actuator"]])
+    latest = [
+        b for b in own if notice["time_s"] <= b["until_s"] and b["time_s"] < end_s and b["belief"] != "works"
+    ]
+    return f" (as {believed(latest[-1], view.actuators)})" if latest else ""
+
+
+def _used_on(view: Readings) -> Iterator[str]:
+    """What the controller took actuators for at last that it never flagged: late, offset, reversed."""
+    for name in view.actuators:
+        own = [belief for belief in beliefs(view.log, [name]) if belief["belief"] not in ("works", "doubted")]
+        if own and not np.any(view.log[f"{name}_failed"] > 0.0):
+            taken = believed(own[-1], view.actuators)
+            yield f"It took the {title(name)} for {taken} from {own[-1]['time_s']:.1f} s on, and used it."
 
 
 def _gave_up(axes: Sequence[str]) -> list[str]:
-    return [f"gave up {_and([AXES[axis] for axis in dict.fromkeys(axes)])}"] if axes else []
+    return [f"gave up {joined([AXES[axis] for axis in dict.fromkeys(axes)])}"] if axes else []
 
 
 def _released(view: Readings, flag: Mapping[str, Any]) -> list[str]:
@@ -275,13 +266,13 @@ def _left(flight: Flight) -> list[str]:
 
 def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
     reached = [
-        f"{_LIMITS[m['limit']]} of {m['value']:.1f} {m['unit']} passed its limit of {m['allowed']:g} {m['unit']}"
+        f"{LIMITS[m['limit']][0]} of {m['value']:.1f} {m['unit']} passed its limit of {m['allowed']:g} {m['unit']}"
         for m in event["limits"]
     ]
-    yield f"Lost at {event['time_s']:.1f} s: {_and(reached) or 'it ' + flight.outcome.sentence}{_attitude(flight)}."
+    yield f"Lost at {event['time_s']:.1f} s: {joined(reached) or 'it ' + flight.outcome.sentence}{_attitude(flight)}."
     asked = [f"the {title(a['actuator'])} for its {a['stop']}est" for a in event["at_stop"]]
     if asked:
-        yield f"In the second before, the controller asked {_and(asked)}."
+        yield f"In the second before, the controller asked {joined(asked)}."
 
 
 def _attitude(flight: Flight) -> str:
@@ -292,17 +283,12 @@ def _attitude(flight: Flight) -> str:
         f"nose {'up' if last['pitch_deg'] > 0 else 'down'}": abs(last["pitch_deg"]),
     }
     said = [f"{angle:.0f} deg {words}" for words, angle in steep.items() if angle > _STEEP_DEG]
-    return f", at {_and(said)}" if said else ""
+    return f", at {joined(said)}" if said else ""
 
 
 def _tail(rows: slice) -> slice:
     """The last part of some rows."""
     return slice(rows.stop - math.ceil(_LAST * (rows.stop - rows.start)), rows.stop)
-
-
-def _and(parts: Sequence[str]) -> str:
-    """`a, b and c`."""
-    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
 
 
 def _amount(value: float, signed: bool = False) -> str:

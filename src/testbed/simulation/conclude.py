@@ -8,17 +8,18 @@ import numpy as np
 
 from testbed.flight.columns import Recorded, all_columns, table
 from testbed.flight.events import controller_events
-from testbed.flight.flight import Flight, Outcome
+from testbed.flight.flight import Outcome
 from testbed.flight.loss import loss_event
 from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
 from testbed.metrics import Readings, adaptation_rates, measure
+from testbed.reporting.flight import ReportedFlight
 from testbed.scenario import conditions
 from testbed.scenario.model import Scenario
 from testbed.simulation.assembly import Assembly
 
 
-def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Recorded) -> Flight:
+def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Recorded) -> ReportedFlight:
     """The flight, with its log, events, metrics and verdicts on the requirements. The parts can be flown on.
 
     Args:
@@ -43,7 +44,7 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
     events = _events(parts, log, outcome, actuators, injections, faults)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
     metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))
-    return Flight(
+    return ReportedFlight(
         scenario=scenario,
         outcome=outcome,
         end_time_s=steps / scenario.rate_hz,

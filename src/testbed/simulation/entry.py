@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from testbed.controllers.setup import Setup
-from testbed.flight.flight import Flight
+from testbed.reporting.flight import ReportedFlight
 from testbed.scenario.model import Scenario
 from testbed.simulation.session import Session
 
@@ -23,10 +23,10 @@ def fly(
     *,
     set: Mapping[str, Any] | None = None,
     watch: Watch | None = None,
-) -> Flight:
+) -> ReportedFlight:
     """Fly a scenario. The same scenario, aircraft and controller give the same flight, to the last bit.
 
-    Nothing is written; `Flight.save` writes a run folder as `testbed run` does.
+    Nothing is written; `ReportedFlight.save` writes a run folder as `testbed run` does.
 
     Args:
         scenario: the path of a scenario's YAML file, or a `Scenario`; a shipped file is found from any folder.

@@ -15,10 +15,11 @@ from testbed.common.signals import first_step_at
 from testbed.controllers.setup import Setup
 from testbed.failures import Failure, same_property
 from testbed.flight.columns import Row, row_columns
-from testbed.flight.flight import Flight, Outcome
+from testbed.flight.flight import Outcome
 from testbed.injection.injector import Planned
 from testbed.injection.replanning import mended, with_failure
 from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.reporting.flight import ReportedFlight
 from testbed.scenario.checks import MAX_STEPS
 from testbed.scenario.flown import altered, flown_part, longer_scenario
 from testbed.scenario.load import changed, load_scenario
@@ -230,7 +231,7 @@ class Session:
             return planned
         return altered(planned, failures=failures, atmosphere=parts.weather.settings)
 
-    def flight(self) -> Flight:
+    def flight(self) -> ReportedFlight:
         """The flight so far, judged as if it were to last until now; it can be flown on. Raises BadInput as `scenario`."""
         self._refuse_closed()
         return conclude(self.parts, self.scenario, self.ended or Outcome.completed, self.loop.recorded)

@@ -15,7 +15,7 @@ from testbed.flight.flight import Flight
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.metrics import measure, readings
-from testbed.reporting.comparison import compare
+from testbed.reporting.comparison.compare import compare
 from testbed.reporting.comparison.differences import common_rows, on_grid
 from testbed.reporting.comparison.panels import columns_of
 

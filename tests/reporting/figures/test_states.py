@@ -8,7 +8,7 @@ import numpy as np
 from figure_flights import panels
 from handmade import flight_of, level_log
 
-from testbed.reporting.figures import TABLE as FIGURES
+from testbed.reporting.figures import plot
 from testbed.scenario.requirement import Requirement
 
 
@@ -17,7 +17,7 @@ def test_heading_is_drawn_beside_its_reference_through_north() -> None:
     log = level_log()
     log["heading_command_deg"] = np.mod(350.0 + 2.0 * log["time_s"], 360.0)
     log["heading_deg"] = np.mod(log["heading_command_deg"] - 0.5, 360.0)
-    heading = panels(FIGURES["states"][1](flight_of(log)))[2]
+    heading = panels(plot(flight_of(log), "states"))[2]
     reference, flown = (line.get_ydata() for line in heading.lines[-2:])
     np.testing.assert_allclose(flown, reference - 0.5, atol=1e-9)
     assert np.abs(np.diff(flown)).max() < 1.0
@@ -31,7 +31,7 @@ def test_what_the_requirements_allow_is_drawn() -> None:
         Requirement(signal="beta_deg", at_most=5.0),
     )
     flight = replace(flight, scenario=flight.scenario.model_copy(update={"requirements": allowed}))
-    shown = panels(FIGURES["states"][1](flight))
+    shown = panels(plot(flight, "states"))
     low, high = (line for line in shown[0].lines if line.get_label() == "requirement")
     time, values = (np.asarray(data) for data in high.get_data())
     inside = np.isfinite(values)

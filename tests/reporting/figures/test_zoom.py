@@ -7,6 +7,7 @@ from figure_flights import EVENTS, broken, panels, zooms
 from handmade import flight_of, injection, level_log
 
 from testbed.reporting.figures import TABLE as FIGURES
+from testbed.reporting.figures import plot
 from testbed.reporting.figures.zoom import zoom_span
 
 
@@ -30,7 +31,7 @@ def test_it_spans_the_failure_and_its_flag(
 
 @pytest.mark.parametrize("name", FIGURES)
 def test_every_panel_has_one_with_the_failure_and_the_flag_apart(name: str) -> None:
-    figure = FIGURES[name][1](broken())
+    figure = plot(broken(), name)
     assert len(zooms(figure)) == len(panels(figure))
     for zoom in zooms(figure):
         upright = {line.get_xdata()[0] for line in zoom.lines if len(set(line.get_xdata())) == 1}
@@ -43,10 +44,10 @@ def test_every_panel_has_one_with_the_failure_and_the_flag_apart(name: str) -> N
 def test_its_height_is_of_what_it_shows() -> None:
     log = level_log()
     log["altitude_m"][900:] = 150.0
-    figure = FIGURES["states"][1](flight_of(log, EVENTS))
+    figure = plot(flight_of(log, EVENTS), "states")
     assert panels(figure)[0].get_ylim()[1] > 150.0
     assert zooms(figure)[0].get_ylim()[1] < 102.0
 
 
 def test_a_flight_without_a_failure_has_none() -> None:
-    assert not zooms(FIGURES["states"][1](flight_of(level_log())))
+    assert not zooms(plot(flight_of(level_log()), "states"))

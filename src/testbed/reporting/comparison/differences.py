@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 FLOWN = (
     "north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg", "alpha_deg", "beta_deg",
@@ -35,6 +38,33 @@ class FirstDifference(NamedTuple):
     columns: tuple[str, ...]
     moved_s: float | None
     moved: tuple[str, ...]
+
+
+class Compared:
+    """Flights side by side, each with a name. The first is the one that the others are compared with."""
+
+    def __init__(self, flights: Sequence[Flight], names: Sequence[str] | None = None) -> None:
+        """Without `names` each flight gets one that says what is different about it."""
+        self.flights = tuple(flights)
+        self.names = names_of(self.flights) if names is None else list(names)
+
+    @property
+    def settings(self) -> list[Setting]:
+        """What the scenarios have that differs: {path, values}, a value for each flight."""
+        return settings(self.flights)
+
+    @property
+    def first_differences(self) -> list[FirstDifference]:
+        """Where the log of each other flight first differs from that of the first."""
+        return [first_difference(self.flights[0], flight) for flight in self.flights[1:]]
+
+    @property
+    def metrics(self) -> pd.DataFrame:
+        """The metrics, a row for each, with a column for each flight."""
+        import pandas as pd
+
+        named = zip(self.names, self.flights, strict=True)
+        return pd.DataFrame({name: dict(flight.metrics) for name, flight in named})
 
 
 def names_of(flights: Sequence[Flight]) -> list[str]:
@@ -85,9 +115,9 @@ def common_rows(one: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, np.ndar
 def first_difference(one: Flight, other: Flight) -> FirstDifference:
     """The first step in which two logs differ, by so little as a bit, in columns that both have."""
     shared = [name for name in one.columns if name in other.columns and name != "time_s"]
-    a, b = _column(one, "time_s"), _column(other, "time_s")
+    a, b = one.column("time_s"), other.column("time_s")
     rows, others = common_rows(a, b)
-    differs = {name: _unequal(_column(one, name)[rows], _column(other, name)[others]) for name in shared}
+    differs = {name: _unequal(one.column(name)[rows], other.column(name)[others]) for name in shared}
     time_s, columns = _first(a[rows], differs)
     moved_s, moved = _first(a[rows], {name: differs[name] for name in shared if name in FLOWN})
     return FirstDifference(time_s, columns, moved_s, moved)
@@ -105,15 +135,11 @@ def _first(time: np.ndarray, differs: Mapping[str, np.ndarray]) -> tuple[float |
     return float(time[row]), tuple(name for name, start in starts.items() if start == row)
 
 
-def _column(flight: Flight, name: str) -> np.ndarray:
-    return flight.data[:, flight.columns.index(name)]
-
-
 def on_grid(time: np.ndarray, flight: Flight, name: str) -> np.ndarray:
     """A column of a flight at the times of a grid [rows]: its latest row, and NaN after its end."""
-    own = _column(flight, "time_s")
+    own = flight.column("time_s")
     rows = np.searchsorted(own, time + _SAME_TIME, side="right") - 1
-    values = _column(flight, name)[np.clip(rows, 0, len(own) - 1)]
+    values = flight.column(name)[np.clip(rows, 0, len(own) - 1)]
     return np.where((rows >= 0) & (time <= own[-1] + _SAME_TIME), values, np.nan)
 
 

@@ -2,69 +2,55 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import numpy as np
-
-from testbed.common.files import plain
-from testbed.flight.recovery import failure_times_s
+from testbed.flight.breakage import failure_times_s
 from testbed.reporting import html
-from testbed.reporting.comparison.panels import columns_of, panels
-from testbed.reporting.comparison.picture import png
+from testbed.reporting.comparison.differences import Compared
+from testbed.reporting.comparison.panels import columns_of, groups
+from testbed.reporting.numbers import rounded
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.phases import phases
 from testbed.reporting.page.sections import definition
 from testbed.reporting.story import story
-from testbed.reporting.sweep_page.sections import mark
-
-if TYPE_CHECKING:
-    from testbed.reporting.comparison import Comparison
 
 _MOST_COLUMNS = 4  # named where logs differ first
 
 
-def write(comparison: Comparison, file: Path) -> Path:
+def write(comparison: Compared, file: Path) -> Path:
     """Write the page; returns its file. Raises OSError when it cannot be written."""
     file.parent.mkdir(parents=True, exist_ok=True)
     name = " and ".join((", ".join(comparison.names[:-1]), comparison.names[-1]))
     return html.write_page(file, name, _parts(comparison, name), ["uplot.css", "sweep.css"])
 
 
-def _parts(comparison: Comparison, name: str) -> Iterator[str]:
+def _parts(comparison: Compared, name: str) -> Iterator[str]:
+    from testbed.reporting.comparison.figure import picture
+
     yield f"<h1>{escape(name)}</h1>"
-    yield _list(sentences(comparison))
+    yield html.listed(sentences(comparison), "story")
     log = columns_of(comparison.flights)
-    shown = panels(comparison.flights, comparison.names, log)
+    shown = groups(comparison.flights, comparison.names, log)
     yield '<div class="moving"><h2>The flights</h2><div id="timelines"></div>'
-    yield _legend(comparison)
-    for group in shown:
-        inside = f'<div class="panels" id="panels-{group["name"]}"></div>'
-        yield (
-            html.folded(group["title"], inside)
-            if group["folded"]
-            else f"<h2>{escape(group['title'])}</h2>{inside}"
-        )
+    yield html.legend(comparison.names)
+    yield from map(html.panels, shown)
     yield "</div>"
-    yield f'<div class="still">{html.picture(png(comparison), "Errors and bank of the flights")}</div>'
+    yield f'<div class="still">{html.picture(picture(comparison), "Errors and bank of the flights")}</div>'
     yield from _stories(comparison)
     yield _requirements(comparison)
     yield _metrics(comparison)
     yield _settings(comparison)
     told, columns = packed(log)
-    data = {"data": told, "panels": shown, "flights": list(_flights(comparison))}
-    yield html.script(
-        json.dumps(plain(data), separators=(",", ":"), ensure_ascii=False), "application/json", "comparison"
-    )
+    yield html.data({"data": told, "panels": shown, "flights": list(_flights(comparison))}, "comparison")
     yield html.script(columns, "text/plain", "columns")
     yield html.script(html.asset("compare.js"))
 
 
-def _flights(comparison: Comparison) -> Iterator[dict[str, Any]]:
+def _flights(comparison: Compared) -> Iterator[dict[str, Any]]:
     for name, flight in zip(comparison.names, comparison.flights, strict=True):
         yield {
             "name": name,
@@ -73,7 +59,7 @@ def _flights(comparison: Comparison) -> Iterator[dict[str, Any]]:
         }
 
 
-def sentences(comparison: Comparison) -> list[str]:
+def sentences(comparison: Compared) -> list[str]:
     """How each flight ended, what is set otherwise, and from when on they differ."""
     lines = [_ended(i, comparison) for i in range(len(comparison.flights))]
     differing = _paths(comparison)
@@ -95,7 +81,7 @@ def sentences(comparison: Comparison) -> list[str]:
     return lines
 
 
-def _paths(comparison: Comparison) -> list[str]:
+def _paths(comparison: Compared) -> list[str]:
     """The settings that differ; those of controllers of another type are not named one by one."""
     paths = [setting.path for setting in comparison.settings]
     if "controller.type" not in paths:
@@ -104,7 +90,7 @@ def _paths(comparison: Comparison) -> list[str]:
     return ["controller.type and what belongs to it", *others]
 
 
-def _ended(i: int, comparison: Comparison) -> str:
+def _ended(i: int, comparison: Compared) -> str:
     flight = comparison.flights[i]
     met = sum(bool(r["passed"]) for r in flight.requirements)
     worst = ", ".join(
@@ -121,28 +107,18 @@ def _ended(i: int, comparison: Comparison) -> str:
     return f"{comparison.names[i]}: {verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
 
 
-def summary(comparison: Comparison) -> str:
+def summary(comparison: Compared) -> str:
     """The sentences and the metrics, for a notebook."""
-    return _list(sentences(comparison)) + _metrics(comparison)
+    return html.listed(sentences(comparison), "story") + _metrics(comparison)
 
 
-def _list(lines: list[str]) -> str:
-    return '<ul class="story">' + "".join(f"<li>{escape(line)}</li>" for line in lines) + "</ul>"
-
-
-def _legend(comparison: Comparison) -> str:
-    named = (f"<span>{mark(i)} {escape(name)}</span>" for i, name in enumerate(comparison.names))
-    return f'<p class="legend">{"".join(named)}</p>'
-
-
-def _stories(comparison: Comparison) -> Iterator[str]:
+def _stories(comparison: Compared) -> Iterator[str]:
     yield "<h2>Each flight told</h2>"
     for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
-        lines = "".join(f"<li>{escape(line)}</li>" for line in story(flight))
-        yield f"<h3>{mark(i)} {escape(name)}</h3><ul>{lines}</ul>"
+        yield f"<h3>{html.mark(i)} {escape(name)}</h3>{html.listed(story(flight))}"
 
 
-def _requirements(comparison: Comparison) -> str:
+def _requirements(comparison: Compared) -> str:
     flights = comparison.flights
     names = dict.fromkeys(r["name"] for flight in flights for r in flight.requirements)
     if not names:
@@ -152,7 +128,7 @@ def _requirements(comparison: Comparison) -> str:
     for name in names:
         found = [one.get(name) for one in verdicts]
         cells = [
-            "" if r is None else f"{'met' if r['passed'] else 'NOT MET'} ({_rounded(r['value'])})"
+            "" if r is None else f"{'met' if r['passed'] else 'NOT MET'} ({rounded(r['value'])})"
             for r in found
         ]
         missed = any(r is not None and not r["passed"] for r in found)
@@ -162,12 +138,12 @@ def _requirements(comparison: Comparison) -> str:
     return "<h2>Requirements</h2>" + html.table(["requirement", *comparison.names], ordered, caption)
 
 
-def _metrics(comparison: Comparison) -> str:
+def _metrics(comparison: Compared) -> str:
     """The metrics that differ, and the others folded away."""
     differ: list[html.Html] = []
     same: list[html.Html] = []
     for name, values in comparison.metrics.iterrows():
-        numbers = [_rounded(value) for value in values]
+        numbers = [rounded(value) for value in values]
         row = html.row([str(name), definition(str(name)), *(html.Html(f"<span>{n}</span>") for n in numbers)])
         (differ if len(set(numbers)) > 1 else same).append(row)
     heads = ["metric", "definition and [unit]", *comparison.names]
@@ -180,7 +156,7 @@ def _metrics(comparison: Comparison) -> str:
     )
 
 
-def _settings(comparison: Comparison) -> str:
+def _settings(comparison: Compared) -> str:
     if not comparison.settings:
         return ""
     rows = [
@@ -188,7 +164,3 @@ def _settings(comparison: Comparison) -> str:
         for setting in comparison.settings
     ]
     return html.folded("Settings that differ", html.table(["setting", *comparison.names], rows))
-
-
-def _rounded(value: float | None) -> str:
-    return "-" if value is None or not np.isfinite(value) else f"{value:.3g}"

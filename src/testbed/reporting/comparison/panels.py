@@ -1,130 +1,97 @@
-"""The panels of a comparison: each quantity with all flights in it, and their differences from the first."""
+"""The panels of a comparison: those of `reporting.panels` with all flights in each, and the differences from the first flight."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from testbed.common.angles import unwrapped_deg
+from testbed.common.units import unit
+from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
-from testbed.flight.recovery import UNITS, failure_times_s, tracking_error
 from testbed.reporting.comparison.differences import minus, on_grid
-from testbed.reporting.story import has_estimates, title
-from testbed.reporting.sweep_page.curves import unwrapped
+from testbed.reporting.page.panels import group_of
+from testbed.reporting.panels import (
+    TRACKED,
+    Panel,
+    Series,
+    actuators,
+    effectiveness,
+    error_columns,
+    errors,
+    flown,
+    states,
+)
 
-_SHOWN = {"m": "m", "m_s": "m/s", "deg": "deg"}
-_LEAST = {"altitude": 0.2, "airspeed": 0.2, "heading": 0.5}  # an axis shows at least this much
-_ATTITUDE = {
-    "roll_deg": "bank [deg]",
-    "pitch_deg": "pitch [deg]",
-    "beta_deg": "sideslip [deg]",
-    "alpha_deg": "angle of attack [deg]",
-}
 _STYLES = 6  # in sweep.css
+_FEW = 3  # flights whose actuators are not folded away
 
 
 def columns_of(flights: Sequence[Flight]) -> dict[str, np.ndarray]:
     """The columns of all flights on one time grid, that of the longest: `1:roll_deg` is of the second flight."""
-    longest = max(flights, key=lambda flight: flight.end_time_s)
-    time = longest.data[:, longest.columns.index("time_s")]
+    time = max(flights, key=lambda flight: flight.end_time_s).column("time_s")
     log: dict[str, np.ndarray] = {"time_s": time}
     for i, flight in enumerate(flights):
         own = {name: on_grid(time, flight, name) for name in flight.columns if name != "time_s"}
-        for quantity, unit in UNITS.items():
-            if f"{quantity}_{unit}" in own and f"{quantity}_command_{unit}" in own:
-                own[f"{quantity}_error_{unit}"] = _without_jumps(tracking_error(own, quantity), unit)
+        own |= {name: _without_jumps(error, name) for name, error in error_columns(own).items()}
+        for name in map(flown, TRACKED):
+            if i and f"0:{name}" in log and name in own:
+                own[f"{name}-0"] = _without_jumps(minus(own[name], log[f"0:{name}"], name), name)
         log |= {f"{i}:{name}": values for name, values in own.items()}
-    for i in range(1, len(flights)):
-        for quantity, unit in UNITS.items():
-            name = f"{quantity}_{unit}"
-            if f"0:{name}" in log and f"{i}:{name}" in log:
-                log[f"{i}:{name}-0"] = _without_jumps(minus(log[f"{i}:{name}"], log[f"0:{name}"], name), unit)
     return log
 
 
-def _without_jumps(values: np.ndarray, unit: str) -> np.ndarray:
+def _without_jumps(values: np.ndarray, name: str) -> np.ndarray:
     """A difference of headings goes on beyond a half turn; any other is as it is."""
-    return unwrapped(values[None])[0] if unit == "deg" else values
+    return unwrapped_deg(values) if name.startswith("heading") else values
 
 
-def panels(
+def groups(
     flights: Sequence[Flight], names: Sequence[str], log: Mapping[str, np.ndarray]
 ) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group, as `web/src/panels.js` draws them."""
     failures = sorted({t for flight in flights for t in failure_times_s(flight.events)})
-    actuators = {name: facts for flight in flights for name, facts in flight.actuators.items()}
-    positions = {f"{a}_position": f"{title(a)} [{facts.get('unit', '')}]" for a, facts in actuators.items()}
+    believed = "Effectiveness: the first flight's true one, and what is believed"
     made = [
-        ("errors", "Errors against the references", False, _errors(names, log)),
-        ("differences", f"Differences from {names[0]}", False, _differences(names, log)),
-        ("attitude", "Attitude", False, _of_all(_ATTITUDE, names, log, 2.0)),
-        ("effectiveness", "Effectiveness: the first flight's true one, and what is believed", False,
-         _effectiveness(flights, actuators, names, log)),
-        ("positions", "Positions of the actuators", len(flights) > 3,
-         _of_all(positions, names, log, 1.0)),
-    ]  # fmt: skip
-    return [
-        {
-            "name": name,
-            "title": of,
-            "folded": folded,
-            "panels": [panel | {"failures": failures} for panel in found],
-        }
-        for name, of, folded, shown in made
-        if (found := list(shown))
+        ("errors", "Errors against the references", False, _all_panels(flights, errors)),
+        ("differences", f"Differences from {names[0]}", False, list(_differences())),
+        ("attitude", "Attitude", False, _all_panels(flights, states)),
+        ("effectiveness", believed, False, _all_panels(flights, effectiveness)),
+        ("positions", "Positions of the actuators", len(flights) > _FEW, _all_panels(flights, actuators)),
     ]
+    drawn = [group_of(name, title, folded, _of_all(of, names, log)) for name, title, folded, of in made]
+    for panel in (panel for group in drawn for panel in group["panels"]):
+        panel["failures"] = failures
+    return drawn
 
 
-def _series(column: str, names: Sequence[str], log: Mapping[str, np.ndarray]) -> list[dict[str, str]]:
-    return [
-        {"column": f"{i}:{column}", "label": name, "style": f"v{i % _STYLES}"}
-        for i, name in enumerate(names)
-        if f"{i}:{column}" in log
-    ]
+def _all_panels(flights: Sequence[Flight], make: Callable[[Flight], Iterator[Panel]]) -> list[Panel]:
+    """The panels that any of the flights has, each with all the series that it has in one of them."""
+    known: dict[str, Panel] = {}
+    for panel in (panel for flight in flights for panel in make(flight)):
+        before = known.setdefault(panel.title, panel)
+        known[panel.title] = max(before, panel, key=lambda each: len(each.series))
+    return list(known.values())
 
 
-def _errors(names: Sequence[str], log: Mapping[str, np.ndarray]) -> Iterator[dict[str, Any]]:
-    for quantity, unit in UNITS.items():
-        if series := _series(f"{quantity}_error_{unit}", names, log):
-            yield {
-                "title": f"{quantity} minus reference [{_SHOWN[unit]}]",
-                "series": series,
-                "least": _LEAST[quantity],
-            }
+def _differences() -> Iterator[Panel]:
+    for quantity, drawn in TRACKED.items():
+        series = Series(f"{flown(quantity)}-0", quantity, "truth")
+        yield Panel(quantity, unit(flown(quantity)), (series,), drawn.least_error)
 
 
-def _differences(names: Sequence[str], log: Mapping[str, np.ndarray]) -> Iterator[dict[str, Any]]:
-    for quantity, unit in UNITS.items():
-        if series := _series(f"{quantity}_{unit}-0", names, log):
-            yield {"title": f"{quantity} [{_SHOWN[unit]}]", "series": series, "least": _LEAST[quantity]}
+def _of_all(panels: Sequence[Panel], names: Sequence[str], log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
+    """Each panel with one series of each flight: what its controller believes, if that is drawn, else the first.
 
-
-def _of_all(
-    titles: Mapping[str, str], names: Sequence[str], log: Mapping[str, np.ndarray], least: float
-) -> Iterator[dict[str, Any]]:
-    for column, text in titles.items():
-        if series := _series(column, names, log):
-            yield {"title": text, "series": series, "least": least}
-
-
-def _effectiveness(
-    flights: Sequence[Flight],
-    actuators: Mapping[str, Any],
-    names: Sequence[str],
-    log: Mapping[str, np.ndarray],
-) -> Iterator[dict[str, Any]]:
-    known = []
-    for flight in flights:
-        own = dict(zip(flight.columns, flight.data.T, strict=True))
-        known.append(has_estimates(own, flight.actuators))
-    for actuator in actuators:
-        series = [
-            one
-            for one in _series(f"{actuator}_effectiveness_estimate", names, log)
-            if known[int(one["column"].split(":")[0])]
-        ]
-        if f"0:{actuator}_effectiveness" in log:
-            series.insert(0, {"column": f"0:{actuator}_effectiveness", "label": "true", "style": "truth"})
-        if series:
-            yield {"title": title(actuator), "series": series, "limits": [0.0, 1.0], "range": [-0.1, 1.2]}
+    Beside what is believed, the panel has the true one of the first flight.
+    """
+    for panel in panels:
+        first = panel.series[0]
+        main = next((series for series in panel.series if series.style == "belief"), first)
+        truth = [] if main is first else [first._replace(column=f"0:{first.column}")]
+        series = [Series(f"{i}:{main.column}", name, f"v{i % _STYLES}") for i, name in enumerate(names)]
+        if known := [each for each in (*truth, *series) if each.column in log]:
+            yield replace(panel, series=tuple(known), notes=())

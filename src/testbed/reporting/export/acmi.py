@@ -12,8 +12,8 @@ import numpy as np
 
 from testbed.flight.flight import Flight
 from testbed.reporting.export.place import Origin, Poses, poses, wind
-from testbed.reporting.figures.marks import describe
 from testbed.reporting.story import story
+from testbed.reporting.words import describe
 
 RATE_HZ = 25.0
 _AIRCRAFT = "1"  # identifier of the object

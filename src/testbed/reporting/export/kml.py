@@ -15,8 +15,8 @@ import numpy as np
 from testbed.common.text import printable
 from testbed.flight.flight import Flight
 from testbed.reporting.export.place import EPOCH_S, Origin, Poses, poses, wind
-from testbed.reporting.figures.marks import describe
 from testbed.reporting.story import story
+from testbed.reporting.words import describe
 
 RATE_HZ = 10.0
 _KML, _GX = "http://www.opengis.net/kml/2.2", "http://www.google.com/kml/ext/2.2"
@@ -53,7 +53,7 @@ def _track(place: Xml.Element, flight: Flight, track: Poses, columns: list[str])
     data = _add(_add(line, "ExtendedData"), "SchemaData", schemaUrl=f"#{_SCHEMA}")
     for column in columns:
         array = _add(data, "SimpleArrayData", gx=True, name=column)
-        for value in flight.data[track.rows, flight.columns.index(column)]:
+        for value in flight.column(column)[track.rows]:
             _add(array, "value", f"{value:.3f}", gx=True)
 
 

@@ -17,7 +17,7 @@ from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.export.place import EPOCH_S, Origin, Poses, poses, thinned, wind
 from testbed.reporting.export.units import units_of
-from testbed.reporting.figures.marks import describe
+from testbed.reporting.words import describe
 
 RATE_HZ = 50.0
 _LEVELS = {"injection": 3, "lost": 4, "false_alarm": 3}  # foxglove.Log: 2 info, 3 warning, 4 error
@@ -65,6 +65,8 @@ _SCHEMAS = {
     ),
 }
 
+_FOXGLOVE = {"/tf": "foxglove.FrameTransform", "/location": "foxglove.LocationFix", "/events": "foxglove.Log"}
+
 Message = tuple[int, str, dict[str, Any]]
 """Time [ns], topic, contents."""
 
@@ -111,12 +113,7 @@ def _channels(writer: Any, flight: Flight, topics: Mapping[str, Mapping[str, str
         )
         for topic, of in topics.items()
     }
-    for topic, name in (
-        ("/tf", "foxglove.FrameTransform"),
-        ("/location", "foxglove.LocationFix"),
-        ("/events", "foxglove.Log"),
-    ):
-        schemas[topic] = (name, _SCHEMAS[name])
+    schemas |= {topic: (name, _SCHEMAS[name]) for topic, name in _FOXGLOVE.items()}
     numbers: dict[str, int] = {}
     for topic, (name, schema) in schemas.items():
         data = json.dumps({"title": name, **schema}).encode()
@@ -131,46 +128,33 @@ def _motion(track: Poses) -> Iterator[Message]:
     rotations = rotation(track.roll_deg, track.pitch_deg, track.heading_deg)
     for k, time in enumerate(track.time_s):
         stamp, now = _stamp(float(time))
-        turn = dict(zip("xyzw", rotations[k].tolist(), strict=True))
-        yield (
-            now,
-            "/tf",
-            {
-                "timestamp": stamp,
-                "parent_frame_id": "world",
-                "child_frame_id": "aircraft",
-                "translation": {
-                    "x": float(track.east_m[k]),
-                    "y": float(track.north_m[k]),
-                    "z": float(track.altitude_m[k]),
-                },
-                "rotation": turn,
-            },
-        )
-        yield (
-            now,
-            "/location",
-            {
-                "timestamp": stamp,
-                "frame_id": "aircraft",
-                "latitude": float(track.latitude_deg[k]),
-                "longitude": float(track.longitude_deg[k]),
-                "altitude": float(track.altitude_m[k]),
-                "position_covariance": [0.0] * 9,
-                "position_covariance_type": 0,
-            },
-        )
+        place = (float(at[k]) for at in (track.east_m, track.north_m, track.altitude_m))
+        frame = {
+            "timestamp": stamp,
+            "parent_frame_id": "world",
+            "child_frame_id": "aircraft",
+            "translation": dict(zip("xyz", place, strict=True)),
+            "rotation": dict(zip("xyzw", rotations[k].tolist(), strict=True)),
+        }
+        yield now, "/tf", frame
+        location = {
+            "timestamp": stamp,
+            "frame_id": "aircraft",
+            "latitude": float(track.latitude_deg[k]),
+            "longitude": float(track.longitude_deg[k]),
+            "altitude": float(track.altitude_m[k]),
+            "position_covariance": [0.0] * 9,
+            "position_covariance_type": 0,
+        }
+        yield now, "/location", location
 
 
 def _signals(flight: Flight, topics: Mapping[str, Mapping[str, str]]) -> Iterator[Message]:
-    time = flight.data[:, flight.columns.index("time_s")]
-    places = {
-        topic: {name: flight.columns.index(c) for name, c in of.items()} for topic, of in topics.items()
-    }
+    time = flight.column("time_s")
     for row in thinned(flight, RATE_HZ):
         stamp, now = _stamp(float(time[row]))
-        for topic, of in places.items():
-            known = {name: v for name, c in of.items() if math.isfinite(v := float(flight.data[row, c]))}
+        for topic, of in topics.items():
+            known = {name: v for name, c in of.items() if math.isfinite(v := float(flight.signals[c][row]))}
             yield now, topic, {"timestamp": stamp, **known}
 
 

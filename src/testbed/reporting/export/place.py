@@ -76,7 +76,7 @@ def poses(flight: Flight, origin: Origin, rate_hz: float = math.inf) -> Poses:
     """
     rows = thinned(flight, rate_hz)
     time, north, east, height, roll, pitch, heading = (
-        flight.data[rows, flight.columns.index(name)]
+        flight.column(name)[rows]
         for name in ("time_s", "north_m", "east_m", "altitude_m", "roll_deg", "pitch_deg", "heading_deg")
     )
     altitude = height if origin.altitude_m is None else height - height[:1] + origin.altitude_m

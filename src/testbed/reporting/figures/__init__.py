@@ -1,55 +1,55 @@
-"""Figures of a finished flight. To add one, write a function of a flight in a file here, and add a line to TABLE."""
+"""Figures of a finished flight: groups of `reporting.panels`, drawn with matplotlib. To add one, add a line to TABLE."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from testbed.flight.flight import Flight
+from testbed.reporting.panels import GROUPS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def _states(flight: Flight) -> Figure:
-    from testbed.reporting.figures.states import states
+class Drawn(NamedTuple):
+    """A figure: what it shows, as its title says it; its caption; the height of each panel [inches]."""
 
-    return states(flight)
-
-
-def _actuators(flight: Flight) -> Figure:
-    from testbed.reporting.figures.actuators import actuators
-
-    return actuators(flight)
+    what: str
+    caption: str
+    height: float
 
 
-def _effectiveness(flight: Flight) -> Figure:
-    from testbed.reporting.figures.effectiveness import effectiveness
-
-    return effectiveness(flight)
-
-
-def _rates(flight: Flight) -> Figure:
-    from testbed.reporting.figures.rates import rates
-
-    return rates(flight)
-
-
-TABLE: dict[str, tuple[str, Callable[[Flight], Figure]]] = {
-    "states": ("States against their references (the paper's figure 4)", _states),
-    "actuators": ("Reference, command and position of each actuator (figure 5)", _actuators),
-    "effectiveness": ("Effectiveness: estimates against truth (figure 6)", _effectiveness),
-    "rates": ("Controlled rates: desired against measured", _rates),
+TABLE = {
+    "states": Drawn("aircraft states", "States against their references (the paper's figure 4)", 1.25),
+    "actuators": Drawn("actuators", "Reference, command and position of each actuator (figure 5)", 1.7),
+    "effectiveness": Drawn(
+        "effectiveness, 1 is healthy",
+        "Effectiveness: estimates against truth (figure 6)",
+        1.5,
+    ),
+    "rates": Drawn("controlled rates", "Controlled rates: desired against measured", 1.7),
 }
-"""File name without its ending: (caption, function that draws). matplotlib is imported only when a figure is drawn."""
+"""By the file's name without its ending, which is also that of the group in `panels.GROUPS`. matplotlib is imported only when a
+figure is drawn."""
+
+
+def plot(flight: Flight, name: str) -> Figure:
+    """The figure of this name in TABLE."""
+    from testbed.reporting.figures.sheet import Sheet, plain_text
+
+    with plain_text():
+        return Sheet().draw(flight, GROUPS[name].of(flight), TABLE[name].what, TABLE[name].height)
 
 
 def draw(flight: Flight, folder: str | Path) -> list[Path]:
     """Write `folder/figures/<name>.png` for each of TABLE; returns the files in that order."""
-    from testbed.reporting.figures.page import plain_text, save
+    from testbed.reporting.figures.sheet import Sheet, plain_text, save
 
-    figures = Path(folder) / "figures"
+    figures, sheet, files = Path(folder) / "figures", Sheet(), []
     figures.mkdir(parents=True, exist_ok=True)
     with plain_text():
-        return [save(make(flight), figures / f"{name}.png") for name, (_, make) in TABLE.items()]
+        for name, (what, _, height) in TABLE.items():
+            figure = sheet.draw(flight, GROUPS[name].of(flight), what, height)
+            files.append(save(figure, figures / f"{name}.png"))
+    return files

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from testbed.flight.recovery import failure_times_s
+from testbed.flight.breakage import failure_times_s
 
 _BEFORE_S, _AFTER_S, _LONGEST_S = 0.5, 2.5, 10.0
 _WORTH = 0.4  # part of the flight from which on a zoom shows nothing more than the flight does

@@ -1,8 +1,8 @@
-"""What the page draws together: groups of panels, each with its series, limits, and the bands of the requirements."""
+"""Panels as `web/src/panels.js` draws them: groups with the columns of each, and the bands of the requirements."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -10,132 +10,78 @@ import numpy as np
 from testbed.common.angles import wrap_deg
 from testbed.flight.columns import row_at, stretches
 from testbed.flight.flight import Flight
-from testbed.flight.recovery import UNITS, tracking_error
-from testbed.reporting.story import title
+from testbed.reporting.panels import GROUPS, Panel, Series, error_of, reference_of
 from testbed.scenario.requirement import Requirement
 
-_SHOWN = {"m": "m", "m_s": "m/s", "deg": "deg"}
-_LEAST = {"altitude": 0.2, "airspeed": 0.2, "heading": 0.5}  # an axis shows at least this much
-_RATES = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot": "m_s2"}
-
-Panel = dict[str, Any]
-
-
-def error_columns(log: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Columns that the page adds to the log: the error of each quantity that follows a reference."""
-    return {f"{q}_error_{unit}": tracking_error(log, q) for q, unit in UNITS.items()}
+SHOWN = ("errors", "effectiveness", "actuators", "attitude", "rates")
+"""The groups of `reporting.panels` on the page of a flight."""
+_NOTES = 2  # of a panel that its title has, the last ones
+_STYLES = {"position": "truth", "reference": "command"}
+"""Styles of the figures that are another on the page."""
 
 
-def groups(flight: Flight, log: Mapping[str, np.ndarray], estimates: bool) -> list[dict[str, Any]]:
+def groups(flight: Flight, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group; a group without panels is left out.
 
     Args:
-        log: columns by name, each [rows], with those of `error_columns`.
-        estimates: whether the controller estimated effectiveness.
+        log: columns by name, each [rows], with those of `panels.error_columns`.
     """
     made = [
-        ("errors", "Errors against the references", False, _errors(flight, log)),
-        ("effectiveness", "Effectiveness, true and believed", False, _effectiveness(flight, estimates)),
-        ("actuators", "Actuators", False, _actuators(flight)),
-        ("attitude", "Attitude and air", False, _attitude(log)),
-        ("rates", "Controlled rates", True, _rates(log)),
+        group_of(name, GROUPS[name].title, GROUPS[name].folded, GROUPS[name].of(flight)) for name in SHOWN
     ]
-    return [
-        {"name": name, "title": of, "folded": folded, "panels": panels}
-        for name, of, folded, found in made
-        if (panels := list(found))
-    ]
+    for panel in made[0]["panels"]:
+        panel |= _verdicts(flight, panel["series"][0]["column"], log)
+    return [group for group in made if group["panels"]]
 
 
-def _series(*told: tuple[str, str, str]) -> list[dict[str, str]]:
-    return [{"column": column, "label": label, "style": style} for column, label, style in told]
+def group_of(name: str, title: str, folded: bool, panels: Iterable[Panel]) -> dict[str, Any]:
+    """A group for the page's script."""
+    drawn = [_drawn(panel) for panel in panels]
+    return {"name": name, "title": title, "folded": folded, "panels": drawn}
 
 
-def _errors(flight: Flight, log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
-    for quantity, unit in UNITS.items():
-        column = f"{quantity}_error_{unit}"
-        yield {
-            "title": f"{quantity} minus reference [{_SHOWN[unit]}]",
-            "series": _series((column, "error", "truth")),
-            "least": _LEAST[quantity],
-            **_verdicts(
-                flight, f"{quantity}_{unit}", f"{quantity}_command_{unit}", log[column], log["time_s"]
-            ),
-        }
+def _drawn(panel: Panel) -> dict[str, Any]:
+    notes = (f"{words} from {since:.1f} s on" for since, _, words in panel.notes[-_NOTES:])
+    said: dict[str, Any] = {
+        "title": "; ".join([panel.heading, *notes]),
+        "series": [_series(series) for series in panel.series if series.on_page],
+        "least": panel.least,
+        "limits": list(panel.levels or ()),
+    }
+    return said if panel.span is None else {**said, "range": list(panel.span)}
 
 
-def _verdicts(
-    flight: Flight, signal: str, reference: str, error: np.ndarray, time: np.ndarray
-) -> dict[str, list[dict[str, Any]]]:
-    """Bands of the requirements on this error, and the stretches in which it is outside of them."""
-    bands, missed = [], []
+def _series(series: Series) -> dict[str, str]:
+    style = _STYLES.get(series.style, series.style)
+    return {"column": series.column, "label": series.label, "style": style}
+
+
+def _verdicts(flight: Flight, column: str, log: Mapping[str, np.ndarray]) -> dict[str, list[dict[str, Any]]]:
+    """Bands of the requirements on an error, and the stretches in which it is outside of them."""
+    quantity = column.partition("_")[0]
+    time, error, end_s = log["time_s"], log[error_of(quantity)], float(log["time_s"][-1])
+    bands: list[dict[str, Any]] = []
+    missed: list[dict[str, Any]] = []
     for requirement, verdict in zip(flight.scenario.requirements, flight.requirements, strict=False):
-        if requirement.signal != signal or requirement.within is None or requirement.of != reference:
-            continue
-        begin, end = _window(requirement, float(time[-1]))
         limit = requirement.within
+        if limit is None or requirement.of != reference_of(quantity):
+            continue
+        begin, end = requirement.begins_s, end_s if requirement.until_s is None else requirement.until_s
         bands.append(
             {"from_s": begin, "until_s": end, "low": -limit, "high": limit, "passed": verdict["passed"]}
         )
-        rows = slice(row_at(time, begin), row_at(time, end))
-        longest = requirement.never_for_longer_than_s or 0.0
-        if requirement.eventually and verdict["passed"]:
-            continue
-        outside = ~(np.abs(wrap_deg(error[rows]) if signal.startswith("heading") else error[rows]) <= limit)
-        for first, last in stretches(outside):
-            since, until = time[rows][first], time[rows][last - 1]
-            if until - since < longest:
-                continue
-            missed.append({"from_s": float(since), "until_s": float(until)})
+        if not (requirement.eventually and verdict["passed"]):
+            rows = slice(row_at(time, begin), row_at(time, end))
+            missed += _missed(
+                requirement, time[rows], wrap_deg(error[rows]) if quantity == "heading" else error[rows]
+            )
     return {"bands": bands, "missed": missed}
 
 
-def _window(requirement: Requirement, end_s: float) -> tuple[float, float]:
-    return requirement.begins_s, end_s if requirement.until_s is None else requirement.until_s
-
-
-def _effectiveness(flight: Flight, estimates: bool) -> Iterator[Panel]:
-    for name in flight.actuators:
-        told = [(f"{name}_effectiveness", "true", "truth")]
-        if estimates:
-            told.append((f"{name}_effectiveness_estimate", "believed", "belief"))
-        yield {"title": title(name), "series": _series(*told), "limits": [0.0, 1.0], "range": [-0.1, 1.2]}
-
-
-def _actuators(flight: Flight) -> Iterator[Panel]:
-    for name, facts in flight.actuators.items():
-        yield {
-            "title": f"{title(name)} [{facts.get('unit', '')}]",
-            "series": _series(
-                (f"{name}_position", "position", "truth"), (f"{name}_command", "command", "command")
-            ),
-            "limits": list(facts.get("limits", ())),
-            "least": 0.02 * float(np.ptp(facts["limits"])) if "limits" in facts else 1.0,
-        }
-
-
-def _attitude(log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
-    yield {
-        "title": "bank, pitch [deg]",
-        "series": _series(("roll_deg", "bank", "truth"), ("pitch_deg", "pitch", "second")),
-        "least": 2.0,
-    }
-    yield {
-        "title": "sideslip, angle of attack [deg]",
-        "series": _series(("beta_deg", "sideslip", "truth"), ("alpha_deg", "angle of attack", "second")),
-        "least": 2.0,
-    }
-    wind = [c for c in ("wind_north_m_s", "wind_east_m_s", "wind_down_m_s") if c in log]
-    if wind:
-        styles = ("truth", "second", "third")
-        told = [(column, column.split("_")[1], style) for column, style in zip(wind, styles, strict=True)]
-        yield {"title": "wind over the ground [m/s]", "series": _series(*told), "least": 1.0}
-
-
-def _rates(log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
-    for axis, unit in _RATES.items():
-        measured, desired = f"{axis}_{unit}", f"{axis}_desired_{unit}"
-        if measured in log and desired in log:
-            shown = unit.replace("_s2", "/s2")
-            told = _series((measured, "measured", "truth"), (desired, "desired", "command"))
-            yield {"title": f"{axis} [{shown}]", "series": told, "least": 1.0}
+def _missed(requirement: Requirement, time: np.ndarray, error: np.ndarray) -> Iterator[dict[str, float]]:
+    """The stretches outside of a requirement that are longer than it allows."""
+    longest = requirement.never_for_longer_than_s or 0.0
+    outside = ~(np.abs(error) <= float(requirement.within or 0.0))
+    for first, last in stretches(outside):
+        if time[last - 1] - time[first] >= longest:
+            yield {"from_s": float(time[first]), "until_s": float(time[last - 1])}

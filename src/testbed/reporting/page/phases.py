@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from testbed.flight.recovery import failure_times_s
+from testbed.flight.breakage import ActiveFailure, failure_times_s, failures_of
 
 
 def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) -> list[dict[str, Any]]:
@@ -22,6 +22,7 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
         planned_s: how long it should have been [s].
     """
     found: list[tuple[float, str]] = [(0.0, "healthy")]
+    failures = failures_of(events)
     for begin, end in pairwise([*failure_times_s(events), end_s]):
         flagged = _first(events, "detection", begin, end)
         recovered = _first(events, "recovered", begin, end)
@@ -31,8 +32,9 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
         if recovered is not None:
             found.append((max(recovered, flagged if flagged is not None else recovered), "recovered"))
         if flagged is None and recovered is None:
-            left = ((time, _left(events, time)) for time in _ends(events, begin, end))
-            found.extend((time, name) for time, name in left if name != "unnoticed")
+            for time in sorted({failure.until_s for failure in failures if begin < failure.until_s < end}):
+                name = _phase_of([f for f in failures if f.from_s <= time < f.until_s], events, time)
+                found.extend([(time, name)] if name != "unnoticed" else [])
     ends = [time for time, _ in found[1:]] + [end_s]
     made = [
         {"name": name, "from_s": begin, "until_s": end}
@@ -44,32 +46,18 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
     return made
 
 
-def _ends(events: Sequence[Mapping[str, Any]], begin: float, end: float) -> list[float]:
-    """Times in a stretch at which failures ended."""
-    return sorted(
-        {e["time_s"] for e in events if e["kind"] == "injection" and not e.get("active", True)
-         and begin < e["time_s"] < end}
-    )  # fmt: skip
-
-
-def _left(events: Sequence[Mapping[str, Any]], time_s: float) -> str:
+def _phase_of(broken: Sequence[ActiveFailure], events: Sequence[Mapping[str, Any]], time_s: float) -> str:
     """The phase that the failures make which are active after this time."""
-    active: dict[int, Mapping[str, Any]] = {}
-    for event in events:
-        if event["kind"] == "injection" and event["time_s"] <= time_s:
-            active.pop(event["failure"], None)
-            if event.get("active", True):
-                active[event["failure"]] = event
-    if not active:
+    if not broken:
         return "healthy"
-    return "flagged" if all(_noticed(events, event, time_s) for event in active.values()) else "unnoticed"
+    return "flagged" if all(_noticed(events, failure, time_s) for failure in broken) else "unnoticed"
 
 
-def _noticed(events: Sequence[Mapping[str, Any]], failure: Mapping[str, Any], time_s: float) -> bool:
+def _noticed(events: Sequence[Mapping[str, Any]], failure: ActiveFailure, time_s: float) -> bool:
     """Whether the failure's actuator was flagged from its beginning to this time."""
     return any(
-        e["kind"] == "detection" and e["actuator"] == failure["actuator"]
-        and failure["time_s"] <= e["time_s"] <= time_s
+        e["kind"] == "detection" and e["actuator"] == failure.actuator
+        and failure.from_s <= e["time_s"] <= time_s
         for e in events
     )  # fmt: skip
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from html import escape
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
@@ -12,8 +12,9 @@ from testbed.common.docstrings import first_line
 from testbed.flight.flight import Flight
 from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
-from testbed.reporting.figures.marks import describe
+from testbed.reporting.numbers import rounded
 from testbed.reporting.story import diagnoses, story
+from testbed.reporting.words import describe, title
 from testbed.scenario.load import dump
 
 _THEMES = {
@@ -39,12 +40,11 @@ def head(flight: Flight) -> str:
         if total
         else "the scenario has no requirements."
     )
-    lines = "".join(f"<li>{escape(line)}</li>" for line in story(flight))
     warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
     return (
         f"<h1>{escape(flight.scenario.name)}</h1>\n{html.chips(facts(flight))}\n"
         f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>\n'
-        f'<ul class="story">{lines}</ul>{_said(flight)}{warnings}'
+        f"{html.listed(story(flight), 'story')}{_said(flight)}{warnings}"
     )
 
 
@@ -53,9 +53,7 @@ def _said(flight: Flight) -> str:
     said = diagnoses(flight)
     if not said:
         return ""
-    more = "".join(f"<li>{escape(line)}</li>" for line in said[1:])
-    first = escape(said[0])
-    return f"<details><summary>{first}</summary><ul>{more}</ul></details>" if more else f"<p>{first}</p>"
+    return html.folded(said[0], html.listed(said[1:])) if said[1:] else f"<p>{escape(said[0])}</p>"
 
 
 def facts(flight: Flight) -> dict[str, str]:
@@ -78,26 +76,20 @@ def requirements(flight: Flight) -> str:
     if not flight.requirements:
         return ""
     order = sorted(flight.requirements, key=lambda r: bool(r["passed"]))
-    rows = (
-        html.row(
-            [
-                "met" if r["passed"] else "NOT MET",
-                r["name"],
-                _rounded(r["value"]),
-                _bar(r),
-                _rounded(r.get("robustness")),
-                r.get("reason", ""),
-            ],
-            "met" if r["passed"] else "missed",
-        )
-        for r in order
-    )
     caption = (
         "Value: the worst value. Bar: how much of the limit it takes; the line is the limit. "
         "Robustness: the distance from the limit in units of its scale, negative where it is not met."
     )
-    heads = ("verdict", "requirement", "value", "share of the limit", "robustness", "remark")
-    return "<h2>Requirements</h2>\n" + html.table(heads, rows, caption)
+    columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
+        "verdict": lambda r: "met" if r["passed"] else "NOT MET",
+        "requirement": lambda r: r["name"],
+        "value": lambda r: rounded(r["value"]),
+        "share of the limit": _bar,
+        "robustness": lambda r: rounded(r.get("robustness")),
+        "remark": lambda r: r.get("reason", ""),
+    }
+    table = html.listing(order, columns, caption, lambda r: "met" if r["passed"] else "missed")
+    return f"<h2>Requirements</h2>\n{table}"
 
 
 def _bar(requirement: Mapping[str, Any]) -> html.Html | str:
@@ -115,22 +107,16 @@ def _bar(requirement: Mapping[str, Any]) -> html.Html | str:
     )
 
 
-def _rounded(value: float | None) -> str:
-    """A number with three digits, and 0 for what is only rounding."""
-    if value is None or not math.isfinite(value):
-        return "-"
-    return "0" if abs(value) < 1e-6 else f"{value:.3g}"
-
-
 def events(flight: Flight) -> str:
     """What happened, in order of time."""
     if not flight.events:
         return "<h2>Events</h2>\n<p>Nothing broke, and nothing was flagged.</p>"
-    rows = (
-        html.row([f"{event['time_s']:.3f}", str(event["kind"]).replace("_", " "), describe(event, flight)])
-        for event in flight.events
-    )
-    return "<h2>Events</h2>\n" + html.table(("time [s]", "kind", "what"), rows)
+    columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
+        "time [s]": lambda event: f"{event['time_s']:.3f}",
+        "kind": lambda event: title(str(event["kind"])),
+        "what": lambda event: describe(event, flight),
+    }
+    return f"<h2>Events</h2>\n{html.listing(flight.events, columns)}"
 
 
 def metrics(flight: Flight) -> str:
@@ -140,9 +126,12 @@ def metrics(flight: Flight) -> str:
         module = METRICS[name].__module__.rpartition(".")[2] if name in METRICS else ""
         themes.setdefault(_THEMES.get(module, "Others"), []).append(name)
     parts = ["<h2>Metrics</h2>", html.note("A dash means that the metric has no value in this flight.")]
-    for theme, names in themes.items():
-        rows = (html.row([name, definition(name), _rounded(flight.metrics[name])]) for name in names)
-        parts.append(html.folded(theme, html.table(("metric", "definition and [unit]", "value"), rows)))
+    columns: dict[str, Callable[[str], html.Cell]] = {
+        "metric": str,
+        "definition and [unit]": definition,
+        "value": lambda name: rounded(flight.metrics[name]),
+    }
+    parts += (html.folded(theme, html.listing(names, columns)) for theme, names in themes.items())
     return "\n".join(parts)
 
 

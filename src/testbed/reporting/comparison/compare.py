@@ -1,0 +1,46 @@
+"""Compare flights: sentences in a terminal and a notebook, and a page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from testbed.flight.flight import Flight
+from testbed.inputs.problems import BadInput, Problem
+from testbed.reporting.comparison import page
+from testbed.reporting.comparison.differences import Compared
+
+MOST = 6
+"""Most flights in one comparison."""
+
+
+class Comparison(Compared):
+    """Flights side by side, each with a name. The first is the one that the others are compared with."""
+
+    def __repr__(self) -> str:
+        return "\n".join(page.sentences(self))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the sentences, and the metrics that differ."""
+        return page.summary(self)
+
+    def write(self, file: str | Path) -> Path:
+        """Write the page of the comparison; returns its file. Raises OSError when it cannot be written."""
+        return page.write(self, Path(file))
+
+
+def compare(flights: Sequence[Flight], out: str | Path | None = None) -> Comparison:
+    """Compare two to six flights, as `testbed.fly` and `testbed.load` give them. The first is the one compared with.
+
+    Args:
+        flights: the flights.
+        out: page to write, an HTML file; None for none.
+
+    Raises BadInput for fewer than two flights, or more than six.
+    """
+    if not 2 <= len(flights) <= MOST:
+        raise BadInput([Problem(f"compares {len(flights)}", "flights", expected=f"from 2 to {MOST}")])
+    comparison = Comparison(flights)
+    if out is not None:
+        comparison.write(out)
+    return comparison

@@ -1,0 +1,85 @@
+"""The events of a flight as vertical lines, with styles that can be told apart in grey print."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from testbed.flight.flight import Flight
+from testbed.reporting.words import describe
+
+_MOST_LABELS = 12
+_MOST_LINES = 60
+_CHARACTER = 0.0685  # inches, the mean width of a character of a label
+
+STYLES: dict[str, dict[str, Any]] = {
+    "injection": {"color": "black", "linestyle": "-", "linewidth": 1.6},
+    "detection": {"color": "#0072B2", "linestyle": (0, (6, 2)), "linewidth": 1.4},
+    "false_alarm": {"color": "#B22222", "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6},
+    "release": {"color": "0.35", "linestyle": (0, (1, 1.5)), "linewidth": 1.6},
+    "recovered": {"color": "#00614A", "linestyle": (0, (3, 1, 1, 1, 1, 1)), "linewidth": 1.4},
+    "lost": {"color": "#B22222", "linestyle": "-", "linewidth": 2.4},
+}
+MARKERS = {
+    "injection": "v",
+    "detection": "D",
+    "false_alarm": "X",
+    "release": "s",
+    "recovered": "o",
+    "lost": "P",
+}
+"""What stands at the top of each event's line, so that kinds are told apart without colour."""
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A vertical line at a time [s], with its label and style; the label is empty if there are too many events."""
+
+    time_s: float
+    label: str
+    style: dict[str, Any]
+    marker: str
+
+
+def marks(events: Sequence[Mapping[str, Any]], flight: Flight) -> list[Mark]:
+    """A mark for each of these events of a flight, in order of time; events of one kind at the same time share a mark."""
+    texts: dict[tuple[float, str], list[str]] = {}
+    for event in events:
+        if event["kind"] in STYLES and event.get("after_s") != 0.0:  # it never left the limits of a recovery
+            texts.setdefault((event["time_s"], event["kind"]), []).append(describe(event, flight))
+    found = [
+        Mark(time, ", ".join(labels), STYLES[kind], MARKERS[kind])
+        for (time, kind), labels in sorted(texts.items())
+    ]
+    shown = found[:_MOST_LINES]
+    if len(found) > _MOST_LABELS:
+        more = f"and {len(found) - _MOST_LABELS} more events"
+        last = shown[_MOST_LABELS]
+        rest = [Mark(m.time_s, more if m is last else "", m.style, m.marker) for m in shown[_MOST_LABELS:]]
+        shown[_MOST_LABELS:] = rest
+    return shown
+
+
+def rows_of(shown: Sequence[Mark], span: tuple[float, float], width: float) -> list[tuple[Mark, int, str]]:
+    """Where each label goes so that no two touch: (mark, row, horizontal alignment of the text at its line).
+
+    Row 0 is next to the panel. Where labels are close, later ones go into lower rows, so that no line crosses the label of
+    another.
+
+    Args:
+        span: first and last time of the axis [s].
+        width: length of the axis [inches].
+    """
+    inch = width / (span[1] - span[0])
+    placed: list[tuple[float, float, int]] = []
+    rows: list[tuple[Mark, int, str]] = []
+    for mark in reversed([m for m in shown if m.label]):
+        x, long = (mark.time_s - span[0]) * inch, len(mark.label) * _CHARACTER + 0.12
+        side = "left" if x + long < width or x < 0.5 * width else "right"
+        low, high = (x, x + long) if side == "left" else (x - long, x)
+        meets = [row for a, b, row in placed if a < high + 0.05 and low < b + 0.05]
+        row = max(meets, default=-1) + 1
+        placed.append((low, high, row))
+        rows.append((mark, row, side))
+    return rows[::-1]

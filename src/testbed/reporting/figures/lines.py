@@ -1,0 +1,169 @@
+"""A panel drawn into matplotlib's axes: its series, what the requirements allow, its levels, and the axis that fits them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from testbed.common.angles import wrap_deg
+from testbed.flight.columns import stretches
+from testbed.flight.flight import Flight
+from testbed.reporting.figures.signals import band, thin
+from testbed.reporting.panels import Panel, Series
+
+STYLES: dict[str, dict[str, Any]] = {
+    "truth": {"color": "black", "linestyle": "-", "linewidth": 1.3},
+    # Wide, because the command is drawn on top of it.
+    "position": {"color": "0.62", "linestyle": "-", "linewidth": 3.4, "solid_capstyle": "butt"},
+    "reference": {"color": "#0072B2", "linestyle": (0, (5, 2)), "linewidth": 1.5},
+    "belief": {"color": "#0072B2", "linestyle": (0, (5, 2)), "linewidth": 1.8},
+    "command": {"color": "#D55E00", "linestyle": "-", "linewidth": 1.0},
+    "level": {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth": 1.1},
+}
+"""By the style of a series; "level" is of stops, thresholds and requirements."""
+_SHADE: dict[str, Any] = {
+    "facecolor": "0.9",
+    "edgecolor": "0.7",
+    "hatch": "////",
+    "linewidth": 0,
+    "zorder": 0,
+}
+_PAPER: dict[str, Any] = {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 1.5}
+_NEAR = 0.15  # of the distance of the levels: one is drawn if a signal comes this close to it
+_PIXELS = 4.0  # width of a part of the time axis in which a dense signal is one band
+_MOST_SHADES, _MOST_NOTES = 200, 6
+_HUGE = 1e6  # values beyond it, of a flight that diverged, do not set an axis
+
+
+def draw_panel(axes: Axes, flight: Flight, panel: Panel, width: float) -> None:
+    """Draw a panel over the axes' time; `width` is that of the axes [pixels]."""
+    time = flight.column("time_s")
+    first, last = axes.get_xlim()
+    rows = slice(*np.searchsorted(time, [first, last + 1e-9]))
+    values = {column: whole[rows] for column, whole in _values(flight, panel).items()}
+    parts = round(width / _PIXELS)
+    for series in panel.series:
+        _line(axes, time[rows], values[series.column], series, parts)
+    allowed = list(_allowed(axes, flight, panel, time[rows], values))
+    _shade(axes, flight, panel, time)
+    _fit(axes, panel, [_fitted(panel, series, values[series.column]) for series in panel.series] + allowed)
+    _levels(axes, panel)
+    _notes(axes, panel)
+
+
+def _values(flight: Flight, panel: Panel) -> dict[str, np.ndarray]:
+    """{column: values [rows]} of a panel's series; a heading is on the same turn as its reference, which does not jump."""
+    values = {series.column: flight.column(series.column) for series in panel.series}
+    if "heading_command_deg" in values:
+        wanted = np.unwrap(values["heading_command_deg"], period=360.0)
+        values["heading_deg"] = wanted + wrap_deg(values["heading_deg"] - wanted)
+        values["heading_command_deg"] = wanted
+    return values
+
+
+def _line(axes: Axes, time: np.ndarray, values: np.ndarray, series: Series, parts: int) -> None:
+    """Draw a signal [rows], thinned to what can be seen, or as its mean in a band of its extremes where it is dense.
+
+    Jumps of an angle by more than 180 deg are left out of the line.
+    """
+    style, label = STYLES[series.style], series.label
+    wraps = series.column in ("roll_deg", "heading_deg")
+    first, last = axes.get_xlim()
+    dense = None if wraps else band(time, values, last - first, parts)
+    if dense is not None:
+        look = {"color": style["color"], "alpha": 0.22, "linewidth": 0}
+        axes.fill_between(dense.time_s, dense.low, dense.high, label="extremes", **look)
+        time, values = dense.time_s, dense.mean
+    time, values = thin(time, values)
+    if wraps:
+        jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
+        time, values = np.insert(time, jumps, math.nan), np.insert(values, jumps, math.nan)
+    axes.plot(time, values, label=label, **style)
+
+
+def _allowed(
+    axes: Axes, flight: Flight, panel: Panel, time: np.ndarray, values: Mapping[str, np.ndarray]
+) -> Iterator[np.ndarray]:
+    """Draw what the requirements allow the panel's signals, and give the values that the axis is to hold as well."""
+    for requirement in flight.scenario.requirements:
+        if requirement.signal not in values:
+            continue
+        since, until = requirement.begins_s, requirement.until_s or math.inf
+        for limit in (requirement.at_most, requirement.at_least):
+            if limit is not None:
+                _level(axes, limit, "requirement", since, min(until, max(flight.end_time_s, 1e-3)))
+                yield np.array([limit])
+        if requirement.within is not None and requirement.of in values:
+            inside = (time >= since) & (time <= until)
+            for size in (-requirement.within, requirement.within):
+                allowed = np.where(inside, values[str(requirement.of)] + size, math.nan)
+                axes.plot(*thin(time, allowed), label="requirement", **STYLES["level"])
+                yield allowed
+
+
+def _level(axes: Axes, value: float, label: str, since_s: float, until_s: float) -> None:
+    axes.plot([since_s, until_s], [value, value], label=label, **STYLES["level"])
+
+
+def _shade(axes: Axes, flight: Flight, panel: Panel, time: np.ndarray) -> None:
+    """Hatch the times at which the panel's flag is set."""
+    if not panel.flag:
+        return
+    left, right = axes.get_xlim()
+    label = panel.flagged
+    for first, end in stretches(flight.column(panel.flag) > 0.5)[:_MOST_SHADES]:
+        since, until = time[first], time[end] if end < len(time) else flight.end_time_s
+        if since < right and until > left:
+            axes.axvspan(max(since, left), min(until, right), label=label, **_SHADE)
+            label = "_"  # one entry in the legend
+
+
+def _fitted(panel: Panel, series: Series, values: np.ndarray) -> np.ndarray:
+    """What of a series the axis is to hold."""
+    if series.spikes and np.isfinite(values).any():
+        return np.asarray(np.nanpercentile(values, [0.5, 99.5]))
+    if panel.levels and panel.span is None:  # a reference may be far beyond the stops
+        near = _near(panel)
+        return np.clip(values, min(panel.levels) - near, max(panel.levels) + near)
+    return values
+
+
+def _fit(axes: Axes, panel: Panel, signals: Sequence[np.ndarray]) -> None:
+    """Fit the y axis to all finite values, with a margin; it is no shorter than `Panel.least`, so that noise looks small."""
+    values = np.concatenate([*signals, np.array(panel.span or ())])
+    values = values[np.isfinite(values) & (np.abs(values) < _HUGE)]
+    low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
+    half, middle = max(0.5 * (high - low) * 1.12, 0.5 * panel.least), 0.5 * (low + high)
+    axes.set_ylim(middle - half, middle + half)
+
+
+def _near(panel: Panel) -> float:
+    levels = panel.levels or {0.0: ""}
+    return _NEAR * (max(levels) - min(levels))
+
+
+def _levels(axes: Axes, panel: Panel) -> None:
+    """Draw each level that the signals come near, and make room for it."""
+    near = _near(panel)
+    (first, last), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    for value, label in (panel.levels or {}).items():
+        if bottom - near < value < top + near:
+            _level(axes, value, label, first, last)
+            bottom, top = min(bottom, value - 0.3 * near), max(top, value + 0.3 * near)
+    axes.set_ylim(bottom, top)
+
+
+def _notes(axes: Axes, panel: Panel) -> None:
+    """Write each note where it begins, one below the other."""
+    first, last = axes.get_xlim()
+    for i, (since, until, words) in enumerate(panel.notes[:_MOST_NOTES]):
+        if since < last and until > first:
+            place, y = (max(since, first) - first) / (last - first), 0.72 - 0.18 * (i % 3)
+            side, by = ("left", 0.01) if place < 0.6 else ("right", -0.01)
+            axes.text(
+                place + by, y, words, fontsize=8, ha=side, va="top", transform=axes.transAxes, bbox=_PAPER
+            )

@@ -1,0 +1,127 @@
+"""A flight that shows itself: it draws, reports, saves and exports. This is what `testbed.fly` and `testbed.load` return."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import fields
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from testbed.flight.flight import Flight
+from testbed.flight.folder import write_run_folder
+from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.reporting import html
+from testbed.reporting.attempt import add_report
+from testbed.reporting.numbers import number
+from testbed.reporting.story import story
+from testbed.reporting.words import count
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+KEY_NUMBERS = {
+    "altitude_error_max_m": "largest altitude error [m]",
+    "heading_error_max_deg": "largest heading error [deg]",
+    "airspeed_error_max_m_s": "largest airspeed error [m/s]",
+    "detection_delay_s": "longest detection delay [s]",
+    "missed_detections": "missed detections",
+    "false_alarms": "false alarms",
+}
+"""Metrics that a notebook shows of every flight, and their titles."""
+_MOST_ROWS = 12  # requirements shown in a notebook; the report has all of them
+_AGAIN = """<p>Save the scenario below as scenario.yaml, and run this beside it.</p>
+<pre>python -m testbed run scenario.yaml</pre>"""
+"""How to fly a flight again whose page stands alone."""
+_TOLD = ("altitude_m", "heading_deg", "airspeed_m_s", "beta_deg")
+"""Columns without which there is no story."""
+
+
+class ReportedFlight(Flight):
+    """A finished flight with its figures and its report."""
+
+    @classmethod
+    def of(cls, flight: Flight) -> ReportedFlight:
+        """The same flight, with these methods."""
+        return cls(**{field.name: getattr(flight, field.name) for field in fields(flight)})
+
+    def plot(self, figure: str = "states") -> Figure:
+        """A figure of the flight: `states`, `actuators`, `effectiveness` or `rates`; raises BadInput for another name."""
+        from testbed.reporting.figures import TABLE, plot
+
+        if figure not in TABLE:
+            expected, suggestion = guess(figure, TABLE)
+            problem = Problem(f"is no figure: {figure}", "plot", expected=expected, suggestion=suggestion)
+            raise BadInput([problem])
+        return plot(self, figure)
+
+    def report(self, file: str | Path) -> Path:
+        """Write the flight's page, one HTML file that needs no other, replacing the file; returns it. Raises OSError."""
+        from testbed.reporting.figures import draw
+        from testbed.reporting.run_report import write_page
+
+        with tempfile.TemporaryDirectory() as scratch:
+            draw(self, scratch)
+            return write_page(self, Path(file), Path(scratch) / "figures", _AGAIN)
+
+    def save(self, folder: str | Path, *, figures: bool = True) -> Path:
+        """Write a run folder as `testbed run` does; returns it. `testbed.load` reads it.
+
+        Raises BadInput when the folder exists or cannot be made, OSError when the disk is full.
+        """
+        return write_run_folder(self, folder, lambda partial: add_report(self, partial, figures))
+
+    def export(self, to: str, file: str | Path, *, origin: str | None = None) -> Path:
+        """Write the flight for another program; returns the file.
+
+        Args:
+            to: `acmi`, `kml`, `parquet`, `mcap` or `mat`.
+            file: the file to write; an existing one is never overwritten.
+            origin: where the flight starts, `LAT,LON` or `LAT,LON,ALT` in degrees and metres.
+
+        Raises BadInput when that cannot be done.
+        """
+        from testbed.reporting.export import export
+        from testbed.reporting.export.place import DEFAULT_ORIGIN, parse_origin
+
+        return export(self, to, file, DEFAULT_ORIGIN if origin is None else parse_origin(origin))
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows: the verdict, the story, the requirements (those not met first), and KEY_NUMBERS."""
+        told = story(self) if all(name in self.columns for name in _TOLD) else []
+        lines = (f"<p>{escape(line)}</p>" for line in told)
+        return "\n".join(["<div>", *_verdict(self), *lines, *_requirements(self), *_numbers(self), "</div>"])
+
+
+def _verdict(flight: Flight) -> Iterator[str]:
+    missed = sum(not r["passed"] for r in flight.requirements)
+    said = f"{missed} of {count(len(flight.requirements), 'requirement')} not met" if missed else ""
+    if not missed and flight.requirements:
+        said = f"all {len(flight.requirements)} requirements met"
+    verdict = "Passed" if flight.passed else "Not passed"
+    how = "; ".join(filter(None, (f"{flight.outcome.sentence} ({flight.end_time_s:g} s)", said)))
+    name, controller = escape(flight.scenario.name), escape(flight.controller)
+    yield f"<p><strong>{name}</strong>, {controller}: {verdict}. {how[0].upper()}{escape(how[1:])}.</p>"
+    for warning in flight.warnings:
+        yield f"<p>Warning: {escape(warning)}</p>"
+
+
+def _requirements(flight: Flight) -> Iterator[str]:
+    order = sorted(flight.requirements, key=lambda r: bool(r["passed"]))
+    columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
+        "requirement": lambda r: r["name"],
+        "": lambda r: "met" if r["passed"] else "NOT MET",
+        "worst value": lambda r: number(r.get("value")),
+        "remark": lambda r: r.get("reason", ""),
+    }
+    if order:
+        yield html.listing(order[:_MOST_ROWS], columns)
+    if len(order) > _MOST_ROWS:
+        yield f"<p>and {len(order) - _MOST_ROWS} more</p>"
+
+
+def _numbers(flight: Flight) -> Iterator[str]:
+    known = {what: flight.metrics[name] for name, what in KEY_NUMBERS.items() if name in flight.metrics}
+    if known:
+        yield html.listing(known, {"of the whole flight": str, "": lambda what: number(known[what])})

@@ -1,0 +1,215 @@
+"""What is drawn together: each panel is declared once here, and drawn by figures, by the page of a flight, and by a comparison.
+
+To show another signal, add a line to TRACKED or STATES, or a panel to a function of GROUPS.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from testbed.common.units import unit as unit_of
+from testbed.flight.columns import beliefs
+from testbed.flight.flight import Flight
+from testbed.flight.recovery import UNITS, tracking_error
+from testbed.reporting.words import believed, title
+
+
+class Tracked(NamedTuple):
+    """How a quantity that follows a reference is drawn: an axis shows at least `least` of it and `least_error` of its error.
+
+    Where all flights of a sweep are in one panel, the axis of the error is linear up to `linear`, and logarithmic beyond.
+    """
+
+    least: float
+    least_error: float
+    linear: float
+
+
+TRACKED = {
+    "altitude": Tracked(1.0, 0.2, 1.0),
+    "airspeed": Tracked(1.0, 0.2, 1.0),
+    "heading": Tracked(4.0, 0.5, 3.0),
+}
+STATES = {"roll_deg": "bank", "pitch_deg": "pitch", "alpha_deg": "angle of attack", "beta_deg": "sideslip"}
+"""Other states that are drawn, and their titles."""
+_LEAST_STATE = 2.0
+_LEAST_RATE = {"deg_s2": 4.0, "m_s2": 0.4}
+_WIND = {"wind_north_m_s": "truth", "wind_east_m_s": "second", "wind_down_m_s": "third"}
+
+
+class Series(NamedTuple):
+    """A column of the log in a panel. `style` is one of `figures.sheet.STYLES`, and a colour of the page's style sheet.
+
+    Of a series with `spikes` the axis need not hold all. One that is not `on_page` is only in the figures.
+    """
+
+    column: str
+    label: str
+    style: str
+    spikes: bool = False
+    on_page: bool = True
+
+
+@dataclass(frozen=True)
+class Panel:
+    """Series over one axis, which shows at least `least`, and all of `span` if there is one.
+
+    `levels` are {value: label} of lines, drawn where the series come near them. `flag` is a column: the times at which it is
+    set are shaded, and named `flagged`.
+    """
+
+    title: str
+    unit: str
+    series: tuple[Series, ...]
+    least: float
+    levels: Mapping[float, str] | None = None
+    span: tuple[float, float] | None = None
+    flag: str = ""
+    flagged: str = ""
+    notes: tuple[tuple[float, float, str], ...] = ()
+    """(from [s], until [s], words) of stretches, written where they begin."""
+
+    @property
+    def heading(self) -> str:
+        """Title and unit."""
+        return f"{self.title} [{self.unit}]"
+
+
+def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bool:
+    """Whether the controller estimated effectiveness: some estimate was not 1 all the time.
+
+    A controller without estimates has exactly 1; in calm air those of an estimator differ from it by 1e-5 or less.
+    """
+    columns = (log.get(f"{name}_effectiveness_estimate") for name in actuators)
+    return any(c is not None and bool(np.any(np.abs(c - 1.0) > 0.0)) for c in columns)
+
+
+def error_columns(log: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """Columns that reports add to the log: the error of each quantity that follows a reference."""
+    return {error_of(q): tracking_error(log, q) for q in TRACKED if reference_of(q) in log}
+
+
+def flown(quantity: str) -> str:
+    """Name of the column of a quantity."""
+    return f"{quantity}_{UNITS[quantity]}"
+
+
+def error_of(quantity: str) -> str:
+    """Name of the column of a quantity's error."""
+    return f"{quantity}_error_{UNITS[quantity]}"
+
+
+def reference_of(quantity: str) -> str:
+    """Name of the column of a quantity's reference."""
+    return f"{quantity}_command_{UNITS[quantity]}"
+
+
+def tracked(flight: Flight) -> Iterator[Panel]:
+    """Each quantity with its reference."""
+    for quantity, drawn in TRACKED.items():
+        reference = Series(reference_of(quantity), "reference", "reference")
+        series = (reference, Series(flown(quantity), "flown", "truth"))
+        yield Panel(quantity, unit_of(flown(quantity)), series, drawn.least)
+
+
+def errors(flight: Flight) -> Iterator[Panel]:
+    """Each quantity minus its reference."""
+    return map(error_panel, TRACKED)
+
+
+def error_panel(quantity: str) -> Panel:
+    """A quantity minus its reference."""
+    column = error_of(quantity)
+    series = (Series(column, "error", "truth"),)
+    return Panel(f"{quantity} minus reference", unit_of(column), series, TRACKED[quantity].least_error)
+
+
+def states(flight: Flight) -> Iterator[Panel]:
+    """Attitude and the angles of the air."""
+    for column, name in STATES.items():
+        yield Panel(name, unit_of(column), (Series(column, "flown", "truth"),), _LEAST_STATE)
+
+
+def air(flight: Flight) -> Iterator[Panel]:
+    """The wind, where the air moves."""
+    series = [Series(c, c.split("_")[1], style) for c, style in _WIND.items() if c in flight.columns]
+    if series:
+        yield Panel("wind over the ground", unit_of(series[0].column), tuple(series), 1.0)
+
+
+def effectiveness(flight: Flight) -> Iterator[Panel]:
+    """Of each actuator, true and as the controller believes it, with the threshold of its monitor."""
+    names = [f"{name}_effectiveness_estimate" for name in flight.actuators]
+    log = {name: flight.column(name) for name in names if name in flight.columns}
+    estimated = has_estimates(log, flight.actuators)
+    own = flight.flown_by or not estimated
+    threshold = None if own else flight.scenario.controller.model_dump().get("threshold")
+    for name in flight.actuators:
+        series = [Series(f"{name}_effectiveness", "true", "truth")]
+        if estimated:
+            series.append(Series(f"{name}_effectiveness_estimate", "believed", "belief"))
+        yield Panel(
+            title(name), "-", tuple(series), 1.2, {} if threshold is None else {threshold: f"threshold {threshold:g}"},
+            (0.0, 1.0), f"{name}_failed", "flagged failed", tuple(_taken_for(flight, name)),
+        )  # fmt: skip
+
+
+def _taken_for(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
+    """What the controller took an actuator for, where not for one that works, and when."""
+    for belief in beliefs(flight.signals, [actuator]):
+        if belief["belief"] not in ("works", "doubted"):
+            yield belief["time_s"], belief["until_s"], f"believed {believed(belief, flight.actuators)}"
+
+
+def actuators(flight: Flight) -> Iterator[Panel]:
+    """Position, command and reference of each actuator in its own unit, with its stops."""
+    for name, facts in flight.actuators.items():
+        series = (
+            Series(f"{name}_position", "position", "position"),
+            Series(f"{name}_command", "command u", "command"),
+            Series(f"{name}_reference", "reference r", "reference", on_page=False),
+        )
+        yield Panel(
+            title(name), str(facts.get("unit", "")), series, 0.5 * float(facts.get("scale", 1.0)),
+            dict.fromkeys(facts.get("limits", ()), "stop"), None, f"{name}_failed", "flagged failed",
+        )  # fmt: skip
+
+
+def rates(flight: Flight) -> Iterator[Panel]:
+    """The controlled rates, measured and desired; hatched where an axis is given up."""
+    for flag in (name for name in flight.columns if name.endswith("_released")):
+        axis = flag.removesuffix("_released")
+        ending = next(ending for ending in _LEAST_RATE if f"{axis}_{ending}" in flight.columns)
+        measured = Series(f"{axis}_{ending}", "measured", "truth")
+        desired = Series(f"{axis}_desired_{ending}", "desired", "reference", spikes=True)
+        unit = unit_of(measured.column)
+        yield Panel(axis, unit, (measured, desired), _LEAST_RATE[ending], None, None, flag, "axis released")
+
+
+class Group(NamedTuple):
+    """Panels that stand together, made by `panels`; a `folded` group is opened by a click."""
+
+    title: str
+    panels: tuple[Callable[[Flight], Iterator[Panel]], ...]
+    folded: bool = False
+
+    def of(self, flight: Flight) -> list[Panel]:
+        """The group's panels of a flight, those whose series its log has."""
+        made = [panel for function in self.panels for panel in function(flight)]
+        known = {*flight.columns, *map(error_of, TRACKED)}
+        return [panel for panel in made if all(series.column in known for series in panel.series)]
+
+
+GROUPS = {
+    "errors": Group("Errors against the references", (errors,)),
+    "effectiveness": Group("Effectiveness, true and believed", (effectiveness,)),
+    "actuators": Group("Actuators", (actuators,)),
+    "attitude": Group("Attitude and air", (states, air)),
+    "rates": Group("Controlled rates", (rates,), folded=True),
+    "states": Group("States against their references", (tracked, states)),
+}
+"""By the name of the group. Figures and pages say which of them they draw."""

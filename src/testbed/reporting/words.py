@@ -1,0 +1,76 @@
+"""Words that all that is shown of a flight shares: its actuators' names, what broke, and each event."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from testbed.failures import Failure
+from testbed.flight.flight import Flight
+from testbed.flight.recovery import RECOVERED
+
+_REMARKS = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
+"""Whether a failure did what it should, if not."""
+
+
+def title(name: str) -> str:
+    """The name of an actuator, or of a way in which a flight ended, in words."""
+    return name.replace("_", " ")
+
+
+def joined(parts: Sequence[str]) -> str:
+    """`a, b and c`."""
+    return " and ".join(filter(None, (", ".join(parts[:-1]), *parts[-1:])))
+
+
+def count(number: int, of: str) -> str:
+    """`1 flight`, `2 flights`."""
+    return f"{number} {of}" if number == 1 else f"{number} {of}s"
+
+
+def broke(flight: Flight, number: int) -> str:
+    """What the failure of this number in the scenario did: `the left tail kept 20 % of its effect`."""
+    failure: Failure = flight.scenario.failures[number]
+    name = failure.actuator or ""
+    facts = flight.actuators.get(name, {})
+    kind = str(facts.get("kind", "servo"))
+    unit = str(facts.get("unit", "deg")) if kind == "servo" else "of throttle"
+    return f"{f'the {title(name)} ' if name else ''}{failure.words(kind, unit)}"
+
+
+_TAKEN_FOR = {"doubted": "doubtful", "swings": "swinging"}
+"""The words for what a controller takes an actuator for, where they are not the names of `signals.Belief`."""
+
+
+def believed(belief: Mapping[str, Any], actuators: Mapping[str, Mapping[str, Any]]) -> str:
+    """What the controller took an actuator for, as `Flight.beliefs` has it: `lost`, `held at 8.1 deg`."""
+    word, unit = belief["belief"], actuators[belief["actuator"]].get("unit", "")
+    at = f" at {belief['position']:.1f} {unit}".rstrip() if math.isfinite(belief["position"]) else ""
+    return _TAKEN_FOR.get(word, word) + at
+
+
+def describe(event: Mapping[str, Any], flight: Flight) -> str:
+    """An event in words: `left tail kept 20 % of its effect`."""
+    kind, who = event["kind"], title(str(event.get("actuator") or ""))
+    match kind:
+        case "release":
+            return f"{event['axis']} released"
+        case "diagnosis":
+            return str(event["text"])
+        case "recovered" if event["after_s"]:
+            return f"recovered {event['after_s']:.1f} s after the failure"
+        case "recovered":
+            return f"held within {RECOVERED['altitude']:g} m and {RECOVERED['heading']:g} deg"
+        case "lost":
+            return "aircraft lost"
+        case "detection":
+            return f"{who} flagged after {event['delay_s']:.2f} s"
+        case "false_alarm":
+            return f"FALSE ALARM: {who}"
+        case "injection" if event.get("active", True):
+            said = broke(flight, event["failure"]).removeprefix("the ")
+            return said + _REMARKS[event.get("verified", True)]
+        case "injection":
+            return f"{who}: {event['type']} ends" if who else f"{event['type']} ends"
+    return f"{kind} {who}".strip()

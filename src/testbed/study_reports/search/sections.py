@@ -1,0 +1,119 @@
+"""The parts of a search's page in HTML, from its summary.json. Any number in it may be None."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from html import escape
+from itertools import accumulate
+from operator import itemgetter, mul
+from typing import Any
+
+from testbed.reporting import html
+from testbed.reporting.numbers import number
+from testbed.study_reports.search.words import answer, rounded
+
+Summary = Mapping[str, Any]
+Columns = dict[str, Callable[[Summary], html.Cell]]
+
+
+def head(summary: Summary) -> Iterator[str]:
+    """Title, chips, the answer in sentences."""
+    facts = {"goal": summary["goal"], "flights": str(summary["flights"]), "budget": f"{summary['budget']} each",
+             "seed": str(summary["seed"]), "varied": ", ".join(summary["varied"])}  # fmt: skip
+    if summary["requirement"]:
+        facts["requirement"] = summary["requirement"]
+    yield f"<h1>{escape(summary['search'])}</h1>"
+    yield html.chips(facts)
+    yield html.listed(answer(summary), "story")
+
+
+def probabilities(summary: Summary) -> Iterator[str]:
+    """The probability of each variant, and of each part, with what plain sampling would need."""
+    if summary["goal"] != "probability":
+        return
+    yield "<h2>How likely a requirement is broken</h2>"
+    known = [{**v["probability"], "label": v["label"] or "all", "weight": ""} for v in summary["variants"]]
+    if len(summary["parts"]) > len(summary["variants"]):
+        for part in summary["parts"]:
+            weight = number(part["weight"], ".3g")
+            known.append({**part["probability"], **_chosen(part, "label", "reason"), "weight": weight})
+    columns: Columns = {
+        "": itemgetter("label"),
+        "weight": itemgetter("weight"),
+        "probability": lambda p: number(p["estimate"], ".2g"),
+        "95 % interval": lambda p: f"{number(p['low'], '.2g')} to {number(p['high'], '.2g')}",
+        "coefficient of variation": lambda p: number(p["coefficient_of_variation"], ".2f"),
+        "flights": itemgetter("flights"),
+        "plain sampling needs": lambda p: rounded(p["plain_flights"]),
+        "remark": lambda p: p.get("reason", ""),
+    }
+    yield html.listing(known, columns)
+    yield html.note(
+        f"By {summary['method']} sampling, with the same random numbers for all variants. Plain sampling needs "
+        "(1 - P) / (P c²) flights for the same coefficient of variation c."
+    )
+
+
+def _chosen(part: Summary, *keys: str) -> dict[str, Any]:
+    return {key: part[key] for key in keys}
+
+
+def design_points(summary: Summary) -> Iterator[str]:
+    """For each part that found a failure: every input with its value, and a bar for its share of the squared distance."""
+    found = [part for part in summary["parts"] if part["found"] and part["distance"]]
+    if not found:
+        return
+    yield "<h2>What it takes</h2>"
+    columns: Columns = {
+        "input": itemgetter("input"),
+        "value found": itemgetter("value"),
+        "value at the origin": itemgetter("nominal"),
+        "standard deviations": lambda each: number(each["coordinate"], "+.2f"),
+        "values at least as far": lambda each: number(each["beyond"], ".2g"),
+    }
+    for part in found:
+        yield f"<h3>{escape(part['label'])}</h3>" if part["label"] else ""
+        inputs = [{"input": name, **each} for name, each in part["point"].items()]
+        bars = (
+            html.bar(each["input"], each["share"], number(each["value"], ".3g"))
+            for each in sorted(inputs, key=lambda each: -each["share"])
+        )
+        yield f'<div class="drivers">{"".join(bars)}</div>'
+        yield html.folded("As numbers", html.listing(inputs, columns))
+    yield html.note(
+        "Bars: the share of each input in the squared distance of the failure found from the origin; in the number, its value. "
+        "The origin is the median of an input or, for the severity of a failure, the value without effect."
+    )
+
+
+def levels(summary: Summary) -> Iterator[str]:
+    """The levels of subset simulation: how the probability is the product of larger ones."""
+    columns: Columns = {
+        "robustness at most": itemgetter("threshold"),
+        "given the level above": lambda level: number(level["probability"], ".3g"),
+        "probability": lambda level: number(level["product"], ".2g"),
+        "coefficient of variation": lambda level: number(level["cov"], ".2f"),
+        "flights": itemgetter("evaluations"),
+    }
+    for part in summary["parts"]:
+        found = part.get("levels", ())
+        if len(found) > 1:
+            products = accumulate((level["probability"] or 0.0 for level in found), mul)
+            rows = [{**level, "product": product} for level, product in zip(found, products, strict=True)]
+            yield html.folded(f"Levels {part['label']}".strip(), html.listing(rows, columns))
+
+
+def searches(summary: Summary) -> Iterator[str]:
+    """Every search that was made, in a table."""
+    columns: Columns = {
+        "search": lambda part: part["label"] or "all",
+        "flights": itemgetter("flights"),
+        "without a result": itemgetter("without_result"),
+        "distance": lambda part: number(part["distance"], ".3f", "none found"),
+        "breaks": lambda part: ", ".join(part.get("broken", ())),
+        "how it ended": itemgetter("reason"),
+    }
+    yield html.folded("The searches", html.listing(summary["parts"], columns))
+    kept = "results.csv has every flight"
+    again = "; found.yaml is the scenario found, and flies again as it is" if summary["found"] else ""
+    yield html.note(f"{kept}{again}.")

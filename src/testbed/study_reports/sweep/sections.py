@@ -1,0 +1,221 @@
+"""The parts of a sweep's page in HTML, from its summary.json. Any number in it may be None."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from html import escape
+from operator import itemgetter
+from typing import Any
+
+from testbed.reporting import html
+from testbed.reporting.html import Html
+from testbed.reporting.numbers import interval, number
+from testbed.reporting.words import title
+from testbed.study_reports.sweep.answer import answer, ranked
+from testbed.study_reports.sweep.flight_page import only
+
+Summary = Mapping[str, Any]
+
+
+def head(summary: Summary) -> Iterator[str]:
+    """Title, chips, the answer in sentences."""
+    yield f"<h1>{escape(summary['sweep'])}</h1>"
+    yield html.chips(_facts(summary))
+    yield html.listed(answer(summary), "story")
+    if not summary["probabilistic"]:
+        yield html.note(
+            "These runs are not a random sample: the shares describe the runs flown and are not probabilities."
+        )
+
+
+def _facts(summary: Summary) -> dict[str, str]:
+    asked = "" if summary["complete"] else f" of {summary['runs_asked']}"
+    facts = {
+        "runs": f"{summary['runs']}{asked}",
+        "sampling": str(summary["sampling"]),
+        "seed": str(summary["seed"]),
+    }
+    if len(summary["variants"]) > 1:
+        facts["compared"] = ", ".join(variant["label"] for variant in summary["variants"])
+    return facts | {"varied": ", ".join(summary["varied"])}
+
+
+def probabilities(summary: Summary) -> Iterator[str]:
+    """Dots with intervals for each requirement, those missed most first, and how flights ended."""
+    variants = summary["variants"]
+    yield "<h2>How often the requirements are met</h2>"
+    if len(variants) > 1:
+        yield html.legend([variant["label"] for variant in variants])
+    rows = [_dots("all requirements", [v["all_requirements"] for v in variants], "total")]
+    each = [
+        [v["requirements"][j] for v in variants]
+        for j in range(len(variants[0]["requirements"]) if variants else 0)
+    ]
+    for shares in sorted(each, key=lambda shares: min(share["estimate"] or 0.0 for share in shares)):
+        rows.append(_dots(shares[0]["name"], shares))
+    yield f'<div class="dots">{"".join(rows)}</div>'
+    ended = {"": lambda v: v["label"] or "all", "how flights ended": lambda v: _outcomes(v["outcomes"])}
+    yield html.listing(variants, ended)
+    yield html.note(
+        "Share of flights and 95 % interval (Wilson); summary.json also has the exact interval (Clopper-Pearson). A "
+        "flight without a result counts as having met no requirement."
+    )
+
+
+def _dots(name: str, shares: list[dict[str, Any]], kind: str = "") -> str:
+    lines = "".join(_dot(i, share) for i, share in enumerate(shares))
+    return f'<div class="requirement {kind}"><div class="name">{escape(name)}</div><div class="lines">{lines}</div></div>'
+
+
+def _dot(i: int, share: Mapping[str, Any]) -> str:
+    if share["estimate"] is None or share["low"] is None or share["high"] is None:
+        return '<div class="line"><div class="track"></div><div class="number">no runs</div></div>'
+    low, at, high = (100 * share[k] for k in ("low", "estimate", "high"))
+    count = f"{share['successes']} of {share['n']}"
+    return (
+        f'<div class="line"><div class="track"><i class="v{i % 6}" style="left:{low:.2f}%;width:{high - low:.2f}%"></i>'
+        f'<span style="left:{at:.2f}%">{html.mark(i)}</span></div>'
+        f'<div class="number" title="{count} flights">{interval(share)}</div></div>'
+    )
+
+
+def _outcomes(outcomes: Mapping[str, int]) -> Html:
+    return Html("<br>".join(f"{count} {escape(title(name))}" for name, count in outcomes.items()))
+
+
+def pairs(summary: Summary) -> Iterator[str]:
+    """The variants compared run by run."""
+    if not summary["pairs"]:
+        return
+    columns = {
+        "": lambda pair: f"{pair['first']} minus {pair['second']}",
+        "difference in P(all)": lambda pair: interval(pair, "difference", "+.3f"),
+        "only the first passed": lambda pair: pair["only_first"],
+        "only the second passed": lambda pair: pair["only_second"],
+        "p (exact McNemar)": lambda pair: number(pair["p_value"], ".2g"),
+    }
+    yield "<h2>Compared, run by run</h2>"
+    yield html.listing(summary["pairs"], columns)
+
+
+def excursions(summary: Summary) -> Iterator[str]:
+    """Quantiles and tolerance bounds of the metrics."""
+    metrics = [
+        {"label": variant["label"], "name": name, **metric}
+        for variant in summary["variants"]
+        for name, metric in variant["metrics"].items()
+    ]
+    columns: dict[str, Callable[[Summary], html.Cell]] = {
+        "": itemgetter("label"),
+        "metric": itemgetter("name"),
+        "median": itemgetter("median"),
+        "95 %": itemgetter("p95"),
+        "largest": itemgetter("largest"),
+    }
+    for share in metrics[0]["tolerance_bounds"] if metrics else ():
+        columns[f"{100 * float(share):g} % stay within"] = lambda metric, share=share: number(  # type: ignore[misc]
+            metric["tolerance_bounds"][share], absent="too few"
+        )
+    said = html.note(
+        "The last columns are upper bounds that hold with 95 % confidence for any distribution (order "
+        "statistics, Wilks 1941). A lost flight counts as an infinite error. 'too few': more runs are needed "
+        "for such a bound."
+    )
+    inside = html.listing((metric for metric in metrics if metric["n"]), columns) + said
+    yield html.folded("How large every metric became", inside)
+
+
+def drivers(summary: Summary) -> Iterator[str]:
+    """What passing depends on, as bars; and the indices of other results."""
+    yield "<h2>Which varied values drive the result</h2>"
+    several = len(summary["variants"]) > 1
+    for i, variant in enumerate(summary["variants"]):
+        if several:
+            yield f"<h3>{html.mark(i)} {escape(variant['label'])}</h3>"
+        yield _bars(variant["sensitivity"].get("passed", {}), variant["all_requirements"]["n"], i)
+    yield html.note(
+        "Bars: how far the share that passes moves when one value is held in a part of its range (PAWN index, Pianosi and "
+        "Wagener 2018). The line is what random numbers reach: what stays below it has no effect that these runs show."
+    )
+    rows = [
+        row
+        for variant in summary["variants"]
+        for output, result in variant["sensitivity"].items()
+        for row in _indices(variant["label"], output, result)
+    ]
+    heads = ["", "result", "varied value", "PAWN", "share of variance (RBD-FAST)"]
+    yield html.folded("Indices of every result", html.table(heads, rows))
+
+
+def _bars(result: Mapping[str, Any], runs: int, i: int) -> str:
+    inputs = result.get("inputs")
+    if not inputs:
+        return f'<p class="note">No answer: {escape(result.get("reason", "nothing varies"))}.</p>'
+    said = (
+        f'<p class="note">Indicative: {runs} runs; 100 give an answer.</p>'
+        if result.get("indicative")
+        else ""
+    )
+    rows = "".join(_bar(name, index, i) for name, index in ranked(inputs))
+    return f'{said}<div class="drivers">{rows}</div>'
+
+
+def _bar(name: str, index: Mapping[str, Any], i: int) -> str:
+    size, chance = (min(index[k] or 0.0, 1.0) for k in ("pawn", "pawn_by_chance"))
+    return html.bar(name, size, number(index["pawn"], ".2f"), i, chance, "" if index["matters"] else " weak")
+
+
+def _indices(label: str, output: str, result: Mapping[str, Any]) -> Iterator[Html]:
+    if "reason" in result:
+        yield html.row([label, output, Html(f'<span class="note">{escape(result["reason"])}</span>'), "", ""])
+    for name, index in ranked(result.get("inputs", {})):
+        by_chance = (
+            ""
+            if index["matters"] or index["pawn"] is None
+            else ' <span class="note">no more than chance</span>'
+        )
+        share = number(index["s1"], ".2f")
+        if index["s1"] is not None:
+            share += f" ± {number(index['s1_half_width'], '.2f', absent='unknown')}"
+        yield html.row([label, output, Html(escape(name) + by_chance), number(index["pawn"], ".2f"), share])
+
+
+def worst(summary: Summary, folder_name: str) -> Iterator[str]:
+    """The worst flights, each with what it missed, its page or the command that flies it again."""
+    yield "<h2>The worst flights</h2>"
+    flights = [
+        {"label": variant["label"], **flight}
+        for variant in summary["variants"]
+        for flight in variant["worst"]
+    ]
+    columns: dict[str, Callable[[Summary], html.Cell]] = {
+        "": itemgetter("label"),
+        "run": lambda flight: str(flight["run"]),
+        "ended": lambda flight: title(flight["outcome"]),
+        "missed by most": lambda flight: flight.get("missed") or flight.get("reason") or "",
+        "margin": lambda flight: number(flight.get("margin"), ".3g"),
+        "its page, or the command that flies it, from the parent folder": partial(_again, folder_name),
+    }
+    yield html.listing(flights, columns) if flights else "<p>None failed.</p>"
+
+
+def _again(folder_name: str, flight: Mapping[str, Any]) -> Html:
+    if page := flight.get("page"):
+        return Html(f'<a href="{escape(page)}">report</a>')
+    return Html(f"<code>{escape(only(flight['run'], '', f'{folder_name}/sweep.yaml'))}</code>")
+
+
+def runs_needed(summary: Summary) -> Iterator[str]:
+    """How many runs a claim needs."""
+    rows = []
+    for variant in summary["variants"]:
+        needed = variant["runs_needed"]
+        for claim, runs in needed["claim_without_a_failure"].items():
+            words = f"P(all) is at least {claim}, with 95 % confidence"
+            now = number(needed["claim_with_failures_as_now"][claim], absent="not at the present share")
+            rows.append(html.row([variant["label"], words, number(runs), now]))
+        for width, runs in needed["half_width"].items():
+            rows.append(html.row([variant["label"], f"P(all) to ± {width}", "", number(runs)]))
+    heads = ["", "claim", "runs without a failure", "runs with the failures seen so far"]
+    yield html.folded("How many runs a claim needs", html.table(heads, rows))
