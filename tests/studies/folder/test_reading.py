@@ -84,3 +84,16 @@ def test_an_unfinished_sweep_has_the_flights_that_finished(
 def test_a_folder_that_is_no_sweep_is_refused(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match=r"sweep\.yaml: is missing from the sweep folder"):
         load(tmp_path)
+
+
+def test_a_table_that_is_older_than_the_flights_is_not_the_answer(tmp_path: Path) -> None:
+    """As after a kill in the middle of a resume with more runs: what had been written before has fewer flights."""
+    plan = load_sweep(written(tmp_path))
+    folder = fly_here(plan, tmp_path / "out")
+    whole = table(folder)
+    old = pd.read_parquet(folder / "results.parquet").head(6)
+    old.to_parquet(folder / "results.parquet")
+    assert load(folder)["run"].tolist() == whole["run"].tolist()
+    assert load(folder).attrs["summary"] == whole.attrs["summary"]
+    (folder / store.NAME).unlink()
+    assert len(load(folder)) == 6, "without the flights the table is all there is"

@@ -29,7 +29,7 @@ def load(folder: str | Path) -> pd.DataFrame:
     folder = Path(folder)
     plan = load_plan(folder)
     try:
-        frame = _finished(folder) if (folder / "results.parquet").is_file() else _unfinished(plan, folder)
+        frame = _finished(folder) if _has_table(plan, folder) else _unfinished(plan, folder)
     except (OSError, ValueError) as error:  # pyarrow's errors are ValueErrors
         problem = Problem(f"cannot be read: {error}", str(folder), expected="a sweep folder")
         raise BadInput([problem]) from None
@@ -86,6 +86,21 @@ def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFra
             text = len(column) and isinstance(column.iloc[0], str) and not isinstance(value, str)
             mask &= (column == (json.dumps(value, ensure_ascii=False) if text else value)).to_numpy()
         yield variant.label, frame[mask]
+
+
+def _has_table(plan: Plan, folder: Path) -> bool:
+    """Whether results.parquet has every flight that has finished: not where it was written before others had.
+
+    After `stop_when` more may be stored than the table has, because others were still flying.
+    """
+    import pyarrow.parquet as pq
+
+    if not (file := folder / "results.parquet").is_file():
+        return False
+    if plan.sweep.stop_when is not None or not store.exists(folder):
+        return True
+    with store.reading(folder) as stored:
+        return len(stored) <= pq.read_metadata(file).num_rows
 
 
 def _finished(folder: Path) -> pd.DataFrame:
