@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import os
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from testbed.cli.command import Command
+from testbed.inputs.problems import BadInput, Problem
 
 
 def _arguments(command: ArgumentParser) -> None:
@@ -14,10 +16,12 @@ def _arguments(command: ArgumentParser) -> None:
 
 
 def _run(options: Namespace) -> int:
-    """Rebuild what the kind of folder has; raises BadInput for a folder of no kind."""
+    """Rebuild what the kind of folder has; raises BadInput for a folder of no kind, and for one that is read-only."""
     from testbed.api.load import is_search_folder, is_sweep_folder, names_kept_log
     from testbed.cli import run, search, sweep
 
+    if options.folder.is_dir() and not os.access(options.folder, os.W_OK):
+        raise BadInput([Problem("cannot be written: Permission denied", str(options.folder))])
     if names_kept_log(options.folder):
         return sweep.report_run(options.folder)
     if is_search_folder(options.folder):

@@ -20,6 +20,7 @@ import pandas as pd
 import pytest
 from sweep_files import fly_here, here, table, written
 
+from testbed.cli.commands import main
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
 from testbed.studies.folder.begin import SWEEP, begin
@@ -299,3 +300,16 @@ def first_record(plan: Plan) -> Record:
     with here().workers(here().job(plan), None, None) as fly_all:
         ((_, flown),) = fly_all([plan.task(0)])
     return flown.record
+
+
+def test_a_store_that_is_read_only_is_not_called_damaged(tmp_path: Path) -> None:
+    new(tmp_path).close()
+    tmp_path.chmod(0o555)
+    try:
+        if os.access(tmp_path, os.W_OK):
+            pytest.skip("this user may write everywhere")
+        with pytest.raises(PermissionError, match="Permission denied"):
+            store.opened(tmp_path)
+        assert main(["report", str(tmp_path)]) == 2
+    finally:
+        tmp_path.chmod(0o755)

@@ -14,6 +14,7 @@ these tables is ever asked.
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -176,8 +177,14 @@ def exists(folder: Path) -> bool:
 
 
 def opened(folder: Path) -> Store:
-    """The store of a folder, for this process alone; raises BadInput when another has it open, or when it is none of ours."""
+    """The store of a folder, for this process alone.
+
+    Raises BadInput when another has it open, or when it is none of ours, and PermissionError when it cannot be written.
+    """
     _refuse_links(folder)
+    for file in (folder, folder / NAME):
+        if not os.access(file, os.W_OK):  # SQLite would open it, and then take it for damaged
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(file))
     database = _connected(folder / NAME, "mode=rw")
     database.execute("PRAGMA locking_mode = EXCLUSIVE")
     store = _store(database, folder)
