@@ -10,9 +10,11 @@ from testbed.cli.status import MET
 
 
 def _arguments(command: ArgumentParser) -> None:
-    command.add_argument("run", type=Path, help="run folder")
+    command.add_argument(
+        "run", type=Path, help="run folder, or one run of a sweep whose log was kept: SWEEP/17"
+    )
     command.add_argument("--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap or mat")
-    add_out(command, "FILE", "file to make (default: the scenario's name, in the run folder)")
+    add_out(command, "FILE", "file to make (default: named as the scenario, beside the log)")
     add_origin(command, "for formats that show a place")
 
 
@@ -24,10 +26,18 @@ def _run(options: Namespace) -> int:
 
     start = DEFAULT_ORIGIN if options.origin is None else parse_origin(options.origin)
     flight = load_flight(options.run)
-    folder = options.run if options.run.is_dir() else options.run.parent
-    usual = folder / f"{flight.scenario.slug}{format_of(options.to).ending}"
+    usual = _usual(options.run, flight.scenario.slug, format_of(options.to).ending)
     print(f"wrote {export(flight, options.to, options.out or usual, start)}")
     return MET
+
+
+def _usual(run: Path, name: str, ending: str) -> Path:
+    """The file in the run folder; beside a kept log, whose sweep has many flights of this name, with the log's name too."""
+    if run.is_dir():
+        return run / f"{name}{ending}"
+    from testbed.studies.folder.logs import logs_of
+
+    return run.parent / f"{name}-{logs_of(run)[0].stem}{ending}"
 
 
 COMMAND = Command(

@@ -50,6 +50,8 @@ def test_several_or_none_are_refused_in_words(sweep: Path) -> None:
         testbed.load(sweep / "17")
     with pytest.raises(BadInput, match=r"no log of this run was kept.*--only 5"):
         testbed.load(sweep / "5")
+    with pytest.raises(BadInput, match="there is no run 12, expected 0 to 11"):
+        testbed.load(sweep / "12")
     with pytest.raises(BadInput, match="is a sweep folder, expected a run folder, or a flight of the sweep"):
         load_flight(sweep)
 
@@ -77,3 +79,11 @@ def test_report_makes_its_page_and_links_to_it(sweep: Path, capsys: pytest.Captu
     assert "--only 17 --variant adaptive_inversion" in page and '<a href="../report.html">' in page
     assert main(["report", str(sweep / "3")]) == 2
     assert "--only 3" in capsys.readouterr().err
+
+
+def test_flights_of_one_name_are_exported_into_files_of_their_own(sweep: Path) -> None:
+    for run in ("run-000017-pid", "18"):
+        assert main(["export", str(sweep / run), "--to", "mat"]) == 0
+    slug = broken().scenario.slug
+    ends = ("run-000017-pid", "run-000018-pid")
+    assert sorted(file.name for file in sweep.glob("*.mat")) == [f"{slug}-{end}.mat" for end in ends]

@@ -19,6 +19,7 @@ from testbed.flight.folder import flight_from
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario, dump, scenario_from
+from testbed.studies.folder.begin import runs_of
 
 _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
 _LABEL = re.compile(r"run-(\d{6,})(?:-(.+))?")
@@ -67,6 +68,9 @@ def logs_of(path: str | Path) -> list[Path]:
         f for f in (path.parent / "logs").glob(pattern) if _LABEL.fullmatch(f.stem) and run_of(f) == run
     )
     if not found:
+        runs = runs_of(path.parent)
+        if runs is not None and run >= runs:
+            raise BadInput([Problem(f"there is no run {run}", str(path), expected=f"0 to {runs - 1}")])
         command = f"testbed sweep {path.parent / 'sweep.yaml'} --only {run}"
         expected = f"one of a flight whose log was kept; `{command}` flies it again"
         raise BadInput([Problem("no log of this run was kept", str(path), expected=expected)])
