@@ -507,6 +507,7 @@ def test_before_the_first_step_there_is_nothing_to_show() -> None:
         (lambda s: s.inject({**WEAK, "when": {"signal": "roll", "above": 1}}), "unknown signal 'roll'"),
         (lambda s: s.inject("stuck"), "inject: failure: is 'stuck', expected a"),
         (lambda s: s.mend("left"), "mend: there is no actuator 'left'"),
+        (lambda s: s.mend([LEFT]), "mend: there is no actuator"),
         (lambda s: s.mend(LEFT), "left_ruddervator has no failure now, expected one of right_propeller"),
         (lambda s: s.order({}), "order: command: asks for nothing"),
         (lambda s: s.order({"altitude": 300}), "command.altitude: unknown key.*did you mean altitude_m"),

@@ -171,7 +171,8 @@ class Session:
     def mend(self, actuator: str) -> None:
         """End every failure that an actuator has now: its properties get their values of before the flight."""
         self._refuse_over()
-        if actuator not in (known := self.parts.aircraft.actuators):
+        known = self.parts.aircraft.actuators
+        if not isinstance(actuator, str) or actuator not in known:
             raise _refused("mend", f"there is no actuator {actuator!r}", *guess(actuator, known))
         self._replan(mended(self.parts.injector.planned, actuator, self.time_s))
 

@@ -108,3 +108,8 @@ def test_the_command(
 
 def test_it_is_in_the_package() -> None:
     assert testbed.compare is compare
+
+
+def test_what_is_no_flight_is_refused() -> None:
+    with pytest.raises(BadInput, match=r"flights\.1: is 'b', expected a flight"):
+        compare([made("a"), "b"])  # type: ignore[list-item]

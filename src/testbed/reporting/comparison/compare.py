@@ -7,6 +7,7 @@ from pathlib import Path
 
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.yaml_source import describe
 from testbed.reporting.comparison import page
 from testbed.reporting.comparison.differences import Compared
 
@@ -36,10 +37,14 @@ def compare(flights: Sequence[Flight], out: str | Path | None = None) -> Compari
         flights: the flights.
         out: page to write, an HTML file; None for none.
 
-    Raises BadInput for fewer than two flights, or more than six.
+    Raises BadInput for fewer than two flights, or more than six, or what is no flight.
     """
     if not 2 <= len(flights) <= MOST:
         raise BadInput([Problem(f"compares {len(flights)}", "flights", expected=f"from 2 to {MOST}")])
+    for i, flight in enumerate(flights):
+        if not isinstance(flight, Flight):
+            expected = "a flight, as `testbed.fly` and `testbed.load` give it"
+            raise BadInput([Problem(f"is {describe(flight)}", path=f"flights.{i}", expected=expected)])
     comparison = Comparison(flights)
     if out is not None:
         comparison.write(out)
