@@ -17,12 +17,12 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 from blocks import with_block
 
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.shipped import data_root
 from testbed.failures import TABLE
 from testbed.flight.flight import Flight
 from testbed.scenario.load import Scenario, dump
 from testbed.simulation import fly
 
+REFERENCE = Path(__file__).parents[1] / "reference"
 AIRCRAFT = "vtail"
 START_S, END_S, DURATION_S = 1.0, 2.5, 3.5
 WIDTH_CM, HEIGHT_CM, DPI = 6.0, 4.0, 200
@@ -108,7 +108,7 @@ def rows() -> Iterator[str]:
 
 def page() -> str:
     """The page's text: docs/reference/failures.md with the table of today."""
-    text = (data_root() / "docs" / "reference" / "failures.md").read_text(encoding="utf-8")
+    text = (REFERENCE / "failures.md").read_text(encoding="utf-8")
     return with_block(text, "types", "\n".join(rows()))
 
 
@@ -151,7 +151,7 @@ def main(arguments: list[str]) -> int:
         "--out", type=Path, metavar="DOCS", help="folder of the page (default: docs/reference)"
     )
     options = parser.parse_args(arguments)
-    docs = options.out or data_root() / "docs" / "reference"
+    docs = options.out or REFERENCE
     if not options.check:
         write(docs)
         return 0

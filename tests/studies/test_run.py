@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import random
 import resource
 import subprocess
@@ -91,7 +92,13 @@ try:
 except Stopped as stopped:
     print(stopped)
 """
-    result = subprocess.run(script(limited), capture_output=True, text=True, check=False)
+    without_bytecode = {
+        **os.environ,
+        "PYTHONDONTWRITEBYTECODE": "1",
+    }  # Python would not notice files cut short
+    result = subprocess.run(
+        script(limited), capture_output=True, text=True, check=False, env=without_bytecode
+    )
     assert "cannot write: disk I/O error;" in result.stdout, result.stderr
     assert "of 100 flights are kept, --resume flies the rest" in result.stdout
     kept = len(table(tmp_path / "out"))

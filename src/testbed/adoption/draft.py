@@ -42,7 +42,7 @@ class Servo:
 
     @property
     def defaults(self) -> list[str]:
-        """What the model does not have."""
+        """Which of lag and rate limit the model does not give."""
         found = self.surface.dynamics
         return [
             name
@@ -135,7 +135,7 @@ def _in_flight(loader: _Loader, size: Size, airspeed_m_s: float | None = None) -
 
 
 def _flyable(loader: _Loader, size: Size, propulsors: Sequence[Propulsor], start: Start) -> Iterator[float]:
-    """The airspeeds to try at which full thrust is more than the drag with it."""
+    """Those of the airspeeds to try at which full thrust exceeds drag by a margin."""
     speeds = [float(f"{speed * size.stall_m_s:.4g}") for speed in SPEEDS]
     return (speed for speed in speeds if not propulsors or _holds(loader, size, propulsors, start, speed))
 

@@ -21,7 +21,6 @@ from testbed.cli.study import flying, writing
 from testbed.cli.working import working
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import interval, number
-from testbed.study_reports.sweep.answer import answer
 
 if TYPE_CHECKING:
     from testbed.studies.run import Options
@@ -89,6 +88,8 @@ def report(folder: Path) -> int:
 
 def print_answer(summary: dict[str, Any]) -> None:
     """Print the answer in sentences, P(all requirements met) and P(each met) for every variant, and the differences."""
+    from testbed.study_reports.sweep.answer import answer
+
     for line in answer(summary):
         print(line)
     for variant in summary["variants"]:

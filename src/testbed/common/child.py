@@ -141,7 +141,9 @@ def _hold_back(limits: Limits) -> None:
     for what, limit in most.items():
         _, hard = resource.getrlimit(what)
         lower = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
-        resource.setrlimit(what, (lower, hard))  # only the lower one says by its signal that time was short
+        resource.setrlimit(
+            what, (lower, hard)
+        )  # the soft limit sends the signal that tells that time ran out
 
 
 def _end_with_parent(lifeline: int) -> None:

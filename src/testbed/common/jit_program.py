@@ -58,7 +58,7 @@ class Estimate:
         self._length = sum(map(_length, parts)) if len(parts) >= self.WORTH_IT else 0.0
 
     def add(self, part: Callable[..., Any]) -> None:
-        """A part has been translated."""
+        """Count a part that has been translated; at the share `FIRST` of the whole, tell how long it will take."""
         before, self._done = self._done, self._done + _length(part)
         if self.tell and before < self.FIRST * self._length <= self._done:
             spent = time.perf_counter() - self._start

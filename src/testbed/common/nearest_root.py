@@ -74,9 +74,9 @@ class NearestRoot:
     def _newton(
         self, x: Vector, tolerance: float, jacobian: Vector | None = None
     ) -> tuple[Vector, Vector, Vector]:
-        """The x that was found, the function and the Jacobian there; begins with a Jacobian that is known.
+        """The root, the function and the Jacobian there; `jacobian` is the one to begin with, if it is known.
 
-        The way to the nearest root may lead away from another, and lose itself: then the last root on the way is returned.
+        The search may pass one root and then fail to reach a nearer one: then the last root that it passed is returned.
         """
         f, fresh, root = self.function(x), jacobian is None, None
         jacobian = self._jacobian(x, f) if jacobian is None else jacobian

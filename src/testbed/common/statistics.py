@@ -108,7 +108,7 @@ def _newcombe(both: int, only_a: int, only_b: int, neither: int, confidence: flo
 
 
 def tolerance_bound(values: Sequence[float], coverage: float, confidence: float = CONFIDENCE) -> float | None:
-    """Upper bound below which, with this confidence, at least the share `coverage` of all flights stays.
+    """Value below which, with this confidence, at least the share `coverage` of all flights stays.
 
     It is an order statistic, valid for any distribution (Wilks 1941): the smallest r-th value of n for which
     P(Binomial(n, coverage) <= r - 1) >= confidence. None if there are so few runs that even the largest value does not

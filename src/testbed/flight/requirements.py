@@ -37,8 +37,8 @@ def judge(
 
     A requirement that has no value has a `reason`, a margin of -inf and the value NaN. It is not met: the flight ended before
     `until_s` or before the window began, the metric or signal is not a number (such as the delay of a detection that did not
-    happen), or the signal has not settled. Its robustness is that of what there is, or 0 if this is positive, less the share of
-    the time to the window's end that was not flown, or of the rows without a number.
+    happen), or the signal has not settled. Its robustness is that of the rows there are, at most 0, minus the share
+    of the time to the window's end that was not flown, or of the rows without a number.
 
     Args:
         duration_s: how long the flight was to be [s].

@@ -14,8 +14,8 @@ from testbed.inputs.problems import BadInput, Problem
 def with_failure(planned: Sequence[Planned], failure: Failure, aircraft: Aircraft) -> list[Planned]:
     """The plan with one more failure.
 
-    What holds one of its properties when it starts ends then, or is replaced by it if it is of its type and does not hold more.
-    If another is planned to hold one of them later, this one ends then.
+    A failure that holds one of the new one's properties ends when the new one starts. One of the same type that holds no other
+    property is replaced by it. If another is planned to hold one of them later, the new one ends then.
 
     Raises:
         BadInput: what it would end cannot be undone; it starts at no stated time or ends after another one is planned, and they

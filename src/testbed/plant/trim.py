@@ -126,7 +126,7 @@ class TrimProblem:
         return np.array([_SIZES[n] for n in self.angles] + [0.5 * (high - low) for low, high in ranges])
 
     def first_guess(self) -> np.ndarray:
-        """First guess of the scaled unknowns: those of a flight near it, else surfaces in their middle, throttles above theirs."""
+        """First guess of the scaled unknowns: those of `search.near`, else surfaces at mid-travel and throttles above it."""
         near = self.search.near
         known = {**_FIRST_ANGLES, **self.given, **(near.state if near else {})}
         commands = [near.commands[i] for i in self.free_actuators] if near else list(map(_first, self._free))

@@ -41,6 +41,6 @@ def _whole(name: str, value: Any, most_dimensions: int) -> str:
 
 
 def _positive(value: Any) -> str:
-    """What is expected of a number above 0, "" if the value is one."""
+    """Empty if the value is a number above 0, else the words for what was expected."""
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     return "" if number and 0 < value < math.inf else "a number above 0"

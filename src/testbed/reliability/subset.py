@@ -65,7 +65,7 @@ def instead(
 
 
 def _next_size(asked: Asked, runs: Sequence[Run], cov: float) -> int:
-    """Points a level that are missing for `cov`, or that are left in the budget, with a reserve for one more level in three."""
+    """Points a level that are missing for `cov`, or that are left in the budget, with a reserve of 0.3 of a level for each run."""
     return _whole(min(1.1 * _missing(runs, cov) + LEAST, asked.left / (_cost(runs) + 0.3)))
 
 
@@ -75,7 +75,7 @@ def _missing(runs: Sequence[Run], cov: float) -> float:
 
 
 def _cost(runs: Sequence[Run]) -> float:
-    """Evaluations of a run for each of its points a level."""
+    """Evaluations of a run, divided by its points a level."""
     return runs[0].evaluations / runs[0].size
 
 

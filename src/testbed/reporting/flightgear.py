@@ -93,7 +93,7 @@ class Viewer:
         self._due_s, self._before = 0.0, (0.0, np.zeros(0))
 
     def __call__(self, time_s: float, truth: np.ndarray) -> None:
-        """Wait until it is time for this control step, and show it; nothing between two packets."""
+        """Wait until it is time for this control step, and show it; does nothing while the next packet is not due."""
         if time_s < self._due_s - 1e-9:
             return
         self._due_s = max(self._due_s + 1.0 / RATE_HZ, time_s)

@@ -176,7 +176,7 @@ def _estimates(view: Readings) -> Iterator[str]:
 
 
 def _errors(view: Readings) -> Iterator[str]:
-    """The worst errors since the first failure, and whether they settled; too short a time since then does not tell."""
+    """The worst errors since the first failure and, if enough time has passed, whether they settled."""
     first = min(view.first_failed_row(), len(view.time_s) - 1) if view.failure_times_s() else 0
     worst = {q: float(np.abs(view.error(q)[first:]).max()) for q in _TRACKED}
     round_ = " (it turned all the way round)" if worst["heading"] > _ROUND_DEG else ""

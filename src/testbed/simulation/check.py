@@ -41,7 +41,7 @@ def check(scenario: Scenario, *, remembered: bool = True) -> Aircraft:
 def name_problems(scenario: Scenario, aircraft: Aircraft) -> list[Problem]:
     """Unknown names of properties, signals and metrics in a scenario; raises BadInput if the model cannot be loaded.
 
-    The flights of a sweep are checked with this before it, because to trim each would take too long.
+    Before a sweep, its flights get only this check: to trim each would take too long.
     """
     return _unknown(scenario, aircraft, property_catalog(aircraft) if scenario.failures else {})
 

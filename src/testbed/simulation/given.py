@@ -61,7 +61,7 @@ def failure_of(given: Failure | Mapping[str, Any], parts: Assembly, recorded: Re
 
 
 def _met(when: When | None, parts: Assembly, recorded: Recorded, path: TreePath) -> Iterator[Issue]:
-    """A `when` that has come true before: in the scenario that is saved, the failure would have started then."""
+    """Refuse a `when` that was true before now: flown again from the saved scenario, the failure would start then."""
     if when is None:
         return
     signal = reader(parts.aircraft, parts.scenario.rate_hz, recorded, when.signal)

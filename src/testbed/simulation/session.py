@@ -59,7 +59,7 @@ class Session:
 
     Attributes:
         parts: what takes part in the flight.
-        loop: what steps it. Of what is done to the two directly, `scenario` does not know.
+        loop: what steps it. `scenario` does not know of changes made to `parts` or `loop` directly.
     """
 
     def __init__(
@@ -162,7 +162,8 @@ class Session:
     def inject(self, failure: Failure | Mapping[str, Any]) -> None:
         """Break something, as `failures` of a scenario does: now, or at its `at_s`, or when its `when` comes true.
 
-        A failure that holds one of its properties ends when it starts. Where one is planned that will hold one of them, it ends.
+        A failure that holds one of the same properties ends when the new one starts. If a failure that is planned for later will
+        hold one, the new one ends when that one starts.
         """
         self._refuse_over()
         given = failure_of(failure, self.parts, self.loop.recorded)

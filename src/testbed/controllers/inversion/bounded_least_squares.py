@@ -3,8 +3,8 @@
 
 It minimises 1/2 d'H d - g'd with low <= d <= high, where H is positive definite. In each iteration the variables in the
 active set stand at a bound, and the others solve the remaining equations. If these pass a bound, the step ends at the first
-bound that it meets, and that variable becomes active. Otherwise the active variable is freed whose bound costs most. When no
-bound costs anything, the minimum is reached: for a strictly convex function this takes finitely many iterations.
+bound that it meets, and that variable becomes active. Otherwise, of the active variables, the one whose bound costs most is
+freed. When no bound costs anything, the minimum is reached: for a strictly convex function this takes finitely many iterations.
 
 The start is the result of the step before (warm start): from one control step to the next the active set seldom changes.
 """

@@ -182,8 +182,8 @@ def is_to_blame(i, c, s):
 
 @compiled
 def is_steady(y, ref):
-    """Whether the flight goes on as it should: altitude within `STEADY_M` of its reference, and no more than that stored less as
-    airspeed. One that lost its engine keeps altitude until it has lost its airspeed."""
+    """Whether the flight goes on as it should: altitude is within `STEADY_M` of its reference, and the energy that is missing as
+    airspeed is worth less than `STEADY_M` of altitude. Without an engine, altitude is kept until airspeed is lost."""
     missing = (ref.airspeed * ref.airspeed - y.airspeed * y.airspeed) / (2.0 * GRAVITY_M_S2)
     return abs(ref.altitude - y.altitude) < STEADY_M and missing < STEADY_M
 
@@ -195,7 +195,7 @@ def monitor(steady, c, s):
 
     An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
     hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
-    infinite. With `weighted` it must also be the one that `is_to_blame`.
+    infinite. With `weighted`, `is_to_blame` must also hold for the actuator.
 
     `ModeSwitch` takes a flag back as `early` if altitude cannot be held without the actuator. It is set again when the estimate has
     stayed low for `CONFIRM_S` and the flight is no longer `steady`: a flight that holds its altitude would lose it by the flag.

@@ -50,7 +50,7 @@ _ROUNDING = 1e-9  # added to a scaled margin, so that a position exactly at its 
 _MARGIN_ENOUGH = 1.0  # scaled margin beyond which more is no better
 _MARGIN_OF_A_GLIDE = 0.5  # the same without thrust: half of it is worth less than the altitude that it costs
 _MARGIN_FOR_AIRSPEED, _MARGIN_FOR_SLOPE = 1.0, 3.0
-"""Scaled margin that a trim must have more to be preferred: for an airspeed twice the wanted one, and for a path angle of 1 rad."""
+"""Extra scaled margin that makes up for an airspeed twice the wanted one, and for a path angle of 1 rad."""
 
 _EVERYTHING = ("airspeed", "altitude", "heading")
 

@@ -116,7 +116,7 @@ def _end_or_raise(status: int) -> NoReturn:
 
 @contextmanager
 def in_words(name: str, when: str) -> Iterator[None]:
-    """Within it, what the user's code raises is BadInput, `sys.exit` too; not Ctrl-C. Arguments as of `raised`."""
+    """Turn whatever the user's code raises, also `sys.exit`, into BadInput, but not Ctrl-C. Arguments as of `raised`."""
     try:
         yield
     except (KeyboardInterrupt, BadInput):  # or from a controller of the testbed, which refuses the aircraft

@@ -36,7 +36,7 @@ class Children:
             self._idle.append(child)
 
     def close(self) -> None:
-        """End the processes at once; a flight in one then raises InterruptedError, and so does one that is begun later."""
+        """End the processes at once: a flight that is running raises InterruptedError, and so does any that is begun afterwards."""
         with self._lock:
             self._closed = True
         for child in self._all:

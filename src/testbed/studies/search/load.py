@@ -38,7 +38,7 @@ def load_search(
     own: Mapping[str, OwnController] | None = None,
     goal: Goal | None = None,
 ) -> SearchPlan:
-    """Read and resolve a search file, as `sweeps.load.load_sweep` does a sweep's; raises BadInput with every problem.
+    """Read and resolve a search file, as `studies.load.load_sweep` does a sweep's; raises BadInput with every problem.
 
     With `goal` it may be a sweep's file: of its keys, those are used that a search has too.
     """
