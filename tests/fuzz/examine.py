@@ -219,8 +219,8 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
         raise BadInput(problems)
     begin("loading")
     trust(aircraft)
-    catalog = probe._started(aircraft)
-    model_cache.write(aircraft.fingerprint(), {"properties": catalog})
+    *_, answer = probe._started(aircraft)
+    model_cache.write(aircraft.fingerprint(), answer)
     return _scenario(fly, begin)
 
 

@@ -28,8 +28,12 @@ def pictures(shown: list[nbformat.NotebookNode]) -> int:
 
 
 def texts(notebook: nbformat.NotebookNode) -> list[str]:
-    """What a notebook shows in words and numbers."""
-    return [output.get("text") or output["data"].get("text/plain", "") for output in outputs(notebook)]
+    """What each cell shows in words and numbers; in how many pieces its prints arrive is chance."""
+    return ["".join(map(_text, cell.get("outputs", []))) for cell in notebook.cells]
+
+
+def _text(output: nbformat.NotebookNode) -> str:
+    return output.get("text") or output["data"].get("text/plain", "")
 
 
 @of_all
