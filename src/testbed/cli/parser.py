@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any, NoReturn
 
 from testbed.cli.adopt import COMMAND as ADOPT
+from testbed.cli.benchmark import COMMAND as BENCHMARK
 from testbed.cli.certify import COMMAND as CERTIFY
 from testbed.cli.command import Command
 from testbed.cli.compare import COMMAND as COMPARE
@@ -29,6 +30,7 @@ TABLE: dict[str, Command] = {
     "run": RUN,
     "sweep": SWEEP,
     "search": SEARCH,
+    "benchmark": BENCHMARK,
     "report": REPORT,
     "compare": COMPARE,
     "export": EXPORT,
