@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 from testbed.cli.command import Command, add_flying, add_out, whole_number
 from testbed.cli.interrupts import tidily
 from testbed.cli.run import print_verdict
-from testbed.cli.status import MET
+from testbed.cli.status import MET, NOT_MET
 from testbed.cli.study import flying, writing
+from testbed.cli.working import working
 from testbed.common.files import slug
 
 if TYPE_CHECKING:
@@ -19,61 +20,80 @@ if TYPE_CHECKING:
 
 
 def _arguments(command: ArgumentParser) -> None:
-    command.add_argument(
-        "suite", nargs="?", default="open", help="a shipped suite, or a suite's YAML file (default: open)"
-    )
+    suite = "a shipped suite, or a suite's YAML file (default: open)"
+    command.add_argument("suite", nargs="?", help=suite)
     add_out(command, "DIR", "folder to make (default: runs/benchmark-<suite>-<seed>)")
     own = "fly a controller class of your own too; with a NAME alone, of the suite's controllers only those"
     command.add_argument(
         "--controller", action="append", default=[], metavar="NAME[=FILE.py:CLASS]", help=own
     )
-    command.add_argument(
-        "--draws",
-        type=whole_number,
-        default=1000,
-        metavar="N",
-        help="flights of each controller (default: 1000)",
+    draws = (
+        "flights of each controller (default: 1000); with --verify, how many are flown again (default: 20)"
     )
-    command.add_argument(
-        "--seed", type=whole_number, metavar="S", help="from which flights are drawn (default: 1)"
-    )
+    command.add_argument("--draws", type=whole_number, metavar="N", help=draws)
+    seed = "from which the flights are drawn (default: 1)"
+    command.add_argument("--seed", type=whole_number, metavar="S", help=seed)
     word = "make the seed from a public word and the digest of the law"
     command.add_argument("--word", metavar="WORD", help=word)
     command.add_argument("--only", type=whole_number, metavar="I", help="fly draw I alone, into run folders")
+    entry = "write the result as a file that others can check"
+    command.add_argument("--entry", type=Path, metavar="FILE", help=entry)
+    verify = "fly a part of an entry again, and compare; needs --controller for those of its author"
+    command.add_argument("--verify", type=Path, metavar="FILE", help=verify)
     add_flying(command)
 
 
 def _run(options: Namespace) -> int:
-    """Fly a benchmark, or one draw of it, print the tables, and return the exit status.
+    """Fly a benchmark, one draw of it, or a part of an entry; print what came of it, and return the exit status.
 
     Raises BadInput when nothing can be flown, and Ended when it ends early.
     """
     from testbed.api import benchmark as study
     from testbed.api.options import checked_options
-    from testbed.studies.benchmark.run import fly_benchmark
 
+    if options.verify is not None:
+        return _verify(options)
     how = checked_options(options.jobs, options.cluster)
-    draws = options.draws if options.only is None else max(options.draws, options.only + 1)
+    draws, suite = study.DEFAULT_DRAWS if options.draws is None else options.draws, options.suite or "open"
     plan, folder = study.prepare(
-        options.suite,
+        suite,
         options.out,
         controllers=options.controller,
-        draws=draws,
+        draws=draws if options.only is None else max(draws, options.only + 1),
         seed=options.seed,
         word=options.word,
     )
     if options.only is not None:
         return _fly_only(plan, options, how)
+    from testbed.studies.benchmark.run import fly_benchmark
+    from testbed.study_reports.benchmark import page
+
     with tidily():
         with flying():
             flown = fly_benchmark(plan, folder, how, resume=options.resume)
         with writing(folder, "--resume writes the rest"):
-            summary, _ = study.finish(plan, folder, options.suite, options.word)
-    from testbed.study_reports.benchmark import page
-
+            summary, _ = study.finish(plan, folder, suite, options.word, options.entry)
     print("\n".join(page(summary)))
     print(f"\n{flown} flights; wrote {folder}")
     return MET
+
+
+def _verify(options: Namespace) -> int:
+    """Fly a part of an entry again, say what came of it, and return the exit status."""
+    from testbed.api import benchmark as study
+
+    draws = study.VERIFIED_DRAWS if options.draws is None else options.draws
+    with tidily(), working("flying"):
+        same, lines = study.verify(
+            options.verify,
+            options.suite,
+            controllers=options.controller,
+            draws=draws,
+            jobs=options.jobs,
+            cluster=options.cluster,
+        )
+    print("\n".join(lines))
+    return MET if same else NOT_MET
 
 
 def _fly_only(plan: Benchmark, options: Namespace, how: Options) -> int:
@@ -87,8 +107,8 @@ def _fly_only(plan: Benchmark, options: Namespace, how: Options) -> int:
     refuse_existing(folder)
     with tidily():
         _, flights = study.fly_run(plan, options.only, folder, how, figures=not options.no_plots)
-    for flight in flights:
-        print(f"{flight.scenario.controller.type}:")
+    for flight, name in zip(flights, plan.labels, strict=False):
+        print(f"{name}:")
         print_verdict(flight)
     print(f"wrote {folder}")
     return MET
@@ -102,5 +122,6 @@ COMMAND = Command(
         "testbed benchmark --draws 100",
         "testbed benchmark open --controller mine=my_controller.py:MyController --draws 200",
         "testbed benchmark open --seed 7 --only 12 --controller default",
+        "testbed benchmark --verify entry.yaml --controller mine=my_controller.py:MyController",
     ),
 )

@@ -32,10 +32,11 @@ def page(summary: Summary) -> list[str]:
     ]
 
 
-def again(summary: Summary, draw: int, controllers: Sequence[str] = ()) -> str:
-    """The command that flies a draw again."""
-    chosen = "".join(f" --controller {name}" for name in controllers)
-    return f"testbed benchmark {summary['file']} --seed {summary['seed']} --only {draw}{chosen}"
+def again(summary: Summary, draw: int, name: str) -> str:
+    """The command that flies a draw again by one controller."""
+    said = summary["controllers"][name]
+    chosen = f"{name}={said}" if isinstance(said, str) else name
+    return f"testbed benchmark {summary['file']} --seed {summary['seed']} --only {draw} --controller {chosen}"
 
 
 def _where(summary: Summary) -> Iterator[str]:
@@ -78,7 +79,7 @@ def _lost(summary: Summary, name: str) -> Iterator[str]:
     """The draws that a controller alone loses, with the commands that fly them again."""
     rows = [
         [str(each["draw"]), each["aircraft"], f"{each['failures']}, {each['course']}", each["weather"],
-         f"{each['inside']:.2f}", ", ".join(each["held_by"]), f"`{again(summary, each['draw'], [name])}`"]
+         f"{each['inside']:.2f}", ", ".join(each["held_by"]), f"`{again(summary, each['draw'], name)}`"]
         for each in summary["lost"][name]
     ]  # fmt: skip
     yield from _table(("draw", "aircraft", "failures", "weather", "inside", "held by", "again"), rows)
