@@ -74,7 +74,7 @@ class _Checker:
         plan = self._plan
         ends = (
             (path, value, variant)
-            for path, distribution in plan.sweep.vary.items()
+            for path, distribution in plan.study.vary.items()
             for value in distribution.bounds
             for variant in range(len(plan.variants))
         )
