@@ -4,19 +4,13 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from testbed.cli import study
 from testbed.cli.command import Command, add_flying, add_out, whole_number
 from testbed.cli.interrupts import tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
-from testbed.cli.study import flying, writing
 from testbed.cli.working import working
-from testbed.common.files import slug
-
-if TYPE_CHECKING:
-    from testbed.studies.benchmark.plan import Benchmark
-    from testbed.studies.run import Options
 
 
 def _arguments(command: ArgumentParser) -> None:
@@ -41,54 +35,31 @@ def _arguments(command: ArgumentParser) -> None:
     verify = "fly a part of an entry again, and compare; needs --controller for those of its author"
     command.add_argument("--verify", type=Path, metavar="FILE", help=verify)
     add_flying(command)
+    command.set_defaults(set=[])
 
 
 def _run(options: Namespace) -> int:
-    """Fly a benchmark, one draw of it, or a part of an entry; print what came of it, and return the exit status.
-
-    Raises BadInput when nothing can be flown, and Ended when it ends early.
-    """
-    from testbed.api import benchmark as study
-    from testbed.api.options import checked_options
+    """Fly a benchmark, one draw of it, or a part of an entry; as `study.run`."""
+    from testbed.api import benchmark
 
     if options.verify is not None:
         return _verify(options)
-    how = checked_options(options.jobs, options.cluster)
-    draws, suite = study.DEFAULT_DRAWS if options.draws is None else options.draws, options.suite or "open"
-    plan, folder = study.prepare(
-        suite,
-        options.out,
-        controllers=options.controller,
-        draws=draws if options.only is None else max(draws, options.only + 1),
-        seed=options.seed,
-        word=options.word,
-    )
     if options.only is not None:
-        return _fly_only(plan, options, how)
-    from testbed.studies.benchmark.run import fly_benchmark
-    from testbed.study_reports.benchmark import page
-
-    with tidily():
-        with flying():
-            flown = fly_benchmark(plan, folder, how, resume=options.resume)
-        with writing(folder, "--resume writes the rest"):
-            summary, _ = study.finish(plan, folder, suite, options.word, options.entry)
-    print("\n".join(page(summary)))
-    print(f"\n{flown} flights; wrote {folder}")
-    return MET
+        return _fly_only(options)
+    own = {"draws": options.draws, "word": options.word, "entry": options.entry}
+    return study.run(benchmark, options, options.suite or "open", **own)
 
 
 def _verify(options: Namespace) -> int:
     """Fly a part of an entry again, say what came of it, and return the exit status."""
-    from testbed.api import benchmark as study
+    from testbed.api import benchmark
 
-    draws = study.VERIFIED_DRAWS if options.draws is None else options.draws
     with tidily(), working("flying"):
-        same, lines = study.verify(
+        same, lines = benchmark.verify(
             options.verify,
             options.suite,
             controllers=options.controller,
-            draws=draws,
+            draws=options.draws,
             jobs=options.jobs,
             cluster=options.cluster,
         )
@@ -96,22 +67,28 @@ def _verify(options: Namespace) -> int:
     return MET if same else NOT_MET
 
 
-def _fly_only(plan: Benchmark, options: Namespace, how: Options) -> int:
+def _fly_only(options: Namespace) -> int:
     """Fly one draw alone by every controller, tell each of its flights, and return the exit status."""
-    from testbed.api import sweep as study
+    from testbed.api import benchmark, sweep
     from testbed.flight.folder import refuse_existing
+    from testbed.studies.run import Options
 
-    folder = options.out or Path("runs") / slug(
-        f"{plan.name} {plan.sweep.seed} draw {options.only}", otherwise="draw"
+    plan, usual = benchmark.prepare(
+        options.suite or "open",
+        controllers=options.controller,
+        draws=options.only + 1,
+        seed=options.seed,
+        word=options.word,
     )
+    folder = options.out or usual.with_name(f"{usual.name}-draw-{options.only}")
     refuse_existing(folder)
+    how = Options(options.jobs, options.cluster, "none")
     with tidily():
-        _, flights = study.fly_run(plan, options.only, folder, how, figures=not options.no_plots)
-    for flight, name in zip(flights, plan.labels, strict=False):
-        print(f"{name}:")
+        passed, flights = sweep.fly_run(plan, options.only, folder, how, figures=not options.no_plots)
+    for flight in flights:
         print_verdict(flight)
     print(f"wrote {folder}")
-    return MET
+    return MET if passed else NOT_MET
 
 
 COMMAND = Command(

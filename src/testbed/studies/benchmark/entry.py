@@ -80,16 +80,21 @@ class Checked(NamedTuple):
 
 
 def write(file: Path, plan: Benchmark, store: Store, summary: Mapping[str, Any]) -> None:
-    """Write an entry, from a folder that was flown to the end; over an earlier one."""
+    """Write an entry over an earlier one, from a folder in which every draw was flown."""
     keys = ("suite", "version", "suite_sha256", "seed", "word", "law_sha256", "draws")
-    said: dict[str, Any] = {key: summary[key] for key in keys if summary[key] is not None}
-    said |= _here(plan) | {"controllers": {}}
+    said: dict[str, Any] = {key: summary[key] for key in keys if key in summary}
+    begun = store.inputs
+    said |= {
+        "environment": _environment(begun),
+        "aircraft_sha256": begun["aircraft_sha256"],
+        "controllers": {},
+    }
     for j, name in enumerate(plan.labels):
-        own, numbers = plan.builder.own.get(name), range(j, plan.size, len(plan.labels))
+        own, numbers = begun["controllers_sha256"].get(name), range(j, plan.size, len(plan.labels))
         marks = (Flown(store.record(key_of(k)), store.history(key_of(k))) for k in numbers)
         said["controllers"][name] = {
             "reference": plan.tree["controllers"][name],
-            **({} if own is None else {"code_sha256": own.digest}),
+            **({} if own is None else {"code_sha256": own}),
             **{key: {part: summary["scores"][name][key][part] for part in ("estimate", "low", "high")}
                for key in ("survived", "held", "inside")},
             "flights": " ".join(map(mark, marks)),
@@ -119,7 +124,7 @@ def read(file: Path, suite: str | Path | None = None) -> Entry:
         problems.append(source.problem(("seed",), "is not the one that law and word give"))
     for name, one in entry.controllers.items():
         problems += [source.problem(("controllers", name, *path), what) for path, what in _wrong(entry, one)]
-    known = load_suite(suite or entry.suite)
+    known, _ = load_suite(suite or entry.suite)
     if (known.suite, known.version) != (entry.suite, entry.version):
         what = f"is of {entry.suite} {entry.version}, and this is {known.suite} {known.version}"
         problems.append(source.problem(("suite",), what))
@@ -144,12 +149,12 @@ def _wrong(entry: Entry, one: Flier) -> list[tuple[tuple[str, ...], str]]:
 
 def refuse_other(entry: Entry, plan: Benchmark, file: Path) -> None:
     """Raise BadInput when an entry cannot be compared with flights of this plan, environment and code."""
-    here = _here(plan)
+    here = begun_with(plan, FLY)
     problems = [
         Problem(
             f"was flown with {name} {before or 'not installed'}, this is {now or 'not installed'}", str(file)
         )
-        for name, now in here["environment"].items()
+        for name, now in _environment(here).items()
         if (before := entry.environment.get(name)) != now
     ]
     for what, before, now in (
@@ -194,11 +199,6 @@ def verdict(checked: Sequence[Checked]) -> tuple[bool, list[str]]:
     return not ended, lines
 
 
-def _here(plan: Benchmark) -> dict[str, Any]:
-    """What the bytes of a flight depend on besides suite, seed and controller."""
-    begun = begun_with(plan, FLY)
-    python = ".".join(platform.python_version_tuple()[:2])
-    return {
-        "environment": {"python": python, **begun["versions"]},
-        "aircraft_sha256": begun["aircraft_sha256"],
-    }
+def _environment(begun: Mapping[str, Any]) -> dict[str, str]:
+    """The versions on which the bytes of a flight depend, from what a folder was begun with."""
+    return {"python": ".".join(platform.python_version_tuple()[:2]), **begun["versions"]}

@@ -1,4 +1,4 @@
-"""Read a suite's file, and the controllers that are to fly it."""
+"""Read a suite's file, choose who flies it, and read back what a folder was begun with."""
 
 from __future__ import annotations
 
@@ -13,21 +13,24 @@ from testbed.controllers.user.own import OwnController, own_controllers
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source
 from testbed.studies.benchmark.model import Suite
-from testbed.studies.drawing.builder import TYPE, Variant
+
+Compared = dict[str, Mapping[str, Any] | OwnController]
+"""Controllers by name: settings of a shipped one, or one of the user's."""
 
 
-def load_suite(file: str | Path) -> Suite:
-    """The suite in a file, or a shipped one by its name; raises BadInput with every problem of its keys."""
-    return validated(Suite, yamlfile.read(find_suite(file)))
+def load_suite(file: str | Path) -> tuple[Suite, dict[str, Any]]:
+    """The suite in a file, or a shipped one by its name, and its tree; raises BadInput with every problem of its keys."""
+    source = yamlfile.read(find_suite(file))
+    return validated(Suite, source), source.tree
 
 
-def chosen(
-    suite: Suite, given: Sequence[str]
-) -> tuple[dict[str, Mapping[str, Any]], dict[str, OwnController]]:
-    """The controllers to fly, by name: those of the suite with their settings, and the user's own.
+def chosen(suite: Suite, said: Mapping[str, Any], given: Sequence[str]) -> Compared:
+    """The controllers to fly.
 
     Args:
+        said: the tree of the suite's file.
         given: each NAME of one in the suite, to fly no others of it; or NAME=FILE.py:CLASS, to fly that too.
     """
     names = [text for text in given if "=" not in text]
@@ -42,27 +45,34 @@ def chosen(
         for name in names
         if name not in suite.controllers
     ]
-    if problems:
-        raise BadInput(problems)
     own = own_controllers([text for text in given if "=" in text])
-    taken = [
+    problems += [
         Problem(f"{name} is a controller of {suite.suite}", "--controller", expected="another name")
         for name in own
         if name in suite.controllers
     ]
-    if taken:
-        raise BadInput(taken)
-    return {name: each for name, each in suite.controllers.items() if name in names or not names}, own
+    if problems:
+        raise BadInput(problems)
+    shipped = {name: each for name, each in said["controllers"].items() if name in names or not names}
+    return {**shipped, **own}
 
 
-def variants(
-    shipped: Mapping[str, Mapping[str, Any]], own: Mapping[str, OwnController]
-) -> tuple[Variant, ...]:
-    """What is compared: each controller with its values of the scenario."""
-    return (
-        *(Variant(name, {"controller": dict(settings)}) for name, settings in shipped.items()),
-        *(Variant(name, {TYPE: name}) for name in own),
-    )
+def read_back(folder: Path) -> tuple[Suite, Compared, dict[str, Any]]:
+    """What benchmark.yaml of a folder says: the suite, the controllers, of the user's without their code, and the whole tree."""
+    source = yamlfile.read(folder / "benchmark.yaml")
+    tree, expected = source.tree, {"file": str, "seed": int, "draws": int, "controllers": dict, "suite": dict}
+    problems = [
+        source.problem((key,), "is missing or of another kind", "the file as testbed wrote it")
+        for key, kind in expected.items()
+        if not isinstance(tree.get(key), kind)
+    ]
+    if problems:
+        raise BadInput(problems)
+    compared: Compared = {}
+    for name, said in tree["controllers"].items():
+        file, _, made_by = str(said).rpartition(":")
+        compared[name] = said if isinstance(said, dict) else OwnController(name, file, made_by)
+    return validated(Suite, Source(source.file, tree["suite"])), compared, tree
 
 
 def digest_of(suite: Suite) -> str:

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
-from testbed.controllers.config import TABLE as CONTROLLERS
+from testbed.controllers.config import AnyController
 from testbed.failures import TABLE as FAILURES
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
 from testbed.inputs.problems import guess
 from testbed.sensors.faults import TABLE as SENSOR_FAULTS
 from testbed.sensors.settings import PRESETS
 from testbed.studies.drawing.distributions import Distribution
+from testbed.studies.model import Study
 
 Share = Annotated[Number, Field(ge=0, le=1)]
 Range = tuple[Positive, Positive]
@@ -203,7 +204,7 @@ class Suite(Settings):
     """Control steps per second."""
     time_limit_s: Positive = 300.0
     """Wall time [s] after which a flight counts as lost, since its controller takes too long."""
-    controllers: Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
+    controllers: Annotated[dict[str, AnyController], Field(min_length=1)]
     """`controller` blocks of a scenario, by the name under which each is compared. The first is the one that the others are
     compared with."""
     told: tuple[Text, ...] = ()
@@ -219,13 +220,6 @@ class Suite(Settings):
     sensor_faults: SensorFaults | None = None
     failures: Failures | None = None
 
-    @field_validator("controllers")
-    @classmethod
-    def _types(cls, controllers: dict[str, dict[str, Any]]) -> dict[str, dict[str, Any]]:
-        for settings in controllers.values():
-            _one_of(str(settings.get("type")), CONTROLLERS)
-        return controllers
-
     @field_validator("sensors")
     @classmethod
     def _presets(cls, sensors: dict[str, float]) -> dict[str, float]:
@@ -238,6 +232,15 @@ class Suite(Settings):
         for name in self.told:
             _one_of(name, self.controllers)
         return self
+
+
+class Draws(Study):
+    """The kind of study that flies the draws of a suite."""
+
+    word: ClassVar[str] = "benchmark"
+    free: ClassVar[tuple[str, ...]] = ("draws", "file", "word")
+
+    scenario: Text | dict[str, Any] = "drawn"
 
 
 def _one_of(name: str, known: Any) -> str:

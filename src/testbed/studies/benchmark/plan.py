@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,10 +18,9 @@ from testbed.scenario.load import placed_name
 from testbed.studies.benchmark import craft
 from testbed.studies.benchmark.grammar import Dice, Drawn, drawn
 from testbed.studies.benchmark.load import digest_of
-from testbed.studies.benchmark.model import Suite
-from testbed.studies.drawing.builder import Builder, Task, Variant
+from testbed.studies.benchmark.model import Draws, Suite
+from testbed.studies.drawing.builder import TYPE, Builder, Task, Variant
 from testbed.studies.drawing.sampling import hashed
-from testbed.studies.model import Sweep
 from testbed.studies.plan import Plan
 
 _ATTEMPTS = 1000
@@ -40,9 +41,20 @@ class Flights(Builder):
 
 @dataclass(frozen=True, kw_only=True)
 class Benchmark(Plan):
-    """A suite with a seed, the number of draws, and the controllers that fly them all."""
+    """A suite with a seed, the number of draws, and the controllers that fly them all.
+
+    Attributes:
+        said: the tree of the suite's file.
+        file: by which the suite was given.
+        word: from which the seed was made; empty where it was given.
+        entry: the file of the entry that is to be written.
+    """
 
     suite: Suite
+    said: Mapping[str, Any]
+    file: str
+    word: str = ""
+    entry: Path | None = None
     _draws: dict[int, tuple[Drawn, int]] = field(default_factory=dict, compare=False, repr=False)
 
     @cached_property
@@ -57,19 +69,20 @@ class Benchmark(Plan):
 
     @property
     def aircraft_names(self) -> list[str]:
-        """Name or folder of every aircraft of the suite."""
+        """Name or folder of every aircraft of the suite; those that are missing are adopted."""
+        craft.provide(one.adopt for one in self.suite.aircraft.values() if one.adopt is not None)
         return [self._placed(name) for name in self.suite.aircraft]
-
-    @property
-    def extendable(self) -> bool:
-        """Further draws change none of the first ones."""
-        return True
 
     def task(self, k: int) -> Task:
         """Flight number k, from 0: draw `k // controllers`, controller `k % controllers`."""
         number, variant = divmod(k, len(self.variants))
         one, seed = self._valid(number)
-        return Task(number, variant, seed, {"name": f"{self.name}, draw {number}", **one.values})
+        return Task(
+            number,
+            variant,
+            seed,
+            {"name": f"{self.suite.suite} {self.suite.version}, draw {number}", **one.values},
+        )
 
     def groups(self, number: int) -> dict[str, str]:
         """What draw `number` is counted as: {factor: group}."""
@@ -82,7 +95,7 @@ class Benchmark(Plan):
 
     def _first_valid(self, number: int) -> tuple[Drawn, int]:
         """The first of the attempts at a draw that is a valid scenario, and the flight's own seed."""
-        entropy = int(self.digest, 16), self.sweep.seed, number
+        entropy = int(self.digest, 16), self.study.seed, number
         seed, problems = hashed(*entropy, "flight"), list[Problem]()
         for attempt in range(_ATTEMPTS):
             random = np.random.default_rng(np.random.SeedSequence([*entropy, attempt]))
@@ -101,18 +114,21 @@ class Benchmark(Plan):
         return drawn(self.suite, dice, name, each[name], load_aircraft(self._placed(name)))
 
     def _placed(self, name: str) -> str:
-        return placed_name(craft.placed(name, self.suite.aircraft[name]), self.builder.base.file)
+        one = self.suite.aircraft[name]
+        craft.provide([] if one.adopt is None else [one.adopt])
+        return placed_name(craft.placed(name, one), self.builder.base.file)
 
     @cached_property
     def tree(self) -> dict[str, Any]:
-        """What is flown, as benchmark.yaml says it."""
+        """What is flown, as benchmark.yaml says it: with the suite inside, it can be read again as it is."""
+        word = {"word": self.word} if self.word else {}
         return {
-            "suite": self.suite.suite,
-            "version": self.suite.version,
-            "suite_sha256": self.digest,
-            "seed": self.sweep.seed,
+            "file": self.file,
+            **word,
+            "seed": self.study.seed,
             "draws": self.runs,
             "controllers": {variant.label: self._said(variant) for variant in self.variants},
+            "suite": dict(self.said),
         }
 
     def _said(self, variant: Variant) -> Any:
@@ -122,11 +138,38 @@ class Benchmark(Plan):
 
 
 def benchmark_of(
-    suite: Suite, compared: tuple[Variant, ...], own: dict[str, OwnController], draws: int, seed: int
+    suite: Suite,
+    said: Mapping[str, Any],
+    compared: Mapping[str, Mapping[str, Any] | OwnController],
+    *,
+    draws: int,
+    seed: int,
+    file: str,
+    word: str = "",
+    entry: Path | None = None,
 ) -> Benchmark:
-    """The benchmark of these controllers; the aircraft that are missing are adopted."""
-    craft.provide(one.adopt for one in suite.aircraft.values() if one.adopt is not None)
-    base = Source(str(craft.hangar() / "suite.yaml"), {"controller": next(iter(suite.controllers.values()))})
-    sweep = Sweep(scenario="?", cases="drawn", runs=draws, seed=seed, time_limit_s=suite.time_limit_s)
-    builder = Flights(base, compared, {}, own)
-    return Benchmark(sweep, f"{suite.suite} {suite.version}", builder, draws, suite=suite)
+    """The benchmark of these controllers, each by its settings or the user's own.
+
+    Args:
+        said: the tree of the suite's file.
+        file, word, entry: as of `Benchmark`.
+    """
+    own = {name: each for name, each in compared.items() if isinstance(each, OwnController)}
+    variants = tuple(
+        Variant(name, {TYPE: name} if isinstance(each, OwnController) else {"controller": dict(each)})
+        for name, each in compared.items()
+    )
+    base = Source(
+        str(craft.hangar() / "suite.yaml"), {"controller": next(iter(said["controllers"].values()))}
+    )
+    return Benchmark(
+        study=Draws(seed=seed, time_limit_s=suite.time_limit_s),
+        name=f"benchmark {suite.suite} {seed}",
+        builder=Flights(base, variants, {}, own),
+        runs=draws,
+        suite=suite,
+        said=said,
+        file=file,
+        word=word,
+        entry=entry,
+    )

@@ -17,6 +17,7 @@ import pandas as pd
 from testbed.common.files import plain
 from testbed.common.statistics import mean, paired, proportion
 from testbed.flight.flight import Outcome
+from testbed.studies.benchmark.law import law_sha256
 from testbed.studies.benchmark.plan import Benchmark
 from testbed.studies.folder.histories import CHANNELS, SHAPE
 from testbed.studies.folder.store import Store
@@ -79,7 +80,11 @@ def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
         each[BOUND] = each.max(axis=1)
     known: Summary = plain(
         {
-            **plan.tree,
+            **{key: value for key, value in plan.tree.items() if key != "suite"},
+            "suite": plan.suite.suite,
+            "version": plan.suite.version,
+            "suite_sha256": plan.digest,
+            "law_sha256": law_sha256(),
             "draws": len(wide["held"]),
             "reference": plan.labels[0],
             "told": [name for name in plan.suite.told if name in plan.labels],
