@@ -3,8 +3,9 @@
     python benchmarks/true_trims.py --missions jam,hardover
 
 For each airspeed, in steps of 1/36 of the reference airspeed (0.5 m/s for the v-tail), the angles and the commands of the
-working actuators are solved for (least squares with bounds, several starts) with every failure of the mission in force. Where there is no level one, flights that climb or descend are
-looked for. What no trim exists for, no controller can hold; the design model plays no part in this.
+working actuators are solved for (least squares with bounds, several starts) with every failure of the mission in force. Where
+there is no level one, flights that climb or descend are looked for. What no trim exists for, no controller can hold; the
+design model plays no part in this.
 """
 
 from __future__ import annotations

@@ -44,11 +44,13 @@ def test_on_its_references_nothing_is_asked() -> None:
 
 def test_altitude_asks_for_pitch_and_airspeed_for_thrust() -> None:
     s, g, v = records_of(SETUP).s, gains_record(GAIN)[0], MODEL.airspeed_m_s
-    longitudinal(trim_state(MODEL), setpoint(altitude=300.5, airspeed=v + 1.0), SETUP.dt_s, g, K, s)
+    longitudinal(trim_state(MODEL), setpoint(altitude=300.5, airspeed=v + 0.5), SETUP.dt_s, g, K, s)
     climb, integral = GAIN.altitude_kp * 0.5, GAIN.altitude_ki * 0.5 * SETUP.dt_s
     assert s.x_dc_dot[Q_DOT] == pytest.approx(GAIN.q_kp * GAIN.pitch_kp * (climb / v + integral))
     thrust = GRAVITY_M_S2 * climb / v  # for the energy of the climb
-    assert s.x_dc_dot[U_DOT] == pytest.approx(GAIN.airspeed_kp + GAIN.airspeed_ki * SETUP.dt_s + thrust)
+    assert s.x_dc_dot[U_DOT] == pytest.approx(
+        0.5 * GAIN.airspeed_kp + 0.5 * GAIN.airspeed_ki * SETUP.dt_s + thrust
+    )
 
 
 def test_heading_asks_for_bank_and_bank_for_yaw() -> None:
