@@ -1,4 +1,4 @@
-"""The oracle: told the truth in the step in which it becomes true, and nobody else is."""
+"""Told the truth in the step in which it becomes true, and nobody else is."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import pytest
 from short_flights import scenario
 from vtail_setup import vtail_setup
 
-from testbed.controllers.config import OracleSettings
-from testbed.controllers.oracle import OracleController
+from testbed.controllers.config import InformedSettings
+from testbed.controllers.informed import InformedController
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput
 from testbed.metrics import Readings, readings
@@ -22,7 +22,7 @@ BROKEN_S = 3.0
 
 def flown(folder: Path, seconds: float, *failures: str) -> Readings:
     text = f"failures=[{', '.join(failures)}]"
-    return readings(fly(scenario(folder, "oracle", seconds, text)))
+    return readings(fly(scenario(folder, "informed_inversion", seconds, text)))
 
 
 def test_a_loss_is_known_in_its_own_step(tmp_path: Path) -> None:
@@ -52,7 +52,7 @@ def test_what_does_not_follow_its_command_is_flagged_until_it_does(tmp_path: Pat
 
 
 def test_nobody_else_is_told(tmp_path: Path) -> None:
-    """Neither another controller, nor the user's own in place of an oracle."""
+    """Neither another controller, nor the user's own in its place."""
     seen: list[Setup] = []
 
     class Own:
@@ -62,8 +62,8 @@ def test_nobody_else_is_told(tmp_path: Path) -> None:
         def update(self, *_: Any) -> list[float]:
             return [0.0] * 4
 
-    for name in ("oracle", "pid"):
+    for name in ("informed_inversion", "pid"):
         assemble(scenario(tmp_path, name), Own)
     assert [setup.truth for setup in seen] == [None, None]
     with pytest.raises(BadInput, match="told the truth by the simulation"):
-        OracleController(vtail_setup(OracleSettings()))
+        InformedController(vtail_setup(InformedSettings()))
