@@ -49,13 +49,12 @@ def _where(summary: Summary) -> Iterator[str]:
         yield ""
         yield from _table(("group", "draws", first, "the best other", "which"), sorted(rows, key=_gap))
     lost = summary["lost"][first]
-    of = lost[0]["of"] if lost else 0
-    yield from (
-        "",
-        f"It does not hold {of} of {summary['draws']} draws that another holds. The longest outside:",
-        "",
-    )
-    yield from _lost(summary, first)
+    if lost:
+        of = f"{lost[0]['of']} of {summary['draws']}"
+        yield from ("", f"It does not hold {of} draws that another holds. The longest outside:", "")
+        yield from _lost(summary, first)
+    if not rows and not lost:
+        yield "In no draw."
 
 
 def _behind(summary: Summary) -> Iterator[list[str]]:
@@ -91,7 +90,8 @@ def _totals(summary: Summary) -> Iterator[str]:
     head = ("controller", "survived", "held", "inside", f"held, minus `{first}`", f"inside, minus `{first}`",
             "outside where the best is inside", "held in each half")  # fmt: skip
     rows = []
-    for name, score in summary["scores"].items():
+    for name in summary["order"]:
+        score = summary["scores"][name]
         against = score["against_reference"]
         rows.append([
             f"`{name}`{' (told)' if name in summary['told'] else ''}" if name in summary["controllers"] else name,
@@ -117,8 +117,9 @@ def _noticed(summary: Summary) -> Iterator[str]:
 
 
 def _groups(summary: Summary) -> Iterator[str]:
-    names = list(summary["scores"])
-    for factor, groups in summary["by"].items():
+    names = summary["order"]
+    for factor in _TITLES:
+        groups = summary["by"][factor]
         yield from ("", f"## {_TITLES[factor]}", "", "Share of the draws held.", "")
         rows = [
             [group, str(counted["draws"]), *(_held(counted, name) for name in names)]
@@ -134,7 +135,7 @@ def _held(counted: Summary, name: str) -> str:
 
 def _draws(summary: Summary) -> Iterator[str]:
     others = [
-        name for name in summary["controllers"] if name != summary["reference"] and summary["lost"][name]
+        name for name in summary["order"] if name in summary["controllers"] and name != summary["reference"] and summary["lost"][name]
     ]
     for name in others:
         of = summary["lost"][name][0]["of"]

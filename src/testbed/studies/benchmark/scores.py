@@ -87,6 +87,7 @@ def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
             "law_sha256": law_sha256(),
             "draws": len(wide["held"]),
             "reference": plan.labels[0],
+            "order": [*plan.labels, BOUND],
             "told": [name for name in plan.suite.told if name in plan.labels],
             "scores": {name: _score(plan, frame, wide, name) for name in [*plan.labels, BOUND]},
             "by": {factor: _by(frame, wide["held"], factor) for factor in FACTORS},
