@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from testbed.flight.flight import Flight
+from testbed.gains.errors import without_chance
 from testbed.scenario.load import Scenario, changed
 from testbed.simulation import fly
 
@@ -85,8 +86,7 @@ def _flights(
 def _errs(scenario: Scenario) -> bool:
     """Whether two seeds may differ."""
     return (
-        bool(scenario.atmosphere.turbulence_w20_m_s)
-        or scenario.sensors != changed(scenario, {"sensors": "ideal"}).sensors
+        bool(scenario.atmosphere.turbulence_w20_m_s) or scenario.sensors != without_chance(scenario).sensors
     )
 
 
