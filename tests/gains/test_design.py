@@ -155,8 +155,9 @@ def test_without_noise_the_actuators_limit_gamma() -> None:
     )
 
 
-def test_the_default_law_gets_a_process_noise() -> None:
-    """The more the sensors err the smaller it is, and the slower the estimates."""
+@pytest.mark.nightly
+def test_the_more_sensors_err_the_slower_is_the_default_law() -> None:
+    """A smaller process noise, and slower estimates."""
     default = {"type": "adaptive_inversion"}
     quiet, loud = (
         chosen(scenario(controller=default, sensors={"accelerometer": {"noise_m_s2_rthz": density}}))
@@ -165,9 +166,14 @@ def test_the_default_law_gets_a_process_noise() -> None:
     key = "process_noise_per_root_s"
     assert loud.settings[key] < quiet.settings[key]
     assert loud.predicted.rates[2] < quiet.predicted.rates[2]
-    changed(scenario(), {"controller": dict(quiet.settings)})
-    found = design(scenario(controller=default))
+
+
+def test_the_default_law_gets_a_process_noise() -> None:
+    """In a block that the scenario takes, and with which losses are flagged."""
+    found = design(scenario(controller={"type": "adaptive_inversion"}))
     assert found.possible and all(one.detection_s < 1.0 for one in found.actuators)
+    assert found.controller["process_noise_per_root_s"] == 0.5
+    changed(scenario(), {"controller": dict(found.controller)})
 
 
 @pytest.mark.nightly

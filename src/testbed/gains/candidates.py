@@ -11,7 +11,7 @@ import numpy as np
 
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup
-from testbed.gains.error_flights import Answer, answers, bias, calm, gusts
+from testbed.gains.error_flights import Answer, answers, bias, calm, gusts, or_infinite
 from testbed.gains.errors import ErrorSource, sources
 from testbed.gains.false_alarms import false_alarm_rate
 from testbed.gains.loss_flights import convergence_s
@@ -182,7 +182,7 @@ class Candidates:
         each = [source.deviation(found[source.channel.name].estimates, dt_s) for source in self.sources]
         intensity = [source.intensity(dt_s) * found[source.channel.name].e ** 2 for source in self.sources]
         parts = np.array(each).reshape(-1, n)
-        return np.where(np.isnan(parts), np.inf, parts), np.sum([np.zeros(4), *intensity], axis=0)
+        return or_infinite(parts), or_infinite(np.sum([np.zeros(4), *intensity], axis=0))
 
     def _rates(self, gain: float, still: Scenario, changes: Mapping[str, Any]) -> np.ndarray:
         """[n] at which an error decays [1/s]: gamma by (22), or of the default law as flown."""

@@ -25,7 +25,7 @@ import numpy as np
 
 from testbed.gains.candidates import Candidates
 from testbed.gains.choice import Chosen, Tolerance, choose
-from testbed.gains.loss_flights import convergence_s, detection
+from testbed.gains.loss_flights import convergence_s, detection_s
 from testbed.gains.verdict import ActuatorDesign, advice, shortcomings
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario, changed, load_scenario
@@ -129,7 +129,7 @@ def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
 def _actuator(i: int, candidates: Candidates, chosen: Chosen, settings: Mapping[str, Any]) -> ActuatorDesign:
     scenario, model = candidates.scenario, candidates.setup.model
     kind, name = model.kinds[i], model.actuators[i]
-    flagged = detection(scenario, settings, name)
+    flagged = detection_s(scenario, settings, name)
     predicted = chosen.predicted
     rate, parts = float(predicted.rates[i]), predicted.parts[:, i]
     return ActuatorDesign(
@@ -140,9 +140,9 @@ def _actuator(i: int, candidates: Candidates, chosen: Chosen, settings: Mapping[
         offset=float(predicted.offset[i]),
         bias=float(predicted.bias[i]),
         convergence_s=3.0 / rate if candidates.newton else convergence_s(scenario, settings, name),
-        detection_s=flagged.median_s,
-        soonest_s=flagged.soonest_s,
-        latest_s=flagged.latest_s,
+        detection_s=float(np.median(flagged)),
+        soonest_s=min(flagged),
+        latest_s=max(flagged),
         met=bool(chosen.met[i]),
         shares=tuple((candidates.names[k], float(parts[k])) for k in np.argsort(-parts) if parts[k] > _NONE),
     )

@@ -90,10 +90,11 @@ def gusts(scenario: Scenario, still: Scenario, setup: Setup) -> tuple[np.ndarray
     intensity = np.mean(
         [_intensity(measured_error(flight, setup)[first:], setup) for flight in flights], axis=0
     )
-    return _or_infinite(deviation), _or_infinite(intensity)
+    return or_infinite(deviation), or_infinite(intensity)
 
 
-def _or_infinite(found: np.ndarray) -> np.ndarray:
+def or_infinite(found: np.ndarray) -> np.ndarray:
+    """The same, with infinity for the NaN of a flight that is lost."""
     return np.where(np.isnan(found), np.inf, found)
 
 
