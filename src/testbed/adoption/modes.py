@@ -66,7 +66,11 @@ def _named(eigenvalues: list[complex], pairs: tuple[str, str], first: str) -> li
 def _eigenvalues(model: DesignModel, states: tuple[str, ...], path_angle: float) -> list[complex]:
     """One of each pair, fastest first, of the motion in these states with the others at the trim."""
     positions, effectiveness = np.array(model.trim), np.ones(len(model.trim))
-    at_trim = {"airspeed": model.airspeed_m_s, "alpha": model.alpha_rad, "pitch": model.alpha_rad + path_angle}
+    at_trim = {
+        "airspeed": model.airspeed_m_s,
+        "alpha": model.alpha_rad,
+        "pitch": model.alpha_rad + path_angle,
+    }
     x = np.array([at_trim.get(name, 0.0) for name in REGULATOR_STATE])
     rows = [REGULATOR_STATE.index(name) for name in states]
     matrix = jacobian(lambda x: motion(model, x, positions, effectiveness), x)[np.ix_(rows, rows)]

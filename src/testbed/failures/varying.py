@@ -10,9 +10,10 @@ import numpy as np
 from pydantic import Field
 
 from testbed.aircraft.description import Aircraft, AnyActuator
-from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both, stop_words
+from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, both, stop_words
 from testbed.failures.losses import Gain
 from testbed.inputs.base import NonNegative, Number, Positive
+from testbed.inputs.problems import Issue
 
 MAX_DELAY_S = 5.0
 """Longest delay that a scenario may ask for [s], because all delayed commands are kept in memory."""
@@ -39,10 +40,10 @@ class Delay(ActuatorFailure):
     def delay_steps(self, rate_hz: float) -> int:
         return math.floor(self.delay_s * rate_hz + 0.5)
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         if self.delay_s > 0 and not self.delay_steps(rate_hz):
             what = f"{self.delay_s:g} s is less than half a control step: nothing would be late"
-            yield Fault("delay_s", what, f"0 or at least {0.5 / rate_hz:g}")
+            yield Issue(("delay_s",), what, f"0 or at least {0.5 / rate_hz:g}")
 
 
 class Oscillation(ActuatorFailure):
@@ -70,12 +71,12 @@ class Oscillation(ActuatorFailure):
         (name,) = self.properties(aircraft)
         return name, lambda t, start: amplitude * math.sin(omega * t)
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         low, high = self.travel(aircraft)
         yield from self.outside(aircraft, "amplitude", 0.0, high - low)
         if self.frequency_hz > 0.25 * rate_hz:
             what = f"{self.frequency_hz:g} Hz cannot be made of steps at {rate_hz:g} Hz"
-            yield Fault("frequency_hz", what, f"at most a quarter of rate_hz, {0.25 * rate_hz:g}")
+            yield Issue(("frequency_hz",), what, f"at most a quarter of rate_hz, {0.25 * rate_hz:g}")
 
 
 class Runaway(ActuatorFailure):
@@ -104,7 +105,7 @@ class Runaway(ActuatorFailure):
         stop = self.inside(aircraft, low)
         return name, lambda t, start: min(start, max(start - rate * t, stop))
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         if self.is_servo(aircraft):
             yield from self.outside(aircraft, "rate", 0.0, aircraft.actuators[self.actuator].rate_limit, "/s")
 
@@ -144,11 +145,11 @@ class Intermittent(ActuatorFailure):
 
         return self.name(aircraft, "effectiveness"), value_at
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         for field, spell in (("off_s", self.off_s), ("on_s", self.on_s)):
             if spell * rate_hz < 1.0:
-                yield Fault(
-                    field, f"{spell:g} s is shorter than a control step", f"at least {1.0 / rate_hz:g}"
+                yield Issue(
+                    (field,), f"{spell:g} s is shorter than a control step", f"at least {1.0 / rate_hz:g}"
                 )
 
 
