@@ -243,6 +243,6 @@ def _close(one: Any, other: Any, tolerance: float) -> bool:
     return bool(one == other)
 
 
-def rows_of(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:
+def rows_of(matrix: Any) -> tuple[tuple[float, ...], ...]:
     """The rows of a matrix, as a design model keeps them."""
     return tuple(tuple(map(float, row)) for row in matrix)

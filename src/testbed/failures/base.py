@@ -79,6 +79,8 @@ class Failure(Settings):
     """Whether the actuator still follows its command, if with less effect, late or with an offset."""
     draws: ClassVar[bool] = False
     """Whether its course is random: then its random numbers depend on its place among the failures of a scenario."""
+    harmless: ClassVar[Mapping[str, Any] | None] = None
+    """Fields with which it has no effect on any actuator, if there are such."""
     examples: ClassVar[Examples] = {}
     """For each kind of actuator, fields with a visible effect; they are flown by the tests and drawn in the catalogue."""
 
@@ -106,7 +108,7 @@ class Failure(Settings):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any] | None:
         """Fields with which the failure has no effect on this actuator; None if there are no such fields."""
-        return None
+        return cls.harmless
 
     def words(self, kind: str, unit: str) -> str:
         """What it does to its actuator, as the predicate of a sentence: "was lost completely".

@@ -27,11 +27,8 @@ class CommandScale(ActuatorFailure):
 
     type: Literal["command_scale"] = "command_scale"
     value: Annotated[Number, Field(ge=0, le=2)]
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0}
     examples: ClassVar[Examples] = both({"value": 0.5})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0}
 
     def words(self, kind: str, unit: str) -> str:
         few = "only " if self.value < 1.0 else ""
@@ -135,11 +132,8 @@ class Bias(ActuatorFailure):
 
     type: Literal["bias"] = "bias"
     value: Number
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 0.0}
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": -0.2})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 0.0}
 
     def words(self, kind: str, unit: str) -> str:
         return f"was offset by {self.value:g} {unit}"

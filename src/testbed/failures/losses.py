@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, StrictBool
 
-from testbed.aircraft.description import Aircraft, AnyActuator, Servo
+from testbed.aircraft.description import Aircraft, Servo
 from testbed.failures.base import ActuatorFailure, Capture, Examples, both
 from testbed.inputs.base import Number
 from testbed.inputs.problems import Issue
@@ -22,11 +22,8 @@ class Effectiveness(ActuatorFailure):
 
     type: Literal["effectiveness"] = "effectiveness"
     value: Gain
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0}
     examples: ClassVar[Examples] = both({"value": 0.2})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0}
 
     def words(self, kind: str, unit: str) -> str:
         percent = f"{100 * self.value:.0f} %"

@@ -9,7 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from testbed.aircraft.description import Aircraft, AnyActuator
+from testbed.aircraft.description import Aircraft
 from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, both, stop_words
 from testbed.failures.losses import Gain
 from testbed.inputs.base import NonNegative, Number, Positive
@@ -24,11 +24,8 @@ class Delay(ActuatorFailure):
 
     type: Literal["delay"] = "delay"
     delay_s: Annotated[Number, Field(ge=0, le=MAX_DELAY_S)]
+    harmless: ClassVar[Mapping[str, Any]] = {"delay_s": 0.0}
     examples: ClassVar[Examples] = both({"delay_s": 0.15})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"delay_s": 0.0}
 
     def words(self, kind: str, unit: str) -> str:
         return f"followed its commands {self.delay_s:g} s late"
@@ -52,13 +49,10 @@ class Oscillation(ActuatorFailure):
     type: Literal["oscillation"] = "oscillation"
     amplitude: NonNegative
     frequency_hz: Positive
+    harmless: ClassVar[Mapping[str, Any]] = {"amplitude": 0.0, "frequency_hz": 3.0}
     examples: ClassVar[Examples] = both(
         {"amplitude": 4.0, "frequency_hz": 3.0}, {"amplitude": 0.15, "frequency_hz": 3.0}
     )
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"amplitude": 0.0, "frequency_hz": 3.0}
 
     def words(self, kind: str, unit: str) -> str:
         return f"oscillated by {self.amplitude:g} {unit} at {self.frequency_hz:g} Hz"
@@ -118,11 +112,8 @@ class Intermittent(ActuatorFailure):
     value: Annotated[Number, Field(ge=0, le=1)] = 0.0
     off_s: Positive
     on_s: Positive
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0, "off_s": 0.2, "on_s": 0.3}
     examples: ClassVar[Examples] = both({"value": 0.0, "off_s": 0.2, "on_s": 0.3})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0, "off_s": 0.2, "on_s": 0.3}
 
     def words(self, kind: str, unit: str) -> str:
         share = f"at {100 * self.value:.0f} % for {self.off_s:g} s"
@@ -160,11 +151,8 @@ class Decay(ActuatorFailure):
     value: Gain
     over_s: Positive
     shape: Literal["linear", "exponential"] = "linear"
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0, "over_s": 0.8}
     examples: ClassVar[Examples] = both({"value": 0.2, "over_s": 0.8})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0, "over_s": 0.8}
 
     def words(self, kind: str, unit: str) -> str:
         how = "within" if self.shape == "linear" else "with a time constant of"

@@ -117,7 +117,8 @@ class Session:
             raise _refused("extend", f"is {duration_s!r}", least)
         self._planned = parts.scenario = longer_scenario(self._whole(), float(duration_s))
         parts.weather.lengthen(self._planned.atmosphere, round(steps))
-        parts.sensors.lengthen(round(steps))
+        if parts.sensors is not None:
+            parts.sensors.lengthen(round(steps))
         self.loop.lengthen(references(self._planned, parts.path_angle))
 
     # Look -----------------------------------------------------------------------------------------------------
