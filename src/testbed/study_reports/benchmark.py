@@ -111,7 +111,7 @@ def _noticed(summary: Summary) -> Iterator[str]:
         [f"`{name}`", *(_interval(score[key]) for key in ("noticed", "missed", "named_wrongly")),
          *(_number(score["delay_s"][key]) for key in ("p50", "p90")), _number(score["healthy_hours"]),
          str(score["healthy_false_alarms"]), _number(score["effort_per_s"]), _number(score["saturated_s"])]
-        for name, score in summary["scores"].items() if name in summary["controllers"]
+        for name in summary["order"] if name in summary["controllers"] and (score := summary["scores"][name])
     ]  # fmt: skip
     yield from _table(head, rows)
 
@@ -134,10 +134,7 @@ def _held(counted: Summary, name: str) -> str:
 
 
 def _draws(summary: Summary) -> Iterator[str]:
-    others = [
-        name for name in summary["order"] if name in summary["controllers"] and name != summary["reference"] and summary["lost"][name]
-    ]
-    for name in others:
+    for name in _others(summary):
         of = summary["lost"][name][0]["of"]
         yield from (
             "",
@@ -147,6 +144,13 @@ def _draws(summary: Summary) -> Iterator[str]:
             "",
         )
         yield from _lost(summary, name)
+
+
+def _others(summary: Summary) -> Iterator[str]:
+    """The controllers besides the reference that do not hold a draw which another holds."""
+    for name in summary["order"]:
+        if name in summary["controllers"] and name != summary["reference"] and summary["lost"][name]:
+            yield name
 
 
 def _reasons(summary: Summary) -> Iterator[str]:

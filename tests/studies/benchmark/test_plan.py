@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from suite_files import tree, written
 
-from testbed.aircraft.shipped import suite_files
+from testbed.aircraft.shipped import files_in
 from testbed.api.benchmark import prepare
 from testbed.failures import TABLE
 from testbed.simulation.check import check
@@ -87,7 +87,7 @@ def test_held_is_measured_by_the_aircrafts_size_and_speed(tmp_path: Path) -> Non
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("file", suite_files(), ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", files_in("scenarios/suites"), ids=lambda file: file.stem)
 def test_shipped_suites_begin_in_trimmed_flight(file: Path) -> None:
     plan = plan_of(file, draws=60)
     for number in range(60):
@@ -95,7 +95,7 @@ def test_shipped_suites_begin_in_trimmed_flight(file: Path) -> None:
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("file", suite_files(), ids=lambda file: file.stem)
+@pytest.mark.parametrize("file", files_in("scenarios/suites"), ids=lambda file: file.stem)
 def test_spans_and_masses_of_shipped_suites_are_those_of_the_models(file: Path) -> None:
     from testbed.aircraft.description import load_aircraft
     from testbed.plant.jsbsim import Plant
