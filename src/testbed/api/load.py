@@ -85,6 +85,8 @@ def kind_of(path: str | Path) -> str:
 
 def refuse_unfinished(folder: str | Path) -> None:
     """Raise BadInput when a search has not finished."""
-    if not os.path.isfile(Path(folder) / "results.parquet"):
+    from testbed.studies.folder.reading import is_finished
+
+    if not is_finished(Path(folder)):
         expected = "`testbed search --resume` first"
         raise BadInput([Problem("the search has not finished", str(folder), expected=expected)])

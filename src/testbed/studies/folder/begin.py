@@ -93,12 +93,11 @@ def is_new(folder: Path) -> bool:
 
 def begun_with(plan: Plan, fly: str) -> dict[str, Any]:
     """Everything, besides the study itself, that the results of the flights depend on."""
-    own = {name: each.digest for name, each in plan.builder.own.items()}
     return {
         "fly": fly,
         "aircraft_sha256": _aircraft_digest(plan),
-        "versions": _versions(),
-        "controllers_sha256": own,
+        "versions": {name: _version(name) for name in _VERSIONS},
+        "controllers_sha256": {name: own.digest for name, own in plan.builder.own.items()},
     }
 
 
@@ -187,7 +186,8 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
         yield f"the function {before.get('fly')}, this is {now['fly']}"
     if before.get("aircraft_sha256") != now["aircraft_sha256"]:
         yield "other files of the aircraft, which have changed since"
-    digests, versions = (_mapping(before.get(key)) for key in ("controllers_sha256", "versions"))
+    said = (before.get(key) for key in ("controllers_sha256", "versions"))
+    digests, versions = (each if isinstance(each, dict) else {} for each in said)
     for name, digest in now["controllers_sha256"].items():
         if digests.get(name) != digest:
             yield f"other code of {name}, which has changed since"
@@ -196,19 +196,12 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
             yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
 
 
-def _mapping(value: Any) -> Mapping[str, Any]:
-    return value if isinstance(value, dict) else {}
-
-
-def _versions() -> dict[str, str]:
-    """Versions of the packages on which the last digits of a flight may depend."""
-    found = {}
-    for name in _VERSIONS:
-        try:
-            found[name] = importlib.metadata.version(name)
-        except importlib.metadata.PackageNotFoundError:  # run from the repository, not installed
-            found[name] = ""
-    return found
+def _version(name: str) -> str:
+    """The version of a package on which the last digits of a flight may depend; "" where the repository is not installed."""
+    try:
+        return importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:
+        return ""
 
 
 def _aircraft_digest(plan: Plan) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -23,17 +23,11 @@ class LimitState:
         points: every point that was asked for, with its number, in the order of its first time.
     """
 
-    def __init__(
-        self,
-        plan: SearchPlan,
-        part: Part,
-        flights: Flights,
-        flown: Callable[[Part, Point, bool], None],
-    ) -> None:
-        """`flown` is called with each point that has been flown, and whether it failed."""
+    def __init__(self, plan: SearchPlan, part: Part, flights: Flights) -> None:
         self.part = part
         self.points: dict[Point, int] = {}
-        self._plan, self._flights, self._flown = plan, flights, flown
+        self._plan, self._flights = plan, flights
+        self._nearest = math.inf
 
     def __call__(self, u: np.ndarray) -> np.ndarray:
         """[n] robustness of the flights at points [n, dimensions]; NaN for a flight without a result."""
@@ -56,8 +50,16 @@ class LimitState:
         for task, point in zip(tasks, points, strict=True):
             self.points[point] = task.run
         at = {task.run: point for task, point in zip(tasks, points, strict=True)}
+        self._flights.words = self._words
         for task, record in self._flights.fly(tasks, lambda task: key_of(self.part, at[task.run])):
-            self._flown(self.part, at[task.run], failed(record))
+            if failed(record):
+                self._nearest = min(self._nearest, math.hypot(*at[task.run]))
+
+    def _words(self) -> str:
+        """`ACTUATOR: nearest failure at distance 2.31`, of the flights that have been flown."""
+        label, distance = self._plan.label(self.part), self._nearest
+        found = "no failure yet" if distance == math.inf else f"nearest failure at distance {distance:.2f}"
+        return f"{label}: {found}" if label else found
 
 
 def robustness(record: Record) -> float:

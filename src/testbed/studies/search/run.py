@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,7 +21,7 @@ from testbed.studies.folder import table
 from testbed.studies.record import Record
 from testbed.studies.run import Flights, Options, Refused, fly_into
 from testbed.studies.search.limit_state import LimitState, failed, robustness
-from testbed.studies.search.plan import Part, Point, SearchPlan
+from testbed.studies.search.plan import Part, SearchPlan
 
 Answer = SmallestFailure | FailureProbability
 
@@ -54,37 +53,11 @@ def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool
 
 def search_by(plan: SearchPlan, flights: Flights) -> list[Found]:
     """As `run_search`, with what flies into an open folder."""
-    nearest = Nearest(plan)
-    flights.words = nearest.words
-    states = [LimitState(plan, part, flights, nearest.add) for part in plan.parts]
+    states = [LimitState(plan, part, flights) for part in plan.parts]
     _refuse_broken(plan, states)
     found = [_found(plan, state) for state in states]
     table.write(plan, lambda: _rows(states), flights.store.folder)
     return found
-
-
-class Nearest:
-    """The nearest failure so far of the part that is being searched."""
-
-    def __init__(self, plan: SearchPlan) -> None:
-        self._plan = plan
-        self._distances: dict[int, float] = {}
-        self._part: Part | None = None
-
-    def add(self, part: Part, point: Point, failed: bool) -> None:
-        """Count one more flight."""
-        self._part = part
-        if failed:
-            known = self._distances.get(part.number, math.inf)
-            self._distances[part.number] = min(math.hypot(*point), known)
-
-    def words(self) -> str:
-        """`ACTUATOR: nearest failure at distance 2.31`."""
-        if self._part is None:
-            return ""
-        label, distance = self._plan.label(self._part), self._distances.get(self._part.number)
-        found = "no failure yet" if distance is None else f"nearest failure at distance {distance:.2f}"
-        return f"{label}: {found}" if label else found
 
 
 def _rows(states: Sequence[LimitState]) -> Iterator[Record]:

@@ -102,14 +102,10 @@ def _coordinates(part: Part, u: np.ndarray) -> dict[str, float]:
     return {each.path: each.distance(float(x)) for each, x in zip(part.space.coordinates, u, strict=True)}
 
 
-def _at(part: Part, point: np.ndarray) -> dict[str, Any]:
-    return part.space.values(np.array([point]))[0]
-
-
 def _point(part: Part, u: np.ndarray) -> dict[str, Summary]:
     """The design point: value, coordinate, share of the squared distance, and how likely a value at least this far is."""
     coordinates = _coordinates(part, u)
-    total, values, beyond = float(u @ u), _at(part, u), likelihoods(coordinates)
+    total, values, beyond = float(u @ u), part.space.values(np.array([u]))[0], likelihoods(coordinates)
     return {
         each.path: {
             "value": values[each.path],
