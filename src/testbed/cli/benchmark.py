@@ -21,9 +21,7 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument(
         "--controller", action="append", default=[], metavar="NAME[=FILE.py:CLASS]", help=own
     )
-    draws = (
-        "flights of each controller (default: 1000); with --verify, how many are flown again (default: 20)"
-    )
+    draws = "flights of each controller (default: 1000); with --verify, those flown again (20)"
     command.add_argument("--draws", type=whole_number, metavar="N", help=draws)
     seed = "from which the flights are drawn (default: 1)"
     command.add_argument("--seed", type=whole_number, metavar="S", help=seed)

@@ -29,6 +29,11 @@ def hangar() -> Path:
     return root / "testbed" / f"adopted-{digest.hexdigest()[:16]}"
 
 
+def beside() -> str:
+    """The file beside which the aircraft stand, as far as scenarios are concerned; there is no such file."""
+    return str(hangar() / "suite.yaml")
+
+
 def placed(name: str, craft: Craft) -> str:
     """How a scenario in the folder `hangar` names an aircraft: the same on every machine."""
     return name if craft.adopt is None else f"./{craft.adopt}"

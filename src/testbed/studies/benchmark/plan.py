@@ -38,6 +38,12 @@ class Flights(Builder):
             craft.provide([name.removeprefix("./")])
         return super().scenario(task)
 
+    def source(self, values: Mapping[str, Any], seed: int) -> Source:
+        """As `Builder.source`, with the hangar of this machine."""
+        source = super().source(values, seed)
+        source.file = craft.beside()
+        return source
+
 
 @dataclass(frozen=True, kw_only=True)
 class Benchmark(Plan):
@@ -165,7 +171,7 @@ def benchmark_of(
     return Benchmark(
         study=Draws(seed=seed, time_limit_s=suite.time_limit_s),
         name=f"benchmark {suite.suite} {seed}",
-        builder=Flights(base, variants, {}, own),
+        builder=Flights(Source(craft.beside(), tree), variants, {}, own),
         runs=draws,
         suite=suite,
         said=said,
