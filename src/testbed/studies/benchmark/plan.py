@@ -165,9 +165,8 @@ def benchmark_of(
         Variant(name, {TYPE: name} if isinstance(each, OwnController) else {"controller": dict(each)})
         for name, each in compared.items()
     )
-    base = Source(
-        str(craft.hangar() / "suite.yaml"), {"controller": next(iter(said["controllers"].values()))}
-    )
+    name, first = next(iter(suite.aircraft.items()))
+    tree = {"aircraft": craft.placed(name, first), "controller": next(iter(said["controllers"].values()))}
     return Benchmark(
         study=Draws(seed=seed, time_limit_s=suite.time_limit_s),
         name=f"benchmark {suite.suite} {seed}",
