@@ -137,7 +137,7 @@ def table(folder: str | Path) -> pd.DataFrame:
     """The table of a benchmark's folder, with a row for each flight."""
     import pandas as pd
 
-    return pd.read_csv(Path(folder) / "results.csv", keep_default_na=False, na_values=[""])
+    return pd.read_csv(Path(folder) / "results.csv").fillna({"reason": ""})
 
 
 def verify(
