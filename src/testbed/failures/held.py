@@ -33,6 +33,10 @@ class CommandScale(ActuatorFailure):
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
         return {"value": 1.0}
 
+    @property
+    def response(self) -> float:
+        return self.value
+
     def words(self, kind: str, unit: str) -> str:
         few = "only " if self.value < 1.0 else ""
         return f"followed {few}{100 * self.value:.0f} % of its commands"
@@ -48,6 +52,10 @@ class Reversal(ActuatorFailure):
     type: Literal["reversal"] = "reversal"
     follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = {"servo": {}}
+
+    @property
+    def response(self) -> float:
+        return -1.0
 
     def words(self, kind: str, unit: str) -> str:
         return "acted against its commands"

@@ -135,11 +135,11 @@ def _first(time: np.ndarray, differs: Mapping[str, np.ndarray]) -> tuple[float |
     return float(time[row]), tuple(name for name, start in starts.items() if start == row)
 
 
-def on_grid(time: np.ndarray, flight: Flight, name: str) -> np.ndarray:
-    """A column of a flight at the times of a grid [rows]: its latest row, and NaN after its end."""
-    own = flight.column("time_s")
+def on_grid(time: np.ndarray, log: Mapping[str, np.ndarray], name: str) -> np.ndarray:
+    """A column of a log at the times of a grid [rows]: its latest row, and NaN after its end."""
+    own = log["time_s"]
     rows = np.searchsorted(own, time + _SAME_TIME, side="right") - 1
-    values = flight.column(name)[np.clip(rows, 0, len(own) - 1)]
+    values = log[name][np.clip(rows, 0, len(own) - 1)]
     return np.where((rows >= 0) & (time <= own[-1] + _SAME_TIME), values, np.nan)
 
 
