@@ -14,6 +14,7 @@ import numpy as np
 
 from testbed.api.options import changes, checked_options, own_options
 from testbed.common.files import slug
+from testbed.common.text import printable
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
@@ -66,7 +67,7 @@ class SearchResult:
         return pd.read_parquet(self.folder / "results.parquet")
 
     def __repr__(self) -> str:
-        return "\n".join(answer(self.summary))
+        return printable("\n".join(answer(self.summary)))
 
 
 def search(

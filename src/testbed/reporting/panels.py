@@ -95,7 +95,7 @@ def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bo
 def shown_log(flight: Flight) -> dict[str, np.ndarray]:
     """The log by columns [rows], with those that reports add: errors, and what each actuator does for its command."""
     log, active = dict(flight.signals), failures_of(flight.events)
-    for name in flight.actuators:
+    for name in _answering(flight):
         log[response_of(name)] = response(log, name, active, flight.scenario.failures)
     return log | error_columns(log)
 
@@ -103,6 +103,11 @@ def shown_log(flight: Flight) -> dict[str, np.ndarray]:
 def error_columns(log: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     """The error of each quantity that follows a reference."""
     return {error_of(q): tracking_error(log, q) for q in TRACKED if reference_of(q) in log}
+
+
+def _answering(flight: Flight) -> list[str]:
+    """The actuators of which the log says how much effect they have."""
+    return [name for name in flight.actuators if f"{name}_effectiveness" in flight.columns]
 
 
 def response_of(actuator: str) -> str:
@@ -224,7 +229,7 @@ class Group(NamedTuple):
     def of(self, flight: Flight) -> list[Panel]:
         """The group's panels of a flight, those whose series its log has."""
         made = [panel for function in self.panels for panel in function(flight)]
-        known = {*flight.columns, *map(error_of, TRACKED), *map(response_of, flight.actuators)}
+        known = {*flight.columns, *map(error_of, TRACKED), *map(response_of, _answering(flight))}
         return [panel for panel in made if all(series.column in known for series in panel.series)]
 
 
