@@ -17,11 +17,10 @@ from urllib.parse import quote
 
 from testbed.common.files import plain, replacing
 from testbed.common.text import printable
-from testbed.reporting import palette
 from testbed.reporting.numbers import number
 
 _ASSETS = Path(__file__).parent / "assets"
-_STYLES = ("report.css", "sweep.css", "uplot.css")
+_STYLES = ("palette.css", "report.css", "sweep.css", "uplot.css")
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; "
 """Where the policy of every page begins: a browser loads nothing for it."""
 _NOWHERE = "img-src data:; base-uri 'none'; form-action 'none'; script-src "
@@ -88,7 +87,7 @@ def write_page(
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
         tag("meta", http_equiv="Content-Security-Policy", content=_policy(code)),
         tag("title", title),
-        tag("style", Html("\n".join([palette.css(), *map(asset, _STYLES)]))),
+        tag("style", Html("\n".join(map(asset, _STYLES)))),
     ]
     text = tag(
         "html",

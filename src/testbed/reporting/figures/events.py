@@ -15,8 +15,8 @@ _MOST_LINES = 60
 _CHARACTER = 0.0685  # inches, the mean width of a character of a label
 
 STYLES: dict[str, dict[str, Any]] = {
-    "injection": {"color": PALETTE["truth"][0], "linestyle": "-", "linewidth": 1.6},
-    "detection": {"color": PALETTE["belief"][0], "linestyle": (0, (6, 2)), "linewidth": 1.4},
+    "injection": {"color": PALETTE["truth"], "linestyle": "-", "linewidth": 1.6},
+    "detection": {"color": PALETTE["belief"], "linestyle": (0, (6, 2)), "linewidth": 1.4},
     "false_alarm": {"color": MISSED, "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6},
     "release": {"color": "0.35", "linestyle": (0, (1, 1.5)), "linewidth": 1.6},
     "recovered": {"color": MET, "linestyle": (0, (3, 1, 1, 1, 1, 1)), "linewidth": 1.4},

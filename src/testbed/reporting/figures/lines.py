@@ -13,18 +13,18 @@ from matplotlib.axes import Axes
 from testbed.common.angles import wrap_deg
 from testbed.flight.columns import stretches
 from testbed.reporting.figures.events import Mark
-from testbed.reporting.figures.signals import band, thin
+from testbed.reporting.figures.signals import band
 from testbed.reporting.palette import PALETTE, nth
 from testbed.reporting.panels import Panel, Series
 from testbed.scenario.requirement import Requirement
 
 STYLES: dict[str, dict[str, Any]] = {
-    "truth": {"color": PALETTE["truth"][0], "linestyle": "-", "linewidth": 1.3},
+    "truth": {"color": PALETTE["truth"], "linestyle": "-", "linewidth": 1.3},
     # Wide, because the command is drawn on top of it.
     "position": {"color": "0.62", "linestyle": "-", "linewidth": 3.4, "solid_capstyle": "butt"},
-    "reference": {"color": PALETTE["belief"][0], "linestyle": (0, (5, 2)), "linewidth": 1.5},
-    "belief": {"color": PALETTE["belief"][0], "linestyle": (0, (5, 2)), "linewidth": 1.8},
-    "command": {"color": PALETTE["command"][0], "linestyle": "-", "linewidth": 1.0},
+    "reference": {"color": PALETTE["belief"], "linestyle": (0, (5, 2)), "linewidth": 1.5},
+    "belief": {"color": PALETTE["belief"], "linestyle": (0, (5, 2)), "linewidth": 1.8},
+    "command": {"color": PALETTE["command"], "linestyle": "-", "linewidth": 1.0},
     "level": {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth": 1.1},
     **{
         f"v{i}": {"lw": 1.7, "ms": 5, "markevery": (0.03 * (i + 1), 0.15), **nth(i, "ls", "marker")}
@@ -88,7 +88,7 @@ def _values(log: Mapping[str, np.ndarray], panel: Panel) -> dict[str, np.ndarray
 
 
 def _line(axes: Axes, time: np.ndarray, values: np.ndarray, series: Series, parts: int) -> None:
-    """Draw a signal [rows], thinned to what can be seen, or as its mean in a band of its extremes where it is dense.
+    """Draw a signal [rows], or its mean in a band of its extremes where it is dense.
 
     Jumps of an angle by more than 180 deg are left out of the line.
     """
@@ -100,7 +100,6 @@ def _line(axes: Axes, time: np.ndarray, values: np.ndarray, series: Series, part
         look = {"color": style["color"], "alpha": 0.22, "linewidth": 0}
         axes.fill_between(dense.time_s, dense.low, dense.high, label="extremes", **look)
         time, values = dense.time_s, dense.mean
-    time, values = thin(time, values)
     if wraps:
         jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
         time, values = np.insert(time, jumps, math.nan), np.insert(values, jumps, math.nan)
@@ -123,7 +122,7 @@ def _allowed(
             inside = (time >= since) & (time <= until)
             for size in (-requirement.within, requirement.within):
                 allowed = np.where(inside, values[str(requirement.of)] + size, math.nan)
-                axes.plot(*thin(time, allowed), label="requirement", **STYLES["level"])
+                axes.plot(time, allowed, label="requirement", **STYLES["level"])
                 yield allowed
 
 

@@ -16,7 +16,6 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from PIL import Image
 
@@ -32,7 +31,6 @@ _LANE_ROW = 0.19
 _LABEL = 0.58  # from the axis to its label, with room for the numbers
 _ZOOM, _BETWEEN = 2.3, 0.6
 """Width of the panels around the failure, and the gap before them, with room for numbers."""
-_TICK = 3.5 / 72.0
 _GRID: dict[str, Any] = {"color": "0.88", "linewidth": 0.6}
 _LONGEST = 15  # characters in a line of an axis's label
 
@@ -70,7 +68,7 @@ class Sheet:
                 axes = next(free)
                 bottom = top - (tall + _GAP) * i - tall
                 axes.set_position((left / _WIDTH, bottom / height, wide / _WIDTH, tall / height))
-                _set_up(axes, start, (wide, tall), last=i == len(panels) - 1)
+                _set_up(axes, start, wide, last=i == len(panels) - 1)
                 axes.set_label("" if wide == width else "zoom")
                 axes.set_ylabel(fill(panel.heading, _LONGEST) if wide == width else "", fontsize=9.5)
                 _mark(axes, shown.marks)
@@ -127,22 +125,12 @@ def _new(figure: Figure) -> Axes:
     return axes
 
 
-def _set_up(axes: Axes, span: tuple[float, float], size: tuple[float, float], *, last: bool) -> None:
-    """Set the time axis of a panel, of which only the `last` one has numbers; `size` is width and height [inches]."""
+def _set_up(axes: Axes, span: tuple[float, float], width: float, *, last: bool) -> None:
+    """Set the time axis of a panel, of which only the `last` one has numbers; `width` in inches."""
     axes.set_xlim(*span)
-    axes.xaxis.set_visible(last)
-    if last:
-        axes.set_xlabel("time [s]", fontsize=9.5)
-    else:  # as the last one is drawn, but in one piece: each tick of an axis is four objects
-        at = [tick for tick in axes.xaxis.get_majorticklocs() if span[0] <= tick <= span[1]]
-        down = -_TICK / size[1]
-        for (bottom, top), look in (((0.0, 1.0), _GRID), ((down, 0.0), {"color": "black", "linewidth": 0.8})):
-            lines = [((tick, bottom), (tick, top)) for tick in at]
-            strokes = LineCollection(
-                lines, transform=axes.get_xaxis_transform(), zorder=0.5, clip_on=False, **look
-            )
-            axes.add_collection(strokes, autolim=False)
-    axes.yaxis.set_label_coords(-_LABEL / size[0], 0.5)
+    axes.tick_params(axis="x", labelbottom=last)
+    axes.set_xlabel("time [s]" if last else "", fontsize=9.5)
+    axes.yaxis.set_label_coords(-_LABEL / width, 0.5)
 
 
 def _mark(axes: Axes, shown: Sequence[Mark]) -> None:
