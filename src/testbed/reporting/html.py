@@ -201,8 +201,8 @@ def listed(lines: Iterable[str], kind: str = "") -> Html:
 
 def mark(i: int) -> Html:
     """The mark of the i-th flight or variant: a shape in its colour."""
-    about = {"width": 14, "height": 14, "viewBox": "0 0 14 14", "aria_hidden": "true"}
-    return tag("svg", _SHAPES[i % len(_SHAPES)], class_=f"mark v{i % 6}", **about)
+    shape, kind = _SHAPES[i % len(_SHAPES)], f"mark v{i % 6}"
+    return tag("svg", shape, class_=kind, width=14, height=14, viewBox="0 0 14 14", aria_hidden="true")
 
 
 def legend(names: Iterable[str]) -> Html:

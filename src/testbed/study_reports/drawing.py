@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -38,4 +39,4 @@ def legend(axes: Axes, beside: bool = False) -> None:
     """A legend of what has a name, in the axes or beside them; none if nothing has."""
     if axes.get_legend_handles_labels()[1]:
         where = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "frameon": False} if beside else {}
-        axes.legend(fontsize=8, **where)
+        axes.legend(fontsize=8, **cast(dict[str, Any], where))

@@ -47,7 +47,7 @@ def _marks(comparison: Compared) -> Iterator[Mark]:
         yield Mark(time, f"failure{whose}", STYLES["injection"], MARKERS["injection"])
     for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
         if flight.outcome.is_lost:
-            look = {**STYLES["lost"], "color": COLOURS[i % 6]}
+            look = {**STYLES["lost"], "linewidth": 1.2, "color": COLOURS[i % 6]}
             yield Mark(flight.end_time_s, f"{name} lost", look, MARKERS["lost"])
 
 

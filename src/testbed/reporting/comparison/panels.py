@@ -102,7 +102,7 @@ def _truths(true: Series, comparison: Compared, log: Mapping[str, np.ndarray]) -
         for i, name in enumerate(comparison.names)
         if f"{i}:{true.column}" in log
     }
-    together = log["time_s"] <= min(comparison.flights[i].end_time_s for i in found)
+    together = log["time_s"] < min(comparison.flights[i].end_time_s for i in found)
     longest = max(found, key=lambda i: comparison.flights[i].end_time_s)
     values = [log[series.column][together] for series in found.values()]
     if all(np.array_equal(each, values[0], equal_nan=True) for each in values):

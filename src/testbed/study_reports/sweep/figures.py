@@ -61,8 +61,15 @@ def _intervals(axes: Axes, known: np.ndarray, i: int, label: str, variants: int,
     where = np.arange(len(share)) + 0.12 * (i - (variants - 1) / 2)
     error = np.maximum([share - low, high - share], 0.0)
     at = (share, where) if along == "x" else (where, share)
-    look = {"ls": "", "capsize": 2, "ms": 4, "label": label or None, **nth(i, "marker")}
-    axes.errorbar(*at, **{f"{along}err": error}, **look)
+    look: dict[str, Any] = {
+        f"{along}err": error,
+        "ls": "",
+        "capsize": 2,
+        "ms": 4,
+        "label": label or None,
+        **nth(i, "marker"),
+    }
+    axes.errorbar(*at, **look)
 
 
 def pass_share(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
