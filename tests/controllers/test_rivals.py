@@ -66,10 +66,12 @@ def test_healthy_flights_are_held(tmp_path: Path, adopted: dict[str, str], aircr
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("name", [name for name in RIVALS if name not in NEW] + list(INFORMED))
+@pytest.mark.parametrize("name", [name for name in (*RIVALS, *INFORMED) if name not in NEW])
 @pytest.mark.parametrize("aircraft", ["vtail", "vtail_aft", "aerosonde", *ADOPTED])
 def test_everybody_holds_them(tmp_path: Path, adopted: dict[str, str], aircraft: str, name: str) -> None:
     block = {**RIVALS, **INFORMED}[name]
+    if aircraft.startswith("vtail") and (block.get("keeps_axes") or block.get("released") == []):
+        pytest.skip("a v-tail cannot keep roll in gusts: it is why `released` is derived")
     altitude, heading = errors_over_airspeed(tmp_path, adopted.get(aircraft, aircraft), dict(block))
     assert (altitude < 0.3, heading < 15.0) == (True, True), (altitude, heading)
 

@@ -223,22 +223,25 @@ class PidSettings(ControllerSettings):
     """Yaw acceleration for an error of yaw rate."""
 
 
-class IndiSettings(ControllerSettings):
+class RegressionSettings(ControllerSettings):
+    """What the controllers share that compare measured rates with modelled actuators."""
+
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both, for noisy sensors [rad/s]; 0 is none."""
+
+
+class IndiSettings(RegressionSettings):
     """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates."""
 
     type: Literal["indi"] = "indi"
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
     monitor: StrictBool = False
     """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
 
 
-class AdaptiveIndiSettings(ControllerSettings):
+class AdaptiveIndiSettings(RegressionSettings):
     """`indi` that learns its input matrix in flight by least mean squares, and diagnoses nothing."""
 
     type: Literal["adaptive_indi"] = "adaptive_indi"
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
     learning_filter_rad_s: Positive = 50.0
     """Corner of the same for learning [rad/s]. With a low one, actuators seem weak: the commands that answer a gust are taken for
     its cause."""
@@ -261,13 +264,6 @@ class MracSettings(ControllerSettings):
     """Leakage of the parameters, in proportion to the error [1]."""
     authority_max: Positive = 1.0
     """Bound of the parameters of each rate, in units of what the actuators give with one `scale` of each."""
-
-
-class RegressionSettings(ControllerSettings):
-    """What the controllers share that regress measured rates on positions."""
-
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
 
 
 class L1InversionSettings(RegressionSettings):
@@ -312,7 +308,7 @@ class ImmInversionSettings(RegressionSettings):
     """How long it must be as probable as that [s]."""
 
 
-class InformedSettings(ControllerSettings):
+class InformedSettings(RegressionSettings):
     """The law of `adaptive_inversion`, told the true effectiveness and failures at once."""
 
     type: Literal["informed_inversion"] = "informed_inversion"
@@ -324,8 +320,6 @@ class InformedSettings(ControllerSettings):
     """Give up no axis, neither from the start nor after a failure: the actuators that remain share all of them."""
     increments: StrictBool = False
     """Take what is measured of the rates and not explained by the model from the demand, as `indi` does."""
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags on what is measured, for `increments` [rad/s]; 0 is none."""
 
     @model_validator(mode="before")
     @classmethod

@@ -79,16 +79,14 @@ def adapt_row(i, dt, h):
     for j in range(n):
         size += h.phi[j] * h.phi[j]
         squared += h.Theta[i, j] * h.Theta[i, j]
-    for j in range(n):
-        change = h.phi[j] * h.e[i] / size - h.eta * abs(h.e[i]) * h.Theta[i, j] / size
-        outward += change * h.Theta[i, j]
+        outward += h.Theta[i, j] * (h.phi[j] * h.e[i] - h.eta * abs(h.e[i]) * h.Theta[i, j])
     inner = h.bound[i] * (1.0 - TOLERANCE)
     excess = (squared - inner * inner) / (h.bound[i] * h.bound[i] - inner * inner)
     share = min(excess, 1.0) if excess > 0.0 and outward > 0.0 else 0.0
     for j in range(n):
-        change = h.phi[j] * h.e[i] / size - h.eta * abs(h.e[i]) * h.Theta[i, j] / size
-        change -= share * outward * h.Theta[i, j] / max(squared, 1e-12)
-        h.Theta[i, j] += dt * h.gamma[i] * change
+        change = h.phi[j] * h.e[i] - h.eta * abs(h.e[i]) * h.Theta[i, j]  # phi e' less the e-modification
+        change -= share * outward * h.Theta[i, j] / max(squared, 1e-12)  # Proj
+        h.Theta[i, j] += dt * h.gamma[i] * change / size  # (c)
 
 
 @compiled

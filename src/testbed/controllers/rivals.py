@@ -1,7 +1,7 @@
 """Who flies a benchmark: the rivals of the default law, each as its authors would fly it, and those that are told the truth.
 
-A rival of the literature that gives up no axis while nothing has failed is flown so (`released: []`) where that holds more; the
-default of `released` is the better one for the others. `benchmarks/tune_rivals.py` shows both.
+Every one has the axes that are derived from the aircraft. `fixed_inversion` is flown with all of them too, as its authors would: a
+v-tail cannot keep roll in gusts, and there that holds less. `benchmarks/tune_rivals.py` shows both.
 """
 
 from __future__ import annotations
