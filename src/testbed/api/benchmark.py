@@ -137,7 +137,7 @@ def table(folder: str | Path) -> pd.DataFrame:
     """The table of a benchmark's folder, with a row for each flight."""
     import pandas as pd
 
-    return pd.read_csv(Path(folder) / "results.csv").fillna({"reason": ""})
+    return pd.read_csv(Path(folder) / "results.csv", dtype={"reason": str}).fillna({"reason": ""})
 
 
 def verify(
