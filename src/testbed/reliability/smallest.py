@@ -11,10 +11,9 @@ from threadpoolctl import threadpool_limits
 from testbed.common.random_streams import generator
 from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.inputs.problems import BadInput, Problem
-from testbed.reliability import arguments
 from testbed.reliability.evolution import evolve
 from testbed.reliability.exploration import Exploration
-from testbed.reliability.limit_state import Asked, LimitState
+from testbed.reliability.limit_state import Asked, LimitState, check
 from testbed.reliability.results import SmallestFailure, Step
 from testbed.reliability.surface import Search, around, plane, section, toward_plane
 
@@ -54,10 +53,10 @@ def smallest_failure(
     Raises BadInput for arguments that cannot be used, for a limit state that returns anything but [n] numbers, and if it
     fails at the origin, or is not a number there: there is nothing to search.
     """
-    arguments.check(
-        limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, budget=budget, starts=starts
-    )
-    arguments.check_mirrored(mirrored, dimensions)
+    check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, budget=budget, starts=starts)
+    if wrong := [each for each in mirrored if each not in range(dimensions)]:
+        expected = f"coordinates from 0 to {dimensions - 1}"
+        raise BadInput([Problem(f"has {wrong[0]!r}", "mirrored", expected=expected)])
     search = Search(Asked(limit_state, int(dimensions), int(budget)), mirrored=tuple(mirrored))
     search.begin(search.asked.budget)
     scale = _at_origin(search)
