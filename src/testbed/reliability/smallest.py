@@ -12,7 +12,7 @@ from testbed.common.random_streams import generator
 from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.inputs.problems import BadInput, Problem
 from testbed.reliability.evolution import evolve
-from testbed.reliability.exploration import Exploration
+from testbed.reliability.exploration import KRIGED, Exploration
 from testbed.reliability.limit_state import Asked, LimitState, check
 from testbed.reliability.results import SmallestFailure, Step
 from testbed.reliability.surface import Search, around, plane, section, toward_plane
@@ -73,7 +73,7 @@ def _all_starts(search: Search, starts: int, scale: float, random: np.random.Gen
     draws = random.standard_normal((min(max(8, int(share * asked.budget)), asked.left), asked.dimensions))
     values = search(draws)
     n, failures = len(draws), int(np.sum(values <= 0))
-    exploration.begin()
+    exploration.explore(KRIGED)
     for start, point in enumerate(_starts(draws, values, starts)):
         whole = (EXPLORED if search.path else SEARCHED) * asked.budget
         search.begin(int((whole - asked.evaluations) / (starts - start)))
@@ -84,7 +84,7 @@ def _all_starts(search: Search, starts: int, scale: float, random: np.random.Gen
     while search.nearest < before:
         _refine(search, scale, random)
         before = search.nearest
-        exploration.go_on()
+        exploration.explore()
     return n, failures
 
 
