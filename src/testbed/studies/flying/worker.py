@@ -1,8 +1,8 @@
 """Worker processes: each reads tasks from a pipe and writes results to it. One may crash or hang without harm to others.
 
-`python -m testbed.studies.flying.worker PIPE` is such a process, with the file descriptor of its end; `Child` is its handle in
-the parent, and `Children` are several. multiprocessing's pool is not used, because it waits for ever if one of its processes is
-killed, and because a Dask worker may not start one.
+`python -m testbed.studies.flying.worker PIPE LIFELINE` is such a process, with the file descriptors of that pipe and of one that
+ends it with its parent; `Child` is its handle there, and `Children` are several. multiprocessing's pool is not used, because it
+waits for ever if one of its processes is killed, and because a Dask worker may not start one.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from typing import IO
 
-from testbed.common.child import command, environment, signal_name
+from testbed.common.child import command, end_with_parent, environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job, fly_task, not_flown
@@ -27,8 +27,6 @@ from testbed.studies.record import Flown
 
 _START_S = 300.0
 """Longest time a process may take to start [s]."""
-_GRACE_S = 10.0
-"""If its parent is gone, a process ends itself this long after the time limit of its flight [s]."""
 _SLICE_S = 1.0
 """Longest single wait for a flight [s]: as much counts of a time in which the whole program was stopped."""
 _STARTS = 4
@@ -78,6 +76,7 @@ class Child:
             process.wait(1.0)  # if the process is ending by itself, its own exit status says why
         process.kill()
         self._pipe.close()
+        self._lifeline.close()
         return process.wait()
 
     def _attempt(self, task: Task) -> Flown | None:
@@ -120,11 +119,12 @@ class Child:
     def _started(self, words: IO[bytes]) -> bool:
         """Start a process that writes its words to this file; whether it got ready."""
         self._pipe, theirs = Pipe()
-        with theirs:
+        held, self._lifeline = Pipe(duplex=False)
+        with theirs, held:
+            given = theirs.fileno(), held.fileno()
             self._process = subprocess.Popen(
-                command("testbed.studies.flying.worker", str(theirs.fileno())),
+                command("testbed.studies.flying.worker", *map(str, given)), pass_fds=given, env=environment(),
                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,
-                pass_fds=(theirs.fileno(),), env=environment(),
             )  # fmt: skip
         if self._closed.is_set():  # meanwhile
             self._process.kill()
@@ -195,8 +195,9 @@ def _cause(status: int) -> str:
     return name if name == f"signal {-status}" else f"signal {-status} ({name})"
 
 
-def main(pipe: int) -> None:
-    """The worker process: fly one task after the other, until the pipe with this file descriptor closes."""
+def main(pipe: int, lifeline: int) -> None:
+    """The worker process: fly one task after the other, until the pipes with these file descriptors close."""
+    end_with_parent(lifeline)
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)  # the parent handles them, and closes the pipe
     parent = Connection(pipe)
@@ -205,13 +206,8 @@ def main(pipe: int) -> None:
     parent.send(True)
     with contextlib.suppress(EOFError, OSError):  # the parent is gone
         while True:
-            task = parent.recv()
-            # A timer of the operating system ends a hung process even if its parent is gone.
-            signal.setitimer(signal.ITIMER_REAL, job.time_limit_s + _GRACE_S)
-            flown = fly_task(job, task)
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            parent.send(flown)
+            parent.send(fly_task(job, parent.recv()))
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]))
+    main(*map(int, sys.argv[1:]))
