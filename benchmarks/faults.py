@@ -145,7 +145,7 @@ def _struck(command: Command, whole: Command, number: int, after_s: float) -> It
 
 def _litter(folder: Path) -> list[str]:
     """Temporary files that a command which could tidy up has left."""
-    found = [*folder.glob("tmp/*"), *folder.rglob("*.partial"), *folder.glob(".*")]
+    found = [*folder.glob("tmp/*"), *folder.rglob(".*")]
     return [str(path.relative_to(folder)) for path in found if ".nfs" not in path.name]
 
 
