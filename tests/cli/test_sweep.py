@@ -13,7 +13,7 @@ from command_line import Called, in_this_process, interruptible
 from sweep_files import SWEEP, command, finished, fly_here, table, written
 
 import testbed
-from testbed.aircraft.shipped import data_root, sweep_files
+from testbed.aircraft.shipped import data_root, files_in
 from testbed.flight.folder import load as load_flight
 from testbed.studies.folder import store
 from testbed.studies.load import load_sweep
@@ -51,7 +51,7 @@ def test_bad_options_are_refused(here: Path, called: Called, arguments: list[str
 
 
 def test_the_shipped_sweeps_are_valid(here: Path, called: Called) -> None:
-    for file in sweep_files():
+    for file in files_in("scenarios/sweeps"):
         name = str(file.relative_to(data_root()))
         assert called("validate", name) == (0, f"{name}: ok\n", "")
 
@@ -70,6 +70,20 @@ def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) 
     (folder / store.NAME).unlink()
     store.create(folder, {})
     assert called("report", "out") == (2, "", "out: no flight has finished in this sweep folder\n")
+
+
+@pytest.mark.parametrize(
+    ("name", "is_folder"), [("results.csv", True), (f"{store.NAME}-wal", True), ("logs", False)]
+)
+def test_what_is_in_the_way_is_bad_input(here: Path, called: Called, name: str, is_folder: bool) -> None:
+    folder, file = here / "out", written(here)
+    fly_here(load_sweep(file), folder)
+    (folder / name).unlink(missing_ok=True)
+    (folder / name).mkdir() if is_folder else (folder / name).touch()
+    words = "is a folder, expected a file" if is_folder else "is a file, expected a folder"
+    expected = (2, "", f"out/{name}: {words}\n")
+    assert called("report", "out") == expected
+    assert called("sweep", file.name, "--out", "out", "--resume", "--save-logs", "all")[0] == 2
 
 
 @pytest.mark.nightly
