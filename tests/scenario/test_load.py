@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scenario_files import GOOD, again_as_it_is, problems_of
 
 from testbed.aircraft.description import load_aircraft
-from testbed.aircraft.shipped import data_root, scenario_files
+from testbed.aircraft.shipped import data_root, files_in
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.inputs.problems import BadInput
 from testbed.inputs.yaml_source import dump as dump_tree
@@ -261,7 +261,7 @@ def test_problems_of_an_aircraft_are_in_its_file(tmp_path: Path, file: Path) -> 
     assert {"actuators.left_ruddervator.kind", "modle", "model"} <= {p.path for p in problems}
 
 
-@pytest.mark.parametrize("path", scenario_files(), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", files_in("scenarios"), ids=lambda p: p.stem)
 def test_shipped_scenarios_are_valid_and_fly_again(path: Path, tmp_path: Path) -> None:
     again_as_it_is(load_scenario(path), tmp_path)
 

@@ -18,7 +18,6 @@ import numpy as np
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.model_files.rotating_air import put_rotation
 from testbed.aircraft.model_files.safe_xml import read_bytes, read_xml
-from testbed.aircraft.model_files.used import model_file
 from testbed.common.cache import Cache
 from testbed.inputs.base import Number, Positive, Settings, Text
 from testbed.inputs.problems import BadInput, Problem, TreePath, did_you_mean
@@ -90,7 +89,7 @@ def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Pat
         return
     changes = aircraft.changes or ChangedAircraft(name=aircraft.name)
     assert isinstance(changes, ChangedAircraft)
-    content = read_bytes(model_file(aircraft.folder, aircraft.model))
+    content = read_bytes(aircraft.model_file)
     key = (content, changes.model_dump_json(), rotating_air)
     changed = _texts.get(key, lambda: _Model(aircraft, changes).apply(rotating_air))
     with TemporaryDirectory(prefix="testbed-") as folder:
@@ -100,7 +99,7 @@ def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Pat
 
 def _copy(aircraft: Aircraft, changed: str, to: Path) -> None:
     """The aircraft's XML files, with the model's own replaced."""
-    own = model_file(aircraft.folder, aircraft.model)
+    own = aircraft.model_file
     for file in aircraft.folder.resolve().rglob("*.xml"):
         place = to / file.relative_to(own.parent)
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -114,7 +113,7 @@ class _Model:
     """The tree of a model's own file, in which changes are made."""
 
     def __init__(self, aircraft: Aircraft, choice: ChangedAircraft) -> None:
-        self._file = model_file(aircraft.folder, aircraft.model)
+        self._file = aircraft.model_file
         read_xml(self._file)  # safe to parse
         self._root = ElementTree.fromstring(read_bytes(self._file))
         self._choice = choice

@@ -105,19 +105,13 @@ def find_scenario(path: str | Path) -> Path:
 
 def shipped_files() -> list[Path]:
     """Scenario, sweep and search files that come with the testbed."""
-    return [*scenario_files(), *sweep_files(), *search_files()]
+    return [
+        file
+        for folder in ("scenarios", "scenarios/sweeps", "scenarios/searches")
+        for file in files_in(folder)
+    ]
 
 
-def scenario_files() -> list[Path]:
-    """Scenario files that come with the testbed."""
-    return sorted((data_root() / "scenarios").glob("*.yaml"))
-
-
-def sweep_files() -> list[Path]:
-    """Sweep files that come with the testbed."""
-    return sorted((data_root() / "scenarios" / "sweeps").glob("*.yaml"))
-
-
-def search_files() -> list[Path]:
-    """Search files that come with the testbed."""
-    return sorted((data_root() / "scenarios" / "searches").glob("*.yaml"))
+def files_in(folder: str) -> list[Path]:
+    """YAML files in a folder that comes with the testbed, such as `scenarios`."""
+    return sorted((data_root() / folder).glob("*.yaml"))

@@ -197,6 +197,13 @@ def stretches(flag: np.ndarray) -> list[tuple[int, int]]:
     return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
 
 
+def stays_from(flag: np.ndarray, first: int, end: int) -> int | None:
+    """First row of `first` to `end` from which a flag [rows] of bools is true until `end`; None if it is false in the last row."""
+    false = np.flatnonzero(~flag[first:end])
+    row = first + int(false[-1]) + 1 if len(false) else first
+    return row if row < end else None
+
+
 def beliefs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[str, Any]]:
     """What the controller took each actuator for: {time_s, until_s, actuator, belief, position} of each stretch, by time.
 

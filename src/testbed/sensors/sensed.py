@@ -20,7 +20,7 @@ from testbed.sensors.errors import drawn, enter_one
 from testbed.sensors.faults import Dropout, Stuck
 from testbed.sensors.measurement import ERROR, FAULT, LAYERS, OFFSET, PARAMETERS, READING, sense
 from testbed.sensors.settings import SensorSettings
-from testbed.sensors.suite import IdealSensors, RealSensors, parameters
+from testbed.sensors.suite import RealSensors, parameters
 
 _FROM_STATE = [(SENSED.index(name), STATE.index(name)) for name in SENSED if name in STATE]
 _ALTITUDE, _CLIMB_RATE = STATE.index("altitude"), STATE.index("climb_rate")
@@ -44,7 +44,7 @@ class Sensed:
     """
 
     def __init__(
-        self, suite: IdealSensors | RealSensors, settings: SensorSettings, plant: Read, rate_hz: int, seed: int
+        self, suite: RealSensors | None, settings: SensorSettings, plant: Read, rate_hz: int, seed: int
     ) -> None:
         self._suite, self._settings, self._rate_hz, self._seed = suite, settings, rate_hz, seed
         self._read = plant.air_and_ground_reader()
@@ -59,7 +59,7 @@ class Sensed:
         self._state, self._measured = truth, measured
         self._rows, self._truth = longer(self._rows, steps), longer(self._truth, steps)
         self.rows = as_records(self._rows, SENSED)
-        if isinstance(self._suite, RealSensors):
+        if self._suite is not None:
             self._table = np.zeros((LAYERS, steps, len(SENSED_ONLY)))
             self._draw(steps)
             for layer in (READING - 1, READING):
@@ -82,7 +82,7 @@ class Sensed:
         """Fill the row of this control step; the row of the measured state must be filled already."""
         row, measured = self._rows[step], self._measured[step]
         force_x, force_y, force_z, north, east, pressure, temperature = self._read()
-        if isinstance(self._suite, RealSensors):
+        if self._suite is not None:
             self._truth[step] = force_y, force_z, north, east
             sense(step, self._truth, 0.0, self._channels, self._lagged, self._table)
             force_x = self._suite.table[READING, step, _FORCE_X]

@@ -117,7 +117,8 @@ class Session:
             raise _refused("extend", f"is {duration_s!r}", least)
         self._planned = parts.scenario = longer_scenario(self._whole(), float(duration_s))
         parts.weather.lengthen(self._planned.atmosphere, round(steps))
-        parts.sensors.lengthen(round(steps))
+        if parts.sensors is not None:
+            parts.sensors.lengthen(round(steps))
         self.loop.lengthen(references(self._planned, parts.path_angle))
 
     # Look -----------------------------------------------------------------------------------------------------
@@ -239,9 +240,11 @@ class Session:
         return conclude(self.parts, self.scenario, self.ended or Outcome.completed, self.loop.recorded)
 
     def close(self) -> None:
-        """Free the simulator; what was read and saved stays. Closing twice does nothing."""
+        """Free the simulator and end the controller; what was read and saved stays. Closing twice does nothing."""
         if not self._closed:
             self._closed = True
+            if callable(close := getattr(self.parts.controller, "close", None)):
+                close()
             del self.parts, self.loop.parts
 
     def __enter__(self) -> Self:

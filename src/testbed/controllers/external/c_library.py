@@ -13,9 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from testbed.common.signals import SENSED, SETPOINT
-from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.external.process import told
-from testbed.controllers.initial_records import model_record, trimmed_memory
+from testbed.controllers.user.adapter import CommandLog
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -46,17 +45,15 @@ class CLibrary:
     """Flies one flight with a library; it is loaded into this process, so its faults end this process."""
 
     reasons: tuple[tuple[int, str], ...] = ()
-    senses = True
 
     def __init__(self, setup: Setup, path: str) -> None:
         self._name, self._dt = os.path.basename(path), setup.dt_s
         self._bind, self._call, self._close = self._functions(path)
-        n = len(setup.actuators)
-        self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
-        self._scale, self._model, self._memory = setup.scale, model_record(setup)[0], trimmed_memory(setup)[0]
+        self._log = CommandLog(setup)
         self._sensed, self._setpoint = np.zeros(len(SENSED)), np.zeros(len(SETPOINT))
-        self._commands = np.zeros(n)
+        self._commands = np.zeros(len(setup.actuators))
         self._addresses = [a.ctypes.data_as(_Doubles) for a in (self._sensed, self._setpoint, self._commands)]
+        self._unsaid = np.repeat((1.0, 0.0), len(setup.actuators))
         self._handle = self._bind(ctypes.byref(self._told(setup)))
         if not self._handle:
             raise self._problem("testbed_bind returned NULL: it refuses this aircraft")
@@ -89,7 +86,7 @@ class CLibrary:
             setup.dt_s,
             setup.trim_pitch,
             (ctypes.c_char_p * n)(*(name.encode() for name in setup.model.actuators)),
-            (ctypes.c_int * n)(*(int(is_servo) for is_servo in self._servo)),
+            (ctypes.c_int * n)(*(kind == "servo" for kind in setup.model.kinds)),
             numbers(a.low for a in setup.actuators),
             numbers(a.high for a in setup.actuators),
             numbers(setup.trim_commands),
@@ -114,16 +111,10 @@ class CLibrary:
         if status or not np.isfinite(self._commands).all():
             what = f"returned {status}" if status else f"commanded {self._commands.tolist()}"
             raise self._problem(f"at {step * self._dt:.3f} s testbed_step {what}", "0, and finite commands")
-        self._write(step)
+        row, n = self._telemetry[step], len(self._commands)
+        self._log.write(row, self._commands, self._states[step])
+        row[2 * n : 4 * n] = self._unsaid
         return self._commands
-
-    def _write(self, step: int) -> None:
-        """Log what was commanded. What it believes is not said: NaN."""
-        n, s, row = len(self._commands), self._memory, self._telemetry[step]
-        s.command[:] = self._commands
-        advance_actuators(self._dt, axial_speed(self._states[step]), self._model, s)
-        row[:n] = row[n : 2 * n] = np.where(self._servo, self._commands / self._scale, s.position)
-        row[2 * n : 4 * n] = 1.0, 0.0
 
     def close(self) -> None:
         """Tell the library that the flight is over."""
