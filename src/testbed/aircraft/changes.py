@@ -24,7 +24,7 @@ from testbed.inputs.problems import BadInput, Problem, TreePath, did_you_mean
 from testbed.inputs.yaml_source import dotted
 
 _KG = {"KG": 1.0, "LBS": 0.45359237, "LB": 0.45359237, "SLUG": 14.59390294}
-_METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "MM": 0.001}
+_METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "MM": 0.001, "KM": 1000.0}
 _INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _HEAVIEST = 100.0  # largest change of mass, as a ratio: more is a slip of units
 
@@ -152,7 +152,7 @@ class _Model:
         if place is None:
             raise _refused(path, f"{self._file.name} has no location of the CG in its mass_balance")
         carried = [*section.findall("pointmass"), *self._root.findall("propulsion/tank")]
-        loads = [(_carried(e), _place(e.find("location"))) for e in carried]
+        loads = [(_carried(e), place_of(e.find("location"))) for e in carried]
         old_empty, others = _quantity(empty, _KG, "LBS"), sum(mass for mass, _ in loads)
         mass = choice.mass_kg if choice.mass_kg is not None else old_empty + others
         _check_mass(mass, old_empty, others)
@@ -161,7 +161,7 @@ class _Model:
         for element in (e for name in _INERTIA for e in section.findall(name)):
             _scale(element, ratio)
         moment = sum((m * at for m, at in loads), np.zeros(3))
-        centre = (old_empty * _place(place) + moment) / (old_empty + others) + shift
+        centre = (old_empty * place_of(place) + moment) / (old_empty + others) + shift
         _put(place, (mass * centre - moment) / (mass - others))
 
 
@@ -171,7 +171,7 @@ def _carried(element: ElementTree.Element) -> float:
     return 0.0 if weight is None else _quantity(weight, _KG, "LBS")
 
 
-def _place(location: ElementTree.Element | None) -> np.ndarray:
+def place_of(location: ElementTree.Element | None) -> np.ndarray:
     """[3] a location [m]; the origin where there is none, as in JSBSim."""
     if location is None:
         return np.zeros(3)

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
 
+_FOLDER = "a folder with a YAML file of its name, beside the scenario or else in the present folder"
+
 
 def data_root() -> Path:
     """The folder of `aircraft/` and `scenarios/`: inside an installed package, else the repository's root."""
@@ -74,9 +76,7 @@ def _no_folder(name: str, folder: Path) -> Problem:
         _folder_name(above / each) for each in _names_in(folder.parent) if _is_aircraft(folder.parent / each)
     ]
     what = f"{name!r} has no {folder.name}.yaml" if os.path.isdir(folder) else f"there is no folder {name!r}"
-    return Problem(
-        what, expected="a folder with a YAML file of its name", suggestion=did_you_mean(name, near)
-    )
+    return Problem(what, expected=_FOLDER, suggestion=did_you_mean(name, near))
 
 
 def _names_in(folder: Path) -> list[str]:

@@ -86,7 +86,9 @@ class FlightPlan:
         if "_made" not in self.__dict__:
             return {}
         found, left = {}, _MOST_KEPT
-        for path in sorted(path for path in self.folder.iterdir() if path.is_file() and not path.is_symlink()):
+        for path in sorted(
+            path for path in self.folder.iterdir() if path.is_file() and not path.is_symlink()
+        ):
             left -= path.stat().st_size
             if left >= 0:
                 found[path.name] = path.read_bytes()

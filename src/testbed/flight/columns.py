@@ -11,6 +11,7 @@ import numpy as np
 from testbed.air.config import COLUMNS as WIND
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import BELIEFS, RATES, SETPOINT, STATE, TELEMETRY, Belief
+from testbed.inputs.problems import did_you_mean
 from testbed.scenario.load import Scenario
 from testbed.sensors.channels import log_columns as sensor_columns
 
@@ -110,7 +111,13 @@ class Row(Mapping[str, float]):
     def __getitem__(self, name: str) -> float:
         if name == _TIME.name:
             return self.time_s
-        column = self._columns[name]
+        column = self._columns.get(name)
+        if column is None:
+            close = did_you_mean(name, self)
+            raise KeyError(
+                f"no {name!r}"
+                + (f", did you mean {close!r}?" if close else f", expected one of {', '.join(self)}")
+            )
         value = float(self._values[column.place]) * column.factor
         return value % 360.0 if column.wrapped else value
 

@@ -15,7 +15,9 @@ from testbed.sensors.measurement import HOLDS, READS, REPLACED
 from testbed.sensors.settings import SensorModel
 
 
-def drawn(channel: str, model: SensorModel, steps: int, rate_hz: float, seed: int) -> tuple[float, np.ndarray]:
+def drawn(
+    channel: str, model: SensorModel, steps: int, rate_hz: float, seed: int
+) -> tuple[float, np.ndarray]:
     """Scale factor of one channel [1], and the sum of its bias, drift, wander and noise in each step ([steps], in SI).
 
     Each part has its own random stream, so a change of one leaves the numbers of the others as they were. The errors of a

@@ -69,6 +69,7 @@ class Session:
         *,
         set: Mapping[str, Any] | None = None,
     ) -> None:
+        _refuse_others(scenario, controller, set)
         if not isinstance(scenario, Scenario):
             scenario = load_scenario(scenario, set or {})
         elif set:
@@ -279,3 +280,21 @@ class Session:
 
 def _refused(verb: str, what: str, expected: str = "", suggestion: str = "") -> BadInput:
     return BadInput([Problem(what, verb, expected=expected, suggestion=suggestion)])
+
+
+def _refuse_others(scenario: object, controller: object, settings: object) -> None:
+    """Raise BadInput for arguments of a wrong kind."""
+    right = (
+        (
+            "scenario",
+            scenario,
+            isinstance(scenario, Scenario | str | Path),
+            "the path of a scenario's YAML file, or a Scenario",
+        ),
+        ("controller", controller, controller is None or callable(controller), "a class of your own"),
+        ("set", settings, isinstance(settings, Mapping | None), "a mapping of dotted paths to values"),
+    )
+    if wrong := [
+        Problem(f"is {value!r:.60}", name, expected=what) for name, value, fits, what in right if not fits
+    ]:
+        raise BadInput(wrong)

@@ -37,7 +37,11 @@ def process(tmp_path):
 
     def made(line="", code=None):
         file = tmp_path / "pilot.py.txt"
-        file.write_text(code if code is not None else ANSWERS + (line or "pass") + "\n    print(json.dumps(answer), flush=True)\n")
+        file.write_text(
+            code
+            if code is not None
+            else ANSWERS + (line or "pass") + "\n    print(json.dumps(answer), flush=True)\n"
+        )
         return f"{sys.executable} {file}"
 
     return made
@@ -105,12 +109,17 @@ def test_what_goes_wrong_is_said_with_its_time(process, line, said):
 
 def test_a_silent_process_is_not_waited_for(process, monkeypatch):
     monkeypatch.setattr("testbed.controllers.external.process.STEP_S", 0.3)
-    assert "at 0.050 s it has not answered within 0.3 s" in refused(process("step == 10 and __import__('time').sleep(60)"))
+    assert "at 0.050 s it has not answered within 0.3 s" in refused(
+        process("step == 10 and __import__('time').sleep(60)")
+    )
 
 
 def test_one_that_ignores_its_end_is_ended(process, tmp_path):
     pid = tmp_path / "pid"
-    code = ANSWERS + f"open({str(pid)!r}, 'w').write(str(__import__('os').getpid()))\n    print(json.dumps(answer), flush=True)\n"
+    code = (
+        ANSWERS
+        + f"open({str(pid)!r}, 'w').write(str(__import__('os').getpid()))\n    print(json.dumps(answer), flush=True)\n"
+    )
     begun = time.monotonic()
     flown(process(code=code + "import time\ntime.sleep(600)\n"))
     assert time.monotonic() - begun < 60

@@ -53,7 +53,11 @@ class Process:
         # The kernel ends the process with this one where it can be asked to; elsewhere the end of its input tells it.
         guard = [shutil.which("setpriv") or "", "--pdeathsig", "KILL"]
         command = [*guard, *words] if guard[0] else list(words)
-        pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "start_new_session": True}
+        pipes: dict[str, Any] = {
+            "stdin": subprocess.PIPE,
+            "stdout": subprocess.PIPE,
+            "start_new_session": True,
+        }
         try:
             with open(self._errors or os.devnull, "wb") as errors:
                 return subprocess.Popen(command, stderr=errors, **pipes)
@@ -148,7 +152,12 @@ def told(setup: Setup) -> dict[str, Any]:
             setup.model.actuators, setup.model.kinds, setup.actuators, setup.trim_commands, strict=True
         )
     ]
-    said = {"aircraft": setup.aircraft, "dt_s": setup.dt_s, "trim_pitch": setup.trim_pitch, "actuators": actuators}
+    said = {
+        "aircraft": setup.aircraft,
+        "dt_s": setup.dt_s,
+        "trim_pitch": setup.trim_pitch,
+        "actuators": actuators,
+    }
     said["parameters"] = dict(setup.parameters)
     if plan is not None:
         said |= {"seed": plan.seed, "folder": str(plan.folder), "scenario": dict(plan.scenario)}

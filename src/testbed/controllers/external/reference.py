@@ -45,7 +45,9 @@ class External:
     def files(self) -> Iterator[Path]:
         """The files on which its commands depend, as far as the command names them; not what comes with the system."""
         files = (Path(word) for word in self.words if os.path.isfile(word))
-        yield from (path for path in files if not path.is_relative_to("/usr") and not path.is_relative_to("/bin"))
+        yield from (
+            path for path in files if not path.is_relative_to("/usr") and not path.is_relative_to("/bin")
+        )
 
 
 def load(reference: str) -> External:

@@ -43,7 +43,9 @@ class OwnController:
     @property
     def reference(self) -> str:
         """`FILE.py:CLASS` without the folder: the same on every machine."""
-        return f"{Path(self.file).name}:{self.made_by}" if self.made_by else Path(shlex.split(self.file)[0]).name
+        return (
+            f"{Path(self.file).name}:{self.made_by}" if self.made_by else Path(shlex.split(self.file)[0]).name
+        )
 
     @property
     def digest(self) -> str:
