@@ -21,7 +21,7 @@ from testbed.controllers.external.reference import External
 from testbed.controllers.user.loader import Factory, load_controller
 from testbed.inputs.problems import BadInput, Problem
 
-EXPECTED = "NAME=FILE.py:CLASS"
+EXPECTED = "NAME=FILE.py:CLASS, or NAME= and a command or a C library"
 
 
 @dataclass(frozen=True)
