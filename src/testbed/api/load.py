@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from testbed.reporting.flight import ReportedFlight
 
-STUDIES = ("sweep", "search")
+STUDIES = ("sweep", "search", "benchmark")
 """The kinds of studies, each a module of this package. The folder of one has a file of this name, with .yaml."""
 
 
@@ -33,6 +33,10 @@ def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
 
         refuse_unfinished(folder)
         return pd.read_parquet(Path(folder) / "results.parquet")
+    if kind == "benchmark":
+        from testbed.api import benchmark
+
+        return benchmark.table(folder)
     if kind == "sweep":
         from testbed.studies.folder import reading
         from testbed.study_reports.sweep.table import table_of

@@ -96,6 +96,11 @@ def add_many_flights(command: ArgumentParser) -> None:
         metavar="NAME=OWN",
         help="compare a controller of your own too: FILE.py:CLASS, a command or a C library; may be given several times",
     )
+    add_flying(command)
+
+
+def add_flying(command: ArgumentParser) -> None:
+    """How and where many flights are flown."""
     jobs = "number of processes (default: one for each core)"
     command.add_argument("--jobs", type=whole_number, metavar="N", help=jobs)
     command.add_argument(
