@@ -8,6 +8,7 @@ from __future__ import annotations
 import ctypes
 import json
 import os
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -124,3 +125,8 @@ class CLibrary:
 
     def _problem(self, what: str, expected: str = "") -> BadInput:
         return BadInput([Problem(what, self._name, expected=expected)])
+
+
+def started(setup: Setup, words: Sequence[str]) -> CLibrary:
+    """The controller of one flight; raises BadInput when the library cannot be loaded or refuses the aircraft."""
+    return CLibrary(setup, words[0])

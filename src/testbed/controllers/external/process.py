@@ -143,6 +143,11 @@ class Process:
         return BadInput([Problem(when + "it " + what, self._name, expected=expected)])
 
 
+def started(setup: Setup, words: Sequence[str]) -> Process:
+    """The controller of one flight; raises BadInput when the process cannot be started or does not answer."""
+    return Process(setup, words)
+
+
 def told(setup: Setup) -> dict[str, Any]:
     """What a controller outside of the program is told before a flight, as JSON holds it."""
     plan = setup.plan

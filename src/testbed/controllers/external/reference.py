@@ -1,4 +1,7 @@
-"""What `--controller` names when it is no Python class: a C library or a command, told apart by the file's kind."""
+"""What `--controller` names when it is no Python class: a C library or a command, told apart by the file's kind.
+
+Naming loads and starts nothing, and needs no numba: results name controllers too.
+"""
 
 from __future__ import annotations
 
@@ -7,13 +10,11 @@ import shlex
 import shutil
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
-
-if TYPE_CHECKING:
-    from testbed.controllers.setup import Setup
 
 _LIBRARIES = (".so", ".dylib", ".dll")
 EXPECTED = "FILE.py:CLASS, a C library (.so, .dylib, .dll), or a command in quotes"
@@ -21,7 +22,7 @@ EXPECTED = "FILE.py:CLASS, a C library (.so, .dylib, .dll), or a command in quot
 
 @dataclass(frozen=True)
 class External:
-    """Makes the controller of one flight from what was named; picklable, so that workers make it too.
+    """A command or a C library; picklable, so that workers fly it too.
 
     Attributes:
         words: the command or the library's path, with the file that is run or loaded found.
@@ -32,15 +33,10 @@ class External:
     controller_name: str
     takes_any_parameters = True
 
-    def __call__(self, setup: Setup) -> Any:
-        """A new controller; raises BadInput when it cannot be started."""
-        if self.words[0].endswith(_LIBRARIES):
-            from testbed.controllers.external.c_library import CLibrary
-
-            return CLibrary(setup, self.words[0])
-        from testbed.controllers.external.process import Process
-
-        return Process(setup, self.words)
+    def __call__(self, setup: Any) -> Any:
+        """The controller of one flight with this `Setup`; raises BadInput when it cannot be started."""
+        module = "c_library" if self.words[0].endswith(_LIBRARIES) else "process"
+        return import_module(f"testbed.controllers.external.{module}").started(setup, self.words)
 
     def files(self) -> Iterator[Path]:
         """The files on which its commands depend, as far as the command names them; not what comes with the system."""
