@@ -157,8 +157,8 @@ def _comparing(own: Mapping[str, OwnController], study: AnyStudy, source: Source
 
 
 def _split(reference: str) -> tuple[str, str]:
-    file, _, made_by = reference.rpartition(":")
-    return file, made_by
+    file, colon, made_by = reference.rpartition(":")
+    return (file, made_by) if colon else (reference, "")
 
 
 def _place(source: Source, path: TreePath) -> str:
