@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.metadata
-import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -18,6 +17,7 @@ from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel
 from testbed.aircraft.model_files.check import model_problems
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput
 from testbed.plant.first_load import trust
 from testbed.plant.identification import identify
@@ -58,8 +58,8 @@ def adopt(source: Source, folder: Path) -> Adopted:
         model = identify(aircraft, near=found)
         model.save(place / DESIGN_MODEL)
         kept = losses(aircraft, found)
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copytree(place, folder, dirs_exist_ok=True)
+        for file in sorted(each for each in place.rglob("*") if each.is_file()):
+            write(folder / file.relative_to(place), file.read_bytes(), within=folder)
     return Adopted(load_aircraft(f"{folder.parent}/{folder.name}"), draft, found, model, kept)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,9 +13,11 @@ import numpy as np
 
 from testbed.api.options import changes, checked_options, own_options
 from testbed.common.files import slug
+from testbed.common.writing import write
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import read_json, refuse_links
 from testbed.reporting.attempt import add_report, attempt
 from testbed.studies import summary as sweep_summary
 from testbed.studies.checks import check
@@ -145,8 +146,7 @@ def finish(
             part["folder"], part["words"] = _write_found(plan, folder, each, job, figures)
     first = nearest([part for part in said["parts"] if part["variant"] == 0])
     if first is not None:
-        text = (folder / first["folder"] / "scenario.yaml").read_text(encoding="utf-8")
-        (folder / "found.yaml").write_text(text, encoding="utf-8")
+        write(folder / "found.yaml", (folder / first["folder"] / "scenario.yaml").read_bytes())
     sweep_summary.write(said, folder)
     if figures:
         write_report(folder)
@@ -179,10 +179,9 @@ def write_report(folder: Path) -> None:
 
 def rebuild(folder: Path) -> dict[str, Any]:
     """Write figures and report of a finished search again; returns the summary. Raises BadInput when that is damaged."""
-    try:
-        summary: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
-        what, expected = "cannot be read", "`testbed search --resume`, which writes it anew without flying"
-        raise BadInput([Problem(what, str(folder / "summary.json"), expected=expected)]) from None
+    refuse_links(folder)
+    summary: dict[str, Any] = read_json(
+        folder / "summary.json", "`testbed search --resume`, which writes it anew without flying"
+    )
     write_report(folder)
     return summary

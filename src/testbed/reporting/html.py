@@ -12,7 +12,8 @@ from html import escape
 from pathlib import Path
 from typing import Any, TypeVar
 
-from testbed.common.files import plain, replacing
+from testbed.common.files import plain
+from testbed.common.writing import write
 from testbed.reporting.numbers import number
 
 _ASSETS = Path(__file__).parent / "assets"
@@ -42,12 +43,15 @@ def asset(name: str) -> str:
     return (_ASSETS / name).read_text(encoding="utf-8")
 
 
-def write_page(file: Path, title: str, parts: Iterable[str], styles: Iterable[str] = ()) -> Path:
+def write_page(
+    file: Path, title: str, parts: Iterable[str], styles: Iterable[str] = (), within: Path | None = None
+) -> Path:
     """Write a report, completely or not at all; returns its file. Raises OSError when it cannot be written.
 
     Args:
         parts: HTML.
         styles: names of style sheets beside the one of all reports.
+        within: the folder that was asked for (see `writing.replacing`); by default the file's own.
     """
     name, body = escape(title), "\n".join(part for part in parts if part)
     style = "\n".join(map(asset, ("report.css", *styles)))
@@ -57,8 +61,7 @@ def write_page(file: Path, title: str, parts: Iterable[str], styles: Iterable[st
         f"<title>{name}</title><style>{style}</style>"
     )
     text = f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n{body}\n</body></html>\n'
-    with replacing(file) as partial:
-        partial.write_text(text, encoding="utf-8")
+    write(file, text, within)
     return file
 
 

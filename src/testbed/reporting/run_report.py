@@ -36,7 +36,12 @@ def write_report(folder: str | Path) -> Path:
 
 
 def write_page(
-    flight: Flight, file: Path, figures: Path | None = None, again: str = sections.AGAIN, back: str = ""
+    flight: Flight,
+    file: Path,
+    figures: Path | None = None,
+    again: str = sections.AGAIN,
+    back: str = "",
+    within: Path | None = None,
 ) -> Path:
     """Write the page of a flight; returns its file. Raises OSError when it cannot be written.
 
@@ -44,9 +49,10 @@ def write_page(
         figures: folder of the static figures, if there are any.
         again: HTML that says how to fly it again.
         back: HTML above the title, such as a link to where the flight comes from.
+        within: the folder that was asked for; by default the file's own.
     """
     parts = _parts(flight, figures, again, back)
-    return html.write_page(file, flight.scenario.name, parts, ["uplot.css"])
+    return html.write_page(file, flight.scenario.name, parts, ["uplot.css"], within)
 
 
 def _parts(flight: Flight, figures: Path | None, again: str, back: str) -> Iterator[str]:

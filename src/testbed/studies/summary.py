@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from testbed.common import statistics
-from testbed.common.files import plain, replacing
+from testbed.common.files import plain
+from testbed.common.writing import write as write_file
 from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
@@ -52,8 +53,7 @@ def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
 def write(summary: dict[str, Any], folder: Path) -> None:
     """Write summary.json, whole or not at all."""
     text = json.dumps(summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    with replacing(folder / "summary.json") as partial:
-        partial.write_text(text + "\n", encoding="utf-8")
+    write_file(folder / "summary.json", text + "\n")
 
 
 def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:

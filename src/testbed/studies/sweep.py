@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from testbed.common.files import write_whole
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.pool import Done, FlyAll, default_jobs, workers
@@ -57,7 +57,7 @@ def fly_missing(plan: Plan, store: Store, fly_all: FlyAll) -> Flights:
         for task, flown in fly_all(complete.missing()):
             k, record = plan.number(task), flown.record
             if flown.log:
-                write_whole(log_file(store.folder, plan, k), flown.log)
+                write(log_file(store.folder, plan, k), flown.log, within=store.folder)
             store.add(key_of(k), record, flown.history)
             count += 1
             flown_s += record.end_time_s if record.end_time_s > 0.0 else 0.0  # NaN without a result

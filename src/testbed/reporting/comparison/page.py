@@ -23,7 +23,6 @@ _MOST_COLUMNS = 4  # named where logs differ first
 
 def write(comparison: Compared, file: Path) -> Path:
     """Write the page; returns its file. Raises OSError when it cannot be written."""
-    file.parent.mkdir(parents=True, exist_ok=True)
     name = " and ".join((", ".join(comparison.names[:-1]), comparison.names[-1]))
     return html.write_page(file, name, _parts(comparison, name), ["uplot.css", "sweep.css"])
 

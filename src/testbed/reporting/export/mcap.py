@@ -8,8 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Iterator, Mapping
-from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -71,7 +70,7 @@ Message = tuple[int, str, dict[str, Any]]
 """Time [ns], topic, contents."""
 
 
-def write(flight: Flight, file: Path, origin: Origin) -> None:
+def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
     """Write frames, location and the log's signals at RATE_HZ, and the events; raises BadInput without the package mcap."""
     try:
         from mcap.writer import Writer
@@ -80,15 +79,14 @@ def write(flight: Flight, file: Path, origin: Origin) -> None:
         raise BadInput([Problem(what, "--to mcap", expected="pip install 'testbed[export]'")]) from None
     track, topics = poses(flight, origin, RATE_HZ), _topics(flight)
     messages = [*_motion(track), *_signals(flight, topics), *_events(flight)]
-    with file.open("wb") as stream:
-        writer = Writer(stream)
-        writer.start(profile="", library="testbed")
-        channel = _channels(writer, flight, topics)
-        for sequence, (time, topic, contents) in enumerate(sorted(messages, key=lambda m: m[:2])):
-            data = json.dumps(contents, allow_nan=False).encode()
-            writer.add_message(channel(topic), time, data, time, sequence)
-        writer.add_metadata("flight", {"scenario": flight.scenario.name, "outcome": str(flight.outcome)})
-        writer.finish()
+    writer = Writer(stream)
+    writer.start(profile="", library="testbed")
+    channel = _channels(writer, flight, topics)
+    for sequence, (time, topic, contents) in enumerate(sorted(messages, key=lambda m: m[:2])):
+        data = json.dumps(contents, allow_nan=False).encode()
+        writer.add_message(channel(topic), time, data, time, sequence)
+    writer.add_metadata("flight", {"scenario": flight.scenario.name, "outcome": str(flight.outcome)})
+    writer.finish()
 
 
 def _topics(flight: Flight) -> dict[str, dict[str, str]]:

@@ -46,10 +46,9 @@ def draw(flight: Flight, folder: str | Path) -> list[Path]:
     """Write `folder/figures/<name>.png` for each of TABLE; returns the files in that order."""
     from testbed.reporting.figures.sheet import Sheet, plain_text, save
 
-    figures, sheet, files = Path(folder) / "figures", Sheet(), []
-    figures.mkdir(parents=True, exist_ok=True)
+    sheet, files = Sheet(), []
     with plain_text():
         for name, (what, _, height) in TABLE.items():
             figure = sheet.draw(flight, GROUPS[name].of(flight), what, height)
-            files.append(save(figure, figures / f"{name}.png"))
+            files.append(save(figure, Path(folder), name))
     return files

@@ -20,7 +20,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from PIL import Image
 
-from testbed.common.files import replacing
+from testbed.common.writing import write
 from testbed.flight.flight import Flight
 from testbed.reporting.figures.events import Mark, marks, rows_of
 from testbed.reporting.figures.lines import draw_panel
@@ -222,8 +222,8 @@ def png(figure: Figure) -> bytes:
     return stream.getvalue()
 
 
-def save(figure: Figure, file: Path) -> Path:
-    """Write a PNG, completely or not at all; returns the file."""
-    with replacing(file) as partial:
-        partial.write_bytes(png(figure))
+def save(figure: Figure, folder: Path, name: str) -> Path:
+    """Write `folder/figures/NAME.png`, completely or not at all; returns the file."""
+    file = folder / "figures" / f"{name}.png"
+    write(file, png(figure), within=folder)
     return file

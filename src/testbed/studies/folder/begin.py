@@ -18,11 +18,12 @@ from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.description import load_aircraft
-from testbed.common.files import write_whole
+from testbed.common.writing import write
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import refuse_links
 from testbed.inputs.yaml_source import Source, describe
 from testbed.studies.drawing.cases import LARGEST_TABLE
 from testbed.studies.folder import store
@@ -66,8 +67,8 @@ def begin(
             refuse_changed(stored.inputs, now, folder)
             # Only now, when the folder is known to be of this study. The file is written again, as `runs` may have grown.
             if plan.cases_text is not None:
-                write_whole(folder / "cases.csv", plan.cases_text.encode())
-            write_whole(folder / kind.file, yamlfile.dump(tree).encode())
+                write(folder / "cases.csv", plan.cases_text)
+            write(folder / kind.file, yamlfile.dump(tree))
         except BaseException:
             stored.close()
             raise
@@ -108,6 +109,7 @@ def refuse_other(folder: Path, kind: Kind, plan: Plan, tree: Mapping[str, Any], 
     if not resume:
         what = "a new folder, or --resume to go on with this one"
         raise FolderExists([Problem("exists already", str(folder), expected=what)])
+    refuse_links(folder)
     file = folder / kind.file
     if not file.is_file():
         others = any(os.path.lexists(folder / other.file) for other in (SWEEP, SEARCH))

@@ -25,14 +25,12 @@ _MOST_INPUTS, _MOST_PANELS = 12, 6
 
 def draw_search(summary: Summary, folder: Path) -> list[Path]:
     """Draw every figure for which the summary has data into folder/figures; returns the files."""
-    target = folder / "figures"
-    target.mkdir(exist_ok=True)
     files = []
     for name, draw in TABLE.items():
         with plain_text():
             figure = draw(summary)
             if figure is not None:
-                files.append(save(figure, target / f"{name}.png"))
+                files.append(save(figure, folder, name))
     return files
 
 

@@ -34,14 +34,12 @@ _MOST_PANELS, _MOST_POINTS = 9, 3000
 
 def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
     """Draw every figure for which the table has data into folder/figures; returns the files."""
-    target = folder / "figures"
-    target.mkdir(exist_ok=True)
     files = []
     for name, draw in TABLE.items():
         with plain_text():
             figure = draw(plan, frame, folder)
             if figure is not None:
-                files.append(save(figure, target / f"{name}.png"))
+                files.append(save(figure, folder, name))
     return files
 
 
