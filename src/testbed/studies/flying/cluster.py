@@ -17,11 +17,14 @@ import tempfile
 import threading
 import zlib
 from asyncio import CancelledError
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from testbed.aircraft.changes import name_in
 from testbed.aircraft.description import load_aircraft
+from testbed.common.private import is_private
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import placed_name
 from testbed.studies.drawing.builder import Task
@@ -163,19 +166,18 @@ def _children(packed: PackedJob) -> Children:
 def _unpack(packed: PackedJob) -> Job:
     """The job, with its aircraft unpacked into a folder that is named by the digest and shared with other processes."""
     job, name, files = pickle.loads(zlib.decompress(packed.content))
-    root = Path(tempfile.gettempdir()) / f"testbed-{os.getuid()}-{packed.digest}"
-    if not root.is_dir():
+    root = Path(tempfile.gettempdir()).resolve() / f"testbed-{os.getuid()}-{packed.digest}"
+    if not is_private(root):
         partial = Path(tempfile.mkdtemp(prefix="testbed-unpacking-"))
-        for file, content in files.items():
-            (partial / file).parent.mkdir(parents=True, exist_ok=True)
-            (partial / file).write_bytes(content)
         try:
-            partial.rename(root)
-        except OSError:  # another process was first
-            if not root.is_dir():
-                raise
+            for file, content in files.items():
+                write(partial / file, content, within=partial)
+            with suppress(OSError):  # another process was first, or another user took the name
+                partial.rename(root)
+            root = root if is_private(root) else partial
         finally:
-            shutil.rmtree(partial, ignore_errors=True)
+            if root != partial:
+                shutil.rmtree(partial, ignore_errors=True)
     own = {name: each.unpacked(root / _OWN / name) for name, each in job.builder.own.items()}
     return Job(
         builder=job.builder.with_aircraft(str(root / name)).with_own(own),
