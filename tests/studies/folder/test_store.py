@@ -313,3 +313,14 @@ def test_a_store_that_is_read_only_is_not_called_damaged(tmp_path: Path) -> None
         assert main(["report", str(tmp_path)]) == 2
     finally:
         tmp_path.chmod(0o755)
+
+
+def test_a_database_that_has_another_name_too_is_not_flown_into(tmp_path: Path) -> None:
+    """A hard link looks like a file; what is written into it is written into somebody's own."""
+    plan = load_sweep(written(tmp_path))
+    folder = fly_here(plan, tmp_path / "out")
+    (tmp_path / "mine.sqlite").hardlink_to(folder / store.NAME)
+    before = (tmp_path / "mine.sqlite").read_bytes()
+    with pytest.raises(PermissionError, match="has other names"):
+        store.opened(folder)
+    assert (tmp_path / "mine.sqlite").read_bytes() == before

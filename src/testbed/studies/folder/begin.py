@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.description import load_aircraft
+from testbed.common.arithmetic import arithmetic, differences
 from testbed.common.writing import write
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
@@ -91,6 +92,7 @@ def begun_with(plan: Plan, fly: str) -> dict[str, Any]:
         "fly": fly,
         "aircraft_sha256": _aircraft_digest(plan),
         "versions": _versions(),
+        "arithmetic": dict(arithmetic()),
         "controllers_sha256": own,
     }
 
@@ -192,6 +194,7 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
     for name, version in now["versions"].items():
         if (old := versions.get(name)) != version:
             yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
+    yield from differences(before.get("arithmetic"), now["arithmetic"])
 
 
 def _mapping(value: Any) -> Mapping[str, Any]:

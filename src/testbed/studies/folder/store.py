@@ -28,6 +28,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from testbed.common.writing import refuse_unsafe
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.record import CHECKED, Record
 
@@ -182,6 +183,8 @@ def opened(folder: Path) -> Store:
     Raises BadInput when another has it open, or when it is none of ours, and PermissionError when it cannot be written.
     """
     _refuse_links(folder)
+    for file in (folder / NAME, _log(folder)):
+        refuse_unsafe(file)
     for file in (folder, folder / NAME):
         if not os.access(file, os.W_OK):  # SQLite would open it, and then take it for damaged
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(file))
