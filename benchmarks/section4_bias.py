@@ -9,14 +9,11 @@ from typing import Any
 import numpy as np
 import pandas as pd
 from paper.ideal import IdealLoop, IdealPlant, Tuning
+from paper.trimmed_law import TrimmedLaw, law_of
 from section4_flights import DT_S, at_speed, error, head, measured, over, row, with_values
 
 from paper import noise
 from testbed import fly
-from testbed.gains.candidates import Errors
-from testbed.gains.choice import Tolerance, choose
-from testbed.gains.design import law_of
-from testbed.gains.trimmed_law import TrimmedLaw
 
 BIASES = (-0.45, -0.3, 0.3, 0.6)  # of the accelerometer [m/s2]
 MODEL_ERRORS = [
@@ -48,11 +45,11 @@ def bias_rows(quick: bool, jobs: int | None) -> Iterator[str]:
         "error",
     )
     for (words, _), values, records in zip(cases, flights, measured(flights, 1, jobs), strict=True):
-        law = law_of(with_values(values))
-        found = choose(law, Errors.of(law, with_values(values)), Tolerance())
+        scenario = with_values(values)
+        bias = law_of(scenario).bias(scenario)
         flown = over(records, "mean")
         for kind, i in (("tail", 0), ("propeller", 2)):
-            n = float(found.predicted.bias[i])
+            n = float(bias[i])
             end = flown[0, i] if len(flown) else math.nan
             literal = noise.biased_by_reference(1.0, n, 1.0)
             yield row(

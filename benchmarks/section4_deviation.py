@@ -11,16 +11,15 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from paper.ideal import IdealLoop, IdealPlant, Tuning
+from paper.trimmed_law import TrimmedLaw, law_of
 from prediction_errors import summary as worst_and_median
 from scipy.signal import lfilter
 from section4_flights import ALARMS, DT_S, SETTLED_S, at_speed, error, head, measured, over, row, with_values
 
 from paper import noise
 from testbed.gains.choice import LEAST_SHAPE
-from testbed.gains.design import law_of
-from testbed.gains.error_sources import ErrorSource, sources
+from testbed.gains.errors import ErrorSource, sources
 from testbed.gains.false_alarms import POSITION, REFERENCE, false_alarm_rate
-from testbed.gains.trimmed_law import TrimmedLaw
 
 KINDS = {"tail": slice(0, 2), "propeller": slice(2, 4)}
 WHITE = [(2.0, density, 18.0) for density in (0.02, 0.05, 0.1, 0.2, 0.3, 0.37, 0.45, 0.5, 0.55, 0.6, 0.8)] + [
@@ -43,8 +42,8 @@ def noise_points(quick: bool, seeds: int, jobs: int | None) -> list[dict[str, An
         settings, flights, measured(flights, seeds, jobs), strict=True
     ):
         law = law_of(with_values(values))
-        errors = sources(law, with_values(values))
-        impulses = [padded(source.response) for source in errors]
+        errors = sources(with_values(values), law.state)
+        impulses = [padded(law.error_response(source.channel.name)) for source in errors]
         variances = [
             source.deviation(law.newton_response(e, gamma), DT_S) ** 2
             for source, e in zip(errors, impulses, strict=True)
@@ -80,8 +79,9 @@ def simulated(
     disturbance = np.zeros((steps, 4))
     for source in errors:
         w = source.std * rng.normal(size=steps)
+        response = law.error_response(source.channel.name)
         for i in range(4):
-            disturbance[:, i] += lfilter(source.response[:, i], [1.0], w)
+            disturbance[:, i] += lfilter(response[:, i], [1.0], w)
     plant = IdealPlant(np.array(law.model.B), airspeed=math.sqrt(law.pressure_ratio))
     # The ideal plant scales all columns with pressure; so the references of propellers are divided by it.
     reference = law.positions / np.where(law.model.servo, 1.0, law.pressure_ratio)

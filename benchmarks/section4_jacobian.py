@@ -7,13 +7,11 @@ from typing import Any
 
 import numpy as np
 from linear_loop import rotor_inertia
+from paper.trimmed_law import law_of
 from section4_flights import DT_S, NAMES, error, head, row, with_values
 
 from testbed import fly
 from testbed.flight.flight import Flight
-from testbed.gains.candidates import Errors
-from testbed.gains.choice import Tolerance, choose
-from testbed.gains.design import law_of
 
 WRONG = {
     "Cm_alpha": ("q_dot", "alpha"), "Cl_beta": ("p_dot", "beta"), "Cl_p": ("p_dot", "p"), "Cn_beta": ("r_dot", "beta"),
@@ -101,8 +99,7 @@ def remark_4() -> Iterator[str]:
 
 def _n_over_a(bias: float) -> float:
     scenario = with_values(_biased(bias))
-    law = law_of(scenario)
-    return float(choose(law, Errors.of(law, scenario), Tolerance()).predicted.bias[2])
+    return float(law_of(scenario).bias(scenario)[2])
 
 
 def _biased(bias: float) -> dict[str, Any]:

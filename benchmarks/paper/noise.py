@@ -21,15 +21,21 @@ Equation, 5.3); so is that of a held position. The mean over coloured noise is t
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import erf
+from scipy.special import erf, gammaincc
 
-from testbed.gains import noise
 from testbed.gains.false_alarms import POSITION, false_alarm_rate
-from testbed.gains.noise import convergence_time
 
+SETTLED = 0.05
+"""An estimate has converged when this part of its first error is left."""
 _QUIET = 2.0**14  # a deviation of 1 %
+
+
+def convergence_time(gamma: float, kappa: float = 1.0) -> float:
+    """Time in which (22) takes an estimate to within `SETTLED` of its first error [s]: 3.0 / (gamma kappa)."""
+    return -math.log(SETTLED) / (gamma * kappa)
 
 
 def one_sided_intensity(density: float) -> float:
@@ -165,8 +171,19 @@ def shape_for(
     return high
 
 
-class ReferenceHeld(noise.ReferenceHeld):
-    """`gains.noise.ReferenceHeld` with its moments."""
+@dataclass(frozen=True)
+class ReferenceHeld:
+    """At a constant reference 1/x is gamma distributed, with shape nu and mean 1.
+
+    Low estimates are rarer than for a normal law, because u = r / lambda_hat grows as lambda_hat falls; high ones are more
+    frequent, with a tail of the power nu + 1.
+    """
+
+    nu: float
+
+    def below(self, x: float) -> float:
+        """Probability of an estimate below x times the truth."""
+        return float(x > 1.0) if math.isinf(self.nu) else float(gammaincc(self.nu, self.nu / x))
 
     @property
     def mean(self) -> float:
@@ -179,8 +196,25 @@ class ReferenceHeld(noise.ReferenceHeld):
         return self.mean**2 / (self.nu - 2.0) if self.nu > 2.0 else math.inf
 
 
-class PositionHeld(noise.PositionHeld):
-    """`gains.noise.PositionHeld` with its moments."""
+@dataclass(frozen=True)
+class PositionHeld:
+    """At a constant position the density of x is x exp(-nu (x - 1)^2 / 2), but for a factor."""
+
+    nu: float
+
+    def below(self, x: float) -> float:
+        """Probability of an estimate below x times the truth."""
+        if math.isinf(self.nu):
+            return float(x > 1.0)
+        sigma = 1.0 / math.sqrt(self.nu)
+        return (self._mass(x) - self._mass(0.0)) / (sigma * math.sqrt(math.pi / 2.0) - self._mass(0.0))
+
+    def _mass(self, x: float) -> float:
+        """Integral of y exp(-(y-1)^2 / (2 sigma^2)) dy up to x, but for a constant."""
+        sigma = 1.0 / math.sqrt(self.nu)
+        z = (x - 1.0) / sigma
+        normal = sigma * math.sqrt(math.pi / 2.0) * float(erf(z / math.sqrt(2.0)))
+        return normal - sigma * sigma * math.exp(-0.5 * z * z)
 
     @property
     def mean(self) -> float:

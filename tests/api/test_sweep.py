@@ -10,7 +10,6 @@ from sweep_flights import quick
 
 import testbed
 from testbed.api import sweep
-from testbed.api.options import checked_options
 from testbed.inputs.problems import BadInput
 from testbed.studies.load import load_sweep
 from testbed.studies.run import Options
@@ -44,7 +43,7 @@ def test_resumed_without_a_number_of_runs_it_is_as_long_as_before(tmp_path: Path
 
 def test_all_wrong_options_are_said_together() -> None:
     with pytest.raises(BadInput) as refused:
-        checked_options(0, None, "some")
+        Options(0, None, "some")
     assert [str(problem) for problem in refused.value.problems] == [
         "--jobs: is 0, expected at least 1",
         "--save-logs: is 'some', expected none, failed or all",

@@ -53,8 +53,8 @@ def test_the_page_has_a_row_for_each_search_that_was_made(out: Path) -> None:
 @pytest.mark.parametrize("limits", [CHECKED, RARE])
 def test_the_limits_are_those_of_the_case(limits: rare_flights.Limits) -> None:
     plan = load_search(rare_flights.CASE, [limits.setting])
-    check(plan.plan)
-    said = plan.plan.builder.scenario(plan.plan.task(0)).requirements
+    check(plan)
+    said = plan.builder.scenario(plan.task(0)).requirements
     assert [requirement.at_most for requirement in said] == [limits.altitude_m, limits.heading_deg]
 
 

@@ -25,9 +25,9 @@ def test_design_prints_a_controller_block_and_writes_it(here: Path, called: Call
 
 
 def test_design_says_what_is_impossible(here: Path, called: Called) -> None:
-    status, out, _ = called("design", *PAPER, "--set", "sensors=mems", "--deviation", "0.05")
+    status, out, _ = called("design", *PAPER, "--set", "sensors.beta.bias_sigma_deg=0.3")
     assert status == 1
-    assert "IMPOSSIBLE  left_ruddervator, right_ruddervator: errors that last" in out
+    assert "IMPOSSIBLE  left_ruddervator: errors that last" in out
     assert "would help" in out and "controller:" in out
 
 

@@ -112,5 +112,5 @@ def test_ctrl_c_keeps_the_flights(tmp_path: Path) -> None:
         time.sleep(0.05)
     os.kill(process.pid, signal.SIGINT)
     _, err = process.communicate()
-    assert process.returncode == 130 and "flights are kept, --resume goes on" in err
+    assert process.returncode == 130 and "of at most 2000 flights are kept, --resume flies the rest" in err
     assert finished(tmp_path / "out") >= 4

@@ -72,6 +72,20 @@ def test_a_sweep_folder_without_a_flight_is_refused(here: Path, called: Called) 
     assert called("report", "out") == (2, "", "out: no flight has finished in this sweep folder\n")
 
 
+@pytest.mark.parametrize(
+    ("name", "is_folder"), [("results.csv", True), (f"{store.NAME}-wal", True), ("logs", False)]
+)
+def test_what_is_in_the_way_is_bad_input(here: Path, called: Called, name: str, is_folder: bool) -> None:
+    folder, file = here / "out", written(here)
+    fly_here(load_sweep(file), folder)
+    (folder / name).unlink(missing_ok=True)
+    (folder / name).mkdir() if is_folder else (folder / name).touch()
+    words = "is a folder, expected a file" if is_folder else "is a file, expected a folder"
+    expected = (2, "", f"out/{name}: {words}\n")
+    assert called("report", "out") == expected
+    assert called("sweep", file.name, "--out", "out", "--resume", "--save-logs", "all")[0] == 2
+
+
 @pytest.mark.nightly
 def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
     testbed.sweep(written(tmp_path), tmp_path / "whole", runs=6, jobs=1, figures=False)

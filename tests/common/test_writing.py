@@ -33,8 +33,6 @@ SAVED = {
     ("study_reports/sweep/figures.py", "save"): "goes through `writing`",
     ("studies/folder/store.py", "connect"): "SQLite, after `refuse_unsafe`",
     ("studies/folder/store.py", "copyfile"): "into a temporary folder of its own",
-    ("studies/folder/store.py", "open"): "under a name that must be free",
-    ("studies/folder/store.py", "link"): "of the file that it has just made",
 }
 """(file, function) of what looks like writing, and why it is none, or safe."""
 

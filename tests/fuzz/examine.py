@@ -188,16 +188,16 @@ def _search(fly: bool, begin: Callable[[str], None]) -> str:
     if not fly:
         return "valid"
     plan, folder = search.prepare("search.yaml", "out", budget=_BUDGET)
-    scenario = plan.plan.builder.scenario(plan.plan.task(0))
+    scenario = plan.builder.scenario(plan.task(0))
     if len(plan.parts) > _MOST_PARTS or scenario.duration_s > _LONGEST_S or scenario.physics_hz > 1000:
         return "valid"
     begin("flying")
     options = Options(save_logs="none", workers=_here)
     try:
-        found = run_search(plan, folder, options)
+        flights = run_search(plan, folder, options)
     except Refused:
         return "flown"
-    search.finish(plan, folder, found, options.job(plan.plan), figures=False)
+    search.finish(plan, folder, flights, figures=False)
     return "flown"
 
 

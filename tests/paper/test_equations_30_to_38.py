@@ -17,7 +17,6 @@ from paper.ideal import IdealLoop, IdealPlant, Tuning
 
 from paper import noise
 from testbed.controllers.inversion import law
-from testbed.gains.noise import SETTLED
 
 U = 2.0**-53
 PROPERTY = settings(deadline=None, derandomize=True, max_examples=40, database=None)
@@ -298,7 +297,7 @@ def test_time_times_variance_is_invariant(gamma: float, epsilon: float) -> None:
     factor = (after_one_step(1.0 + small, 0.0) - 1.0) / small
     gain = (after_one_step(1.0, small) - 1.0) / small
     variance = gain**2 * (s / dt) / (1.0 - factor**2)
-    time = math.log(SETTLED) / math.log(factor) * dt
+    time = math.log(noise.SETTLED) / math.log(factor) * dt
     assert time * variance == pytest.approx(noise.time_times_variance(r, s), rel=2e-3)
     assert variance == pytest.approx(noise.deviation(noise.shape(r, gamma, s, epsilon)) ** 2, rel=2e-3)
     kappa = min(1.0, (r / epsilon) ** 2)

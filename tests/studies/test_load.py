@@ -42,7 +42,7 @@ def test_settings_are_of_the_sweep_or_of_its_scenario(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path), settings)
     assert (plan.runs, plan.draw(0)["failures.0.value"]) == (5, 0.25)
     assert plan.builder.scenario(plan.task(0)).duration_s == 2
-    assert plan.sweep.stop_when is not None and plan.sweep.stop_when.confidence == 0.95
+    assert plan.stop_when is not None and plan.stop_when.confidence == 0.95
 
 
 def test_the_resolved_sweep_draws_the_same(tmp_path: Path) -> None:

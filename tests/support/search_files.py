@@ -63,6 +63,5 @@ def search_here(
     plan: SearchPlan, folder: Path, options: Options, *, resume: bool = False, figures: bool = False
 ) -> SearchResult:
     """A whole search, as `testbed.search`."""
-    found = run_search(plan, folder, options, resume=resume)
-    said = search.finish(plan, folder, found, options.job(plan.plan), figures=figures)
-    return SearchResult(folder, said)
+    flights = run_search(plan, folder, options, resume=resume)
+    return SearchResult(folder, search.finish(plan, folder, flights, figures=figures))

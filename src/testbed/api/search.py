@@ -1,4 +1,4 @@
-"""Searches from Python. `search` does everything; the other functions are its steps, which the command line uses too."""
+"""Searches: `search` does everything from Python; the other functions are those of a kind of study."""
 
 from __future__ import annotations
 
@@ -11,25 +11,27 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from testbed.api.options import changes, checked_options, own_options
-from testbed.common.files import slug
+from testbed.api.load import refuse_unfinished
+from testbed.api.study import changes, folder_of, write_summary
 from testbed.common.writing import write
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.received import read_json, refuse_links
+from testbed.inputs.received import believed, read_json, refuse_links
 from testbed.reporting.attempt import add_report, attempt
-from testbed.studies import summary as sweep_summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
+from testbed.studies.folder.begin import refuse_blocked
 from testbed.studies.folder.names import in_file_names
 from testbed.studies.model import GOALS, Goal
+from testbed.studies.run import Flights, Options
 from testbed.studies.search.load import load_search
 from testbed.studies.search.plan import SearchPlan
 from testbed.studies.search.run import Found, run_search
 from testbed.studies.search.summary import nearest, summarize
 from testbed.study_reports.search.report import write_search_page
-from testbed.study_reports.search.words import answer, settings_of
+from testbed.study_reports.search.words import answer as sentences
+from testbed.study_reports.search.words import settings_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -67,7 +69,7 @@ class SearchResult:
         return pd.read_parquet(self.folder / "results.parquet")
 
     def __repr__(self) -> str:
-        return "\n".join(answer(self.summary))
+        return "\n".join(sentences(self.summary))
 
 
 def search(
@@ -105,13 +107,11 @@ def search(
 
     Raises BadInput when nothing can be searched, Stopped when the search ended early; the finished flights are then kept.
     """
-    how = checked_options(jobs, cluster, fly=fly)
-    settings = changes(settings, set)
-    plan, folder = prepare(
-        search, out, settings, goal=goal, budget=budget, seed=seed, controllers=controllers
-    )
-    found = run_search(plan, folder, how, resume=resume)
-    return SearchResult(folder, finish(plan, folder, found, how.job(plan.plan), figures=figures))
+    how = Options(jobs, cluster, "none", fly)
+    changed = changes(settings, set)
+    plan, folder = prepare(search, out, changed, goal=goal, budget=budget, seed=seed, controllers=controllers)
+    flights = run_search(plan, folder, how, resume=resume)
+    return SearchResult(folder, finish(plan, folder, flights, figures=figures))
 
 
 def prepare(
@@ -122,34 +122,33 @@ def prepare(
     goal: Goal | None = None,
     budget: int | None = None,
     seed: int | None = None,
+    resume: bool = False,
     controllers: Sequence[str] = (),
 ) -> tuple[SearchPlan, Path]:
     """Read and check a search; returns the plan and the search folder. Raises BadInput with every problem found."""
     if goal is not None and goal not in GOALS:
         raise BadInput([Problem(f"is {goal!r}", "--goal", expected=" or ".join(GOALS))])
-    given = own_options(budget=budget, seed=seed)
-    plan = load_search(file, [*settings, *given], own_controllers(controllers), goal)
-    check(plan.plan)
-    return plan, Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="search")
+    changed = changes(settings, budget=budget, seed=seed)
+    plan = load_search(file, changed, own_controllers(controllers), goal)
+    check(plan)
+    return plan, folder_of(plan, out)
 
 
-def finish(
-    plan: SearchPlan, folder: Path, found: Sequence[Found], job: Job, *, figures: bool = True
-) -> dict[str, Any]:
-    """Write summary.json, the scenarios and flights that were found, and the report; returns the summary.
+fly = run_search
 
-    Figures or a report that cannot be made are a warning, `reporting.attempt.NotShown`.
-    """
-    said = summarize(plan, found)
-    for each, part in zip(found, said["parts"], strict=True):
+
+def finish(plan: SearchPlan, folder: Path, flights: Flights, *, figures: bool = True) -> dict[str, Any]:
+    """As `Kind.finish`; also writes the scenarios and the flights that were found."""
+    said = summarize(plan, flights.found)
+    for each, part in zip(flights.found, said["parts"], strict=True):
         if each.answer.design_point is not None:
-            part["folder"], part["words"] = _write_found(plan, folder, each, job, figures)
+            part["folder"], part["words"] = _write_found(plan, folder, each, flights.job, figures)
     first = nearest([part for part in said["parts"] if part["variant"] == 0])
     if first is not None:
         write(folder / "found.yaml", (folder / first["folder"] / "scenario.yaml").read_bytes())
-    sweep_summary.write(said, folder)
+    write_summary(said, folder)
     if figures:
-        write_report(folder)
+        attempt("the report", lambda: write_search_page(folder))
     return said
 
 
@@ -172,16 +171,25 @@ def _write_found(
     return target.name, settings_of(flight, [each.path for each in found.part.space.coordinates])
 
 
-def write_report(folder: Path) -> None:
-    """Draw the figures and write the page of a search folder, from its files."""
-    attempt("the report", lambda: write_search_page(folder))
-
-
 def rebuild(folder: Path) -> dict[str, Any]:
-    """Write figures and report of a finished search again; returns the summary. Raises BadInput when that is damaged."""
+    """As `Kind.rebuild`: figures and report alone. Raises BadInput when the search has not finished, or is damaged."""
+    refuse_blocked(folder)
+    refuse_unfinished(folder)
     refuse_links(folder)
-    summary: dict[str, Any] = read_json(
-        folder / "summary.json", "`testbed search --resume`, which writes it anew without flying"
-    )
-    write_report(folder)
+    file, expected = folder / "summary.json", "`testbed search --resume`, which writes it anew without flying"
+    summary: dict[str, Any] = read_json(file, expected)
+    with believed(file, expected):
+        answer(summary)
+        met(summary)
+    attempt("the report", lambda: write_search_page(folder))
     return summary
+
+
+def answer(summary: Mapping[str, Any]) -> Sequence[str]:
+    """As `Kind.answer`."""
+    return [*sentences(summary), f"{summary['flights']} flights"]
+
+
+def met(summary: Mapping[str, Any]) -> bool:
+    """As `Kind.met`: whether no smallest failure was found; what a probability is, is no verdict."""
+    return summary["goal"] != "smallest" or not any(part["found"] for part in summary["parts"])

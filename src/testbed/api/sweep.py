@@ -1,29 +1,29 @@
-"""Sweeps from Python. `sweep` does everything; the other functions are its steps, which the command line uses too."""
+"""Sweeps: `sweep` does everything from Python; the other functions are those of a kind of study, and of single runs."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from testbed.api.options import changes, checked_options, own_options
-from testbed.common.files import slug
+from testbed.api.study import changes, folder_of, write_summary
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
+from testbed.reporting.numbers import interval, number
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, flight_of
 from testbed.studies.folder import logs, reading, store, table
-from testbed.studies.folder.begin import runs_of
+from testbed.studies.folder.begin import refuse_blocked, runs_of
 from testbed.studies.folder.names import flight_label, in_file_names, log_file
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
-from testbed.studies.run import Options
+from testbed.studies.run import Flights, Options
 from testbed.studies.sweep import fly_only, fly_sweep
 from testbed.study_reports.sweep.flight_page import write_kept_page
 from testbed.study_reports.sweep.report import write_sweep_report
@@ -72,12 +72,11 @@ def sweep(
 
     Raises BadInput when nothing can be flown, Stopped when the sweep ended early; the finished flights are then kept.
     """
-    how = checked_options(jobs, cluster, save_logs, fly)
-    plan, folder = prepare(
-        sweep, out, changes(settings, set), runs=runs, seed=seed, resume=resume, controllers=controllers
-    )
-    fly_sweep(plan, folder, how, resume=resume)
-    finish(plan, folder, figures=figures)
+    how = Options(jobs, cluster, save_logs, fly)
+    changed = changes(settings, set)
+    plan, folder = prepare(sweep, out, changed, runs=runs, seed=seed, resume=resume, controllers=controllers)
+    flights = fly_sweep(plan, folder, how, resume=resume)
+    finish(plan, folder, flights, figures=figures)
     from testbed.study_reports.sweep.table import table_of  # with pandas
 
     return table_of(reading.load(folder))
@@ -99,25 +98,26 @@ def prepare(
     """
     if runs is not None and runs < 1:
         raise BadInput([Problem(f"is {runs}", "--runs", expected="at least 1")])
-    given = own_options(runs=runs, seed=seed)
     own = own_controllers(controllers)
-    plan = load_sweep(file, [*settings, *given], own)
-    folder = Path(out) if out is not None else Path("runs") / slug(plan.name, otherwise="sweep")
+    plan = load_sweep(file, changes(settings, runs=runs, seed=seed), own)
+    folder = folder_of(plan, out)
     before = runs_of(folder) if resume and runs is None else None
     if before is not None and before > plan.runs:
-        plan = load_sweep(file, [*settings, *given, *own_options(runs=before)], own)
+        plan = load_sweep(file, changes(settings, runs=before, seed=seed), own)
     check(plan)
     return plan, folder
 
 
-def finish(plan: Plan, folder: Path, *, figures: bool = True) -> dict[str, Any]:
-    """Evaluate a sweep folder's table: write summary.json, figures and report.html; returns the summary.
+fly = fly_sweep
 
-    Figures or a report that cannot be made are a warning, `reporting.attempt.NotShown`.
-    """
+
+def finish(
+    plan: Plan, folder: Path, flights: Flights | None = None, *, figures: bool = True
+) -> dict[str, Any]:
+    """As `Kind.finish`, from the folder's table."""
     frame = reading.load(folder)
     found = summary.summarize(plan, frame)
-    summary.write(found, folder)
+    write_summary(found, folder)
     if figures and len(frame):
         from testbed.study_reports.sweep.figures import draw_sweep  # with matplotlib
 
@@ -137,16 +137,45 @@ def _write_worst_pages(plan: Plan, found: dict[str, Any], folder: Path) -> None:
                 write_kept_page(flight, log)
 
 
+def answer(summary: Mapping[str, Any]) -> Sequence[str]:
+    """As `Kind.answer`: P(all requirements met) and P(each met) for every variant, and the differences."""
+    from testbed.study_reports.sweep.answer import answer as sentences
+
+    return [*sentences(summary), *_shares(summary), *_differences(summary)]
+
+
+def _shares(summary: Mapping[str, Any]) -> Iterator[str]:
+    for variant in summary["variants"]:
+        total = variant["all_requirements"]
+        if total["estimate"] is not None:
+            yield f"{variant['label'] or summary['sweep']}: {total['n']} runs"
+            yield f"  {interval(total)}  all requirements"
+            yield from (f"  {interval(each)}  {each['name']}" for each in variant["requirements"])
+
+
+def _differences(summary: Mapping[str, Any]) -> Iterator[str]:
+    for pair in summary["pairs"]:
+        if pair["difference"] is not None:
+            known, chance = interval(pair, "difference", "+.3f"), number(pair["p_value"], ".2g")
+            yield f"{pair['first']} minus {pair['second']}: {known}, p = {chance}"
+
+
+def met(summary: Mapping[str, Any]) -> bool:
+    """As `Kind.met`: whether every flight passed."""
+    shares = [variant["all_requirements"] for variant in summary["variants"]]
+    return all(share["successes"] == share["n"] for share in shares)
+
+
 def rebuild(folder: Path) -> dict[str, Any]:
     """Write table, summary, figures and report of a sweep folder again, without flying; returns the summary.
 
     For an unfinished sweep they cover the flights that have finished. Raises BadInput when there are none.
     """
     plan = reading.load_plan(folder)
-    finished = (folder / "results.parquet").is_file()
+    refuse_blocked(folder)
     # After `stop_when` more runs may be stored than the table has, because others were still flying. The table stays. So does
     # that of a folder which an earlier version has flown.
-    if not finished or (store.exists(folder) and plan.sweep.stop_when is None):
+    if not reading.is_finished(folder) or (store.exists(folder) and plan.stop_when is None):
         with store.reading(folder) as stored:
             if not len(stored):
                 raise BadInput([Problem("no flight has finished in this sweep folder", str(folder))])
@@ -173,8 +202,8 @@ def fly_run(
         table.write(plan, lambda: records, folder)
     elif not flights:
         raise BadInput([Problem(f"run {run} has no result: {records[0].reason}", "--only")])
-    for number, flight in flights.items():
-        name = flight_label(plan, run * len(plan.variants) + number)
+    for which, flight in flights.items():
+        name = flight_label(plan, run * len(plan.variants) + which)
         add = partial(add_report, flight, figures=figures)
         write_run_folder(flight, folder if variant is not None else folder / name, add)
     return all(record.passed for record in records), list(flights.values())

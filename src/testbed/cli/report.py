@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from argparse import ArgumentParser, Namespace
+from importlib import import_module
 from pathlib import Path
 
 from testbed.cli.command import Command
@@ -17,18 +18,15 @@ def _arguments(command: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Rebuild what the kind of folder has; raises BadInput for a folder of no kind, and for one that is read-only."""
-    from testbed.api.load import is_search_folder, is_sweep_folder, names_kept_log
-    from testbed.cli import run, search, sweep
+    from testbed.api.load import STUDIES, kind_of
+    from testbed.cli import run, study, sweep
 
     if options.folder.is_dir() and not os.access(options.folder, os.W_OK):
         raise BadInput([Problem("cannot be written: Permission denied", str(options.folder))])
-    if names_kept_log(options.folder):
-        return sweep.report_run(options.folder)
-    if is_search_folder(options.folder):
-        return search.report(options.folder)
-    if is_sweep_folder(options.folder):
-        return sweep.report(options.folder)
-    return run.report(options.folder)
+    kind = kind_of(options.folder)
+    if kind in STUDIES:
+        return study.report(import_module(f"testbed.api.{kind}"), options.folder)
+    return (sweep.report_run if kind == "log" else run.report)(options.folder)
 
 
 COMMAND = Command(

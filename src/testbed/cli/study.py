@@ -1,17 +1,57 @@
-"""A sweep or a search that ends early, by an error or by Ctrl-C, keeps its flights and says how to go on."""
+"""What the commands of all kinds of studies do alike: fly, write, print the answer, and say how to go on when they end early."""
 
 from __future__ import annotations
 
+from argparse import Namespace
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from testbed.cli.status import ENDED_EARLY, INTERRUPTED, Ended
+from testbed.cli.interrupts import tidily
+from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET, Ended
 from testbed.cli.working import working
+
+if TYPE_CHECKING:
+    from testbed.api.study import Kind
+
+
+def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", **own: Any) -> int:
+    """Carry out the study of a file with the options of `command.add_many_flights`, and return the exit status.
+
+    `own` are the options of this kind alone. Raises BadInput when nothing can be flown, and Ended when it ends early.
+    """
+    from testbed.studies.run import Options
+
+    how = Options(options.jobs, options.cluster, save_logs)
+    shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
+    plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
+    with tidily():
+        with _flying():
+            flights = kind.fly(plan, folder, how, resume=options.resume)
+        with _writing(folder):
+            summary = kind.finish(plan, folder, flights, figures=not options.no_plots)
+    status = _told(kind, summary)
+    print(flights)
+    print(f"wrote {folder}")
+    return status
+
+
+def report(kind: Kind, folder: Path) -> int:
+    """Write what was found in a study's folder again; returns the exit status."""
+    with working("drawing and writing"), tidily():
+        summary = kind.rebuild(folder)
+    return _told(kind, summary)
+
+
+def _told(kind: Kind, summary: dict[str, Any]) -> int:
+    for line in kind.answer(summary):
+        print(line)
+    return MET if kind.met(summary) else NOT_MET
 
 
 @contextmanager
-def flying() -> Iterator[None]:
+def _flying() -> Iterator[None]:
     """For the block that flies: raises Ended when it stops before the last flight."""
     from testbed.studies.run import Stopped
 
@@ -23,13 +63,13 @@ def flying() -> Iterator[None]:
 
 
 @contextmanager
-def writing(folder: Path, again: str) -> Iterator[None]:
+def _writing(folder: Path) -> Iterator[None]:
     """For the block that writes what was found: raises Ended, with what writes the rest, when it cannot."""
+    kept = "every flight is kept; --resume writes the rest"
     try:
         with working("drawing and writing"):
             yield
     except KeyboardInterrupt:
-        raise Ended(f"{folder}: interrupted; every flight is kept; {again}", INTERRUPTED) from None
+        raise Ended(f"{folder}: interrupted; {kept}", INTERRUPTED) from None
     except OSError as error:
-        why = f"cannot write: {error.strerror or error}"
-        raise Ended(f"{folder}: {why}; every flight is kept; {again}", ENDED_EARLY) from None
+        raise Ended(f"{folder}: cannot write: {error.strerror or error}; {kept}", ENDED_EARLY) from None

@@ -22,7 +22,7 @@ _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_NOFOLLOW
 
 
 @contextmanager
-def replacing(file: Path, within: Path | None = None) -> Iterator[BinaryIO]:
+def replacing(file: Path, within: Path | None = None, keep: bool = False) -> Iterator[BinaryIO]:
     """A stream whose contents take the place of `file` when the block ends without an error, flushed to disk.
 
     A reader sees the old contents or the new, never a part of them. Folders that are missing are made. Raises OSError.
@@ -30,6 +30,7 @@ def replacing(file: Path, within: Path | None = None) -> Iterator[BinaryIO]:
     Args:
         within: the folder that was asked for, in which the file is at any depth; by default the file's own folder. No link is
             followed below it.
+        keep: whether a file that is there stays, and this one is given up.
     """
     within = within or file.parent
     try:
@@ -41,7 +42,11 @@ def replacing(file: Path, within: Path | None = None) -> Iterator[BinaryIO]:
                     yield stream
                     stream.flush()
                     os.fsync(stream.fileno())
-                os.replace(partial, file.name, src_dir_fd=folder, dst_dir_fd=folder)
+                if not keep:
+                    os.replace(partial, file.name, src_dir_fd=folder, dst_dir_fd=folder)
+                else:
+                    with suppress(FileExistsError):
+                        os.link(partial, file.name, src_dir_fd=folder, dst_dir_fd=folder)
             finally:
                 with suppress(FileNotFoundError):
                     os.unlink(partial, dir_fd=folder)
@@ -49,9 +54,9 @@ def replacing(file: Path, within: Path | None = None) -> Iterator[BinaryIO]:
         raise OSError(error.errno, error.strerror or str(error), str(file)) from error
 
 
-def write(file: Path, content: str | bytes, within: Path | None = None) -> None:
+def write(file: Path, content: str | bytes, within: Path | None = None, keep: bool = False) -> None:
     """Write a file as `replacing` does; a text in UTF-8."""
-    with replacing(file, within) as stream:
+    with replacing(file, within, keep) as stream:
         stream.write(content.encode() if isinstance(content, str) else content)
 
 

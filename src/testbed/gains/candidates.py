@@ -3,69 +3,35 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, replace
-from functools import partial
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from testbed.gains.error_sources import ErrorSource, known_offset, sources
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.setup import Setup
+from testbed.gains.error_flights import Answer, answers, bias, calm, gusts, or_infinite
+from testbed.gains.errors import ErrorSource, sources
 from testbed.gains.false_alarms import false_alarm_rate
-from testbed.gains.moving_law import MovingLaw
-from testbed.gains.trimmed_law import TrimmedLaw
+from testbed.gains.loss_flights import convergence_s
+from testbed.inputs.problems import BadInput
 from testbed.scenario.load import Scenario
+from testbed.simulation import fly, start_and_setup
 
+GUSTS = "gusts"
 OFFSETS = 3.0
 """Errors that last are allowed for by this many standard deviations."""
+COARSEST = 0.5
+"""Largest epsilon over the position at the trim: a transient that takes a below epsilon slows the estimate."""
 _STEP_SHARE, _LAG_SHARE = 0.1, 0.25
 """Largest gamma times the control step, and largest gamma over an actuator's corner: without overshoot even if its lag were not
 modelled."""
 _SLOWEST, _GAMMAS = 0.1, 40
 _PROCESS_NOISE, _NOISES = (0.5, 0.005), 10
-_ANSWER_S = 30.0  # how long an estimate is followed after an error
+_SLOWEST_RATE = 1.0 / 30.0
 _HOPELESS = 0.05
-
-Respond = Callable[[np.ndarray], np.ndarray]
-"""Change of the estimates [steps, n] for a change [steps, 4] of the measured error."""
-
-
-@dataclass(frozen=True)
-class Errors:
-    """All errors of a scenario: the random ones, and the constant part of e that is no chance [4]; how long estimates answer."""
-
-    sources: list[ErrorSource]
-    known: np.ndarray
-    n: int
-    steps: int
-    dt_s: float
-
-    @classmethod
-    def of(cls, law: TrimmedLaw, scenario: Scenario) -> Errors:
-        """Those of this scenario in this trimmed flight."""
-        steps = round(_ANSWER_S * law.rate_hz)
-        n = len(law.positions)
-        return cls(sources(law, scenario), known_offset(law, scenario), n, steps, law.setup.dt_s)
-
-    def parts(self, respond: Respond) -> np.ndarray:
-        """[sources, n] standard deviation of each estimate by each error."""
-        found = [
-            source.deviation(respond(self._padded(source.response)), self.dt_s) for source in self.sources
-        ]
-        return np.array(found).reshape(len(found), self.n)
-
-    def bias(self, respond: Respond) -> np.ndarray:
-        """[n] what the constant part adds to the estimates in the end."""
-        return respond(self._padded(self.known[None])).sum(axis=0)
-
-    @property
-    def lasting(self) -> np.ndarray:
-        """[sources] which of them last longer than an estimate takes to converge."""
-        return np.array([source.lasts for source in self.sources], dtype=bool)
-
-    def _padded(self, response: np.ndarray) -> np.ndarray:
-        whole = np.zeros((self.steps, 4))
-        whole[: len(response)] = response
-        return whole
+_UNBOUNDED = {"lambda_min": 0.01, "lambda_max": 10.0}
 
 
 @dataclass(frozen=True)
@@ -78,6 +44,7 @@ class Candidate:
         noise, offset: [n] standard deviation by the errors that do not last, and by those that do.
         bias: [n] by the constant part.
         rates: [n] at which an error decays [1/s].
+        intensity: [4] two-sided, of what the errors that do not last do to e at low frequency.
     """
 
     gain: float
@@ -86,6 +53,7 @@ class Candidate:
     offset: np.ndarray
     bias: np.ndarray
     rates: np.ndarray
+    intensity: np.ndarray
 
     def alarms(self, dt_s: float, persistence_s: float, share: float) -> np.ndarray:
         """[n] false alarms per second of actuators whose effectiveness is the threshold over `share`.
@@ -95,7 +63,7 @@ class Candidate:
         """
         middle = self.middle
         found = np.full(len(middle), math.inf)
-        for i in np.flatnonzero(middle > share):
+        for i in np.flatnonzero((middle > share) & np.isfinite(self.noise)):
             nu = (middle[i] / self.noise[i]) ** 2 if self.noise[i] > 0.0 else math.inf
             found[i] = false_alarm_rate(
                 nu, float(self.rates[i]), dt_s, persistence_s, share / float(middle[i])
@@ -113,49 +81,112 @@ class Candidate:
         return 1.0 + np.minimum(self.bias, 0.0) - OFFSETS * self.offset
 
 
-def newton_candidates(law: TrimmedLaw, errors: Errors) -> Iterator[Candidate]:
-    """Values of gamma of (13), down from what sampling and the actuators' lags allow."""
-    for gamma in np.geomspace(max(_fastest(law), _SLOWEST), _SLOWEST, _GAMMAS):
-        rates = np.full(errors.n, gamma)
-        yield _candidate(float(gamma), errors, partial(law.newton_response, gamma=float(gamma)), rates)
+@dataclass(frozen=True)
+class Candidates:
+    """The gains of a scenario's law; each is flown when it is asked for.
 
+    Attributes:
+        setup: what the controller is told.
+        sources: every random error of the sensors.
+    """
 
-def _fastest(law: TrimmedLaw) -> float:
-    """Largest gamma that sampling and the actuators' lags allow [1/s]."""
-    return min(_STEP_SHARE * law.rate_hz, _LAG_SHARE * float(np.min(law.setup.lags)))
+    scenario: Scenario
+    settings: AdaptiveInversionSettings
+    setup: Setup
+    sources: list[ErrorSource]
+    _flown: dict[float, Candidate] = field(default_factory=dict)
 
+    @classmethod
+    def of(cls, scenario: Scenario) -> Candidates:
+        """Those of the flight in which a scenario begins; raises BadInput if its controller estimates nothing."""
+        settings = scenario.controller
+        if not isinstance(settings, AdaptiveInversionSettings):
+            what = f"{settings.type} has no estimates to design for"
+            raise BadInput(
+                [scenario.source.problem(("controller", "type"), what, expected="adaptive_inversion")]
+            )
+        start, setup = start_and_setup(scenario)
+        return cls(scenario, settings, setup, sources(scenario, start.state))
 
-def weighted_candidates(
-    law: TrimmedLaw, errors: Errors, moving: MovingLaw | None = None
-) -> Iterator[Candidate]:
-    """Values of the default law's process noise; `moving` is the law in weather."""
-    for noise in np.geomspace(*_PROCESS_NOISE, _NOISES):
-        change = {"process_noise_per_root_s": float(noise)}
-        respond = partial(law.weighted_response, process_noise_per_root_s=float(noise))
-        found = _candidate(float(noise), errors, respond, law.rates(**change))
-        yield found if moving is None else _moved(found, errors, moving, change)
+    @property
+    def newton(self) -> bool:
+        """Whether the estimator is the paper's (13)."""
+        return self.settings.estimation == "newton"
 
+    @property
+    def positions(self) -> np.ndarray:
+        """[n] of the actuators at the trim [scaled]."""
+        return np.asarray(self.setup.trim_positions) / self.setup.scale
 
-def _moved(found: Candidate, errors: Errors, moving: MovingLaw, change: Mapping[str, float]) -> Candidate:
-    """A candidate with the noise of actuators that move, and its parts in proportion."""
-    passing = [source for source in errors.sources if not source.lasts]
-    if not passing:
-        return found
-    noise = moving.deviation(passing, **change)
-    share = noise / np.where(found.noise > 0.0, found.noise, 1.0)
-    parts = np.where(errors.lasting[:, None], found.parts, share * found.parts)
-    return replace(found, noise=noise, parts=parts)
+    @property
+    def kinds(self) -> np.ndarray:
+        """[n] servo or motor: what an actuator is for the paper's gains."""
+        return np.array(["servo" if kind == "servo" else "motor" for kind in self.setup.model.kinds])
 
+    @property
+    def names(self) -> list[str]:
+        """[sources] every error in words."""
+        return [*(source.name for source in self.sources), *([GUSTS] if self._gusty else [])]
 
-def _candidate(gain: float, errors: Errors, respond: Respond, rates: np.ndarray) -> Candidate:
-    parts, bias = errors.parts(respond), errors.bias(respond)
-    lasting = errors.lasting
-    squares = np.square(parts)
-    return Candidate(
-        gain,
-        parts,
-        np.sqrt(squares[~lasting].sum(axis=0)),
-        np.sqrt(squares[lasting].sum(axis=0)),
-        bias,
-        rates,
-    )
+    @property
+    def gains(self) -> np.ndarray:
+        """The largest first: gamma down from what sampling and the actuators' lags allow, or values of the process noise."""
+        if not self.newton:
+            return np.geomspace(*_PROCESS_NOISE, _NOISES)
+        fastest = min(_STEP_SHARE / self.setup.dt_s, _LAG_SHARE * float(self.setup.lags.min()))
+        return np.geomspace(max(fastest, _SLOWEST), _SLOWEST, _GAMMAS)
+
+    def per_kind(self, values: np.ndarray) -> dict[str, float]:
+        """The least of values [n] for each kind of actuator; a kind that the aircraft lacks has that of the other."""
+        return {
+            kind: float((values[self.kinds == kind] if kind in self.kinds else values).min())
+            for kind in ("servo", "motor")
+        }
+
+    def at(self, gain: float) -> Candidate:
+        """What errors do with this gain."""
+        if gain not in self._flown:
+            self._flown[gain] = self._fly(gain)
+        return self._flown[gain]
+
+    @property
+    def _gusty(self) -> bool:
+        return bool(self.scenario.atmosphere.turbulence_w20_m_s)
+
+    def _changes(self, gain: float) -> dict[str, Any]:
+        if not self.newton:
+            return {"process_noise_per_root_s": gain}
+        epsilon = self.per_kind(np.maximum(COARSEST * np.abs(self.positions), 1e-3))
+        return {"gamma": {"servo": gain, "motor": gain}, "epsilon": epsilon, **_UNBOUNDED}
+
+    def _fly(self, gain: float) -> Candidate:
+        changes = self._changes(gain)
+        still = calm(self.scenario, changes)
+        flown = fly(still)
+        channels = dict.fromkeys(source.channel for source in self.sources)
+        found = answers(still, flown, self.setup, channels)
+        parts, intensity = self._parts(found)
+        if self._gusty:
+            deviation, of_gusts = gusts(self.scenario, still, self.setup)
+            parts, intensity = np.vstack([parts, deviation]), intensity + of_gusts
+        lasts = np.array(
+            [*(source.lasts for source in self.sources), *([False] if self._gusty else [])], bool
+        )
+        noise, offset = (np.sqrt(np.square(parts[of]).sum(axis=0)) for of in (~lasts, lasts))
+        rates = self._rates(gain, still, changes)
+        return Candidate(gain, parts, noise, offset, bias(flown, self.setup), rates, intensity)
+
+    def _parts(self, found: Mapping[str, Answer]) -> tuple[np.ndarray, np.ndarray]:
+        """[sources, n] deviation by each error of a sensor, infinite if a flight is lost, and [4] their intensity together."""
+        dt_s, n = self.setup.dt_s, len(self.setup.actuators)
+        each = [source.deviation(found[source.channel.name].estimates, dt_s) for source in self.sources]
+        intensity = [source.intensity(dt_s) * found[source.channel.name].e ** 2 for source in self.sources]
+        parts = np.array(each).reshape(-1, n)
+        return or_infinite(parts), or_infinite(np.sum([np.zeros(4), *intensity], axis=0))
+
+    def _rates(self, gain: float, still: Scenario, changes: Mapping[str, Any]) -> np.ndarray:
+        """[n] at which an error decays [1/s]: gamma by (22), or of the default law as flown."""
+        if self.newton:
+            return np.full(len(self.setup.actuators), gain)
+        times = [convergence_s(still, changes, name) for name in self.setup.model.actuators]
+        return np.maximum(3.0 / np.array(times), _SLOWEST_RATE)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from functools import partial
+from bisect import bisect_left
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from testbed.gains.candidates import Candidate, Errors, newton_candidates, weighted_candidates
-from testbed.gains.moving_law import MovingLaw
-from testbed.gains.trimmed_law import TrimmedLaw
+from testbed.gains.candidates import COARSEST, Candidate, Candidates
 
 LEAST_SHAPE = 12.0
 """Least nu of a design, for each actuator: a deviation of 0.29. The estimates of one flight then stay where its trim is held. With
@@ -20,8 +18,7 @@ a nu of 9 a third of the v-tail's flights lost it: while both propellers' estima
 THRESHOLD_SHARE = 0.5
 """Threshold over the effectiveness that must not be flagged, where errors that last leave room for it."""
 _PERSISTENCES_S = (0.05, 0.1, 0.2, 0.5)
-_FINEST, _COARSEST = 0.1, 0.5
-"""Least and largest epsilon over the position at the trim: a transient that takes a below epsilon slows the estimate."""
+_FINEST = 0.1  # least epsilon over the position at the trim
 _ROOM = 0.7  # largest lower bound of the estimates, over the threshold
 _ROUND = 3  # digits of a setting
 
@@ -59,72 +56,74 @@ class Chosen:
     false_alarms_per_s: float
 
 
-def choose(law: TrimmedLaw, errors: Errors, tolerance: Tolerance, moving: MovingLaw | None = None) -> Chosen:
+def choose(candidates: Candidates, tolerance: Tolerance) -> Chosen:
     """The largest gain of each kind of actuator with which its noise and its false alarms are tolerable.
 
-    Where no gain is tolerable it is the smallest that is tried. `moving` is the weighted estimator in weather.
+    Where no gain is tolerable it is the smallest that is tried.
     """
-    newton = law.newton
-    kinds = ["servo" if kind == "servo" else "motor" for kind in law.setup.model.kinds]
-    groups = [kind for kind in ("servo", "motor") if kind in kinds] if newton else ["every"]
-    candidates = newton_candidates if newton else partial(weighted_candidates, moving=moving)
-    picked: dict[str, tuple[Candidate, float, bool]] = {}
-    for group in groups:
-        of = np.array([group in (kind, "every") for kind in kinds])
-        picked[group] = _first_tolerable(candidates(law, errors), of, law, tolerance)
+    newton, kinds = candidates.newton, candidates.kinds
+    dt_s = candidates.setup.dt_s
+    groups = {kind: kinds == kind for kind in dict.fromkeys(kinds)} if newton else {"every": kinds == kinds}
+    picked = {group: _largest_tolerable(candidates, of, tolerance) for group, of in groups.items()}
     every = [picked[kind if newton else "every"] for kind in kinds]
-    persistence = max(found for _, found, _ in every)
-    joint = _joint([each for each, _, _ in every])
-    share = _share(joint.middle[joint.judged(np.ones(errors.n, dtype=bool))])
+    persistence = max(found or _PERSISTENCES_S[-1] for _, found in every)
+    joint = _joint([each for each, _ in every])
+    share = _share(joint.middle[joint.judged(np.ones(len(kinds), dtype=bool))])
     threshold = _rounded(share * tolerance.keep)
-    gains = {group: each.gain for group, (each, _, _) in picked.items()}
-    settings = {"threshold": threshold, "persistence_s": persistence}
+    settings: dict[str, Any] = {"threshold": threshold, "persistence_s": persistence}
     if newton:
-        settings = {**_newton_settings(gains, kinds, law, joint, tolerance), **settings}
-        if law.settings.lambda_min > _ROOM * threshold:
+        gains = np.array([each.gain for each, _ in every])
+        settings = {"preset": "paper", **_newton_settings(gains, candidates, joint, tolerance), **settings}
+        if candidates.settings.lambda_min > _ROOM * threshold:
             settings["lambda_min"] = _rounded(_ROOM * threshold)
     else:
-        settings = {
-            "process_noise_per_root_s": _rounded(gains["every"]),
-            **settings,
-            "propeller_threshold": threshold,
-        }
-    head: dict[str, Any] = {"type": "adaptive_inversion"}
-    if newton:
-        head["preset"] = "paper"
+        noise = {"process_noise_per_root_s": _rounded(every[0][0].gain)}
+        settings = {**noise, **settings, "propeller_threshold": threshold}
     return Chosen(
-        settings={**head, **settings},
+        settings={"type": "adaptive_inversion", **settings},
         predicted=joint,
-        met=np.array([met for _, _, met in every]),
-        false_alarms_per_s=float(joint.alarms(law.setup.dt_s, persistence, share).sum()),
+        met=np.array([found is not None for _, found in every]),
+        false_alarms_per_s=float(joint.alarms(dt_s, persistence, share).sum()),
     )
 
 
 def _joint(candidates: Sequence[Candidate]) -> Candidate:
     """Of actuator i, what candidate i predicts."""
-    return Candidate(
-        math.nan,
-        *(
-            np.stack([getattr(each, name)[..., i] for i, each in enumerate(candidates)], axis=-1)
-            for name in ("parts", "noise", "offset", "bias", "rates")
-        ),
-    )
+    columns = ("parts", "noise", "offset", "bias", "rates")
+    own = {
+        name: np.stack([getattr(each, name)[..., i] for i, each in enumerate(candidates)], axis=-1)
+        for name in columns
+    }
+    return replace(candidates[0], gain=math.nan, **own)
 
 
-def _first_tolerable(
-    candidates: Iterator[Candidate], of: np.ndarray, law: TrimmedLaw, tolerance: Tolerance
-) -> tuple[Candidate, float, bool]:
-    """The first candidate that is tolerable for the actuators `of` [n], its persistence [s], and whether there is one."""
+def _largest_tolerable(
+    candidates: Candidates, of: np.ndarray, tolerance: Tolerance
+) -> tuple[Candidate, float | None]:
+    """The largest gain that is tolerable for the actuators `of` [n], and its persistence [s]; without one the smallest, and None.
+
+    What is tolerable with one gain is taken to be so with each that is smaller.
+    """
+    gains = [float(gain) for gain in candidates.gains]
+    dt_s = candidates.setup.dt_s
+
+    def tolerable(gain: float) -> bool:
+        return _persistence(candidates.at(gain), of, dt_s, tolerance) is not None
+
+    first = 0 if tolerable(gains[0]) else bisect_left(gains, True, lo=1, key=tolerable)
+    found = candidates.at(gains[min(first, len(gains) - 1)])
+    return found, _persistence(found, of, dt_s, tolerance)
+
+
+def _persistence(candidate: Candidate, of: np.ndarray, dt_s: float, tolerance: Tolerance) -> float | None:
+    """The shortest persistence [s] with which the actuators `of` [n] have tolerable noise and false alarms; None without one."""
+    judged = candidate.judged(of)
+    if np.any(candidate.noise[judged] > _allowed(candidate.offset[judged], tolerance)):
+        return None
     tolerated = tolerance.false_alarms_per_hour / 3600.0 / len(of)
-    for candidate in candidates:
-        judged = candidate.judged(of)
-        if np.any(candidate.noise[judged] > _allowed(candidate.offset[judged], tolerance)):
-            continue
-        share = _share(candidate.middle[judged])
-        for persistence in _PERSISTENCES_S:
-            if np.all(candidate.alarms(law.setup.dt_s, persistence, share)[judged] <= tolerated):
-                return candidate, persistence, True
-    return candidate, _PERSISTENCES_S[-1], False
+    share = _share(candidate.middle[judged])
+    few = (p for p in _PERSISTENCES_S if np.all(candidate.alarms(dt_s, p, share)[judged] <= tolerated))
+    return next(few, None)
 
 
 def _allowed(offset: np.ndarray, tolerance: Tolerance) -> np.ndarray:
@@ -142,23 +141,19 @@ def _share(middle: np.ndarray) -> float:
 
 
 def _newton_settings(
-    gains: Mapping[str, float], kinds: list[str], law: TrimmedLaw, joint: Candidate, tolerance: Tolerance
+    gains: np.ndarray, candidates: Candidates, joint: Candidate, tolerance: Tolerance
 ) -> dict[str, Any]:
-    """gamma and epsilon of each kind of actuator; a kind that the aircraft lacks has those of the other."""
-    gamma = {kind: _rounded(gain) for kind, gain in gains.items()}
-    finest = np.clip(joint.noise / _allowed(joint.offset, tolerance), _FINEST, _COARSEST) * np.abs(
-        law.positions
-    )
-    epsilon = {}
-    for kind in gamma:
-        of = joint.judged(np.array([one == kind for one in kinds]))
-        epsilon[kind] = _rounded(
-            max(min(finest[of].max(), _COARSEST * np.abs(law.positions[of]).min()), 1e-3)
-        )
-    for settings in (gamma, epsilon):
-        for kind in ("servo", "motor"):
-            settings.setdefault(kind, next(iter(settings.values())))
-    return {"gamma": gamma, "epsilon": epsilon}
+    """gamma and epsilon of each kind of actuator; gains [n]."""
+    size = np.abs(candidates.positions)
+    finest = np.clip(joint.noise / _allowed(joint.offset, tolerance), _FINEST, COARSEST) * size
+    epsilon = np.empty(len(size))
+    for kind in dict.fromkeys(candidates.kinds):
+        of = joint.judged(candidates.kinds == kind)
+        epsilon[candidates.kinds == kind] = max(min(finest[of].max(), COARSEST * size[of].min()), 1e-3)
+    return {
+        name: {kind: _rounded(one) for kind, one in candidates.per_kind(values).items()}
+        for name, values in (("gamma", gains), ("epsilon", epsilon))
+    }
 
 
 def _rounded(value: float) -> float:

@@ -1,6 +1,6 @@
 """Gains from noise: the paper's "knowledge of the spectral intensity ... could be used to set gamma and epsilon", made a rule.
 
-For the paper's law (13), with s_i the noise of actuator i, a_i its position at the trim (see `noise`):
+For the paper's law (13), with s_i the noise of actuator i, a_i its position at the trim (see `false_alarms`):
 
 1. gamma is the largest with which noise moves no estimate by more than the tolerated deviation, and no monitor is expected to flag
    a working actuator more often than tolerated. It is never above what the control step and the slowest actuator allow.
@@ -23,17 +23,14 @@ from typing import Any
 
 import numpy as np
 
-from testbed.controllers.config import AdaptiveInversionSettings
-from testbed.gains.candidates import Errors
+from testbed.gains.candidates import Candidates
 from testbed.gains.choice import Chosen, Tolerance, choose
-from testbed.gains.loss_flights import convergence_s, detection
-from testbed.gains.moving_law import MovingLaw
-from testbed.gains.noise import convergence_time
-from testbed.gains.trimmed_law import TrimmedLaw
+from testbed.gains.loss_flights import convergence_s, detection_s
 from testbed.gains.verdict import ActuatorDesign, advice, shortcomings
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario, changed, load_scenario
-from testbed.simulation import start_and_setup
+
+_NONE = 1e-9  # standard deviation that is none
 
 
 @dataclass(frozen=True)
@@ -110,26 +107,13 @@ def _out_of_range(tolerance: Tolerance) -> Iterator[Problem]:
             yield Problem(f"is {value:g}", option, expected=limit)
 
 
-def law_of(scenario: Scenario) -> TrimmedLaw:
-    """The estimation of a scenario's controller in the flight in which it begins; raises BadInput if it estimates nothing."""
-    settings = scenario.controller
-    if not isinstance(settings, AdaptiveInversionSettings):
-        what = f"{settings.type} has no estimates to design for"
-        raise BadInput([scenario.source.problem(("controller", "type"), what, expected="adaptive_inversion")])
-    start, setup = start_and_setup(scenario)
-    return TrimmedLaw(setup, settings, start.state)
-
-
 def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
-    law = law_of(scenario)
-    errors = Errors.of(law, scenario)
-    gusts = not law.newton and scenario.atmosphere.turbulence_w20_m_s
-    chosen = choose(law, errors, tolerance, MovingLaw.of(law, scenario) if gusts else None)
+    candidates = Candidates.of(scenario)
+    chosen = choose(candidates, tolerance)
     settings = {key: value for key, value in chosen.settings.items() if key not in ("type", "preset")}
     actuators = tuple(
-        _actuator(i, law, errors, chosen, scenario, settings) for i in range(len(law.setup.actuators))
+        _actuator(i, candidates, chosen, settings) for i in range(len(candidates.setup.actuators))
     )
-    intensity = sum((source.intensity(law.setup.dt_s) for source in errors.sources), np.zeros((4, 4)))
     return Design(
         scenario,
         tolerance,
@@ -138,29 +122,27 @@ def _designed(scenario: Scenario, tolerance: Tolerance) -> Design:
         3600.0 * chosen.false_alarms_per_s,
         tuple(shortcomings(actuators, tolerance)),
         tuple(advice(actuators, tolerance)),
-        tuple(map(float, np.sqrt(np.diag(intensity)))),
+        tuple(map(float, np.sqrt(chosen.predicted.intensity))),
     )
 
 
-def _actuator(
-    i: int, law: TrimmedLaw, errors: Errors, chosen: Chosen, scenario: Scenario, settings: Mapping[str, Any]
-) -> ActuatorDesign:
-    kind, name = law.setup.model.kinds[i], law.setup.model.actuators[i]
-    flagged = detection(scenario, settings, name)
-    rate = float(chosen.predicted.rates[i])
-    parts = chosen.predicted.parts[:, i]
-    order = np.argsort(-parts)
+def _actuator(i: int, candidates: Candidates, chosen: Chosen, settings: Mapping[str, Any]) -> ActuatorDesign:
+    scenario, model = candidates.scenario, candidates.setup.model
+    kind, name = model.kinds[i], model.actuators[i]
+    flagged = detection_s(scenario, settings, name)
+    predicted = chosen.predicted
+    rate, parts = float(predicted.rates[i]), predicted.parts[:, i]
     return ActuatorDesign(
         name=name,
         kind=kind,
-        position=float(law.positions[i]),
-        noise=float(chosen.predicted.noise[i]),
-        offset=float(chosen.predicted.offset[i]),
-        bias=float(chosen.predicted.bias[i]),
-        convergence_s=convergence_time(rate) if law.newton else convergence_s(scenario, settings, name),
-        detection_s=flagged.median_s,
-        soonest_s=flagged.soonest_s,
-        latest_s=flagged.latest_s,
+        position=float(candidates.positions[i]),
+        noise=float(predicted.noise[i]),
+        offset=float(predicted.offset[i]),
+        bias=float(predicted.bias[i]),
+        convergence_s=3.0 / rate if candidates.newton else convergence_s(scenario, settings, name),
+        detection_s=float(np.median(flagged)),
+        soonest_s=min(flagged),
+        latest_s=max(flagged),
         met=bool(chosen.met[i]),
-        shares=tuple((errors.sources[k].name, float(parts[k])) for k in order if parts[k] > 0.0),
+        shares=tuple((candidates.names[k], float(parts[k])) for k in np.argsort(-parts) if parts[k] > _NONE),
     )

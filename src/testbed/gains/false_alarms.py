@@ -1,13 +1,14 @@
 """How often noise alone makes the monitor flag an actuator (section 2.3): exact for the sampled law, as a Markov chain.
 
 A diffusion crosses a level infinitely often or not at all, so "how often" needs the control step and the persistence. The
-chain is the law's own step on a logarithmic grid of x = lambda_hat / lambda. With white noise of shape nu (see `noise`),
-a step of gamma kappa dt = c adds to log x a normal number with
+chain is the law's own step on a logarithmic grid of x = lambda_hat / lambda. The shape nu of white noise is one over the variance
+of x, to first order. A step of gamma kappa dt = c adds to log x a normal number with
 
     mean c (1/x - 1),   standard deviation sqrt(2 c / nu) x^-p,
 
-p = 0 at a constant reference, p = 1 at a constant position (see `noise`). A false alarm is the step in which x has been below
-the threshold for the whole persistence. Flights lie between the two; that of the position has more alarms.
+p = 0 at a constant reference, where the estimate multiplies the noise, and p = 1 at a constant position. A false alarm is the step
+in which x has been below the threshold for the whole persistence. Flights lie between the two; that of the position has more
+alarms.
 """
 
 from __future__ import annotations
@@ -18,15 +19,13 @@ from functools import lru_cache
 import numpy as np
 from scipy.special import ndtr
 
-from testbed.gains.noise import PositionHeld, ReferenceHeld
-
 REFERENCE, POSITION = 0, 1
 """What is held: the power p above."""
 CELL = 0.5
 """Width of a cell, in standard deviations of one step at x = 1."""
 _MOST_CELLS = 1200
 _TINY = 1e-12
-"""Mass that may be left out, and alarms per second that are none."""
+"""Mass that may be left out."""
 
 
 def false_alarm_rate(
@@ -41,10 +40,8 @@ def false_alarm_rate(
         threshold: over the true effectiveness, below 1.
         held: `REFERENCE` or `POSITION`.
     """
-    law = PositionHeld(nu) if held == POSITION else ReferenceHeld(nu)
-    most = law.below(threshold) / dt  # it cannot be flagged more often than it is below
-    if most < _TINY:
-        return most
+    if math.exp(-0.5 * nu * (1.0 - threshold) ** 2) < _TINY:  # the normal tail, which is the heavier one
+        return 0.0
     chain, low, stationary = _chain(nu, rate * dt, threshold, held)
     flow = (np.where(low, 0.0, stationary) @ chain)[low]
     # The monitor counts k dt with a strict comparison, so that it flags one step after the persistence has passed.

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from testbed.flight.flight import Flight
+from testbed.gains.errors import without_chance
 from testbed.scenario.load import Scenario, changed
 from testbed.simulation import fly
 
@@ -25,32 +25,17 @@ _FOUND = 1.0 - math.exp(-1.0)
 _HALF = 0.5
 
 
-@dataclass(frozen=True)
-class Detection:
-    """How soon the total loss of one actuator is flagged, infinite for never.
-
-    Attributes:
-        median_s: from the loss to its flag.
-        soonest_s, latest_s: the least and the largest among the flights.
-    """
-
-    median_s: float
-    soonest_s: float
-    latest_s: float
-
-
-def detection(scenario: Scenario, controller: Mapping[str, Any], actuator: str) -> Detection:
-    """Fly the total loss of an actuator from the scenario's initial flight.
+def detection_s(scenario: Scenario, controller: Mapping[str, Any], actuator: str) -> list[float]:
+    """From the total loss of an actuator to its flag, of each flight from the scenario's initial one; infinite for never.
 
     Args:
         controller: changed settings of the scenario's `controller`.
     """
-    times = [_detection_s(flight, actuator) for flight in _flights(scenario, controller, actuator, 0.0)]
-    return Detection(float(np.median(times)), min(times), max(times))
+    return [_detection_s(flight, actuator) for flight in _flights(scenario, controller, actuator, 0.0)]
 
 
 def convergence_s(scenario: Scenario, controller: Mapping[str, Any], actuator: str) -> float:
-    """Three times the time in which 63 % of a loss of half are found: median of flights as in `detection`, infinite for never."""
+    """Three times the time in which 63 % of a loss of half are found: median of flights as in `detection_s`, infinite for never."""
     halves = _flights(scenario, controller, actuator, _HALF)
     return float(np.median([_convergence_s(flight, actuator) for flight in halves]))
 
@@ -85,8 +70,7 @@ def _flights(
 def _errs(scenario: Scenario) -> bool:
     """Whether two seeds may differ."""
     return (
-        bool(scenario.atmosphere.turbulence_w20_m_s)
-        or scenario.sensors != changed(scenario, {"sensors": "ideal"}).sensors
+        bool(scenario.atmosphere.turbulence_w20_m_s) or scenario.sensors != without_chance(scenario).sensors
     )
 
 

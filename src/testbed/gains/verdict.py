@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from testbed.gains.candidates import OFFSETS
+from testbed.gains.candidates import GUSTS, OFFSETS
 from testbed.gains.choice import Tolerance
-from testbed.gains.error_sources import ROLLING
 
 
 @dataclass(frozen=True)
@@ -72,7 +71,7 @@ def _together(sentences: Iterable[tuple[str, str]]) -> list[str]:
 def _shortcomings(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
     if one.offset > tolerance.deviation:
         yield (
-            f"errors that last move the estimate by {one.offset:.3g} (1 sigma) whatever the gains; tolerated are "
+            f"errors that last move the estimate by {one.offset:.2g} (1 sigma) whatever the gains; tolerated are "
             f"{tolerance.deviation:g}"
         )
     if one.lowest <= 0.0:
@@ -100,8 +99,8 @@ def _advice(one: ActuatorDesign, tolerance: Tolerance) -> Iterator[str]:
     )
     if one.shares:
         name, share = one.shares[0]
-        better = "air data that know it" if name == ROLLING else f"less {name}"
-        yield f"{better}, which makes {share:.3g} of the deviation of {one.deviation:.3g}"
+        better = "air data that know it" if name == GUSTS else f"less {name}"
+        yield f"{better}, which makes {share:.2g} of the deviation of {one.deviation:.2g}"
     if abs(one.bias) > tolerance.deviation:
         yield f"a design model of this trim: the present one moves the estimate by {one.bias:+.2g}"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -53,6 +54,26 @@ def read_json(file: Path, expected: str) -> Any:
         words = "is nested too deeply" if isinstance(error, RecursionError) else f"cannot be read: {error}"
         raise BadInput([Problem(words, str(file), expected=expected)]) from None
     return value
+
+
+@contextmanager
+def believed(file: Path, expected: str) -> Iterator[None]:
+    """While what was read from a file is used for the first time: what it lacks, or has of another type, is BadInput."""
+    try:
+        yield
+    except (
+        OSError,
+        LookupError,
+        TypeError,
+        ValueError,
+        AttributeError,
+        ArithmeticError,
+        RecursionError,
+    ) as error:
+        problem = Problem(
+            f"does not hold what it should: {type(error).__name__}: {error}", str(file), expected=expected
+        )
+        raise BadInput([problem]) from None
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

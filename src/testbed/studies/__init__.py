@@ -1,7 +1,7 @@
-"""Monte Carlo sweeps: many flights with values drawn at random, made from one scenario, and the statistics of their results.
+"""Studies: many flights made from one scenario, as sweeps by values drawn at random, and searches for failures.
 
-`load` reads a sweep file, with the keys of `model`, into a `plan`. The plan says what run i is, a pure function of (sweep,
-seed, i). `checks` refuses plans with invalid scenarios. `run` flies a plan, with `progress` and `stopping`. `summary`
-evaluates the table of results, with `statistics` and `sensitivity`. The packages: `drawing` draws values and makes
-scenarios from them, `workers` are the processes that fly, and `folder` writes the sweep folder and reads it back.
+`load` reads a study's file, with the keys of `model`, into a `plan`, which says each flight: run i is a pure function of (study,
+seed, i). `checks` refuses plans with invalid scenarios. `run` flies any plan into its folder, with `progress`; `sweep` flies a
+list of runs, with `stopping`, and `summary` evaluates their table. `search` chooses its flights as it goes. The packages:
+`drawing` draws values and makes scenarios of them, `flying` has the processes that fly, `folder` writes a study's folder.
 """

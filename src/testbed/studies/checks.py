@@ -26,15 +26,11 @@ _MOST = 20
 
 
 def check(plan: Plan) -> None:
-    """Raise BadInput with everything that is wrong with the scenarios of a sweep."""
-    checker = _Checker(plan)
+    """Raise BadInput with everything that is wrong with the scenarios of a study."""
     found = [not_given(name) for name, own in plan.builder.own.items() if not own.code]
-    if found:
-        raise BadInput(found)
-    # The ends come first, because their messages show the value that the user wrote.
-    found = list(dict.fromkeys(checker.ends()))
-    if not found:
-        found = _once(checker.draws())
+    # The ends come before the draws, because their messages show the value that the user wrote.
+    found = found or list(dict.fromkeys(islice(_ends(plan), _MOST)))
+    found = found or _once(islice(_draws(plan), _MOST))
     if found:
         raise BadInput(found)
 
@@ -47,65 +43,50 @@ def _once(problems: Iterable[Problem]) -> list[Problem]:
     return list(found.values())
 
 
-class _Checker:
-    def __init__(self, plan: Plan) -> None:
-        self._plan = plan
+def _ends(plan: Plan) -> Iterator[Problem]:
+    """Problems of the lowest and highest value of every bounded range, and of every option of every choice."""
+    ends = (
+        (path, value, variant)
+        for path, distribution in plan.study.vary.items()
+        for value in distribution.bounds
+        for variant in range(len(plan.variants))
+    )
+    for end in islice(ends, _MOST_CHECKED):
+        yield from _always(plan, *end)
 
-    def draws(self) -> Iterator[Problem]:
-        """Problems of the first runs; with a table of cases, of all runs up to _MOST_CHECKED scenarios."""
-        plan, found = self._plan, 0
-        variants = range(min(len(plan.variants), _MOST_CHECKED))
-        most = max(_MOST_CHECKED // len(variants), 1)
-        for run in range(min(plan.runs, most if plan.cases is not None else min(most, _DRAWS))):
-            for variant in variants:
-                problems = self.problems(plan.task(run * len(plan.variants) + variant))
-                for problem in problems:
-                    yield (
-                        replace(problem, what=f"{problem.what} (run {run})")
-                        if plan.cases is not None
-                        else problem
-                    )
-                found += len(problems)
-            if found >= _MOST:
-                return
 
-    def ends(self) -> Iterator[Problem]:
-        """Problems of the lowest and highest value of every bounded range, and of every option of every choice."""
-        plan = self._plan
-        ends = (
-            (path, value, variant)
-            for path, distribution in plan.sweep.vary.items()
-            for value in distribution.bounds
-            for variant in range(len(plan.variants))
-        )
-        found = 0
-        for end in islice(ends, _MOST_CHECKED):
-            problems = self._always(*end)
-            yield from problems
-            found += len(problems)
-            if found >= _MOST:
-                return
+def _always(plan: Plan, path: str, value: Any, variant: int) -> list[Problem]:
+    """Problems of a value that occur with each of the first _COMPANIONS draws of the others; none if one draw is valid."""
+    found: list[Problem] = []
+    for run in range(min(plan.runs, _COMPANIONS)):
+        task = plan.task(run * len(plan.variants) + variant)
+        found = _problems(plan, replace(task, values={**task.values, path: value}))
+        if not found:
+            return []
+    return found
 
-    def _always(self, path: str, value: Any, variant: int) -> list[Problem]:
-        """Problems of a value that occur with each of the first _COMPANIONS draws of the others; none if one draw is valid."""
-        found: list[Problem] = []
-        for run in range(min(self._plan.runs, _COMPANIONS)):
-            task = self._plan.task(run * len(self._plan.variants) + variant)
-            found = self.problems(replace(task, values={**task.values, path: value}))
-            if not found:
-                return []
-        return found
 
-    def problems(self, task: Task) -> list[Problem]:
-        """Everything wrong with one flight's scenario."""
-        try:
-            scenario = self._plan.builder.scenario(task)
-            aircraft = load_with_changes(scenario.aircraft)
-            own = self._plan.builder.own_controller(task)
-            if own is not None:
-                unknown = undeclared(own.load(), scenario.controller.parameters)
-            else:
-                unknown = unused_parameters(scenario.controller)
-            return unknown or name_problems(scenario, aircraft)
-        except BadInput as error:
-            return list(error.problems)
+def _draws(plan: Plan) -> Iterator[Problem]:
+    """Problems of the first runs; with a table of cases, of all runs up to _MOST_CHECKED scenarios."""
+    variants = min(len(plan.variants), _MOST_CHECKED)
+    most = max(_MOST_CHECKED // variants, 1)
+    for run in range(min(plan.runs, most if plan.cases is not None else min(most, _DRAWS))):
+        which = f" (run {run})" if plan.cases is not None else ""
+        for variant in range(variants):
+            problems = _problems(plan, plan.task(run * len(plan.variants) + variant))
+            yield from (replace(problem, what=f"{problem.what}{which}") for problem in problems)
+
+
+def _problems(plan: Plan, task: Task) -> list[Problem]:
+    """Everything wrong with one flight's scenario."""
+    try:
+        scenario = plan.builder.scenario(task)
+        aircraft = load_with_changes(scenario.aircraft)
+        own = plan.builder.own_controller(task)
+        if own is not None:
+            unknown = undeclared(own.load(), scenario.controller.parameters)
+        else:
+            unknown = unused_parameters(scenario.controller)
+        return unknown or name_problems(scenario, aircraft)
+    except BadInput as error:
+        return list(error.problems)

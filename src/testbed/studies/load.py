@@ -50,7 +50,18 @@ def load_sweep(
         cases, text, places = read_cases(file, source.problem(("cases",), "there is no such file"))
         builder = replace(builder, places={**builder.places, **places})
         complete(cases, builder.base.tree, places)
-    return Plan(sweep, name_of(sweep, path), builder, _runs(sweep, source, cases), cases, text)
+    runs = _runs(sweep, source, cases)
+    return Plan(
+        study=sweep.model_copy(update={"runs": runs}),
+        name=name_of(sweep, path),
+        builder=builder,
+        runs=runs,
+        sampling=sweep.sampling,
+        levels=sweep.levels,
+        stop_when=sweep.stop_when,
+        cases=cases,
+        cases_text=text,
+    )
 
 
 def name_of(study: Study, path: str | Path) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, field_validator, model_validator
 
@@ -27,7 +27,12 @@ class StopWhen(Settings):
 
 
 class Study(Settings):
-    """What a sweep and a search share: a scenario, what varies, and what is compared under the same variations."""
+    """What all kinds of study share: a scenario, what varies, and what is compared under the same variations."""
+
+    word: ClassVar[str]
+    """The kind in a word: the name of its command, and of its file in the study's folder."""
+    free: ClassVar[tuple[str, ...]]
+    """Keys on which no flight depends, and which may differ when the study is resumed."""
 
     name: Text | None = Field(default=None, max_length=MAX_NAME)
     """Title of the study; default: the file's name."""
@@ -45,6 +50,10 @@ class Study(Settings):
     """Controllers of one's own among those compared, each FILE.py:CLASS. `--controller` fills it in; a file runs no code."""
     time_limit_s: Positive = 300.0
     """Wall time [s] after which a flight counts as hung."""
+
+    def settings(self) -> dict[str, Any]:
+        """The keys of this kind, which other kinds do not have, as the file in the study's folder says them."""
+        raise NotImplementedError
 
     @field_validator("vary", "compare")
     @classmethod
@@ -70,6 +79,9 @@ class Study(Settings):
 class Sweep(Study):
     """One study by sampling: a scenario, what varies, and what is compared under the same variations."""
 
+    word = "sweep"
+    free = ("name", "runs", "stop_when")
+
     runs: Annotated[int, Field(strict=True, gt=0, le=MOST_FLIGHTS)] | None = None
     """Number of runs. Default: 1000; with `cases` or a grid, all of their points."""
     sampling: Literal["sobol", "latin_hypercube", "halton", "random", "grid"] = "sobol"
@@ -88,6 +100,14 @@ class Sweep(Study):
             raise refuse("varies nothing", "vary, or cases: table.csv")
         return self
 
+    def settings(self) -> dict[str, Any]:
+        """As `Study.settings`; the table of cases is kept beside the file."""
+        shown: dict[str, Any] = {"runs": self.runs}
+        shown |= {"cases": "cases.csv"} if self.cases is not None else {"sampling": self.sampling}
+        if self.sampling == "grid":
+            shown["levels"] = self.levels
+        return shown if self.stop_when is None else {**shown, "stop_when": self.stop_when.model_dump()}
+
 
 Goal = Literal["smallest", "probability"]
 GOALS: tuple[Goal, ...] = ("smallest", "probability")
@@ -95,6 +115,9 @@ GOALS: tuple[Goal, ...] = ("smallest", "probability")
 
 class Search(Study):
     """One search: a scenario, what varies, and what is looked for. Keys that it shares with a sweep mean the same."""
+
+    word = "search"
+    free = ("name", "budget", "cov", "method", "starts")
 
     goal: Goal
     """What is looked for: the `smallest` failure that breaks a requirement, or the `probability` that one is broken."""
@@ -123,7 +146,7 @@ class Search(Study):
         return self
 
     def settings(self) -> dict[str, Any]:
-        """What is said of the search itself, beside what it shares with a sweep."""
+        """As `Study.settings`; those of the other goal are left out."""
         names = ["goal", "requirement", "budget", "nominal"]
         names += ["cov", "method"] if self.goal == "probability" else ["starts"]
         return {name: value for name in names if (value := getattr(self, name)) not in (None, {})}

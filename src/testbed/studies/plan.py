@@ -1,13 +1,12 @@
-"""A resolved sweep: how many runs it has, and what is drawn for run i. Nothing here flies."""
+"""A resolved study: what it varies and compares, and what is drawn for run i. Nothing here flies."""
 
 from __future__ import annotations
 
 import copy
-from collections import OrderedDict
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -15,20 +14,28 @@ from testbed.aircraft.changes import name_in
 from testbed.scenario.load import placed_name
 from testbed.studies.drawing import sampling
 from testbed.studies.drawing.builder import Builder, Task, Variant
-from testbed.studies.model import Sweep
+from testbed.studies.model import StopWhen, Study
+from testbed.studies.record import key_of
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Plan:
-    """A resolved sweep: `runs` runs, each flown once for every variant, with the same drawn values and the same seed."""
+    """A resolved study: `runs` runs, each flown once for every variant, with the same drawn values and the same seed.
 
-    sweep: Sweep
+    This is a sweep's. A study that draws its flights in another way is a subclass with another `draw`, or `task`.
+    """
+
+    study: Study
     name: str
     builder: Builder
     runs: int
+    sampling: str = "sobol"
+    levels: int = 2
+    stop_when: StopWhen | None = None
     cases: list[dict[str, Any]] | None = None
     cases_text: str | None = None
-    _batches: OrderedDict[int, list[dict[str, Any]]] = field(default_factory=OrderedDict, compare=False)
+    histories: ClassVar[bool] = True
+    """Whether the error histories of its flights are kept."""
 
     @property
     def variants(self) -> tuple[Variant, ...]:
@@ -40,27 +47,27 @@ class Plan:
         """Dotted paths of the varied values, in the order of the file."""
         if self.cases is not None:
             return list(dict.fromkeys(path for case in self.cases for path in case if path != "seed"))
-        return list(self.sweep.vary)
+        return list(self.study.vary)
 
     @property
     def aircraft_names(self) -> list[str]:
         """Name or folder of every aircraft that may be flown, the base scenario's first."""
         found = [self.builder.base.tree["aircraft"]]
         for path in ("aircraft", "aircraft.name"):
-            found += self.sweep.compare.get(path, [])
-            found += self.sweep.vary[path].bounds if path in self.sweep.vary else []
+            found += self.study.compare.get(path, [])
+            found += self.study.vary[path].bounds if path in self.study.vary else []
             found += [case[path] for case in self.cases or () if path in case]
         return list(dict.fromkeys(placed_name(name_in(said), self.builder.base.file) for said in found))
-
-    @property
-    def extendable(self) -> bool:
-        """Whether runs can be added without changing the first ones."""
-        return self.sweep.sampling != "latin_hypercube" or self.cases is not None
 
     @property
     def size(self) -> int:
         """Number of flights: runs times variants."""
         return self.runs * len(self.variants)
+
+    @property
+    def total(self) -> str:
+        """The number of flights in words."""
+        return str(self.size)
 
     def task(self, k: int) -> Task:
         """Flight number k, from 0: run `k // len(variants)`, variant `k % len(variants)`."""
@@ -68,58 +75,51 @@ class Plan:
         values = dict(self.draw(run))
         seed = values.pop("seed", None) if self.cases is not None else None
         return Task(
-            run, variant, sampling.hashed(self.sweep.seed, "run", run) if seed is None else seed, values
+            run, variant, sampling.hashed(self.study.seed, "run", run) if seed is None else seed, values
         )
 
     def number(self, task: Task) -> int:
         """The number of a flight."""
         return task.run * len(self.variants) + task.variant
 
+    def key(self, task: Task) -> bytes:
+        """The key by which a flight is stored, in whose order the table has the flights."""
+        return key_of(self.number(task))
+
     def draw(self, run: int) -> Mapping[str, Any]:
-        """Values drawn for a run, by dotted paths: a pure function of (sweep, seed, run)."""
+        """Values drawn for a run, by dotted paths: a pure function of (study, seed, run)."""
         if self.cases is not None:
             return self.cases[run]
         index, offset = divmod(run, sampling.BATCH)
-        if index not in self._batches:
-            self._batches[index] = self._drawn(index)
-            while len(self._batches) > 4:
-                self._batches.popitem(last=False)
-        return self._batches[index][offset]
+        return self._batch(index)[offset]
+
+    @cached_property
+    def _batch(self) -> Callable[[int], list[dict[str, Any]]]:
+        return lru_cache(4)(self._drawn)
 
     def _drawn(self, index: int) -> list[dict[str, Any]]:
-        sweep, paths = self.sweep, list(self.sweep.vary)
-        if sweep.sampling == "grid":
+        vary = self.study.vary
+        if self.sampling == "grid":
             first, last = index * sampling.BATCH, min((index + 1) * sampling.BATCH, self.runs)
             points = np.array([sampling.grid_point(self._levels, i) for i in range(first, last)])
         else:
-            points = sampling.batch(sweep.sampling, sweep.seed, paths, self.runs, index)
-        columns = [sweep.vary[path].quantiles(points[:, j]) for j, path in enumerate(paths)]
-        return [dict(zip(paths, row, strict=True)) for row in zip(*columns, strict=True)]
+            points = sampling.batch(self.sampling, self.study.seed, list(vary), self.runs, index)
+        columns = [distribution.quantiles(points[:, j]) for j, distribution in enumerate(vary.values())]
+        return [dict(zip(vary, row, strict=True)) for row in zip(*columns, strict=True)]
 
     @cached_property
     def _levels(self) -> list[np.ndarray]:
-        return [distribution.grid(self.sweep.levels) for distribution in self.sweep.vary.values()]
+        return [distribution.grid(self.levels) for distribution in self.study.vary.values()]
 
     @cached_property
     def tree(self) -> dict[str, Any]:
-        """The contents of sweep.yaml: the resolved sweep with the scenario inside, which flies again as it is."""
-        sweep = self.sweep
-        tree: dict[str, Any] = {"name": self.name, "scenario": self.builder.base.tree, "runs": self.runs}
-        tree |= {"seed": sweep.seed, "time_limit_s": sweep.time_limit_s}
-        if self.cases is None:
-            tree["sampling"] = sweep.sampling
-            if sweep.sampling == "grid":
-                tree["levels"] = sweep.levels
-            tree["vary"] = {path: _spec(d) for path, d in sweep.vary.items()}
-        else:
-            tree["cases"] = "cases.csv"
-        if sweep.compare:
-            tree["compare"] = sweep.compare
-        if sweep.controllers:
-            tree["controllers"] = sweep.controllers
-        if sweep.stop_when:
-            tree["stop_when"] = sweep.stop_when.model_dump()
-        return copy.deepcopy(tree)
+        """The contents of the study's file in its folder: resolved, with the scenario inside, so that it flies again as it is."""
+        study = self.study
+        tree = {"name": self.name, **study.settings(), "scenario": self.builder.base.tree}
+        tree |= {"seed": study.seed, "time_limit_s": study.time_limit_s}
+        vary = {} if self.cases is not None else {path: _spec(d) for path, d in study.vary.items()}
+        more = {"vary": vary, "compare": study.compare, "controllers": study.controllers}
+        return copy.deepcopy(tree | {key: value for key, value in more.items() if value})
 
 
 def _spec(distribution: Any) -> dict[str, Any]:

@@ -4,41 +4,32 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
-from types import TracebackType
+from contextlib import contextmanager
 from typing import Any
 
 from testbed.common.text import printable
 
 
-class Progress:
-    """Shows the number of finished flights, flights per second, the time left, and the words of `so_far`, uncut."""
+@contextmanager
+def progress(name: str, total: int, so_far: Callable[[], str], done: int = 0) -> Iterator[Callable[[], None]]:
+    """Shows the number of finished flights, flights per second, the time left, and the words of `so_far`, uncut.
 
-    def __init__(self, name: str, total: int, so_far: Callable[[], str], done: int = 0) -> None:
-        self._name, self._total, self._so_far, self._done = name, total, so_far, done
-        self._bar: Any = None
-        self._task: Any = None
+    Yields what is to be called after each flight.
+    """
+    from rich.console import Console
 
-    def __enter__(self) -> Progress:
-        from rich.console import Console
+    console = Console(file=sys.__stderr__)  # not sys.stderr: commands let no escape sequence pass there
+    if not console.is_terminal:
+        yield lambda: None
+        return
+    with bar(console, lambda: printable(so_far())) as shown:
+        task = shown.add_task(printable(name), total=total, completed=done, rate="")
 
-        console = Console(file=sys.__stderr__)  # not sys.stderr: commands let no escape sequence pass there
-        if console.is_terminal:
-            self._bar = bar(console, lambda: printable(self._so_far()))
-            name = printable(self._name)
-            self._task = self._bar.add_task(name, total=self._total, completed=self._done, rate="")
-            self._bar.start()
-        return self
+        def add() -> None:
+            speed = shown.tasks[task].speed
+            shown.update(task, advance=1, rate=f"{speed:.1f} flights/s" if speed else "")
 
-    def add(self) -> None:
-        """Count one more finished flight."""
-        self._done += 1
-        if self._bar is not None:
-            speed = self._bar.tasks[self._task].speed
-            self._bar.update(self._task, completed=self._done, rate=f"{speed:.1f} flights/s" if speed else "")
-
-    def __exit__(self, *_: type[BaseException] | BaseException | TracebackType | None) -> None:
-        if self._bar is not None:
-            self._bar.stop()
+        yield add
 
 
 def bar(console: Any, below: Callable[[], str]) -> Any:

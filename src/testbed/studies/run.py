@@ -1,26 +1,32 @@
-"""What flying a sweep and running a search have in common: how to fly, the folder that is flown into, and how they end early."""
+"""Flying any kind of study into its folder: how to fly, what is flown and stored, and how it ends early."""
 
 from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
+from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.cluster import refuse_dead
-from testbed.studies.flying.flight import Fly, Job, fly_reference
-from testbed.studies.flying.pool import FlyAll, Workers, workers
-from testbed.studies.folder.begin import Kind, begin
+from testbed.studies.flying.flight import SAVE_LOGS, Fly, Job, fly_reference
+from testbed.studies.flying.pool import MOST_JOBS, FlyAll, Workers, workers
+from testbed.studies.folder.begin import begin, remove_results
+from testbed.studies.folder.names import log_file
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
+from testbed.studies.progress import progress
+from testbed.studies.record import Record
 
 
 class Stopped(Exception):
-    """A sweep or a search ended early. The finished flights are kept, and --resume flies the rest."""
+    """A study ended early. The finished flights are kept, and --resume flies the rest."""
 
 
 class Refused(BadInput):
@@ -31,7 +37,7 @@ class Refused(BadInput):
 class Options:
     """How to fly: number of processes or a cluster, logs to keep, function that flies, and what flies many flights.
 
-    Only `fly` can change the results.
+    Only `fly` can change the results. Raises BadInput when one is out of range.
     """
 
     jobs: int | None = None
@@ -40,50 +46,93 @@ class Options:
     fly: Fly | None = None
     workers: Workers = workers
 
+    def __post_init__(self) -> None:
+        problems = []
+        if self.jobs is not None and not 1 <= self.jobs <= MOST_JOBS:
+            limit = "at least 1" if self.jobs < 1 else f"at most {MOST_JOBS}"
+            problems.append(Problem(f"is {self.jobs}", "--jobs", expected=limit))
+        if self.save_logs not in SAVE_LOGS:
+            problems.append(Problem(f"is {self.save_logs!r}", "--save-logs", expected="none, failed or all"))
+        if problems:
+            raise BadInput(problems)
+
     def job(self, plan: Plan) -> Job:
         """The job that workers need to fly this plan; raises BadInput when it cannot be flown so."""
         if self.fly is not None and plan.builder.own:
             what = "flies the scenario in its own way, and so no controller of one's own"
             raise BadInput([Problem(what, path="fly", expected="no fly, or no controllers")])
-        return Job(plan.builder, fly_reference(self.fly), self.save_logs, plan.sweep.time_limit_s)
+        return Job(plan.builder, fly_reference(self.fly), self.save_logs, plan.study.time_limit_s)
 
 
-@contextmanager
-def flying_into(
-    folder: Path,
-    kind: Kind,
-    plan: Plan,
-    tree: Mapping[str, Any],
-    options: Options,
-    kept: str,
-    *,
-    resume: bool,
-) -> Iterator[tuple[Store, FlyAll]]:
-    """The store of the study's folder and what flies, until the end of the block.
+class Flights:
+    """Flies the flights of a study that its store does not have, and stores each as it finishes.
 
-    Raises BadInput when it cannot begin, Stopped when the block ended early: Ctrl-C, disk full, cluster gone. If no flight had
+    Attributes:
+        store: the finished flights.
+        job: with which each can be flown again.
+        found: what the study found by them, in the end.
+        words: what is said of them below the bar.
+        count: number of flights flown so far; `str` also says how fast.
+    """
+
+    def __init__(self, plan: Plan, job: Job, store: Store, fly_all: FlyAll) -> None:
+        self.plan, self.job, self.store, self._fly_all = plan, job, store, fly_all
+        self.found: Any = None
+        self.words: Callable[[], str] = str
+        self.count, self._flown_s = 0, 0.0
+        self._begun = self._ended = time.perf_counter()
+        self.shown: Callable[[], None] = lambda: None
+
+    def fly(self, tasks: Iterable[Task], key: Callable[[Task], bytes]) -> Iterator[tuple[Task, Record]]:
+        """Fly those of the tasks that are missing; yields each when it is stored under its key, in any order."""
+        folder = self.store.folder
+        for task, flown in self._fly_all(task for task in tasks if key(task) not in self.store):
+            if not self.count:
+                remove_results(folder)  # which are those of fewer flights
+            if flown.log:
+                write(log_file(folder, self.plan, self.plan.number(task)), flown.log, within=folder)
+            self.store.add(key(task), flown.record, flown.history if self.plan.histories else b"")
+            self.count, self._ended = self.count + 1, time.perf_counter()
+            self._flown_s += max(0.0, flown.record.end_time_s)  # NaN without a result
+            self.shown()
+            yield task, flown.record
+
+    def __str__(self) -> str:
+        if not self.count:
+            return "no flight was missing"
+        wall_s = max(self._ended - self._begun, 1e-9)
+        rate, speed = self.count / wall_s, self._flown_s / wall_s
+        return f"{self.count} flights in {wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} times real time"
+
+
+def fly_into(
+    plan: Plan, folder: Path, options: Options, fly: Callable[[Flights], Any], *, resume: bool
+) -> Flights:
+    """The flights of a study in its folder, and what `fly` finds by them.
+
+    Raises BadInput when it cannot begin, Stopped when it ended early: Ctrl-C, disk full, cluster gone. If no flight had
     finished then, a new folder is removed.
-
-    Args:
-        tree: the resolved study, as its file is to have it.
-        kept: what follows the number of flights in the words of Stopped.
     """
     job = options.job(plan)
     if options.cluster is not None:
         refuse_dead(options.cluster)  # before the folder is made
     new = not os.path.lexists(folder)
-    store = begin(folder, kind, plan, tree, job.fly, resume=resume)
+    store = begin(folder, plan, job.fly, resume=resume)
     useless = False
     try:
         with options.workers(job, options.jobs, options.cluster) as fly_all:
-            yield store, fly_all
+            flights = Flights(plan, job, store, fly_all)
+            with progress(plan.name, plan.size, lambda: flights.words(), len(store)) as flights.shown:
+                flights.found = fly(flights)
+                return flights
     except Refused:
         useless = new
         raise
     except (KeyboardInterrupt, OSError, BadInput) as error:
         useless = new and not len(store)
-        rest = "no flight had finished, and nothing is kept" if useless else f"{len(store)} {kept}"
-        raise Stopped(f"{folder}: {_why(error)}; {rest}") from None
+        kept = f"{len(store)} of {plan.total} flights are kept, --resume flies the rest"
+        kept = "no flight had finished, and nothing is kept" if useless else kept
+        raise Stopped(f"{folder}: {_why(error)}; {kept}") from None
     finally:
         with suppress(OSError):  # a full disk has been reported above
             store.close()

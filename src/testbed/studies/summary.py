@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import itertools
-import json
 import math
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from testbed.common import statistics
 from testbed.common.files import plain
-from testbed.common.writing import write as write_file
 from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
@@ -31,11 +28,11 @@ WORST = 5
 def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
     """Contents of summary.json for the finished flights; a number that is not finite becomes None."""
     groups = list(groups_of(plan, frame))
-    probabilistic = plan.cases is None and plan.sweep.sampling != "grid"
+    probabilistic = plan.cases is None and plan.sampling != "grid"
     summary = {
         "sweep": plan.name,
-        "seed": plan.sweep.seed,
-        "sampling": "cases" if plan.cases is not None else plan.sweep.sampling,
+        "seed": plan.study.seed,
+        "sampling": "cases" if plan.cases is not None else plan.sampling,
         "probabilistic": probabilistic,
         "runs": int(frame["run"].nunique()),
         "runs_asked": plan.runs,
@@ -50,16 +47,10 @@ def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
     return known
 
 
-def write(summary: dict[str, Any], folder: Path) -> None:
-    """Write summary.json, whole or not at all."""
-    text = json.dumps(summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    write_file(folder / "summary.json", text + "\n")
-
-
 def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
     """Names of the columns that are metrics."""
     others = {"run", "seed", "outcome", "passed", "reason", "end_time_s", "robustness"}
-    others |= {*plan.paths, *plan.sweep.compare}
+    others |= {*plan.paths, *plan.study.compare}
     return [name for name in frame.columns if name not in others and not name.startswith("requirements.")]
 
 

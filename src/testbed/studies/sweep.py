@@ -1,73 +1,41 @@
-"""Fly a sweep into its folder: fly the missing flights, store each as it finishes, then write the table."""
+"""Fly a sweep: the missing flights of its list, up to the run at which it may stop; then its table."""
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 
-from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
-from testbed.studies.flying.pool import Done, FlyAll, default_jobs, workers
+from testbed.studies.flying.pool import Done, default_jobs, workers
 from testbed.studies.folder import table
-from testbed.studies.folder.begin import SWEEP
-from testbed.studies.folder.names import log_file
 from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
-from testbed.studies.progress import Progress
 from testbed.studies.record import key_of
-from testbed.studies.run import Options, flying_into
+from testbed.studies.run import Flights, Options, fly_into
 from testbed.studies.stopping import Stopping
 
 
-@dataclass(frozen=True)
-class Flights:
-    """What one call of `fly_sweep` has flown: number of flights, their simulated time [s], and the wall time [s]."""
-
-    count: int
-    flown_s: float
-    wall_s: float
-
-    def __str__(self) -> str:
-        rate, speed = self.count / self.wall_s, self.flown_s / self.wall_s
-        return (
-            f"{self.count} flights in {self.wall_s:.1f} s: {rate:.1f} flights/s, {speed:.0f} times real time"
-        )
-
-
 def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
-    """Fly the flights that a folder does not have yet, and write its table; returns what was flown.
+    """Fly the flights of a plan that its folder does not have yet, and write its table; returns what was flown.
 
-    Raises BadInput and Stopped as `run.flying_into`.
+    Raises BadInput and Stopped as `run.fly_into`.
     """
-    kept = f"of {plan.size} flights are kept, --resume flies the rest"
-    with flying_into(folder, SWEEP, plan, plan.tree, options, kept, resume=resume) as (store, fly_all):
-        return fly_missing(plan, store, fly_all)
+    return fly_into(plan, folder, options, fly_missing, resume=resume)
 
 
-def fly_missing(plan: Plan, store: Store, fly_all: FlyAll) -> Flights:
-    """As `fly_sweep`, into an open store, and with anything that flies."""
-    begun, count, flown_s = time.perf_counter(), 0, 0.0
+def fly_missing(flights: Flights) -> None:
+    """As `fly_sweep`, with what flies into an open folder."""
+    plan, store = flights.plan, flights.store
     passed, complete = Passed(plan), _CompleteRuns(plan, store)
+    flights.words = passed.words
     complete.advance()
-    with Progress(plan.name, plan.size, passed.words, len(store)) as progress:
-        for task, flown in fly_all(complete.missing()):
-            k, record = plan.number(task), flown.record
-            if flown.log:
-                write(log_file(store.folder, plan, k), flown.log, within=store.folder)
-            store.add(key_of(k), record, flown.history)
-            count += 1
-            flown_s += record.end_time_s if record.end_time_s > 0.0 else 0.0  # NaN without a result
-            passed.add(task.variant, record.passed)
-            progress.add()
-            if complete.advance():
-                break
-    runs = complete.stopping.stopped_at
-    table.write(plan, lambda: records(plan, store, runs), store.folder)
-    return Flights(count, flown_s, max(time.perf_counter() - begun, 1e-9))
+    for task, record in flights.fly(complete.tasks(), plan.key):
+        passed.add(task.variant, record.passed)
+        if complete.advance():
+            break
+    table.write(plan, lambda: records(plan, store, complete.stopping.stopped_at), store.folder)
 
 
 class Passed:
@@ -89,36 +57,31 @@ class Passed:
 
 
 class _CompleteRuns:
-    """Counts the complete runs from run 0 up to the first that is not complete; and lists the flights still to fly.
+    """Gives the stopping rule the runs in order, up to the first that is not complete.
 
-    The stopping rule gets these runs in order, so its decision does not depend on the order in which flights finish.
+    So its decision does not depend on the order in which flights finish.
     """
 
     def __init__(self, plan: Plan, store: Store) -> None:
         self._plan, self._store = plan, store
-        self._runs = 0
-        self.stopping = Stopping(plan.sweep.stop_when, len(plan.variants))
+        self.stopping = Stopping(plan.stop_when, len(plan.variants))
 
     def advance(self) -> bool:
-        """Give the stopping rule every run that has become complete; returns whether the sweep may stop."""
-        plan, store, n = self._plan, self._store, len(self._plan.variants)
-        if plan.sweep.stop_when is None:
-            return False
-        while self.stopping.stopped_at is None and self._runs < plan.runs:
-            keys = [key_of(k) for k in range(self._runs * n, (self._runs + 1) * n)]
-            if not all(key in store for key in keys):
+        """Give the rule every run that has become complete; returns whether the sweep may stop."""
+        n, stopping = len(self._plan.variants), self.stopping
+        while self._plan.stop_when and stopping.stopped_at is None and stopping.runs < self._plan.runs:
+            keys = [key_of(stopping.runs * n + variant) for variant in range(n)]
+            if not all(key in self._store for key in keys):
                 break
-            self.stopping.add([store.record(key).passed for key in keys])
-            self._runs += 1
-        return self.stopping.stopped_at is not None
+            stopping.add([self._store.record(key).passed for key in keys])
+        return stopping.stopped_at is not None
 
-    def missing(self) -> Iterator[Task]:
-        """Flights still to fly, in order."""
+    def tasks(self) -> Iterator[Task]:
+        """Every flight in order, until the sweep may stop."""
         for k in range(self._plan.size):
             if self.stopping.stopped_at is not None:
                 return
-            if key_of(k) not in self._store:
-                yield self._plan.task(k)
+            yield self._plan.task(k)
 
 
 def fly_only(plan: Plan, run: int, options: Options, variant: int | None = None) -> list[Done]:

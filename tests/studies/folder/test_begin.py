@@ -12,7 +12,7 @@ import testbed
 from testbed.api.sweep import prepare, rebuild
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
-from testbed.studies.folder.begin import SWEEP, begun_with, refuse_changed, refuse_other
+from testbed.studies.folder.begin import begun_with, refuse_changed, refuse_other
 from testbed.studies.load import load_sweep
 
 CHANGES: list[tuple[list[str], str]] = [
@@ -76,9 +76,9 @@ def test_another_version_or_aircraft_is_said(tmp_path: Path) -> None:
 def test_a_folder_of_something_else_is_left_alone(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
     (tmp_path / "new").mkdir()
-    refuse_other(tmp_path / "new", SWEEP, plan, plan.tree, resume=False)  # an empty folder is as good as none
+    refuse_other(tmp_path / "new", plan, resume=False)  # an empty folder is as good as none
     with pytest.raises(BadInput, match="is not the folder of a sweep"):
-        refuse_other(tmp_path, SWEEP, plan, plan.tree, resume=True)
+        refuse_other(tmp_path, plan, resume=True)
 
 
 @pytest.mark.parametrize("runs", ["", "runs: many\n", "runs: 0\n"])

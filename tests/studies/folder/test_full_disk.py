@@ -11,10 +11,10 @@ from sweep_files import fly_here, here, same_rows, written
 
 from testbed.inputs.problems import BadInput
 from testbed.studies.flying.pool import serial
-from testbed.studies.folder.begin import SWEEP, begin
+from testbed.studies.folder.begin import begin
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
-from testbed.studies.run import Stopped
+from testbed.studies.run import Flights, Stopped
 from testbed.studies.sweep import fly_missing, fly_sweep
 
 FLY = "sweep_flights:quick"
@@ -43,9 +43,10 @@ def test_a_sweep_goes_on_where_the_disk_was_full_within_a_page(tmp_path: Path) -
 
 def written_in_all(plan: Plan, folder: Path) -> int:
     """Size of the largest file while all are flown, that of the log of the database [bytes]."""
-    flights = begin(folder, SWEEP, plan, plan.tree, FLY, resume=False)
-    with serial(here(FLY).job(plan)) as fly_all:
-        fly_missing(plan, flights, fly_all)
+    flights = begin(folder, plan, FLY, resume=False)
+    job = here(FLY).job(plan)
+    with serial(job) as fly_all:
+        fly_missing(Flights(plan, job, flights, fly_all))
     size = max(file.stat().st_size for file in folder.rglob("*") if file.is_file())
     flights.close()
     return size

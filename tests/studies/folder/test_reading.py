@@ -9,12 +9,16 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
-from sweep_files import fly_here, table, written
+from sweep_files import SWEEP, fly_here, here, written
+from sweep_files import table as table_of
+from sweep_flights import quick
 
+import testbed
 from testbed.inputs.problems import BadInput
-from testbed.studies.folder import store
+from testbed.studies.folder import store, table
 from testbed.studies.folder.reading import groups_of, load, unit
 from testbed.studies.load import load_sweep
+from testbed.studies.sweep import fly_sweep
 
 
 @pytest.fixture(scope="module")
@@ -24,7 +28,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_table_loads_with_dtypes_and_units(folder: Path) -> None:
-    frame = table(folder)
+    frame = table_of(folder)
     assert str(frame["outcome"].dtype) == str(frame["controller.type"].dtype) == "category"
     assert frame["passed"].dtype == bool and frame["run"].dtype == np.int64
     assert frame.attrs["units"]["altitude_error_max_m"] == "m"
@@ -37,7 +41,7 @@ def test_the_table_loads_with_dtypes_and_units(folder: Path) -> None:
 
 
 def test_the_table_says_what_it_is_of(folder: Path) -> None:
-    frame = table(folder)
+    frame = table_of(folder)
     assert (frame.attrs["name"], frame.attrs["folder"]) == ("small", str(folder))
     passed = [int(rows["passed"].sum()) for _, rows in groups_of(load_sweep(folder / "sweep.yaml"), frame)]
     assert frame.attrs["summary"] == (
@@ -70,12 +74,12 @@ def test_an_unfinished_sweep_has_the_flights_that_finished(
         flights = store.opened(tmp_path)
         for key, record in islice(whole_store.records(), finished):
             flights.add(key, record)
-    frame = table(tmp_path)  # while it is open, as when it is being flown
+    frame = table_of(tmp_path)  # while it is open, as when it is being flown
     flights.close()
-    assert table(tmp_path).equals(frame)
+    assert table_of(tmp_path).equals(frame)
     assert len(frame) == finished and list(frame.columns[:2]) == ["run", "seed"]
     assert f"{-(-finished // 2)} of 12 runs flown" in frame.attrs["summary"]
-    whole = table(folder)
+    whole = table_of(folder)
     for name in ("run", "seed", "passed", "altitude_error_max_m"):
         if finished:
             assert list(frame[name]) == list(whole[name][:finished])
@@ -86,14 +90,30 @@ def test_a_folder_that_is_no_sweep_is_refused(tmp_path: Path) -> None:
         load(tmp_path)
 
 
-def test_a_table_that_is_older_than_the_flights_is_not_the_answer(tmp_path: Path) -> None:
-    """As after a kill in the middle of a resume with more runs: what had been written before has fewer flights."""
-    plan = load_sweep(written(tmp_path))
-    folder = fly_here(plan, tmp_path / "out")
-    whole = table(folder)
-    old = pd.read_parquet(folder / "results.parquet").head(6)
-    old.to_parquet(folder / "results.parquet")
-    assert load(folder)["run"].tolist() == whole["run"].tolist()
-    assert load(folder).attrs["summary"] == whole.attrs["summary"]
-    (folder / store.NAME).unlink()
-    assert len(load(folder)) == 6, "without the flights the table is all there is"
+@pytest.mark.parametrize("rule", ["", "stop_when: {half_width: 0.2}\n"])
+def test_results_of_fewer_flights_do_not_stay(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, rule: str
+) -> None:
+    """As after an interruption in the middle of a resume: the table of before, and what was made of it, are gone."""
+    file = written(tmp_path, SWEEP + rule)
+    testbed.sweep(file, tmp_path / "out", runs=3, fly=quick, jobs=1)
+    assert len(load(tmp_path / "out")) == 6
+    with monkeypatch.context() as patched, pytest.raises(testbed.Stopped):
+        patched.setattr(table, "write", interrupted)
+        fly_sweep(load_sweep(file, ["runs=5"]), tmp_path / "out", here(), resume=True)
+    assert load(tmp_path / "out")["run"].tolist() == [0, 0, 1, 1, 2, 2, 3, 3, 4, 4]
+    names = {path.name for path in (tmp_path / "out").iterdir()}
+    assert not names & {"results.csv", "results.parquet", "summary.json", "report.html", "figures"}
+
+
+def interrupted(*_: object) -> None:
+    raise KeyboardInterrupt
+
+
+def test_a_resume_without_figures_leaves_none_of_before(tmp_path: Path) -> None:
+    file = written(tmp_path)
+    testbed.sweep(file, tmp_path / "out", runs=3, fly=quick, jobs=1)
+    testbed.sweep(file, tmp_path / "out", runs=3, fly=quick, jobs=1, resume=True, figures=False)
+    assert (tmp_path / "out/figures").is_dir(), "which are still those of these flights"
+    testbed.sweep(file, tmp_path / "out", runs=4, fly=quick, jobs=1, resume=True, figures=False)
+    assert not (tmp_path / "out/figures").exists() and not (tmp_path / "out/report.html").exists()

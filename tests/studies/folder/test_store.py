@@ -23,7 +23,7 @@ from sweep_files import fly_here, here, table, written
 from testbed.cli.commands import main
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
-from testbed.studies.folder.begin import SWEEP, begin
+from testbed.studies.folder.begin import begin
 from testbed.studies.folder.reading import records
 from testbed.studies.folder.table import write
 from testbed.studies.load import load_sweep
@@ -83,11 +83,11 @@ def test_logs_are_kept_as_asked(tmp_path: Path, which: str, keeps: Callable[[pd.
 
 def test_two_processes_do_not_fly_one_folder(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
-    flights = begin(tmp_path / "out", SWEEP, plan, plan.tree, "f", resume=False)
+    flights = begin(tmp_path / "out", plan, "f", resume=False)
     with pytest.raises(BadInput, match="is being flown by another process"):
-        begin(tmp_path / "out", SWEEP, plan, plan.tree, "f", resume=True)
+        begin(tmp_path / "out", plan, "f", resume=True)
     flights.close()
-    begin(tmp_path / "out", SWEEP, plan, plan.tree, "f", resume=True).close()
+    begin(tmp_path / "out", plan, "f", resume=True).close()
 
 
 WRITER = """
@@ -277,7 +277,7 @@ def test_a_study_that_begins_twice_at_once_has_one_store(tmp_path: Path) -> None
 def test_flights_are_neither_held_nor_rewritten(tmp_path: Path) -> None:
     """The parent's memory does not grow with the flights, nor the log of the database beyond some megabytes."""
     plan = load_sweep(written(tmp_path), ["runs=20000"])
-    with closing(begin(tmp_path / "out", SWEEP, plan, plan.tree, "f", resume=False)) as flights:
+    with closing(begin(tmp_path / "out", plan, "f", resume=False)) as flights:
         record = first_record(plan)
         tracemalloc.start()
         try:

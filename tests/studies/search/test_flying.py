@@ -30,7 +30,7 @@ def cluster(tmp_path: Path) -> Iterator[Cluster]:
 def test_processes_stay_for_the_next_batch(tmp_path: Path) -> None:
     plan = load_search(written(tmp_path))
     options = Options(jobs=2, save_logs="none", fly=search_flights.in_its_process)
-    with workers(options.job(plan.plan), options.jobs) as fly_all:
+    with workers(options.job(plan), options.jobs) as fly_all:
         seen = set()
         for batch in range(3):
             tasks = plan.tasks(plan.parts[0], np.full((4, 2), 0.1 * batch), 4 * batch)

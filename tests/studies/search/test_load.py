@@ -17,14 +17,14 @@ from testbed.studies.search.load import load_search
 
 def refused(file: Path, *settings: str) -> str:
     with pytest.raises(BadInput) as error:
-        check(load_search(file, settings).plan)
+        check(load_search(file, settings))
     return str(error.value)
 
 
 def test_shipped_searches_are_valid() -> None:
     assert {file.stem for file in search_files()} == {"rare_gust", "smallest_gust", "smallest_turbulence"}
     for file in search_files():
-        check(load_search(file).plan)
+        check(load_search(file))
 
 
 def test_a_severity_is_measured_from_the_value_without_effect(tmp_path: Path) -> None:
@@ -80,7 +80,7 @@ def test_one_requirement_alone_is_searched(tmp_path: Path) -> None:
         "requirements=[{name: held, metric: altitude_error_max_m, at_most: 1}, {metric: heading_error_max_deg, at_most: 1}]"
     ]
     plan = load_search(written(tmp_path), [*settings, "requirement=heading_error_max_deg at most 1"])
-    scenario = plan.plan.builder.scenario(plan.plan.task(0))
+    scenario = plan.builder.scenario(plan.task(0))
     assert [requirement.title for requirement in scenario.requirements] == ["heading_error_max_deg at most 1"]
     words = refused(written(tmp_path), *settings, "requirement=hold")
     assert words.endswith("requirement: there is no requirement 'hold', did you mean held?")
@@ -120,7 +120,7 @@ def test_what_varies_may_be_a_default_of_the_scenario(tmp_path: Path, varied: st
     """Without `atmosphere` and `controller` in the file; halfnorm's upper quantile is finite."""
     text = SEARCH.partition("vary:")[0].replace("  atmosphere: {wind_m_s: [0, 0, 0]}\n", "")
     text = text.replace("scenario: scenarios/left_tail_fail.yaml", _PLAIN)
-    check(load_search(written(tmp_path, f"{text}vary:\n  {varied}\n")).plan)
+    check(load_search(written(tmp_path, f"{text}vary:\n  {varied}\n")))
 
 
 _PLAIN = "scenario: {name: plain, aircraft: vtail}"

@@ -1,6 +1,6 @@
 """A study's folder while it is flown. It must be new or, to resume, have been begun with the same inputs.
 
-sweep.yaml       or search.yaml: the resolved study with the scenario inside; it can be flown again as it is
+sweep.yaml       or the name of another kind: the resolved study with the scenario inside; it can be flown again as it is
 cases.csv        a sweep's table of runs, if it has one
 flights.sqlite   what the study was begun with, and every flight that has finished (see `store`)
 logs/            whole logs of the flights that --save-logs chooses, such as run-000012-adaptive_inversion.parquet
@@ -12,8 +12,8 @@ import hashlib
 import importlib.metadata
 import json
 import os
+import shutil
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -33,32 +33,19 @@ from testbed.studies.plan import Plan
 _VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
 
 
-@dataclass(frozen=True)
-class Kind:
-    """What differs between the folders of sweeps and of searches: `free` are the keys on which no flight depends."""
-
-    word: str
-    free: tuple[str, ...]
-
-    @property
-    def file(self) -> str:
-        """Name of the file with the resolved study."""
-        return f"{self.word}.yaml"
+_FILES = ("results.csv", "results.parquet", "summary.json", "report.html", store.NAME, f"{store.NAME}-wal")
+_RESULTS = _FILES[:4]
+_FOLDERS = ("logs", "figures", "flights")
 
 
-SWEEP = Kind("sweep", ("name", "runs", "stop_when"))
-SEARCH = Kind("search", ("name", "budget", "cov", "method", "starts"))
-
-
-def begin(
-    folder: Path, kind: Kind, plan: Plan, tree: Mapping[str, Any], fly: str, *, resume: bool
-) -> store.Store:
-    """Make the folder of the study that `tree` describes, or open it to resume; returns its store.
+def begin(folder: Path, plan: Plan, fly: str, *, resume: bool) -> store.Store:
+    """Make the folder of a study, or open it to resume; returns its store.
 
     Raises BadInput when it has another study, or exists without `resume`, or cannot be written.
     """
     try:
-        refuse_other(folder, kind, plan, tree, resume)
+        refuse_other(folder, plan, resume)
+        refuse_blocked(folder)
         folder.mkdir(parents=True, exist_ok=True)
         now = begun_with(plan, fly)
         if not store.exists(folder):
@@ -66,16 +53,39 @@ def begin(
         stored = store.opened(folder)
         try:
             refuse_changed(stored.inputs, now, folder)
+            for _ in stored.records():  # each is checked before anything is flown
+                pass
             # Only now, when the folder is known to be of this study. The file is written again, as `runs` may have grown.
             if plan.cases_text is not None:
                 write(folder / "cases.csv", plan.cases_text)
-            write(folder / kind.file, yamlfile.dump(tree))
+            write(folder / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
         except BaseException:
             stored.close()
             raise
         return stored
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror or error}", str(folder))]) from None
+
+
+def refuse_blocked(folder: Path) -> None:
+    """Raise BadInput where a study's folder has a folder in place of a file that is written, or a file in place of a folder."""
+    problems = [
+        Problem("is a folder", str(folder / name), expected="a file")
+        for name in _FILES
+        if os.path.isdir(folder / name)
+    ]
+    for name in _FOLDERS:
+        if os.path.lexists(folder / name) and not os.path.isdir(folder / name):
+            problems.append(Problem("is a file", str(folder / name), expected="a folder"))
+    if problems:
+        raise BadInput(problems)
+
+
+def remove_results(folder: Path) -> None:
+    """Remove what was found in a study's flights, as far as it is there: from now on it has more."""
+    for name in _RESULTS:
+        (folder / name).unlink(missing_ok=True)
+    shutil.rmtree(folder / "figures", ignore_errors=True)
 
 
 def is_new(folder: Path) -> bool:
@@ -87,13 +97,12 @@ def is_new(folder: Path) -> bool:
 
 def begun_with(plan: Plan, fly: str) -> dict[str, Any]:
     """Everything, besides the study itself, that the results of the flights depend on."""
-    own = {name: each.digest for name, each in plan.builder.own.items()}
     return {
         "fly": fly,
         "aircraft_sha256": _aircraft_digest(plan),
-        "versions": _versions(),
+        "versions": {name: _version(name) for name in _VERSIONS},
         "arithmetic": dict(arithmetic()),
-        "controllers_sha256": own,
+        "controllers_sha256": {name: own.digest for name, own in plan.builder.own.items()},
     }
 
 
@@ -104,7 +113,7 @@ def refuse_changed(before: Mapping[str, Any], now: Mapping[str, Any], folder: Pa
         raise BadInput(problems)
 
 
-def refuse_other(folder: Path, kind: Kind, plan: Plan, tree: Mapping[str, Any], resume: bool) -> None:
+def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
     """Raise BadInput unless the folder is new or empty or, with `resume`, has the same study with as many runs or fewer."""
     if is_new(folder):
         return
@@ -112,26 +121,22 @@ def refuse_other(folder: Path, kind: Kind, plan: Plan, tree: Mapping[str, Any], 
         what = "a new folder, or --resume to go on with this one"
         raise FolderExists([Problem("exists already", str(folder), expected=what)])
     refuse_links(folder)
-    file = folder / kind.file
+    word = plan.study.word
+    file = folder / f"{word}.yaml"
     if not file.is_file():
-        others = any(os.path.lexists(folder / other.file) for other in (SWEEP, SEARCH))
-        if others or not store.exists(folder):
-            raise BadInput([Problem(f"is not the folder of a {kind.word}", str(folder))])
+        if not store.exists(folder) or any(folder.glob("*.yaml")):
+            raise BadInput([Problem(f"is not the folder of a {word}", str(folder))])
         return  # the process was killed before it wrote the file
     if (folder / "journal.jsonl").is_file() and not store.exists(folder):
         what = "was begun by an earlier version of testbed, and cannot be resumed"
         raise BadInput([Problem(what, str(folder), expected="a new folder")])
     source = yamlfile.read(file)
-    now = yamlfile.parse(yamlfile.dump(tree)).tree
-    unchanged = f"an unchanged {kind.word}"
-    problems = [
-        Problem(what, str(file), None, path, unchanged)
-        for path, what in _differences(source.tree, now, kind.free)
-    ]
-    if kind is SWEEP:
-        problems += _refused_runs(plan, source)
+    now = yamlfile.parse(yamlfile.dump(plan.tree)).tree
+    differences = [*_differences(source.tree, now, plan.study.free)]
     if plan.cases_text is not None and _cases(folder) != plan.cases_text:
-        problems.append(Problem("the table has changed", str(file), None, "cases", unchanged))
+        differences.append(("cases", "the table has changed"))
+    problems = [Problem(what, str(file), None, path, f"an unchanged {word}") for path, what in differences]
+    problems += _refused_runs(plan, source) if "runs" in now else ()
     if problems:
         raise BadInput(problems)
 
@@ -141,14 +146,14 @@ def _refused_runs(plan: Plan, source: Source) -> Iterator[Problem]:
     runs = runs_in(source)
     if plan.runs < runs:
         yield Problem(f"has {runs} already", source.file, None, "runs", "at least as many")
-    if plan.runs > runs and not plan.extendable:
+    if plan.runs > runs and plan.tree.get("sampling") == "latin_hypercube":
         what = f"a latin hypercube of {runs} runs cannot be made longer: its points depend on their number"
         yield Problem(what, source.file, None, "runs", "sobol, halton or random for that")
 
 
 def runs_of(folder: Path) -> int | None:
     """Number of runs in the sweep.yaml of a folder; None if there is none. Raises BadInput if the file does not say."""
-    file = folder / SWEEP.file
+    file = folder / "sweep.yaml"
     return runs_in(yamlfile.read(file)) if os.path.isfile(file) else None
 
 
@@ -187,7 +192,8 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
         yield f"the function {before.get('fly')}, this is {now['fly']}"
     if before.get("aircraft_sha256") != now["aircraft_sha256"]:
         yield "other files of the aircraft, which have changed since"
-    digests, versions = (_mapping(before.get(key)) for key in ("controllers_sha256", "versions"))
+    said = (before.get(key) for key in ("controllers_sha256", "versions"))
+    digests, versions = (each if isinstance(each, dict) else {} for each in said)
     for name, digest in now["controllers_sha256"].items():
         if digests.get(name) != digest:
             yield f"other code of {name}, which has changed since"
@@ -197,19 +203,12 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
     yield from differences(before.get("arithmetic"), now["arithmetic"])
 
 
-def _mapping(value: Any) -> Mapping[str, Any]:
-    return value if isinstance(value, dict) else {}
-
-
-def _versions() -> dict[str, str]:
-    """Versions of the packages on which the last digits of a flight may depend."""
-    found = {}
-    for name in _VERSIONS:
-        try:
-            found[name] = importlib.metadata.version(name)
-        except importlib.metadata.PackageNotFoundError:  # run from the repository, not installed
-            found[name] = ""
-    return found
+def _version(name: str) -> str:
+    """The version of a package on which the last digits of a flight may depend; "" where the repository is not installed."""
+    try:
+        return importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:
+        return ""
 
 
 def _aircraft_digest(plan: Plan) -> str:

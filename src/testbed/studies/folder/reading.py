@@ -20,6 +20,8 @@ from testbed.studies.record import Record, key_of
 if TYPE_CHECKING:
     import pandas as pd
 
+TABLE = "results.parquet"
+
 
 def load(folder: str | Path) -> pd.DataFrame:
     """The table of a sweep folder, with a row for each flight; for an unfinished sweep, for each flight that has finished.
@@ -27,14 +29,16 @@ def load(folder: str | Path) -> pd.DataFrame:
     Its `attrs` have the sweep's `name`, its `folder`, a `summary` in one sentence, and `units` {column: unit}.
     Raises BadInput when the folder is not a sweep folder.
     """
+    import pandas as pd
+
     folder = Path(folder)
     plan = load_plan(folder)
     try:
-        frame = _finished(folder) if _has_table(plan, folder) else _unfinished(plan, folder)
+        frame = pd.read_parquet(folder / TABLE) if is_finished(folder) else _unfinished(plan, folder)
     except (OSError, ValueError) as error:  # pyarrow's errors are ValueErrors
         problem = Problem(f"cannot be read: {error}", str(folder), expected="a sweep folder")
         raise BadInput([problem]) from None
-    for name in ["outcome", *plan.sweep.compare]:
+    for name in ["outcome", *plan.study.compare]:
         frame[name] = frame[name].astype("category")
     frame.attrs |= {
         "name": plan.name,
@@ -90,25 +94,9 @@ def groups_of(plan: Plan, frame: pd.DataFrame) -> Iterator[tuple[str, pd.DataFra
         yield variant.label, frame[mask]
 
 
-def _has_table(plan: Plan, folder: Path) -> bool:
-    """Whether results.parquet has every flight that has finished: not where it was written before others had.
-
-    After `stop_when` more may be stored than the table has, because others were still flying.
-    """
-    import pyarrow.parquet as pq
-
-    if not (file := folder / "results.parquet").is_file():
-        return False
-    if plan.sweep.stop_when is not None or not store.exists(folder):
-        return True
-    with store.reading(folder) as stored:
-        return len(stored) <= pq.read_metadata(file).num_rows
-
-
-def _finished(folder: Path) -> pd.DataFrame:
-    import pandas as pd
-
-    return pd.read_parquet(folder / "results.parquet")
+def is_finished(folder: Path) -> bool:
+    """Whether a folder has its table, which is there for exactly as long as it has every flight (see `begin.remove_results`)."""
+    return (folder / TABLE).is_file()
 
 
 def _unfinished(plan: Plan, folder: Path) -> pd.DataFrame:

@@ -22,13 +22,13 @@ import sqlite3
 import tempfile
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, nullcontext, suppress
+from contextlib import closing, contextmanager, nullcontext, suppress
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
-from testbed.common.writing import refuse_unsafe
+from testbed.common.writing import refuse_unsafe, write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.record import CHECKED, Record
 
@@ -85,15 +85,11 @@ class Store:
         """Store a finished flight, whole or not at all."""
         text = json.dumps(vars(record), separators=(",", ":"), ensure_ascii=False)
         flush = time.monotonic() - self._synced > _SYNC_S
-        try:
-            if flush:
-                self._database.execute("PRAGMA synchronous = FULL")
+        with _disk_errors():
+            # Each flight needs to outlast the process; a loss of power only those of some time ago.
+            self._database.execute(f"PRAGMA synchronous = {'FULL' if flush else 'NORMAL'}")
             self._database.execute("INSERT INTO flights VALUES (?, ?, ?)", (key, text, history))
-            if flush:
-                self._database.execute("PRAGMA synchronous = NORMAL")
-                self._synced = time.monotonic()
-        except sqlite3.Error as error:
-            raise OSError(str(error)) from None
+        self._synced = time.monotonic() if flush else self._synced
 
     def record(self, key: bytes) -> Record:
         """The record of a flight that is there."""
@@ -112,10 +108,8 @@ class Store:
 
     def close(self) -> None:
         """Move everything into the one file and flush it to disk; another process may then open it."""
-        try:
+        with _disk_errors():
             self._database.close()
-        except sqlite3.Error as error:
-            raise OSError(str(error)) from None
 
     def _all(self, question: str, *values: object) -> list[tuple[Any, ...]]:
         return list(self._rows(question, *values))
@@ -140,36 +134,28 @@ class Store:
         return BadInput([Problem(what, str(self.folder / NAME), expected="a file as testbed writes it")])
 
 
+@contextmanager
+def _disk_errors() -> Iterator[None]:
+    """What SQLite cannot write, as OSError."""
+    try:
+        yield
+    except sqlite3.Error as error:
+        raise OSError(str(error)) from None
+
+
 def create(folder: Path, inputs: Mapping[str, Any]) -> None:
     """Make an empty store of a study that is begun with these inputs, whole or not at all; one that is there stays."""
-    database = sqlite3.connect(":memory:")
-    for statement in (
-        f"PRAGMA application_id = {_APPLICATION}",
-        f"PRAGMA user_version = {_VERSION}",
-        *_TABLES,
-    ):
-        database.execute(statement)
-    database.execute("INSERT INTO begun VALUES (?)", (json.dumps(inputs),))
-    database.commit()
-    image = bytearray(database.serialize())
-    # Versions of the file format for writing and reading: 2 is that with a write-ahead log, which memory cannot have.
-    image[18:20] = b"\2\2"
-    database.close()
-    _write_new(folder / NAME, bytes(image))
-
-
-def _write_new(file: Path, content: bytes) -> None:
-    """Write a file that takes no other's place, so that two processes which begin at once have the same one."""
-    partial = file.with_name(f".{file.name}.{os.getpid()}")
-    try:
-        with partial.open("xb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        with suppress(FileExistsError):
-            os.link(partial, file)
-    finally:
-        partial.unlink(missing_ok=True)
+    with tempfile.TemporaryDirectory() as scratch:
+        file = Path(scratch) / NAME
+        with _disk_errors(), closing(sqlite3.connect(file, isolation_level=None)) as database:
+            for number, value in (("application_id", _APPLICATION), ("user_version", _VERSION)):
+                database.execute(f"PRAGMA {number} = {value}")
+            for table in _TABLES:
+                database.execute(table)
+            database.execute("INSERT INTO begun VALUES (?)", (json.dumps(inputs),))
+            database.execute("PRAGMA locking_mode = EXCLUSIVE")
+            database.execute("PRAGMA journal_mode = WAL")  # which the file keeps
+        write(folder / NAME, file.read_bytes(), keep=True)  # of two processes that begin at once, the first's
 
 
 def exists(folder: Path) -> bool:
@@ -188,13 +174,7 @@ def opened(folder: Path) -> Store:
     for file in (folder, folder / NAME):
         if not os.access(file, os.W_OK):  # SQLite would open it, and then take it for damaged
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(file))
-    database = _connected(folder / NAME, "mode=rw")
-    database.execute("PRAGMA locking_mode = EXCLUSIVE")
-    store = _store(database, folder)
-    database.execute(
-        "PRAGMA synchronous = NORMAL"
-    )  # each flight needs to outlast the process, not a loss of power
-    return store
+    return _store(folder, folder / NAME, "mode=rw", "PRAGMA locking_mode = EXCLUSIVE")
 
 
 @contextmanager
@@ -211,26 +191,15 @@ def reading(folder: Path) -> Iterator[Store]:
             else "no flight has finished in this folder"
         )
         raise BadInput([Problem(what, str(folder), expected="a folder of this version" if earlier else "")])
-    _refuse_links(folder)
     with tempfile.TemporaryDirectory() if _log(folder).exists() else nullcontext() as copy:
         file = _copied(folder, Path(copy)) if copy else folder / NAME
-        store = _store(_connected(file, "mode=rw" if copy else "mode=ro&immutable=1"), folder)
-        try:
+        with closing(_store(folder, file, "mode=rw" if copy else "mode=ro&immutable=1")) as store:
             yield store
-        finally:
-            store.close()
 
 
-def _store(database: sqlite3.Connection, folder: Path) -> Store:
-    try:
-        return Store(database, folder)
-    except BaseException:
-        database.close()
-        raise
-
-
-def _connected(file: Path, how: str) -> sqlite3.Connection:
-    """A connection that trusts nothing in the file."""
+def _store(folder: Path, file: Path, how: str, *settings: str) -> Store:
+    """The store of a folder in a file, by a connection that trusts nothing in it."""
+    _refuse_links(folder)
     if sqlite3.sqlite_version_info < _NEEDED:
         what = f"Python's SQLite is {sqlite3.sqlite_version}"
         raise BadInput([Problem(what, expected=f"{'.'.join(map(str, _NEEDED))} or newer")])
@@ -239,10 +208,14 @@ def _connected(file: Path, how: str) -> sqlite3.Connection:
         database = sqlite3.connect(address, uri=True, isolation_level=None, timeout=0)
     except sqlite3.Error as error:
         raise BadInput([Problem(f"cannot be opened: {error}", str(file))]) from None
-    database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LARGEST)
-    database.execute("PRAGMA trusted_schema = OFF")
-    database.execute("PRAGMA cell_size_check = ON")
-    return database
+    try:
+        database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LARGEST)
+        for setting in ("PRAGMA trusted_schema = OFF", "PRAGMA cell_size_check = ON", *settings):
+            database.execute(setting)
+        return Store(database, folder)
+    except BaseException:
+        database.close()
+        raise
 
 
 def _log(folder: Path) -> Path:

@@ -57,7 +57,7 @@ def columns(plan: Plan, records: Iterable[Record]) -> dict[str, type]:
             (verdicts if name.startswith("requirements.") and name not in plan.paths else middle).setdefault(
                 name
             )
-    head = ["run", "seed", *plan.sweep.compare, "outcome", "passed", *plan.paths, "end_time_s", "robustness"]
+    head = ["run", "seed", *plan.study.compare, "outcome", "passed", *plan.paths, "end_time_s", "robustness"]
     rest = [name for name in middle if name not in head and name != "reason"]
     order = sorted(verdicts, key=lambda name: (int(name.split(".")[1]), name))
     return {name: _type(kinds.get(name, set())) for name in dict.fromkeys([*head, *rest, *order, "reason"])}

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from testbed.inputs.problems import BadInput, Problem
-from testbed.studies.flying.pool import FlyAll
-from testbed.studies.folder.store import Store
 from testbed.studies.record import Record
+from testbed.studies.run import Flights
 from testbed.studies.search.plan import Part, Point, SearchPlan, key_of
 
 _LEAST = 1e-12
@@ -24,18 +23,11 @@ class LimitState:
         points: every point that was asked for, with its number, in the order of its first time.
     """
 
-    def __init__(
-        self,
-        plan: SearchPlan,
-        part: Part,
-        store: Store,
-        fly_all: FlyAll,
-        flown: Callable[[Part, Point, bool], None],
-    ) -> None:
-        """`flown` is called with each point that has been flown, and whether it failed."""
+    def __init__(self, plan: SearchPlan, part: Part, flights: Flights) -> None:
         self.part = part
         self.points: dict[Point, int] = {}
-        self._plan, self._store, self._fly_all, self._flown = plan, store, fly_all, flown
+        self._plan, self._flights = plan, flights
+        self._nearest = math.inf
 
     def __call__(self, u: np.ndarray) -> np.ndarray:
         """[n] robustness of the flights at points [n, dimensions]; NaN for a flight without a result."""
@@ -47,10 +39,10 @@ class LimitState:
 
     def record(self, point: Point) -> Record:
         """The record of the flight at a point that was asked for, whose number is its run."""
-        record = self._store.record(key_of(self.part, point))
+        record = self._flights.store.record(key_of(self.part, point))
         if record.variant != self.part.variant:
             what = f"has variant {record.variant} in place of {self.part.variant}"
-            raise BadInput([Problem(what, str(self._store.folder))])
+            raise BadInput([Problem(what, str(self._flights.store.folder))])
         return replace(record, run=self.points[point])
 
     def _fly(self, points: list[Point]) -> None:
@@ -58,10 +50,16 @@ class LimitState:
         for task, point in zip(tasks, points, strict=True):
             self.points[point] = task.run
         at = {task.run: point for task, point in zip(tasks, points, strict=True)}
-        missing = [task for task in tasks if key_of(self.part, at[task.run]) not in self._store]
-        for task, flown in self._fly_all(missing):
-            self._store.add(key_of(self.part, at[task.run]), flown.record)
-            self._flown(self.part, at[task.run], failed(flown.record))
+        self._flights.words = self._words
+        for task, record in self._flights.fly(tasks, lambda task: key_of(self.part, at[task.run])):
+            if failed(record):
+                self._nearest = min(self._nearest, math.hypot(*at[task.run]))
+
+    def _words(self) -> str:
+        """`ACTUATOR: nearest failure at distance 2.31`, of the flights that have been flown."""
+        label, distance = self._plan.label(self.part), self._nearest
+        found = "no failure yet" if distance == math.inf else f"nearest failure at distance {distance:.2f}"
+        return f"{label}: {found}" if label else found
 
 
 def robustness(record: Record) -> float:

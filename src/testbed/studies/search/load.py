@@ -22,7 +22,6 @@ from testbed.scenario.requirement import Requirement
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.load import name_of, study_of
 from testbed.studies.model import Goal, Search, Study, Sweep
-from testbed.studies.plan import Plan
 from testbed.studies.search.plan import Part, SearchPlan
 from testbed.studies.search.space import Coordinate, Origin, Space, origin_at
 
@@ -49,8 +48,8 @@ def load_search(
         _become(source, goal)
     search, builder = study_of(Search, source, settings, own)
     _choose_requirement(search, source, builder.base)
-    plan = Plan(_sweep(search), name_of(search, path), builder, _DRAWS)
-    return SearchPlan(search, plan, tuple(_parts(search, source, plan)))
+    parts = tuple(_parts(search, source, builder))
+    return SearchPlan(study=search, name=name_of(search, path), builder=builder, runs=_DRAWS, parts=parts)
 
 
 def _become(source: Source, goal: Goal) -> None:
@@ -59,12 +58,6 @@ def _become(source: Source, goal: Goal) -> None:
         for key in set(Sweep.model_fields) - set(Study.model_fields) - {"cases"}:
             source.tree.pop(key, None)
     source.tree["goal"] = goal
-
-
-def _sweep(search: Search) -> Sweep:
-    """The sweep over the same values, of which the scenarios, their checks and the table are used."""
-    shared = {name: getattr(search, name) for name in Study.model_fields}
-    return Sweep(**shared, runs=_DRAWS)
 
 
 def _choose_requirement(search: Search, source: Source, base: Source) -> None:
@@ -92,7 +85,7 @@ def _title(requirement: Any) -> str:
         return ""
 
 
-def _parts(search: Search, source: Source, plan: Plan) -> Iterator[Part]:
+def _parts(search: Search, source: Source, builder: Builder) -> Iterator[Part]:
     """A part for each variant and each combination of options, with the coordinates of everything else."""
     choices = {path: d for path, d in search.vary.items() if d.name == "choice"}
     rest = {path: d for path, d in search.vary.items() if d.name != "choice"}
@@ -101,13 +94,13 @@ def _parts(search: Search, source: Source, plan: Plan) -> Iterator[Part]:
             [source.problem(("vary",), "has choices only", "a value with a distribution to search in")]
         )
     combinations = list(itertools.product(*(_options(d) for d in choices.values())))
-    number = len(combinations) * len(plan.variants)
+    number = len(combinations) * len(builder.variants)
     if number > MOST_PARTS:
         what = f"asks for {number} searches, one for each variant and option"
         raise BadInput([source.problem(("vary",), what, f"at most {MOST_PARTS}")])
-    for k, (variant, chosen_ones) in enumerate(itertools.product(range(len(plan.variants)), combinations)):
+    for k, (variant, chosen_ones) in enumerate(itertools.product(range(len(builder.variants)), combinations)):
         options = dict(zip(choices, (value for value, _ in chosen_ones), strict=True))
-        origins = _origins(search, source, plan.builder, variant, options)
+        origins = _origins(search, source, builder, variant, options)
         space = Space(tuple(Coordinate(path, d, origins[path]) for path, d in rest.items()))
         yield Part(k, variant, options, math.prod(weight for _, weight in chosen_ones), space)
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -35,29 +34,34 @@ class Part:
     space: Space
 
 
-@dataclass(frozen=True)
-class SearchPlan:
-    """A resolved search. `plan` has what it shares with a sweep: the builder of its scenarios, and its variants."""
+@dataclass(frozen=True, kw_only=True)
+class SearchPlan(Plan):
+    """A resolved search. As a plan it is the sweep over the same values, with whose first runs its scenarios are checked."""
 
-    search: Search
-    plan: Plan
+    study: Search
     parts: tuple[Part, ...]
+    histories: ClassVar[bool] = False
 
     @property
-    def name(self) -> str:
-        """The title of the search."""
-        return self.plan.name
+    def size(self) -> int:
+        """The most flights that it may make."""
+        return self.study.budget * len(self.parts)
+
+    @property
+    def total(self) -> str:
+        """As `Plan.total`."""
+        return f"at most {self.size}"
 
     def label(self, part: Part) -> str:
         """The variant and the options of a part in words; empty if there is only one part."""
         options = [
             value if isinstance(value, str) else f"{path} {value}" for path, value in part.options.items()
         ]
-        return ", ".join(filter(None, [self.plan.variants[part.variant].label, *options]))
+        return ", ".join(filter(None, [self.variants[part.variant].label, *options]))
 
     def seed(self, part: Part) -> int:
         """Seed of the search's own random numbers: the same for all variants, which so meet the same points."""
-        return hashed(self.search.seed, "search", *sorted(f"{p}={v}" for p, v in part.options.items()))
+        return hashed(self.study.seed, "search", *sorted(f"{p}={v}" for p, v in part.options.items()))
 
     def tasks(self, part: Part, points: np.ndarray, first: int) -> list[Task]:
         """The flights at these points [n, dimensions], numbered from `first` on."""
@@ -73,17 +77,9 @@ class SearchPlan:
         In the search for the smallest failure it is the same for all flights, which then differ in their point only. For a
         probability it is drawn anew with each point: it acts as further random numbers, which the search does not move.
         """
-        if self.search.goal == "smallest":
-            return hashed(self.search.seed, "flight")
-        return hashed(self.search.seed, "flight", point.astype("<f8").tobytes().hex())
-
-    @property
-    def tree(self) -> dict[str, Any]:
-        """The contents of search.yaml: the resolved search with the scenario inside."""
-        study = self.plan.tree
-        shared = {key: study[key] for key in ("scenario", "seed", "time_limit_s", "vary")}
-        more = {key: study[key] for key in ("compare", "controllers") if key in study}
-        return copy.deepcopy({"name": self.name, **self.search.settings(), **shared, **more})
+        if self.study.goal == "smallest":
+            return hashed(self.study.seed, "flight")
+        return hashed(self.study.seed, "flight", point.astype("<f8").tobytes().hex())
 
 
 def coordinates(key: bytes) -> Point:

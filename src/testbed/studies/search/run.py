@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -18,15 +17,11 @@ from testbed.reliability import (
     smallest_failure,
 )
 from testbed.studies.drawing.builder import Task
-from testbed.studies.flying.pool import FlyAll
 from testbed.studies.folder import table
-from testbed.studies.folder.begin import SEARCH
-from testbed.studies.folder.store import Store
-from testbed.studies.progress import Progress
 from testbed.studies.record import Record
-from testbed.studies.run import Options, Refused, flying_into
+from testbed.studies.run import Flights, Options, Refused, fly_into
 from testbed.studies.search.limit_state import LimitState, failed, robustness
-from testbed.studies.search.plan import Part, Point, SearchPlan
+from testbed.studies.search.plan import Part, SearchPlan
 
 Answer = SmallestFailure | FailureProbability
 
@@ -48,54 +43,21 @@ class Found:
     record: Record | None
 
 
-def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool = False) -> list[Found]:
-    """Search every part, and write the table of flights; returns what was found, in the order of the parts.
+def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
+    """Search every part, and write the table of flights; `found` is what was found, in the order of the parts.
 
-    Raises BadInput and Stopped as `studies.run.flying_into`, and Refused when every flight at the origin fails already.
+    Raises BadInput and Stopped as `studies.run.fly_into`, and Refused when every flight at the origin fails already.
     """
-    kept = "flights are kept, --resume goes on"
-    with flying_into(folder, SEARCH, plan.plan, plan.tree, options, kept, resume=resume) as (store, fly_all):
-        return search_in(plan, store, fly_all)
+    return fly_into(plan, folder, options, lambda flights: search_by(plan, flights), resume=resume)
 
 
-def search_in(plan: SearchPlan, store: Store, fly_all: FlyAll) -> list[Found]:
-    """As `run_search`, into an open store, and with anything that flies. Raises Refused for what needs no search."""
-    nearest = Nearest(plan)
-    with Progress(plan.name, plan.search.budget * len(plan.parts), nearest.words) as progress:
-
-        def flown(part: Part, point: Point, failed: bool) -> None:
-            nearest.add(part, point, failed)
-            progress.add()
-
-        states = [LimitState(plan, part, store, fly_all, flown) for part in plan.parts]
-        _refuse_broken(plan, states)
-        found = [_found(plan, state) for state in states]
-    table.write(plan.plan, lambda: _rows(states), store.folder)
+def search_by(plan: SearchPlan, flights: Flights) -> list[Found]:
+    """As `run_search`, with what flies into an open folder."""
+    states = [LimitState(plan, part, flights) for part in plan.parts]
+    _refuse_broken(plan, states)
+    found = [_found(plan, state) for state in states]
+    table.write(plan, lambda: _rows(states), flights.store.folder)
     return found
-
-
-class Nearest:
-    """The nearest failure so far of the part that is being searched."""
-
-    def __init__(self, plan: SearchPlan) -> None:
-        self._plan = plan
-        self._distances: dict[int, float] = {}
-        self._part: Part | None = None
-
-    def add(self, part: Part, point: Point, failed: bool) -> None:
-        """Count one more flight."""
-        self._part = part
-        if failed:
-            known = self._distances.get(part.number, math.inf)
-            self._distances[part.number] = min(math.hypot(*point), known)
-
-    def words(self) -> str:
-        """`ACTUATOR: nearest failure at distance 2.31`."""
-        if self._part is None:
-            return ""
-        label, distance = self._plan.label(self._part), self._distances.get(self._part.number)
-        found = "no failure yet" if distance is None else f"nearest failure at distance {distance:.2f}"
-        return f"{label}: {found}" if label else found
 
 
 def _rows(states: Sequence[LimitState]) -> Iterator[Record]:
@@ -130,7 +92,7 @@ def _refuse_broken(plan: SearchPlan, states: Sequence[LimitState]) -> None:
 
 def broken_names(plan: SearchPlan, record: Record) -> list[str]:
     """What a flight did not meet, by the requirements' names; that the aircraft was lost, if each was met until then."""
-    scenario = plan.plan.builder.scenario(Task(record.run, record.variant, record.seed, record.values))
+    scenario = plan.builder.scenario(Task(record.run, record.variant, record.seed, record.values))
     verdicts = zip(scenario.requirements, record.requirements, strict=False)
     names = [repr(requirement.title) for requirement, (passed, *_) in verdicts if not passed]
     return names or [f"no requirement, but the flight ended early ({record.outcome})"]
@@ -145,7 +107,7 @@ def _found(plan: SearchPlan, state: LimitState) -> Found:
 
 
 def _answer(plan: SearchPlan, state: LimitState) -> Answer:
-    search, dimensions = plan.search, len(state.part.space)
+    search, dimensions = plan.study, len(state.part.space)
     shared = {"seed": plan.seed(state.part), "budget": search.budget}
     if search.goal == "probability":
         return failure_probability(state, dimensions, cov=search.cov, method=search.method, **shared)

@@ -27,16 +27,16 @@ def summarize(plan: SearchPlan, found: Sequence[Found]) -> Summary:
     `found`, `distance` and `probability` are those of the first variant: its nearest failure, and its probability.
     """
     parts = [_part(plan, each) for each in found]
-    variants = [_variant(plan, number, found) for number in range(len(plan.plan.variants))]
+    variants = [_variant(plan, number, found) for number in range(len(plan.variants))]
     first = nearest([part for part in parts if part["variant"] == 0])
     summary = {
         "search": plan.name,
-        "goal": plan.search.goal,
-        "requirement": plan.search.requirement,
-        "seed": plan.search.seed,
-        "budget": plan.search.budget,
-        "cov": plan.search.cov,
-        "method": plan.search.method,
+        "goal": plan.study.goal,
+        "requirement": plan.study.requirement,
+        "seed": plan.study.seed,
+        "budget": plan.study.budget,
+        "cov": plan.study.cov,
+        "method": plan.study.method,
         "varied": [each.path for each in plan.parts[0].space.coordinates],
         "found": first is not None,
         "distance": None if first is None else first["distance"],
@@ -77,7 +77,7 @@ def _part(plan: SearchPlan, found: Found) -> Summary:
             "beyond": part.space.beyond(answer.design_point),
             "point": _point(part, answer.design_point),
         }
-        own = plan.plan.builder.own_controller(Task(0, part.variant, 0, {}))
+        own = plan.builder.own_controller(Task(0, part.variant, 0, {}))
         said |= {} if own is None else {"own_controller": own.reference}
     if isinstance(answer, SmallestFailure):
         said |= {
@@ -102,14 +102,10 @@ def _coordinates(part: Part, u: np.ndarray) -> dict[str, float]:
     return {each.path: each.distance(float(x)) for each, x in zip(part.space.coordinates, u, strict=True)}
 
 
-def _at(part: Part, point: np.ndarray) -> dict[str, Any]:
-    return part.space.values(np.array([point]))[0]
-
-
 def _point(part: Part, u: np.ndarray) -> dict[str, Summary]:
     """The design point: value, coordinate, share of the squared distance, and how likely a value at least this far is."""
     coordinates = _coordinates(part, u)
-    total, values, beyond = float(u @ u), _at(part, u), likelihoods(coordinates)
+    total, values, beyond = float(u @ u), part.space.values(np.array([u]))[0], likelihoods(coordinates)
     return {
         each.path: {
             "value": values[each.path],
@@ -129,7 +125,7 @@ def _variant(plan: SearchPlan, number: int, found: Sequence[Found]) -> Summary:
     distance = min((each.answer.distance for each in own if each.record is not None), default=math.inf)
     answers = [(each.answer, each.part.weight) for each in own if isinstance(each.answer, FailureProbability)]
     return {
-        "label": plan.plan.variants[number].label,
+        "label": plan.variants[number].label,
         "found": math.isfinite(distance),
         "distance": distance,
         "flights": sum(each.flights for each in own),

@@ -1,4 +1,4 @@
-"""The flying estimators about a trimmed flight: how an error of one reading moves the error e (10), and how e moves the estimates.
+"""The law (13) about a trimmed flight: how an error of one reading moves the error e (10), and how e moves the estimates.
 
 Everything is found by calling the functions that fly, with small changes, so nothing of the law is written here again. In
 trimmed flight the positions of the actuators stay as they are: outer loops hold the forces that the flight needs.
@@ -8,7 +8,6 @@ Letters as in `testbed.controllers.records`: y measured state, m design model, c
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -16,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from paper.trimmed_steps import filter_error, follow_newton
 from testbed.common.signals import STATE, as_records
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.config import AdaptiveInversionSettings
@@ -24,19 +24,17 @@ from testbed.controllers.inversion.law import measured_error, pressure_ratio_of,
 from testbed.controllers.inversion.step import regression
 from testbed.controllers.records import work_dtype
 from testbed.controllers.setup import Setup
-from testbed.gains.trimmed_steps import filter_error, follow, follow_loss, follow_newton, settle
+from testbed.scenario.load import Scenario
 from testbed.sensors.channels import CHANNELS
 from testbed.sensors.measurement import derive
+from testbed.simulation import start_and_setup
 
 _NAMES = tuple(channel.name for channel in CHANNELS)
-_CONVERGING_S = 30.0
 _SETTLING_S, _ANSWER_S = 2.0, 0.6  # of the modelled rotors; after a reading has erred once
-_FILTER_SETTLING_S = 60.0
 _CHANGE = {"airspeed": 1e-3}
 _SMALL = 1e-5
 """Change of a reading for a derivative [m/s for airspeed, else rad, rad/s, m/s2]."""
-_FEW = 1e-4
-"""Change of an estimate that stays away from its bounds."""
+_FEW = 1e-4  # a position in place of zero
 
 
 @dataclass(frozen=True)
@@ -57,11 +55,6 @@ class TrimmedLaw:
     def rate_hz(self) -> float:
         """Control rate."""
         return 1.0 / self.setup.dt_s
-
-    @property
-    def newton(self) -> bool:
-        """Whether the estimator is the paper's (13)."""
-        return self.settings.estimation == "newton"
 
     @cached_property
     def model(self) -> np.record:
@@ -118,58 +111,15 @@ class TrimmedLaw:
         small = np.where(self.positions == 0.0, _FEW, self.positions)
         return small * np.where(self.model.servo, self.pressure_ratio, 1.0)
 
-    def weighted_response(self, e: np.ndarray, **changes: Any) -> np.ndarray:
-        """The same of the weighted estimator with its steady covariance; `changes` as in `settings_record`."""
-        c, s, z, phi, w = self.steady_filter(**changes)
-        largest = np.abs(e).max() or 1.0
-        out = np.empty((len(e), len(self.positions)))
-        before = np.array(s.lambda_hat)
-        follow(self.filtered(e) * (_FEW / largest), z, phi, w.P_h, self.model, c, s, out)
-        return (out - before) * (largest / _FEW)
-
-    def steady_filter(self, **changes: Any) -> tuple[np.record, np.record, np.ndarray, np.ndarray, np.record]:
-        """c, s, z, phi, w of the estimator in this flight; the covariance of the weighted one is steady."""
-        c = self.settings_record(**changes)
-        phi = self.regressor.copy()
-        return c, self._steady_memory(c).copy()[0], phi.sum(axis=1), phi, self._work()
-
-    def _steady_memory(self, c: np.record) -> np.ndarray:
-        if (found := self._steady.get(c.tobytes())) is None:
-            memory, w, y = self._settled.copy(), self._work(), self._measured(self._readings(1))[0]
-            phi = self.regressor.copy()
-            steps = round(_FILTER_SETTLING_S * self.rate_hz) if c.weighted else 0
-            settle(steps, y, self.pressure_ratio, phi.sum(axis=1), phi, w.P_h, self.model, c, memory[0])
-            found = self._steady[c.tobytes()] = memory
-        return found
-
-    @cached_property
-    def _steady(self) -> dict[bytes, np.ndarray]:
-        return {}
-
-    def loss(
-        self, actuator: int, left: float, seconds: float, **changes: Any
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Estimate [steps] and flag [steps] after an actuator has fallen to `left`, without noise, by either estimator.
-
-        The references hold the forces of the trimmed flight, so that the actuator is moved further as its estimate falls.
-        """
-        c, s, z, phi, w = self.steady_filter(**changes)
-        s.filtered[:], s.filtered_phi[:] = z, phi
-        truth = np.ones(len(self.positions))
-        truth[actuator] = left
-        out, flagged = (np.empty((round(seconds * self.rate_hz), len(truth))) for _ in range(2))
-        positions = np.where(self.positions == 0.0, _FEW, self.positions)
-        follow_loss(truth, self.pressure_ratio, phi, positions, w, self.model, c, s, out, flagged)
-        return out[:, actuator], flagged[:, actuator]
-
-    def rates(self, **changes: Any) -> np.ndarray:
-        """[n] one over the time in which each estimate has found 63 % of a loss of half [1/s]."""
-        times = []
-        for i in range(len(self.positions)):
-            estimate, _ = self.loss(i, 0.5, _CONVERGING_S, **changes)
-            found = estimate <= 1.0 - 0.5 * (1.0 - math.exp(-1.0))
-            times.append((np.argmax(found) + 1) * self.setup.dt_s if found.any() else _CONVERGING_S)
-        return 1.0 / np.array(times)
+    def bias(self, scenario: Scenario) -> np.ndarray:
+        """[n] what constant errors add to the estimates of (13) in the end: where Phi d = e."""
+        e = self.model_error.copy()
+        for channel in CHANNELS:
+            model = scenario.sensors.of(channel.sensor)
+            offset = model.si("bias") + model.scale_error * self.reading(channel.name)
+            if offset:
+                e += offset * self.error_response(channel.name).sum(axis=0)
+        return np.asarray(np.linalg.solve(self.regressor, e))
 
     def filtered(self, e: np.ndarray) -> np.ndarray:
         """e [steps, 4] behind the two lags of the regression."""
@@ -238,3 +188,10 @@ class TrimmedLaw:
         for k in range(len(readings)):
             derive(k, self.rate_hz, readings, rows)
         return rows
+
+
+def law_of(scenario: Scenario) -> TrimmedLaw:
+    """The estimation of a scenario's controller in the flight in which it begins."""
+    assert isinstance(scenario.controller, AdaptiveInversionSettings)
+    start, setup = start_and_setup(scenario)
+    return TrimmedLaw(setup, scenario.controller, start.state)

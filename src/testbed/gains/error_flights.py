@@ -1,0 +1,136 @@
+"""What errors do to the estimates, from flights in JSBSim.
+
+An error of a sensor is a small step of one channel, in calm air with no other random error. The change of the estimates, over the
+size of the step, is exact to first order, and differentiated it is the answer to an error of one control step. So a flight of
+60 s says what noise, wander and offset of that channel do, without the scatter of random flights. Outer loops answer as they do
+in any flight: what the aircraft does about a wrong reading is in it.
+
+Gusts move the actuators, and each movement tells the estimators more than a steady position does: they are flown as they are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from testbed.common.signals import RATES
+from testbed.controllers.setup import Setup
+from testbed.flight.flight import Flight
+from testbed.gains.errors import with_error, without_chance
+from testbed.gains.loss_flights import level_flight
+from testbed.scenario.load import Scenario, changed
+from testbed.sensors.channels import CHANNELS, SI, Channel
+from testbed.simulation import fly
+
+GUST_SEEDS = range(1001, 1005)
+_STEP_AT_S, _ANSWER_S = 30.0, 30.0  # the filter of the default law settles until then
+_PROMPT_S = 0.5  # before the aircraft has moved
+_STEP = 0.01  # of a reading, in its unit
+_GUSTY_S, _SETTLED_S = 160.0, 20.0
+_BLOCK_S = 5.0  # over which e is averaged for its intensity at low frequency
+_STATES = ("airspeed", "alpha", "beta", "roll", "pitch", "p", "q", "r")
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What one unit of an error of a channel does [per SI unit].
+
+    Attributes:
+        estimates: [steps, n] change of the estimates in the steps after it has been there for one step.
+        e: [4] change of the measured error (10), if it stays.
+    """
+
+    estimates: np.ndarray
+    e: np.ndarray
+
+
+def calm(scenario: Scenario, controller: Mapping[str, Any]) -> Scenario:
+    """The level flight of a scenario without chance: no weather, no random error; its estimates are not acted upon.
+
+    Args:
+        controller: changed settings of the scenario's `controller`.
+    """
+    settings = {f"controller.{key}": value for key, value in controller.items()}
+    unwatched = {"controller.ablate": ["monitor", "jam_test", "speed_rule"]}
+    seconds = {"duration_s": _STEP_AT_S + _ANSWER_S}
+    level = {**level_flight(scenario), "atmosphere": {}, **settings, **unwatched, **seconds}
+    return without_chance(changed(scenario, level))
+
+
+def bias(flown: Flight, setup: Setup) -> np.ndarray:
+    """[n] what the design model's own error and known biases add to the estimates of a calm flight; -inf if it is lost."""
+    found = estimates(flown, setup)[-1] - 1.0
+    return np.where(np.isnan(found), -np.inf, found)
+
+
+def answers(still: Scenario, flown: Flight, setup: Setup, channels: Iterable[Channel]) -> dict[str, Answer]:
+    """The answer to each of these channels, by its name; `flown` is the calm flight `still` itself. NaN if a flight is lost."""
+    return {channel.name: _answer(still, flown, setup, channel) for channel in channels}
+
+
+def _answer(still: Scenario, flown: Flight, setup: Setup, channel: Channel) -> Answer:
+    stepped = fly(with_error(still, channel, _STEP, _STEP_AT_S))
+    size, first = _STEP * SI[channel.unit], round(_STEP_AT_S * still.rate_hz)
+    change = (estimates(stepped, setup) - estimates(flown, setup))[first - 1 :]
+    e = measured_error(stepped, setup)
+    prompt = first + round(_PROMPT_S * still.rate_hz)
+    return Answer(np.diff(change, axis=0) / size, (e[prompt] - e[first - 1]) / size)
+
+
+def gusts(scenario: Scenario, still: Scenario, setup: Setup) -> tuple[np.ndarray, np.ndarray]:
+    """[n] standard deviation of the estimates by the scenario's gusts alone, and [4] two-sided intensity of e at low frequency;
+    infinite if a flight is lost."""
+    windy = {"atmosphere": scenario.atmosphere.model_dump(mode="json"), "duration_s": _GUSTY_S}
+    flights = [fly(changed(still, {**windy, "seed": seed})) for seed in GUST_SEEDS]
+    first = round(_SETTLED_S * still.rate_hz)
+    deviation = np.concatenate([estimates(flight, setup)[first:] for flight in flights]).std(axis=0)
+    intensity = np.mean(
+        [_intensity(measured_error(flight, setup)[first:], setup) for flight in flights], axis=0
+    )
+    return or_infinite(deviation), or_infinite(intensity)
+
+
+def or_infinite(found: np.ndarray) -> np.ndarray:
+    """The same, with infinity for the NaN of a flight that is lost."""
+    return np.where(np.isnan(found), np.inf, found)
+
+
+def _intensity(e: np.ndarray, setup: Setup) -> np.ndarray:
+    """[4] that of e [steps, 4]: the variance of its means over blocks, times their length."""
+    block = round(_BLOCK_S / setup.dt_s)
+    means = e[: len(e) // block * block].reshape(-1, block, len(RATES)).mean(axis=1)
+    return np.asarray(_BLOCK_S * means.var(axis=0))
+
+
+def estimates(flight: Flight, setup: Setup) -> np.ndarray:
+    """[steps, n] estimates of a flight; NaN after its end, if it is lost."""
+    columns = [f"{name}_effectiveness_estimate" for name in setup.model.actuators]
+    return _whole(flight, flight.log[columns].to_numpy())
+
+
+def _whole(flight: Flight, found: np.ndarray) -> np.ndarray:
+    """What was logged, as long as the flight was planned, with NaN after its end."""
+    missing = flight.scenario.steps - len(found)
+    return np.pad(found, ((0, missing), (0, 0)), constant_values=np.nan)
+
+
+def measured_error(flight: Flight, setup: Setup) -> np.ndarray:
+    """[steps, 4] e (10) of healthy actuators: measured rates less those of the design model at the measured state."""
+    log = flight.log
+    units = {channel.reads: channel for channel in CHANNELS}
+    x = {}
+    for name in _STATES:
+        unit = units[name].unit
+        column = log.get(f"{name}_measured_{unit}", log[f"{name}_{unit}"])
+        x[name] = column.to_numpy() * SI[units[name].unit]
+    rates = [log[f"{rate}_m_s2"] if rate == "u_dot" else np.radians(log[f"{rate}_deg_s2"]) for rate in RATES]
+    kinds = zip(setup.model.actuators, setup.model.kinds, strict=True)
+    positions = [
+        np.radians(log[f"{name}_position"]) if kind == "servo" else log[f"{name}_position"]
+        for name, kind in kinds
+    ]
+    modelled = setup.model.rates(x, np.column_stack(positions), np.ones(len(positions)))
+    return _whole(flight, np.column_stack(rates) - modelled[:, : len(RATES)])
