@@ -50,7 +50,7 @@ _PARTS = (
     (assembly, "check"),
     (assembly, "Plant"),
     (check, "unknown_names"),
-    (assembly, "make_sensors"),
+    (assembly, "RealSensors"),
     (assembly, "Weather"),
     (assembly, "Injector"),
     (assembly, "_setup"),

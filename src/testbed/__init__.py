@@ -34,20 +34,7 @@ _MODULES = {
     "sweep": "testbed.api.sweep",
 }
 
-__all__ = [
-    "BadInput",
-    "Session",
-    "Stopped",
-    "__version__",
-    "adopt",
-    "compare",
-    "design",
-    "failure_probability",
-    "fly",
-    "load",
-    "search",
-    "sweep",
-]
+__all__ = ["__version__", *_MODULES]
 
 
 def __getattr__(name: str) -> Any:

@@ -10,10 +10,10 @@ import pytest
 from testbed.aircraft.shipped import (
     aircraft_names,
     data_root,
+    files_in,
     find_aircraft,
     find_scenario,
     is_folder_name,
-    scenario_files,
     shipped_files,
 )
 from testbed.inputs.problems import BadInput
@@ -21,7 +21,7 @@ from testbed.inputs.problems import BadInput
 
 def test_there_are_shipped_things() -> None:
     assert "vtail" in aircraft_names()
-    assert {p.stem for p in scenario_files()} >= {
+    assert {p.stem for p in files_in("scenarios")} >= {
         "left_tail_fail", "right_tail_fail", "left_propeller_fail", "right_propeller_fail"
     }  # fmt: skip
 

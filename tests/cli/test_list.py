@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from command_line import Called
 
-from testbed.aircraft.shipped import find_scenario, scenario_files, search_files, sweep_files
+from testbed.aircraft.shipped import files_in, find_scenario
 from testbed.cli.list import TABLE
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.metrics import TABLE as METRICS
@@ -43,7 +43,11 @@ def test_without_a_name_everything_is_listed(here: Path, called: Called) -> None
 
 def test_scenarios_and_sweeps_are_listed_by_what_commands_take(here: Path, called: Called) -> None:
     names = [name for what in ("scenarios", "searches", "sweeps") for name in listed(called("list", what)[1])]
-    assert [find_scenario(name) for name in names] == [*scenario_files(), *search_files(), *sweep_files()]
+    assert [find_scenario(name) for name in names] == [
+        *files_in("scenarios"),
+        *files_in("scenarios/searches"),
+        *files_in("scenarios/sweeps"),
+    ]
     about = listed(called("list", "scenarios")[1])["scenarios/lost_surface.yaml"]
     assert about == "The left ruddervator is torn off at 5 s, with its mass."
 

@@ -12,22 +12,22 @@ import yaml
 from command_line import ROOT, Called
 from jsonschema import Draft202012Validator
 
-from testbed.aircraft.shipped import aircraft_names, scenario_files, search_files, sweep_files
+from testbed.aircraft.shipped import aircraft_names, files_in
 from testbed.cli.init import TEMPLATES
-from testbed.cli.schema import TABLE, schema_of
+from testbed.cli.schema import TABLE, model_of, schema_of
 
 FILES = {
     "aircraft": [ROOT / "aircraft" / name / f"{name}.yaml" for name in aircraft_names()],
-    "scenario": [*scenario_files(), TEMPLATES / "scenario.yaml"],
-    "search": [*search_files()],
-    "sweep": [*sweep_files(), TEMPLATES / "sweep.yaml"],
+    "scenario": [*files_in("scenarios"), TEMPLATES / "scenario.yaml"],
+    "search": [*files_in("scenarios/searches")],
+    "sweep": [*files_in("scenarios/sweeps"), TEMPLATES / "sweep.yaml"],
 }
 MINIMAL = {"name": "a", "aircraft": "vtail", "duration_s": 10}
 
 
 @cache
 def validator(kind: str) -> Draft202012Validator:
-    return Draft202012Validator(schema_of(TABLE[kind]()))
+    return Draft202012Validator(schema_of(model_of(kind)))
 
 
 def errors(kind: str, tree: Any) -> list[str]:
@@ -85,7 +85,7 @@ def test_what_is_written_short_is_accepted() -> None:
 
 
 def test_keys_have_their_meanings() -> None:
-    schema = json.dumps(schema_of(TABLE["scenario"]()))
+    schema = json.dumps(schema_of(model_of("scenario")))
     assert "Control steps per second." in schema
     assert "Mass with everything on board [kg]." in schema
 

@@ -16,8 +16,7 @@ from search_files import REAL, SEARCH, searched, written
 from sweep_files import command, finished
 from sweep_files import written as sweep_written
 
-from testbed.aircraft.shipped import data_root
-from testbed.aircraft.shipped import search_files as shipped
+from testbed.aircraft.shipped import data_root, files_in
 
 Result = subprocess.CompletedProcess[str]
 
@@ -44,7 +43,7 @@ def test_a_search_is_validated_by_its_goal(here: Path, called: Called) -> None:
     assert called("validate", written(here).name) == (0, "gusty.yaml: ok\n", "")
     status, _, err = called("validate", written(here, SEARCH.replace("wind_m_s.1", "wnd_m_s.1")).name)
     assert status == 2 and "gusty.yaml:13: atmosphere.wnd_m_s: unknown key" in err
-    for file in shipped():
+    for file in files_in("scenarios/searches"):
         name = str(file.relative_to(data_root()))
         assert called("validate", name) == (0, f"{name}: ok\n", "")
 

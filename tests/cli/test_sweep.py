@@ -13,7 +13,7 @@ from command_line import Called, in_this_process, interruptible
 from sweep_files import SWEEP, command, finished, fly_here, table, written
 
 import testbed
-from testbed.aircraft.shipped import data_root, sweep_files
+from testbed.aircraft.shipped import data_root, files_in
 from testbed.flight.folder import load as load_flight
 from testbed.studies.folder import store
 from testbed.studies.load import load_sweep
@@ -51,7 +51,7 @@ def test_bad_options_are_refused(here: Path, called: Called, arguments: list[str
 
 
 def test_the_shipped_sweeps_are_valid(here: Path, called: Called) -> None:
-    for file in sweep_files():
+    for file in files_in("scenarios/sweeps"):
         name = str(file.relative_to(data_root()))
         assert called("validate", name) == (0, f"{name}: ok\n", "")
 

@@ -59,4 +59,4 @@ def test_values_are_in_the_actuators_own_unit(actuator: str, property_value: flo
     assert list(stuck_at.faults(AIRCRAFT, 200.0)) == []
     too_far: Any = failure("stuck_at", actuator, at_s=1.0, value=30.0)
     (fault,) = too_far.faults(AIRCRAFT, 200.0)
-    assert fault.field == "value" and f"30 {unit} is outside" in fault.what
+    assert fault.path == ("value",) and f"30 {unit} is outside" in fault.what

@@ -50,4 +50,4 @@ def test_only_a_surface_with_a_mass_of_its_own_can_be_lost() -> None:
     servo = AIRCRAFT.actuators["left_ruddervator"].model_copy(update={"pointmass": None})
     bare = AIRCRAFT.model_copy(update={"actuators": {**AIRCRAFT.actuators, "left_ruddervator": servo}})
     (fault,) = lost.faults(bare, 200.0)
-    assert fault.field == "actuator" and "no mass that could be lost" in fault.what
+    assert fault.path == ("actuator",) and "no mass that could be lost" in fault.what

@@ -23,7 +23,7 @@ from broken_flights import (
 
 from testbed import simulation
 from testbed.aircraft.description import Servo
-from testbed.aircraft.shipped import scenario_files
+from testbed.aircraft.shipped import files_in
 from testbed.failures import TABLE
 from testbed.flight.flight import Outcome
 from testbed.injection.receipt import RECEIPT_STEPS
@@ -241,12 +241,14 @@ def test_an_overlap_is_refused_at_the_later_of_the_two(tmp_path: Path) -> None:
 def shipped() -> list[Path]:
     """Scenarios with failures, but not the paper's, which have tests of their own."""
     return [
-        file for file in scenario_files() if "failures:" in file.read_text() and "_fail.yaml" not in file.name
+        file
+        for file in files_in("scenarios")
+        if "failures:" in file.read_text() and "_fail.yaml" not in file.name
     ]
 
 
 def test_a_family_of_failures_is_shipped_for_each_type() -> None:
-    flown = {failure.type for file in scenario_files() for failure in load_scenario(file).failures}
+    flown = {failure.type for file in files_in("scenarios") for failure in load_scenario(file).failures}
     assert set(TABLE) - flown == {"command_scale", "hardover", "bias", "position_limit"}
 
 

@@ -18,6 +18,7 @@ from testbed.flight.columns import (
     reader,
     row_at,
     row_spacing_s,
+    stays_from,
     stretches,
     table,
 )
@@ -171,3 +172,11 @@ def test_spacing() -> None:
 )
 def test_stretches(flag: list[int], found: list[tuple[int, int]]) -> None:
     assert stretches(np.array(flag, dtype=bool)) == found
+
+
+@pytest.mark.parametrize(
+    ("outside", "start", "row"),
+    [([0, 0, 0], 1, 1), ([1, 0, 0], 0, 1), ([1, 0, 1, 0], 0, 3), ([1, 0, 0], 1, 1), ([0, 0, 1], 0, None)],
+)
+def test_stays_from(outside: list[int], start: int, row: int | None) -> None:
+    assert stays_from(~np.array(outside, dtype=bool), start, len(outside)) == row

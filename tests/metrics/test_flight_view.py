@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 from handmade import ACTUATORS, at, flight_of, injection, level_log, readings_of
 
 from testbed.flight.flight import Outcome
 from testbed.metrics import adaptation_rates, readings
-from testbed.metrics.flight_view import settled_after
 from testbed.scenario.load import Scenario
 
 
@@ -37,14 +35,6 @@ def test_rows_and_failures() -> None:
     assert of.first_failed_row() == at(2.0)
     assert readings_of(level_log()).first_failed_row() == 1000
     assert of.step_s == pytest.approx(0.01) and of.row_at(3.005) == 301
-
-
-@pytest.mark.parametrize(
-    ("outside", "start", "row"),
-    [([0, 0, 0], 1, 1), ([1, 0, 0], 0, 1), ([1, 0, 1, 0], 0, 3), ([1, 0, 0], 1, 1), ([0, 0, 1], 0, None)],
-)
-def test_settled_after(outside: list[int], start: int, row: int | None) -> None:
-    assert settled_after(np.array(outside, dtype=bool), start) == row
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scenario_files import GOOD, again_as_it_is, problems_of
 
 from testbed.aircraft.description import load_aircraft
-from testbed.aircraft.shipped import data_root, scenario_files
+from testbed.aircraft.shipped import data_root, files_in
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.inputs.problems import BadInput
 from testbed.inputs.yaml_source import dump as dump_tree
@@ -92,7 +92,7 @@ REFUSED = [
     ("at_s: 40", "at_s: 60", 9, "commands", "less than duration_s 60"),
     ("at_s: 40", "at_s: 0", 9, "commands", "ascending"),
     ("at_s: 40", "at_s: -1", 11, "commands.1.at_s", "greater than or equal to 0"),
-    ("heading_deg: 120", "heading_deg: 400", 11, "commands.1.heading_deg", "less than or equal to 360"),
+    ("heading_deg: 120", "heading_deg: 400", 11, "commands.1.heading_deg", "did you mean 40"),
     ("heading_deg: 120", "hading_deg: 12", 11, "commands.1.hading_deg", "did you mean heading_deg?"),
     ("heading_deg_s: 4", "heading_deg_s: 0", 12, "command_rates.heading_deg_s", "greater than 0"),
     ("type: property", "type: proprty", 16, "failures.2.type", "did you mean property?"),
@@ -207,6 +207,7 @@ def test_missing_keys(tmp_path: Path) -> None:
         ("controller.gamma=1e-3", "controller.gamma", "write 1.0e-3"),
         ("failures.7.value=0.5", "failures", "an index from 0 to 2"),
         ("failures.0.value=2", "failures.0.value", "less than or equal to 1.5"),
+        ("commands.1.heading_deg=-90", "commands.1.heading_deg", "did you mean 270?"),
         ("seed.x=2", "seed", "a mapping or a list"),
         ("seed", "", "KEY=VALUE"),
         ("seed=[1", "seed", "not YAML"),
@@ -261,7 +262,7 @@ def test_problems_of_an_aircraft_are_in_its_file(tmp_path: Path, file: Path) -> 
     assert {"actuators.left_ruddervator.kind", "modle", "model"} <= {p.path for p in problems}
 
 
-@pytest.mark.parametrize("path", scenario_files(), ids=lambda p: p.stem)
+@pytest.mark.parametrize("path", files_in("scenarios"), ids=lambda p: p.stem)
 def test_shipped_scenarios_are_valid_and_fly_again(path: Path, tmp_path: Path) -> None:
     again_as_it_is(load_scenario(path), tmp_path)
 

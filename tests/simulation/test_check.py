@@ -10,9 +10,10 @@ import pytest
 import testbed
 from testbed import BadInput, Session
 from testbed.aircraft.description import load_aircraft
+from testbed.common.cache import Cache
 from testbed.plant.trim import NoTrim, trimmed_start
 from testbed.scenario.load import load_scenario
-from testbed.simulation.check import check, name_problems
+from testbed.simulation.check import check, check_start, name_problems
 
 CRUISE = "name: x\naircraft: vtail\nduration_s: 3\n"
 SLOW = "initial: {altitude_m: 300, airspeed_m_s: 9}\n"
@@ -85,3 +86,30 @@ def test_a_failure_waits_for_what_is_known_in_flight(tmp_path: Path) -> None:
     changes = {"sensors": "mems", "failures": [waits]}
     with pytest.raises(BadInput, match=r"failures\.0\.when\.signal: unknown signal 'alpha_measured_deg'"):
         testbed.fly("scenarios/left_tail_fail.yaml", set=changes)
+
+
+START = (200.0, 18.0, 300.0, 0.0)
+
+
+def test_no_flight_begins_where_there_is_no_trim(vtail_copy: Path) -> None:
+    with pytest.raises(NoTrim, match=r"no steady flight of vtail was found at 9 m/s"):
+        check_start(load_aircraft(str(vtail_copy)), 200.0, 9.0, 300.0, 0.0)
+
+
+def test_what_is_known_is_not_tried_again(
+    vtail_copy: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    Cache.clear_all()
+    aircraft = load_aircraft(str(vtail_copy))
+    catalog = check_start(aircraft, *START)
+    monkeypatch.setattr("testbed.plant.trim.trimmed_start", lambda *_: pytest.fail("trimmed again"))
+    assert check_start(aircraft, *START) == catalog
+    with pytest.raises(BaseException, match="trimmed again"):
+        check_start(aircraft, 200.0, 18.5, 300.0, 0.0)
+
+
+def test_a_design_model_that_is_none_is_bad_input(vtail_copy: Path) -> None:
+    (vtail_copy / "design_model.json").write_text("{}")
+    with pytest.raises(BadInput, match=r"design_model\.json: is no design model"):
+        check_start(load_aircraft(str(vtail_copy)), *START)

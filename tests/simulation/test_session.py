@@ -537,3 +537,25 @@ def test_a_file_and_settings_are_taken_as_by_fly(tmp_path: Path) -> None:
     with Session(file, set={"duration_s": 0.3, "sensors": "mems"}) as session:
         session.run_to(0.3)
         assert same(session.flight(), testbed.fly(file, set={"duration_s": 0.3, "sensors": "mems"}))
+
+
+@pytest.mark.parametrize("make", [testbed.fly, Session])
+def test_arguments_of_a_wrong_kind_are_refused_in_words(make: Callable[..., Any]) -> None:
+    with pytest.raises(
+        BadInput, match="scenario: is None, expected the path of a scenario's YAML file, or a Scenario"
+    ):
+        make(None)
+    with pytest.raises(BadInput, match="set: is 3, expected a mapping"):
+        make("left_tail_fail.yaml", set=3)
+    with pytest.raises(BadInput, match="controller: is 'pid', expected a class"):
+        make("left_tail_fail.yaml", "pid")
+
+
+def test_a_mistyped_signal_is_answered_with_what_was_meant() -> None:
+    with Session(scenario()) as session:
+        session.step()
+        with pytest.raises(KeyError, match=r"no 'altitude', did you mean 'altitude_m'\?"):
+            session.truth["altitude"]
+        with pytest.raises(KeyError, match="no 'xyzzy', expected one of time_s, north_m"):
+            session.truth["xyzzy"]
+        assert "altitude" not in session.truth and session.truth.get("altitude") is None

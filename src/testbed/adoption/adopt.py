@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import importlib.metadata
 import tempfile
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 
 from testbed.adoption.card import card
 from testbed.adoption.draft import Draft, make_draft, refused
 from testbed.adoption.files import Condition, write_folder, write_yaml
 from testbed.adoption.first_flight import write_first_flight
-from testbed.adoption.losses import Kept, losses
+from testbed.adoption.losses import losses
 from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft
-from testbed.aircraft.design_model import DESIGN_MODEL, DesignModel
+from testbed.aircraft.design_model import DESIGN_MODEL
 from testbed.aircraft.model_files.check import model_problems
 from testbed.common.writing import write
 from testbed.inputs.problems import BadInput
@@ -31,23 +30,8 @@ _THROTTLE_MIN, _THROTTLE_MAX = 0.05, 0.92
 _STEADY = 1e-4  # of engines, while a condition is sought
 
 
-@dataclass(frozen=True)
-class Adopted:
-    """An adopted aircraft, the trim at its reference, its design model, and what it keeps without each actuator."""
-
-    aircraft: Aircraft
-    draft: Draft
-    trim: Trim
-    model: DesignModel
-    kept: Sequence[Kept]
-
-    def card(self) -> str:
-        """What there is to know of it, in lines."""
-        return card(self.aircraft, self.model, self.trim, self.kept)
-
-
-def adopt(source: Source, folder: Path) -> Adopted:
-    """Write an aircraft's folder from a model; raises BadInput with what is missing. The folder is not made then."""
+def adopt(source: Source, folder: Path) -> str:
+    """Write an aircraft's folder from a model, and return its card; raises BadInput with what is missing, without a folder."""
     version = importlib.metadata.version("jsbsim")
     with tempfile.TemporaryDirectory() as scratch:
         draft = make_draft(source, Path(scratch) / "bench")
@@ -57,10 +41,10 @@ def adopt(source: Source, folder: Path) -> Adopted:
         aircraft, found = _condition(draft, place, version)
         model = identify(aircraft, near=found)
         model.save(place / DESIGN_MODEL)
-        kept = losses(aircraft, found)
+        text = card(aircraft, model, found, losses(aircraft, found))
         for file in sorted(each for each in place.rglob("*") if each.is_file()):
             write(folder / file.relative_to(place), file.read_bytes(), within=folder)
-    return Adopted(load_aircraft(f"{folder.parent}/{folder.name}"), draft, found, model, kept)
+    return text
 
 
 def _condition(draft: Draft, folder: Path, version: str) -> tuple[Aircraft, Trim]:

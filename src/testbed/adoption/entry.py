@@ -94,7 +94,7 @@ def _adopted(request: dict[str, Any]) -> Iterator[child.Answer]:
     paths = request["source"]
     source = Source(paths["name"], Path(paths["folder"]), Path(paths["root"]))
     try:
-        yield {"card": adopt(source, Path(request["folder"])).card()}
+        yield {"card": adopt(source, Path(request["folder"]))}
     except BadInput as error:
         yield {"problems": [asdict(problem) for problem in error.problems]}
 

@@ -60,13 +60,7 @@ def origin(draft: Draft, jsbsim_version: str) -> str:
 
 
 def write_yaml(draft: Draft, folder: Path, name: str, condition: Condition, jsbsim_version: str) -> None:
-    """Write the aircraft's YAML."""
-    text = yaml_text(draft, name, condition, jsbsim_version)
-    write(folder / f"{name}.yaml", text)
-
-
-def yaml_text(draft: Draft, name: str, condition: Condition, jsbsim_version: str) -> str:
-    """The aircraft's YAML, with a comment for what is not the model's own."""
+    """Write the aircraft's YAML, with a comment for what is not the model's own."""
     servos = [line for servo in draft.servos for line in _servo(servo)]
     engines = zip(draft.propulsors, condition.thrusts_n, strict=True)
     lines = [
@@ -89,7 +83,7 @@ def yaml_text(draft: Draft, name: str, condition: Condition, jsbsim_version: str
         *servos,
         *(line for each, thrust in engines for line in _engine(each, thrust)),
     ]
-    return "\n".join(lines) + "\n"
+    write(folder / f"{name}.yaml", "\n".join(lines) + "\n")
 
 
 def _reference(draft: Draft, condition: Condition) -> list[str]:

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from testbed.aircraft.design_model import DesignModel
+from testbed.controllers.inversion.degraded_aircraft import motion
+from testbed.controllers.inversion.regulator import jacobian
+from testbed.controllers.records import REGULATOR_STATE
 
-_STEPS = {
-    "u": 0.1, "v": 0.1, "w": 0.1, "p": 0.01, "q": 0.01, "r": 0.01, "roll": 0.01, "pitch": 0.01,
-}  # fmt: skip
-"""Of the differences by each state [m/s, rad/s, rad]."""
-_LONGITUDINAL, _LATERAL = ("u", "w", "q", "pitch"), ("v", "p", "r", "roll")
+_LONGITUDINAL, _LATERAL = ("airspeed", "alpha", "q", "pitch"), ("beta", "p", "r", "roll")
 _NO_MOTION = 1e-9
 
 
@@ -65,39 +64,15 @@ def _named(eigenvalues: list[complex], pairs: tuple[str, str], first: str) -> li
 
 
 def _eigenvalues(model: DesignModel, states: tuple[str, ...], path_angle: float) -> list[complex]:
-    """One of each pair, fastest first."""
-    values = np.linalg.eigvals(_system_matrix(model, states, path_angle))
-    upper = [complex(v) for v in values if v.imag >= 0.0]
-    return sorted(upper, key=abs, reverse=True)
-
-
-def _system_matrix(model: DesignModel, states: tuple[str, ...], path_angle: float) -> np.ndarray:
-    """[4, 4] derivatives of the rates of some states by these states."""
-    columns = []
-    for name in states:
-        ends = [_rates(model, {name: sign * _STEPS[name]}, path_angle) for sign in (1.0, -1.0)]
-        columns.append([(ends[0][row] - ends[1][row]) / (2.0 * _STEPS[name]) for row in states])
-    return np.array(columns).T
-
-
-def _rates(model: DesignModel, change: dict[str, float], path_angle: float) -> dict[str, float]:
-    """Rates of all states with a change from the trim."""
-    alpha, speed = model.alpha_rad, model.airspeed_m_s
-    x = {"u": speed * math.cos(alpha), "v": 0.0, "w": speed * math.sin(alpha), "p": 0.0, "q": 0.0, "r": 0.0}
-    x |= {"roll": 0.0, "pitch": alpha + path_angle}
-    for name, by in change.items():
-        x[name] += by
-    airspeed = math.sqrt(x["u"] ** 2 + x["v"] ** 2 + x["w"] ** 2)
-    seen = {
-        **x,
-        "airspeed": airspeed,
-        "alpha": math.atan2(x["w"], x["u"]),
-        "beta": math.asin(x["v"] / airspeed),
+    """One of each pair, fastest first, of the motion in these states with the others at the trim."""
+    positions, effectiveness = np.array(model.trim), np.ones(len(model.trim))
+    at_trim = {
+        "airspeed": model.airspeed_m_s,
+        "alpha": model.alpha_rad,
+        "pitch": model.alpha_rad + path_angle,
     }
-    p_dot, q_dot, r_dot, u_dot, v_dot, w_dot = model.rates(seen, model.trim, np.ones(len(model.trim)))
-    tilt = math.tan(x["pitch"])
-    return {
-        "u": u_dot, "v": v_dot, "w": w_dot, "p": p_dot, "q": q_dot, "r": r_dot,
-        "roll": x["p"] + tilt * (x["q"] * math.sin(x["roll"]) + x["r"] * math.cos(x["roll"])),
-        "pitch": x["q"] * math.cos(x["roll"]) - x["r"] * math.sin(x["roll"]),
-    }  # fmt: skip
+    x = np.array([at_trim.get(name, 0.0) for name in REGULATOR_STATE])
+    rows = [REGULATOR_STATE.index(name) for name in states]
+    matrix = jacobian(lambda x: motion(model, x, positions, effectiveness), x)[np.ix_(rows, rows)]
+    upper = [complex(value) for value in np.linalg.eigvals(matrix) if value.imag >= 0.0]
+    return sorted(upper, key=abs, reverse=True)

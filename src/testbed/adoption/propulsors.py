@@ -9,16 +9,14 @@ from pathlib import Path
 
 import numpy as np
 
-from testbed.adoption.source import Source
-from testbed.common.units import METRES_PER_FOOT
+from testbed.adoption.source import Source, found_in, parsed
+from testbed.aircraft.changes import place_of
 from testbed.inputs.problems import BadInput, Problem
 
 PISTON, TURBOPROP, TURBINE = "piston_engine", "turboprop_engine", "turbine_engine"
 ELECTRIC = ("electric_engine", "brushless_dc_motor")
 ADOPTED = (PISTON, TURBOPROP, TURBINE, *ELECTRIC)
 """Kinds of engine, by the first tag of their files, that become actuators. A rocket stays off."""
-
-_METRES = {"M": 1.0, "FT": METRES_PER_FOOT, "IN": 0.0254, "CM": 0.01, "KM": 1000.0}
 
 
 @dataclass(frozen=True)
@@ -51,14 +49,21 @@ def find_propulsors(tree: ET.Element, source: Source) -> list[Propulsor]:
         thruster = engine.find("thruster")
         if thruster is None:
             raise BadInput([Problem(f"its engine {number} has no <thruster>", str(source.file))])
-        contents = _root(file_of(engine, source))
+        contents = parsed(file_of(engine, source))
         if contents.tag not in ADOPTED:
             continue
-        propeller = _root(file_of(thruster, source)).tag == "propeller"
-        place = _location(thruster if thruster.find("location") is not None else engine)
+        propeller = parsed(file_of(thruster, source)).tag == "propeller"
+        own = thruster.find("location")
+        x, y, z = map(float, place_of(engine.find("location") if own is None else own))
         found.append(
             Propulsor(
-                "engine", number, contents.tag, propeller, place, _direction(thruster), _throttle(contents)
+                "engine",
+                number,
+                contents.tag,
+                propeller,
+                (x, y, z),
+                _direction(thruster),
+                _throttle(contents),
             )
         )
     return _named(found)
@@ -72,32 +77,9 @@ def engine_files(tree: ET.Element, source: Source) -> list[Path]:
 
 def file_of(element: ET.Element, source: Source) -> Path:
     """The file of an engine or thruster, where JSBSim looks for it; raises BadInput when there is none."""
-    name = element.get("file", "")
-    places = (source.folder / "Engines", source.folder / "engine", source.folder, source.root / "engine")
-    for place in places:
-        file = place / (name if name.endswith(".xml") else f"{name}.xml")
-        if file.is_file():
-            return file
-    where = ", ".join(str(place) for place in places)
-    raise BadInput(
-        [Problem(f"needs the {element.tag} file {name}.xml, which is in none of {where}", str(source.file))]
-    )
-
-
-def _root(file: Path) -> ET.Element:
-    try:
-        return ET.parse(file).getroot()
-    except (ET.ParseError, ValueError) as error:
-        raise BadInput([Problem(f"is not XML: {error}", str(file))]) from None
-
-
-def _location(element: ET.Element) -> tuple[float, float, float]:
-    place = element.find("location")
-    if place is None:
-        return 0.0, 0.0, 0.0
-    scale = _METRES[place.get("unit", "IN").upper()]
-    x, y, z = (scale * float(place.findtext(axis) or 0.0) for axis in "xyz")
-    return x, y, z
+    folder = source.folder
+    places = (folder / "Engines", folder / "engine", folder, source.root / "engine")
+    return found_in(places, element.get("file", ""), source)
 
 
 def _direction(thruster: ET.Element) -> tuple[float, float, float]:

@@ -6,7 +6,7 @@ import importlib.util
 import math
 import os
 import xml.etree.ElementTree as ET
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -87,7 +87,7 @@ def read_whole(source: Source) -> ET.Element:
 
     Raises BadInput when a file is missing, is not XML, or is no model.
     """
-    tree = _parsed(source.file)
+    tree = parsed(source.file)
     if tree.tag != "fdm_config":
         raise BadInput(
             [Problem(f"is <{tree.tag}>", str(source.file), expected="a JSBSim model, <fdm_config>")]
@@ -116,7 +116,8 @@ def _is_channel_of_data(element: ET.Element, parent: ET.Element) -> bool:
     return parent.tag in ("fdm_config", *_SECTIONS)
 
 
-def _parsed(file: Path) -> ET.Element:
+def parsed(file: Path) -> ET.Element:
+    """The root element of a file; raises BadInput when it is not XML."""
     try:
         return ET.fromstring(read_bytes(file))
     except (ET.ParseError, UnicodeDecodeError, LookupError, ValueError) as error:
@@ -127,7 +128,7 @@ def _inline(tree: ET.Element, source: Source) -> None:
     """Put each section's file in its place. What the element itself holds, such as properties, comes before it."""
     for section in [each for each in tree if each.tag in _SECTIONS and each.get("file")]:
         file = _section_file(section.get("file", ""), source)
-        content = _parsed(file)
+        content = parsed(file)
         if "name" in content.attrib:
             section.attrib.setdefault("name", content.attrib["name"])
         del section.attrib["file"]
@@ -138,23 +139,21 @@ def _inline(tree: ET.Element, source: Source) -> None:
 def _inline_within(section: ET.Element, source: Source) -> None:
     """A section's file may itself name a file for a part of it."""
     for part in [each for each in section if each.get("file") and each.tag in _SECTIONS]:
-        part.extend(list(_parsed(_section_file(part.attrib.pop("file"), source))))
+        part.extend(list(parsed(_section_file(part.attrib.pop("file"), source))))
 
 
 def _section_file(name: str, source: Source) -> Path:
     """The file of a section, where JSBSim looks for it."""
-    with_ending = name if name.endswith(".xml") else f"{name}.xml"
-    places = (source.folder, source.folder / "Systems", source.root / "systems")
-    for place in places:
-        if (place / with_ending).is_file():
-            return place / with_ending
-    raise BadInput(
-        [
-            Problem(
-                f"names the file {name}, which is in none of {', '.join(map(str, places))}", str(source.file)
-            )
-        ]
-    )
+    return found_in((source.folder, source.folder / "Systems", source.root / "systems"), name, source)
+
+
+def found_in(places: Iterable[Path], name: str, source: Source) -> Path:
+    """The XML file of this name in the first of these folders that has one; raises BadInput when none does."""
+    named = [place / (name if name.endswith(".xml") else f"{name}.xml") for place in places]
+    if (file := next(filter(Path.is_file, named), None)) is not None:
+        return file
+    where = ", ".join(str(file.parent) for file in named)
+    raise BadInput([Problem(f"names the file {name}, which is in none of {where}", str(source.file))])
 
 
 def _made_local(tree: ET.Element) -> Iterator[str]:

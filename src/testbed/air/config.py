@@ -11,7 +11,7 @@ from typing import Literal
 from pydantic import Field, ValidationInfo, field_validator, model_validator
 
 from testbed.common.units import METRES_PER_SECOND_PER_KNOT
-from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, after, refuse
 
 # Wind at 20 ft for each of MIL-F-8785C's words for turbulence, in knots (3.7.3.1, figure of low-altitude intensities).
 _WORDS_KT = {"light": 15.0, "moderate": 30.0, "severe": 45.0}
@@ -80,13 +80,7 @@ class Noise(Settings):
     p: tuple[Number, ...] = ()
     """Those of the air that rotates about the x axis."""
 
-    @field_validator("until_s")
-    @classmethod
-    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
-        start = info.data.get("from_s", 0.0)
-        if until_s is not None and until_s <= start:
-            raise refuse(f"{until_s:g} s is not after from_s", f"more than {start:g}")
-        return until_s
+    _after_start = field_validator("until_s")(after("from_s"))
 
 
 class Atmosphere(Settings):

@@ -18,7 +18,6 @@ import numpy as np
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.model_files.rotating_air import put_rotation
 from testbed.aircraft.model_files.safe_xml import read_bytes, read_xml
-from testbed.aircraft.model_files.used import model_file
 from testbed.common.cache import Cache
 from testbed.common.writing import write_new
 from testbed.inputs.base import Number, Positive, Settings, Text
@@ -26,7 +25,7 @@ from testbed.inputs.problems import BadInput, Problem, TreePath, did_you_mean
 from testbed.inputs.yaml_source import dotted
 
 _KG = {"KG": 1.0, "LBS": 0.45359237, "LB": 0.45359237, "SLUG": 14.59390294}
-_METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "MM": 0.001}
+_METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "MM": 0.001, "KM": 1000.0}
 _INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _HEAVIEST = 100.0  # largest change of mass, as a ratio: more is a slip of units
 
@@ -91,7 +90,7 @@ def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Pat
         return
     changes = aircraft.changes or ChangedAircraft(name=aircraft.name)
     assert isinstance(changes, ChangedAircraft)
-    content = read_bytes(model_file(aircraft.folder, aircraft.model))
+    content = read_bytes(aircraft.model_file)
     key = (content, changes.model_dump_json(), rotating_air)
     changed = _texts.get(key, lambda: _Model(aircraft, changes).apply(rotating_air))
     with TemporaryDirectory(prefix="testbed-") as folder:
@@ -101,7 +100,7 @@ def model_folder(aircraft: Aircraft, rotating_air: bool = False) -> Iterator[Pat
 
 def _copy(aircraft: Aircraft, changed: str, to: Path) -> None:
     """The aircraft's XML files, with the model's own replaced."""
-    own = model_file(aircraft.folder, aircraft.model)
+    own = aircraft.model_file
     for file in aircraft.folder.resolve().rglob("*.xml"):
         place = to / file.relative_to(own.parent)
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -115,7 +114,7 @@ class _Model:
     """The tree of a model's own file, in which changes are made."""
 
     def __init__(self, aircraft: Aircraft, choice: ChangedAircraft) -> None:
-        self._file = model_file(aircraft.folder, aircraft.model)
+        self._file = aircraft.model_file
         read_xml(self._file)  # safe to parse
         self._root = ElementTree.fromstring(read_bytes(self._file))
         self._choice = choice
@@ -154,7 +153,7 @@ class _Model:
         if place is None:
             raise _refused(path, f"{self._file.name} has no location of the CG in its mass_balance")
         carried = [*section.findall("pointmass"), *self._root.findall("propulsion/tank")]
-        loads = [(_carried(e), _place(e.find("location"))) for e in carried]
+        loads = [(_carried(e), place_of(e.find("location"))) for e in carried]
         old_empty, others = _quantity(empty, _KG, "LBS"), sum(mass for mass, _ in loads)
         mass = choice.mass_kg if choice.mass_kg is not None else old_empty + others
         _check_mass(mass, old_empty, others)
@@ -163,7 +162,7 @@ class _Model:
         for element in (e for name in _INERTIA for e in section.findall(name)):
             _scale(element, ratio)
         moment = sum((m * at for m, at in loads), np.zeros(3))
-        centre = (old_empty * _place(place) + moment) / (old_empty + others) + shift
+        centre = (old_empty * place_of(place) + moment) / (old_empty + others) + shift
         _put(place, (mass * centre - moment) / (mass - others))
 
 
@@ -173,7 +172,7 @@ def _carried(element: ElementTree.Element) -> float:
     return 0.0 if weight is None else _quantity(weight, _KG, "LBS")
 
 
-def _place(location: ElementTree.Element | None) -> np.ndarray:
+def place_of(location: ElementTree.Element | None) -> np.ndarray:
     """[3] a location [m]; the origin where there is none, as in JSBSim."""
     if location is None:
         return np.zeros(3)

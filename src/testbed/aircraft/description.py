@@ -210,6 +210,11 @@ class Aircraft(Settings):
         return self._folder
 
     @property
+    def model_file(self) -> Path:
+        """The JSBSim model's own file."""
+        return self._folder.resolve() / f"{self.model}.xml"
+
+    @property
     def changes(self) -> Settings | None:
         """What differs from the aircraft's files (`aircraft.changes`); None if nothing does."""
         return self._changes

@@ -98,27 +98,20 @@ class DesignModel:
 
         `bias` is changed so that the reference trim is a trim of the new model too.
         """
-        slopes, inputs = np.array(self.derivatives), np.array(self.input_matrix)
-        beta = [factors.get(f"{_SYMBOLS[row]}_beta", 1.0) for row in ROWS]
-        torques, offsets = np.array(self.torque_matrix), np.array(self.offset_matrix)
-        for i, row in enumerate(ROWS):
-            for j, name in enumerate(COLUMNS):
-                slopes[i, j] *= factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
-            for j, name in enumerate(self.actuators):
-                factor = factors.get(f"{_SYMBOLS[row]}_{name}", 1.0)
-                inputs[i, j] *= factor
-                torques[i, j] *= factor
-                offsets[i, j] *= factor
+        names = (*COLUMNS, *self.actuators)
+        factor = np.array([[factors.get(f"{_SYMBOLS[row]}_{name}", 1.0) for name in names] for row in ROWS])
+        of_state, of_actuator = np.split(factor, [len(COLUMNS)], axis=1)
+        inputs, offsets = (np.array(each) * of_actuator for each in (self.input_matrix, self.offset_matrix))
         bias = np.array(self.bias) + (np.array(self.input_matrix) - inputs) @ np.array(self.trim)
         bias += (np.array(self.offset_matrix) - offsets).sum(axis=1)
         return replace(
             self,
-            derivatives=_rows(slopes),
-            input_matrix=_rows(inputs),
-            torque_matrix=_rows(torques),
-            offset_matrix=_rows(offsets),
+            derivatives=rows_of(self.derivatives * of_state),
+            input_matrix=rows_of(inputs),
+            torque_matrix=rows_of(self.torque_matrix * of_actuator),
+            offset_matrix=rows_of(offsets),
             bias=tuple(map(float, bias)),
-            sideslip=tuple(map(float, np.multiply(self.sideslip, beta))),
+            sideslip=tuple(map(float, self.sideslip * of_state[:, COLUMNS.index("beta")])),
         )
 
     def rates(self, x: Mapping[str, float | np.ndarray], u: Vector, effectiveness: Vector) -> np.ndarray:
@@ -176,13 +169,8 @@ def _words(error: Exception) -> str:
 
 
 def _from_tree(data: dict[str, Any]) -> DesignModel:
-    for key in ("derivatives", "input_matrix", "torque_matrix", "offset_matrix"):
-        data[key] = tuple(map(tuple, data[key]))
-    for key in ("actuators", "kinds", "trim", "bias", "sideslip"):
-        if key in data:  # models of aircraft without it were stored before there was any
-            data[key] = tuple(data[key])
-    data["propulsors"] = tuple(p and _propulsor(p) for p in data["propulsors"])
-    model = DesignModel(**data)
+    propulsors = tuple(p and _propulsor(p) for p in data["propulsors"])
+    model = DesignModel(**{**{key: _tuple(value) for key, value in data.items()}, "propulsors": propulsors})
     for wrong in _impossible(model):
         raise ValueError(wrong)
     return model
@@ -254,5 +242,6 @@ def _close(one: Any, other: Any, tolerance: float) -> bool:
     return bool(one == other)
 
 
-def _rows(matrix: np.ndarray) -> tuple[tuple[float, ...], ...]:
+def rows_of(matrix: Any) -> tuple[tuple[float, ...], ...]:
+    """The rows of a matrix, as a design model keeps them."""
     return tuple(tuple(map(float, row)) for row in matrix)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from testbed.common.bracketed_root import bracketed_root
 from testbed.inputs.problems import BadInput, Problem
 
 PROPELLER_POINTS = 41
@@ -40,8 +41,6 @@ class Propulsor:
 
     def speed_at(self, thrust_n: float, axial_m_s: float, density_kg_m3: float) -> float:
         """Rotor speed [rev/s] at which the propeller gives this thrust."""
-        from scipy.optimize import brentq  # here, because scipy is slow to import and only set-up needs it
-
         slowest = axial_m_s / (self.diameter_m * self.advance[1])
         top = self.max_volts * self.velocity_constant_rps_v
         least, most = (self._loads(n, axial_m_s, density_kg_m3)[0] for n in (slowest, top))
@@ -50,7 +49,9 @@ class Propulsor:
             raise BadInput(
                 [Problem(what, expected=f"{least:.3g} to {most:.3g} N by its tables and its motor")]
             )
-        return float(brentq(lambda n: self._loads(n, axial_m_s, density_kg_m3)[0] - thrust_n, slowest, top))
+        return bracketed_root(
+            lambda n: float(self._loads(n, axial_m_s, density_kg_m3)[0]) - thrust_n, slowest, top
+        )
 
     def least_thrust(self, axial_m_s: float | np.ndarray, density_kg_m3: float) -> float | np.ndarray:
         """Thrust [N] at the last advance ratio of the tables, the least that the model knows at an airspeed."""

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
 
+_FOLDER = "a folder with a YAML file of its name, beside the scenario or else in the present folder"
+
 
 def data_root() -> Path:
     """The folder of `aircraft/` and `scenarios/`: inside an installed package, else the repository's root."""
@@ -74,9 +76,7 @@ def _no_folder(name: str, folder: Path) -> Problem:
         _folder_name(above / each) for each in _names_in(folder.parent) if _is_aircraft(folder.parent / each)
     ]
     what = f"{name!r} has no {folder.name}.yaml" if os.path.isdir(folder) else f"there is no folder {name!r}"
-    return Problem(
-        what, expected="a folder with a YAML file of its name", suggestion=did_you_mean(name, near)
-    )
+    return Problem(what, expected=_FOLDER, suggestion=did_you_mean(name, near))
 
 
 def _names_in(folder: Path) -> list[str]:
@@ -105,19 +105,13 @@ def find_scenario(path: str | Path) -> Path:
 
 def shipped_files() -> list[Path]:
     """Scenario, sweep and search files that come with the testbed."""
-    return [*scenario_files(), *sweep_files(), *search_files()]
+    return [
+        file
+        for folder in ("scenarios", "scenarios/sweeps", "scenarios/searches")
+        for file in files_in(folder)
+    ]
 
 
-def scenario_files() -> list[Path]:
-    """Scenario files that come with the testbed."""
-    return sorted((data_root() / "scenarios").glob("*.yaml"))
-
-
-def sweep_files() -> list[Path]:
-    """Sweep files that come with the testbed."""
-    return sorted((data_root() / "scenarios" / "sweeps").glob("*.yaml"))
-
-
-def search_files() -> list[Path]:
-    """Search files that come with the testbed."""
-    return sorted((data_root() / "scenarios" / "searches").glob("*.yaml"))
+def files_in(folder: str) -> list[Path]:
+    """YAML files in a folder that comes with the testbed, such as `scenarios`."""
+    return sorted((data_root() / folder).glob("*.yaml"))

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
+from importlib import import_module
 from itertools import takewhile
 from pathlib import Path
 
@@ -22,44 +24,15 @@ def _aircraft() -> Entries:
     return [(name, load_aircraft(name).description) for name in shipped.aircraft_names()]
 
 
-def _controllers() -> Entries:
-    from testbed.controllers.config import TABLE
-
-    return _described(TABLE)
-
-
-def _failures() -> Entries:
-    from testbed.failures import TABLE
-
-    return _described(TABLE)
-
-
-def _metrics() -> Entries:
-    from testbed.metrics import TABLE
-
-    return _described(TABLE)
-
-
-def _scenarios() -> Entries:
-    return _files(shipped.scenario_files())
-
-
-def _searches() -> Entries:
-    return _files(shipped.search_files())
-
-
-def _sweeps() -> Entries:
-    return _files(shipped.sweep_files())
-
-
-def _described(table: Mapping[str, object]) -> Entries:
-    """Names, each with the first line of its docstring."""
+def _table(module: str) -> Entries:
+    """Names in the TABLE of a module, which is imported when it is asked for, each with the first line of its docstring."""
+    table: Mapping[str, object] = import_module(module).TABLE
     return [(name, first_line(entry)) for name, entry in table.items()]
 
 
-def _files(files: Iterable[Path]) -> Entries:
+def _files(folder: str) -> Entries:
     """Shipped files by the path that commands take, each with the first paragraph of its comment or, without one, its name."""
-    return [(str(file.relative_to(shipped.data_root())), _about(file)) for file in files]
+    return [(str(file.relative_to(shipped.data_root())), _about(file)) for file in shipped.files_in(folder)]
 
 
 def _about(file: Path) -> str:
@@ -72,12 +45,12 @@ def _about(file: Path) -> str:
 
 TABLE: dict[str, Callable[[], Entries]] = {
     "aircraft": _aircraft,
-    "controllers": _controllers,
-    "failures": _failures,
-    "metrics": _metrics,
-    "scenarios": _scenarios,
-    "searches": _searches,
-    "sweeps": _sweeps,
+    "controllers": partial(_table, "testbed.controllers.config"),
+    "failures": partial(_table, "testbed.failures"),
+    "metrics": partial(_table, "testbed.metrics"),
+    "scenarios": partial(_files, "scenarios"),
+    "searches": partial(_files, "scenarios/searches"),
+    "sweeps": partial(_files, "scenarios/sweeps"),
 }
 """The lists that `testbed list` can show."""
 

@@ -5,43 +5,17 @@ from __future__ import annotations
 import argparse
 import re
 from collections.abc import Iterator
+from importlib import import_module
 from typing import Any, NoReturn
 
-from testbed.cli.adopt import COMMAND as ADOPT
-from testbed.cli.certify import COMMAND as CERTIFY
 from testbed.cli.command import Command
-from testbed.cli.compare import COMMAND as COMPARE
-from testbed.cli.completion import COMMAND as COMPLETION
-from testbed.cli.design import COMMAND as DESIGN
-from testbed.cli.export import COMMAND as EXPORT
-from testbed.cli.identify import COMMAND as IDENTIFY
-from testbed.cli.init import COMMAND as INIT
-from testbed.cli.list import COMMAND as LIST
-from testbed.cli.report import COMMAND as REPORT
-from testbed.cli.run import COMMAND as RUN
-from testbed.cli.schema import COMMAND as SCHEMA
-from testbed.cli.search import COMMAND as SEARCH
-from testbed.cli.sweep import COMMAND as SWEEP
-from testbed.cli.validate import COMMAND as VALIDATE
 from testbed.inputs.problems import did_you_mean, guess
 
-TABLE: dict[str, Command] = {
-    "run": RUN,
-    "sweep": SWEEP,
-    "search": SEARCH,
-    "report": REPORT,
-    "compare": COMPARE,
-    "export": EXPORT,
-    "validate": VALIDATE,
-    "identify": IDENTIFY,
-    "design": DESIGN,
-    "adopt": ADOPT,
-    "certify": CERTIFY,
-    "list": LIST,
-    "schema": SCHEMA,
-    "init": INIT,
-    "completion": COMPLETION,
-}
+_COMMANDS = (
+    "run", "sweep", "search", "report", "compare", "export", "validate", "identify", "design", "adopt", "certify",
+    "list", "schema", "init", "completion",
+)  # fmt: skip
+TABLE: dict[str, Command] = {name: import_module(f"testbed.cli.{name}").COMMAND for name in _COMMANDS}
 """The commands by their names, in the order of `--help`."""
 
 FIRST_STEPS = """\

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 from argparse import ArgumentParser, Namespace
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
@@ -19,37 +20,13 @@ if TYPE_CHECKING:
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
-def _aircraft() -> type[BaseModel]:
-    from testbed.aircraft.description import Aircraft
-
-    return Aircraft
-
-
-def _scenario() -> type[BaseModel]:
-    from testbed.scenario.model import Scenario
-
-    return Scenario
-
-
-def _search() -> type[BaseModel]:
-    from testbed.studies.model import Search
-
-    return Search
-
-
-def _sweep() -> type[BaseModel]:
-    from testbed.studies.model import Sweep
-
-    return Sweep
-
-
-TABLE: dict[str, Callable[[], type[BaseModel]]] = {
-    "aircraft": _aircraft,
-    "scenario": _scenario,
-    "search": _search,
-    "sweep": _sweep,
+TABLE = {
+    "aircraft": ("testbed.aircraft.description", "Aircraft"),
+    "scenario": ("testbed.scenario.model", "Scenario"),
+    "search": ("testbed.studies.model", "Search"),
+    "sweep": ("testbed.studies.model", "Sweep"),
 }
-"""The kinds of file that have a schema."""
+"""The kinds of file that have a schema: module and name of the model of each."""
 
 SHORT_FORMS: dict[str, dict[str, Any]] = {
     "PerKind": {"type": "number"},
@@ -60,7 +37,14 @@ SHORT_FORMS: dict[str, dict[str, Any]] = {
 
 def text_of(kind: str) -> str:
     """The schema of one kind of file."""
-    return json.dumps(schema_of(TABLE[kind]()), indent=1, ensure_ascii=False) + "\n"
+    return json.dumps(schema_of(model_of(kind)), indent=1, ensure_ascii=False) + "\n"
+
+
+def model_of(kind: str) -> type[BaseModel]:
+    """The model of one kind of file, which is imported when it is asked for."""
+    module, name = TABLE[kind]
+    model: type[BaseModel] = getattr(import_module(module), name)
+    return model
 
 
 def _arguments(command: ArgumentParser) -> None:

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import least_squares
 
 _STEP = 3e-3
 """Of the differences for the Jacobian, in the unknowns' own scale."""
@@ -144,6 +143,9 @@ class NearestRoot:
 
     def _least_squares(self, x: Vector) -> Vector:
         """Where the function and the distance from the preferred point are smallest."""
+        from scipy.optimize import (
+            least_squares,  # here, because it is slow to import and most trims do without
+        )
 
         def residual(at: Vector) -> Vector:
             away = self.weight * (at - self.preferred(at))

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from scipy.optimize import linprog
 
 from testbed.aircraft.control_design import Axis
 from testbed.aircraft.design_model import DesignModel
@@ -30,6 +29,7 @@ MARGIN = {"p_dot": 3.0, "q_dot": 3.0, "r_dot": 3.0, "u_dot": 1.0}
 a moment; attitude may not."""
 
 
+_DEPENDENT, _NONE = 1e-9, 1e-300  # less than these is no independent row, and no effect
 _NEARLY = 0.95
 """Share of the authority that an axis needs with which it is still kept, if as many axes are given up as have to be: to lose the
 axis would cost more than the missing authority."""
@@ -101,14 +101,27 @@ def authorities(
 def _authority(inputs: np.ndarray, row: int, others: list[int], travel: np.ndarray) -> float:
     """Largest rate of a row within the travel, the lesser of both signs, with the other rows at zero."""
     scale = np.maximum(np.abs(travel).max(axis=1), 1e-9)
-    bounds = travel / scale[:, None]
+    low, high = np.minimum(travel[:, 0] / scale, 0.0), np.maximum(travel[:, 1] / scale, 0.0)
     effects = inputs * scale
-    fixed = {"A_eq": effects[others], "b_eq": np.zeros(len(others))} if others else {}
-    both = []
-    for sign in (1.0, -1.0):
-        optimum = linprog(-sign * effects[row], bounds=bounds, **fixed)
-        both.append(-float(optimum.fun) if optimum.status == 0 else 0.0)
-    return max(min(both), 0.0)
+    left = _left_of(effects[row], effects[others])
+    return float(min(np.maximum(s * left * low, s * left * high).sum(axis=1).min() for s in (1.0, -1.0)))
+
+
+def _left_of(row: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """[points, n] row - y A at each vertex y of the dual of "largest row u with A u = 0 within the travel", A the other rows.
+
+    By duality that largest rate is the least, over all y, of what the travel gives of row - y A without any other condition.
+    This is convex and piecewise linear in y, so its least value is where as many actuators as A has rows have nothing left.
+    """
+    norms = np.maximum(np.linalg.norm(others, axis=1, keepdims=True), _NONE)
+    _, sizes, rows = np.linalg.svd(others / norms, full_matrices=False)
+    basis = rows[sizes > _DEPENDENT]
+    sets = list(combinations(range(len(row)), len(basis)))
+    chosen = np.array(sets, dtype=int).reshape(len(sets), len(basis))
+    matrices = np.moveaxis(basis[:, chosen], 0, -1)
+    solvable = np.abs(np.linalg.det(matrices)) > _DEPENDENT
+    y = np.linalg.solve(matrices[solvable], row[chosen][solvable][..., None])[..., 0]
+    return np.asarray(row - y @ basis)
 
 
 def axes_to_release(

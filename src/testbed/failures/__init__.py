@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Union
 
 from pydantic import Field
 
-from testbed.failures.base import ActuatorFailure, Capture, Course, Failure, Fault, When
+from testbed.failures.base import ActuatorFailure, Capture, Course, Failure, When
 from testbed.failures.held import (
     Bias,
     CommandScale,
@@ -28,12 +28,12 @@ from testbed.failures.held import (
     StuckAt,
 )
 from testbed.failures.losses import Effectiveness, MotorStop, PropLoss, SurfaceLost
-from testbed.failures.overlaps import held_by, meet, overlaps, same_property, windows
+from testbed.failures.overlaps import held_by, meet, overlaps, same_property, stream_names, windows
 from testbed.failures.varying import Decay, Delay, Intermittent, Oscillation, Runaway
 
 __all__ = [
-    "TABLE", "ActuatorFailure", "AnyFailure", "Capture", "Course", "Failure", "Fault", "When",
-    "held_by", "meet", "overlaps", "same_property", "windows",
+    "TABLE", "ActuatorFailure", "AnyFailure", "Capture", "Course", "Failure", "When",
+    "held_by", "meet", "overlaps", "same_property", "stream_names", "windows",
 ]  # fmt: skip
 
 TABLE: dict[str, type[Failure]] = {

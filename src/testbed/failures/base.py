@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
 import numpy as np
-from pydantic import ValidationInfo, field_validator, model_validator
+from pydantic import field_validator, model_validator
 
 from testbed.aircraft.description import Aircraft, AnyActuator, Servo
-from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, after, refuse
+from testbed.inputs.problems import Issue
 
 Examples = Mapping[str, Mapping[str, Any]]
 """Fields of an example of a failure, by kind of actuator; those of a motor are for an engine too."""
@@ -43,14 +44,6 @@ def travel_of(actuator: AnyActuator) -> tuple[float, float]:
 def stop_words(to: str) -> str:
     """The stop that `to: max` or `to: min` names, in words."""
     return f"{'highest' if to == 'max' else 'lowest'} stop"
-
-
-class Fault(NamedTuple):
-    """Why a failure does not fit the aircraft or the scenario: the field, what is wrong, what was expected."""
-
-    field: str
-    what: str
-    expected: str = ""
 
 
 class When(Settings):
@@ -86,6 +79,8 @@ class Failure(Settings):
     """Whether the actuator still follows its command, if with less effect, late or with an offset."""
     draws: ClassVar[bool] = False
     """Whether its course is random: then its random numbers depend on its place among the failures of a scenario."""
+    harmless: ClassVar[Mapping[str, Any] | None] = None
+    """Fields with which it has no effect on any actuator, if there are such."""
     examples: ClassVar[Examples] = {}
     """For each kind of actuator, fields with a visible effect; they are flown by the tests and drawn in the catalogue."""
 
@@ -95,14 +90,13 @@ class Failure(Settings):
     until_s: Positive | None = None
     when: When | None = None
 
+    _after_start = field_validator("until_s")(after("at_s"))
+
     @field_validator("until_s")
     @classmethod
-    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
-        start = info.data.get("at_s")
+    def _can_end(cls, until_s: float | None) -> float | None:
         if until_s is not None and not cls.undone:
             raise refuse("is an end, and this failure cannot be undone", "no until_s")
-        if until_s is not None and start is not None and until_s <= start:
-            raise refuse(f"{until_s:g} s is not after at_s", f"more than {start:g}")
         return until_s
 
     @model_validator(mode="after")
@@ -114,7 +108,7 @@ class Failure(Settings):
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any] | None:
         """Fields with which the failure has no effect on this actuator; None if there are no such fields."""
-        return None
+        return cls.harmless
 
     def words(self, kind: str, unit: str) -> str:
         """What it does to its actuator, as the predicate of a sentence: "was lost completely".
@@ -140,8 +134,8 @@ class Failure(Settings):
         """Control steps by which the actuator's commands are delayed; None if commands are not touched."""
         return None
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
-        """What does not fit the aircraft or the control rate. The actuator is known to exist and to be of the right kind."""
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
+        """What does not fit the aircraft or the control rate. The actuator exists, and is of the right kind."""
         return iter(())
 
     @property
@@ -178,9 +172,11 @@ class ActuatorFailure(Failure):
 
     def outside(
         self, aircraft: Aircraft, field: str, low: float, high: float, per: str = ""
-    ) -> Iterator[Fault]:
-        """A fault if this field's value is outside `low` to `high`, in the actuator's own unit followed by `per` (such as "/s")."""
+    ) -> Iterator[Issue]:
+        """An issue if this field is outside `low` to `high`, in the actuator's own unit followed by `per` (such as "/s")."""
         value = getattr(self, field)
         if value is not None and not low <= value <= high:
             unit = self.unit(aircraft) + per
-            yield Fault(field, f"{value:g} {unit} is outside {self.actuator}'s range", f"{low:g} to {high:g}")
+            yield Issue(
+                (field,), f"{value:g} {unit} is outside {self.actuator}'s range", f"{low:g} to {high:g}"
+            )

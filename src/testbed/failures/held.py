@@ -14,12 +14,12 @@ from testbed.failures.base import (
     Capture,
     Examples,
     Failure,
-    Fault,
     both,
     stop_words,
     travel_of,
 )
 from testbed.inputs.base import Number, Positive, refuse
+from testbed.inputs.problems import Issue
 
 
 class CommandScale(ActuatorFailure):
@@ -27,11 +27,8 @@ class CommandScale(ActuatorFailure):
 
     type: Literal["command_scale"] = "command_scale"
     value: Annotated[Number, Field(ge=0, le=2)]
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0}
     examples: ClassVar[Examples] = both({"value": 0.5})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0}
 
     def words(self, kind: str, unit: str) -> str:
         few = "only " if self.value < 1.0 else ""
@@ -90,7 +87,7 @@ class StuckAt(ActuatorFailure):
         override = self.name(aircraft, "override-rad", "override-norm")
         return {self.name(aircraft, "override-active"): 1.0, override: value}
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         return self.outside(aircraft, "value", *self.travel(aircraft))
 
 
@@ -135,11 +132,8 @@ class Bias(ActuatorFailure):
 
     type: Literal["bias"] = "bias"
     value: Number
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 0.0}
     examples: ClassVar[Examples] = both({"value": 5.0}, {"value": -0.2})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 0.0}
 
     def words(self, kind: str, unit: str) -> str:
         return f"was offset by {self.value:g} {unit}"
@@ -148,7 +142,7 @@ class Bias(ActuatorFailure):
         name = self.name(aircraft, "linkage-bias-rad", "command-bias-norm")
         return {name: self.inside(aircraft, self.value)}
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         low, high = self.travel(aircraft)
         return self.outside(aircraft, "value", low - high, high - low)
 
@@ -188,7 +182,7 @@ class PositionLimit(ActuatorFailure):
             if value is not None
         }
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         for field in ("low", "high"):
             yield from self.outside(aircraft, field, *self.travel(aircraft))
 
@@ -211,7 +205,7 @@ class RateLimit(ActuatorFailure):
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "servo-rate-rad_sec"): self.inside(aircraft, self.value)}
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         return self.outside(aircraft, "value", 0.0, aircraft.actuators[self.actuator].rate_limit, "/s")
 
 
@@ -233,11 +227,11 @@ class Lag(ActuatorFailure):
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "servo-lag-rad_sec"): self.lag_rad_s}
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         healthy = aircraft.actuators[self.actuator].lag_rad_s
         if healthy is not None and self.lag_rad_s > healthy:
             what = f"{self.lag_rad_s:g} rad/s is faster than {self.actuator} is"
-            yield Fault("lag_rad_s", what, f"at most {healthy:g}")
+            yield Issue(("lag_rad_s",), what, f"at most {healthy:g}")
 
 
 _ACTING = re.compile(
@@ -269,8 +263,8 @@ class Property(Failure):
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return dict(self.set)
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         for name in self.set:
             if _ACTING.match(name.replace("[0]", "").strip("/")):
                 what = f"{name} steers the simulation when it is written"
-                yield Fault("set", what, "a property of the aircraft or the air")
+                yield Issue(("set",), what, "a property of the aircraft or the air")

@@ -7,9 +7,10 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, StrictBool
 
-from testbed.aircraft.description import Aircraft, AnyActuator, Servo
-from testbed.failures.base import ActuatorFailure, Capture, Examples, Fault, both
+from testbed.aircraft.description import Aircraft, Servo
+from testbed.failures.base import ActuatorFailure, Capture, Examples, both
 from testbed.inputs.base import Number
+from testbed.inputs.problems import Issue
 
 LOST = 0.1
 """An actuator with this true effectiveness or less is lost. It does not depend on a controller's own threshold."""
@@ -21,11 +22,8 @@ class Effectiveness(ActuatorFailure):
 
     type: Literal["effectiveness"] = "effectiveness"
     value: Gain
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0}
     examples: ClassVar[Examples] = both({"value": 0.2})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0}
 
     def words(self, kind: str, unit: str) -> str:
         percent = f"{100 * self.value:.0f} %"
@@ -78,9 +76,9 @@ class MotorStop(ActuatorFailure):
             }
         return {self.name(aircraft, "power-lost"): 1.0}
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         if self.braked and aircraft.actuators[self.actuator].kind != "motor":
-            yield Fault("braked", f"{self.actuator} is no electric motor, which could brake", "false")
+            yield Issue(("braked",), f"{self.actuator} is no electric motor, which could brake", "false")
 
 
 class SurfaceLost(ActuatorFailure):
@@ -101,7 +99,7 @@ class SurfaceLost(ActuatorFailure):
             held[f"inertia/pointmass-weight-lbs[{servo.pointmass}]"] = 0.0
         return held
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         if len(self.properties(aircraft)) == 1:
             what = f"{aircraft.name} gives {self.actuator} no mass that could be lost"
-            yield Fault("actuator", what, f"effectiveness: 0, or pointmass in {aircraft.name}.yaml")
+            yield Issue(("actuator",), what, f"effectiveness: 0, or pointmass in {aircraft.name}.yaml")

@@ -1,8 +1,12 @@
-"""Two failures may hold the same property only one after the other, or where the later replaces the earlier."""
+"""The failures of one scenario together: which overlap, and the random stream of each.
+
+Two may hold the same property only one after the other, or where the later replaces the earlier.
+"""
 
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from testbed.aircraft.description import Aircraft
@@ -66,3 +70,16 @@ def _end(i: int, failures: Sequence[Failure], held: Sequence[frozenset[str]]) ->
 def meet(one: Window, other: Window) -> bool:
     """Whether two windows have any time in common."""
     return max(one[0], other[0]) < min(one[1], other[1])
+
+
+def stream_names(failures: Sequence[Failure]) -> Iterator[str]:
+    """Name of each failure's random stream: its type, its actuator, and its number among failures with the same two.
+
+    So the random numbers of a failure stay the same when one of another type or actuator is inserted or removed, and when its
+    own time or severity changes.
+    """
+    seen: Counter[tuple[str, str | None]] = Counter()
+    for failure in failures:
+        kind = (failure.type, failure.actuator)
+        yield f"failure/{failure.type}/{failure.actuator}/{seen[kind]}"
+        seen[kind] += 1

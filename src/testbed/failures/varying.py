@@ -9,10 +9,11 @@ from typing import Annotated, Any, ClassVar, Literal
 import numpy as np
 from pydantic import Field
 
-from testbed.aircraft.description import Aircraft, AnyActuator
-from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, Fault, both, stop_words
+from testbed.aircraft.description import Aircraft
+from testbed.failures.base import ActuatorFailure, Capture, Course, Examples, both, stop_words
 from testbed.failures.losses import Gain
 from testbed.inputs.base import NonNegative, Number, Positive
+from testbed.inputs.problems import Issue
 
 MAX_DELAY_S = 5.0
 """Longest delay that a scenario may ask for [s], because all delayed commands are kept in memory."""
@@ -23,11 +24,8 @@ class Delay(ActuatorFailure):
 
     type: Literal["delay"] = "delay"
     delay_s: Annotated[Number, Field(ge=0, le=MAX_DELAY_S)]
+    harmless: ClassVar[Mapping[str, Any]] = {"delay_s": 0.0}
     examples: ClassVar[Examples] = both({"delay_s": 0.15})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"delay_s": 0.0}
 
     def words(self, kind: str, unit: str) -> str:
         return f"followed its commands {self.delay_s:g} s late"
@@ -39,10 +37,10 @@ class Delay(ActuatorFailure):
     def delay_steps(self, rate_hz: float) -> int:
         return math.floor(self.delay_s * rate_hz + 0.5)
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         if self.delay_s > 0 and not self.delay_steps(rate_hz):
             what = f"{self.delay_s:g} s is less than half a control step: nothing would be late"
-            yield Fault("delay_s", what, f"0 or at least {0.5 / rate_hz:g}")
+            yield Issue(("delay_s",), what, f"0 or at least {0.5 / rate_hz:g}")
 
 
 class Oscillation(ActuatorFailure):
@@ -51,13 +49,10 @@ class Oscillation(ActuatorFailure):
     type: Literal["oscillation"] = "oscillation"
     amplitude: NonNegative
     frequency_hz: Positive
+    harmless: ClassVar[Mapping[str, Any]] = {"amplitude": 0.0, "frequency_hz": 3.0}
     examples: ClassVar[Examples] = both(
         {"amplitude": 4.0, "frequency_hz": 3.0}, {"amplitude": 0.15, "frequency_hz": 3.0}
     )
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"amplitude": 0.0, "frequency_hz": 3.0}
 
     def words(self, kind: str, unit: str) -> str:
         return f"oscillated by {self.amplitude:g} {unit} at {self.frequency_hz:g} Hz"
@@ -70,12 +65,12 @@ class Oscillation(ActuatorFailure):
         (name,) = self.properties(aircraft)
         return name, lambda t, start: amplitude * math.sin(omega * t)
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         low, high = self.travel(aircraft)
         yield from self.outside(aircraft, "amplitude", 0.0, high - low)
         if self.frequency_hz > 0.25 * rate_hz:
             what = f"{self.frequency_hz:g} Hz cannot be made of steps at {rate_hz:g} Hz"
-            yield Fault("frequency_hz", what, f"at most a quarter of rate_hz, {0.25 * rate_hz:g}")
+            yield Issue(("frequency_hz",), what, f"at most a quarter of rate_hz, {0.25 * rate_hz:g}")
 
 
 class Runaway(ActuatorFailure):
@@ -104,7 +99,7 @@ class Runaway(ActuatorFailure):
         stop = self.inside(aircraft, low)
         return name, lambda t, start: min(start, max(start - rate * t, stop))
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         if self.is_servo(aircraft):
             yield from self.outside(aircraft, "rate", 0.0, aircraft.actuators[self.actuator].rate_limit, "/s")
 
@@ -117,11 +112,8 @@ class Intermittent(ActuatorFailure):
     value: Annotated[Number, Field(ge=0, le=1)] = 0.0
     off_s: Positive
     on_s: Positive
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0, "off_s": 0.2, "on_s": 0.3}
     examples: ClassVar[Examples] = both({"value": 0.0, "off_s": 0.2, "on_s": 0.3})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0, "off_s": 0.2, "on_s": 0.3}
 
     def words(self, kind: str, unit: str) -> str:
         share = f"at {100 * self.value:.0f} % for {self.off_s:g} s"
@@ -144,11 +136,11 @@ class Intermittent(ActuatorFailure):
 
         return self.name(aircraft, "effectiveness"), value_at
 
-    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Fault]:
+    def faults(self, aircraft: Aircraft, rate_hz: float) -> Iterator[Issue]:
         for field, spell in (("off_s", self.off_s), ("on_s", self.on_s)):
             if spell * rate_hz < 1.0:
-                yield Fault(
-                    field, f"{spell:g} s is shorter than a control step", f"at least {1.0 / rate_hz:g}"
+                yield Issue(
+                    (field,), f"{spell:g} s is shorter than a control step", f"at least {1.0 / rate_hz:g}"
                 )
 
 
@@ -159,11 +151,8 @@ class Decay(ActuatorFailure):
     value: Gain
     over_s: Positive
     shape: Literal["linear", "exponential"] = "linear"
+    harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0, "over_s": 0.8}
     examples: ClassVar[Examples] = both({"value": 0.2, "over_s": 0.8})
-
-    @classmethod
-    def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any]:
-        return {"value": 1.0, "over_s": 0.8}
 
     def words(self, kind: str, unit: str) -> str:
         how = "within" if self.shape == "linear" else "with a time constant of"

@@ -11,6 +11,7 @@ import numpy as np
 from testbed.air.config import COLUMNS as WIND
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import BELIEFS, RATES, SETPOINT, STATE, TELEMETRY, Belief
+from testbed.inputs.problems import did_you_mean
 from testbed.scenario.load import Scenario
 from testbed.sensors.channels import log_columns as sensor_columns
 
@@ -110,7 +111,13 @@ class Row(Mapping[str, float]):
     def __getitem__(self, name: str) -> float:
         if name == _TIME.name:
             return self.time_s
-        column = self._columns[name]
+        column = self._columns.get(name)
+        if column is None:
+            close = did_you_mean(name, self)
+            raise KeyError(
+                f"no {name!r}"
+                + (f", did you mean {close!r}?" if close else f", expected one of {', '.join(self)}")
+            )
         value = float(self._values[column.place]) * column.factor
         return value % 360.0 if column.wrapped else value
 
@@ -195,6 +202,13 @@ def stretches(flag: np.ndarray) -> list[tuple[int, int]]:
     """(first row, row after the last) of each unbroken stretch of rows in which a flag [rows] of bools is true."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], flag, [False])).astype(np.int8)))
     return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
+
+
+def stays_from(flag: np.ndarray, first: int, end: int) -> int | None:
+    """First row of `first` to `end` from which a flag [rows] of bools is true until `end`; None if it is false in the last row."""
+    false = np.flatnonzero(~flag[first:end])
+    row = first + int(false[-1]) + 1 if len(false) else first
+    return row if row < end else None
 
 
 def beliefs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[str, Any]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
@@ -65,9 +64,16 @@ def _at_stops(
     time = log["time_s"]
     last = slice(row_at(time, float(time[-1]) - BEFORE_S), len(time))
     for name, facts in actuators.items():
-        low, high = facts.get("limits", (-math.inf, math.inf))
-        margin, command = _AT_STOP * (high - low), log[f"{name}_command"][last]
-        for stop, at in (("low", command <= low + margin), ("high", command >= high - margin)):
-            share = float(np.mean(at)) if math.isfinite(margin) else 0.0
+        if "limits" not in facts:
+            continue
+        command = log[f"{name}_command"][last]
+        for stop, at in zip(("low", "high"), at_stops(command, *facts["limits"]), strict=True):
+            share = float(np.mean(at))
             if share > 0.5:
                 yield {"actuator": name, "stop": stop, "share": share}
+
+
+def at_stops(command: np.ndarray, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
+    """[rows] whether a command is at its low stop, and at its high one."""
+    margin = _AT_STOP * (high - low)
+    return command <= low + margin, command >= high - margin

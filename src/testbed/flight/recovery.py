@@ -15,7 +15,7 @@ import numpy as np
 
 from testbed.common.angles import wrap_deg
 from testbed.flight.breakage import failure_times_s
-from testbed.flight.columns import row_at
+from testbed.flight.columns import row_at, stays_from
 
 RECOVERED = {"altitude": 5.0, "heading": 15.0}
 """Largest distance from the reference at which the aircraft counts as recovered [m, deg]. Gusts of moderate turbulence alone
@@ -50,8 +50,8 @@ def recoveries(
     rows = [*(row_at(time, begin) for begin in failures_s), len(time)]
     for begin, (first, end) in zip(failures_s, pairwise(rows), strict=True):
         lost = end == len(time) and not survived
-        row = None if lost else _stays_from(inside, first, end)
-        enough = row is not None and row < end and time[end - 1] - time[row] >= DWELL_S
+        row = None if lost else stays_from(inside, first, end)
+        enough = row is not None and time[end - 1] - time[row] >= DWELL_S
         found.append((begin, float(time[row]) if row is not None and enough else None))
     return found
 
@@ -63,10 +63,3 @@ def recovery_events(
     for begin, recovered in recoveries(log, failure_times_s(injections), survived):
         if recovered is not None:
             yield {"time_s": recovered, "kind": "recovered", "after_s": recovered - begin}
-
-
-def _stays_from(inside: np.ndarray, first: int, end: int) -> int | None:
-    """First row of `first` to `end` from which a flag [rows] is true until `end`; None if it is false in the last row."""
-    outside = np.flatnonzero(~inside[first:end])
-    row = first if not len(outside) else first + int(outside[-1]) + 1
-    return row if row < end else None

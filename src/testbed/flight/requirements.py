@@ -9,9 +9,17 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from testbed.common.angles import wrap_deg
-from testbed.flight.columns import row_at, row_spacing_s, stretches
-from testbed.flight.limits import Side, extreme, outside, scaled, sides_of
-from testbed.flight.robustness import always, eventually, never_outside_for
+from testbed.flight.columns import row_at, row_spacing_s, stays_from, stretches
+from testbed.flight.robustness import (
+    Side,
+    always,
+    eventually,
+    extreme,
+    never_outside_for,
+    outside,
+    scaled,
+    sides_of,
+)
 from testbed.scenario.requirement import Requirement
 
 _ENDED = "the flight ended before this window did"
@@ -165,9 +173,9 @@ def _settling(requirement: Requirement, log: Mapping[str, np.ndarray]) -> tuple[
     """(margin, value, reason): the time of the first row after which the limits are kept to the end of the window [s]."""
     time = log["time_s"]
     rows = slice(0, _window(requirement, time).stop)
-    broken = np.flatnonzero(outside(sides_of(requirement, _values(requirement, log, rows))))
-    settled = int(broken[-1]) + 1 if len(broken) else 0
-    if settled == rows.stop:
+    kept = ~outside(sides_of(requirement, _values(requirement, log, rows)))
+    settled = stays_from(kept, 0, rows.stop)
+    if settled is None:
         return -math.inf, math.nan, _NOT_SETTLED
     allowed = time[row_at(time, requirement.begins_s)]
     return float(allowed - time[settled]), float(time[settled]), ""

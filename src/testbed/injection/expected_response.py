@@ -7,7 +7,6 @@ such as `actuator/NAME/`. The aircraft's XML must implement the response that th
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Protocol
 
 from testbed.common.units import DEGREES_PER_RADIAN
 
@@ -26,17 +25,6 @@ MOTOR = (
 Values = Mapping[str, float]
 """Values of the properties of an actuator's block, by name without the prefix; for a motor also `rpm` and `thrust_N` of its
 rotor, for an engine its `thrust_N`."""
-
-
-class Model(Protocol):
-    """Expected response of one actuator; its state advances with each control step."""
-
-    def advance(self, v: Values, dt_s: float, substeps: int) -> dict[str, float]:
-        """Advance by one control step of `substeps` physics steps of `dt_s` [s] each, with these property values.
-
-        Returns what acts on the airframe, by the name of the quantity: see the classes.
-        """
-        ...
 
 
 class ServoModel:
@@ -98,6 +86,11 @@ class EngineModel:
             "running": 0.0 if v["power-lost"] else 1.0,
             "thrust_N": v["effectiveness"] * v["thrust_N"],
         }
+
+
+Model = ServoModel | MotorModel | EngineModel
+"""Expected response of one actuator. `advance` makes one control step of `substeps` physics steps of `dt_s` [s] each, and returns
+what acts on the airframe by the name of the quantity: see the classes."""
 
 
 def _throttle(v: Values) -> float:

@@ -8,8 +8,7 @@ from typing import Any, NamedTuple
 
 from testbed.aircraft.description import Aircraft
 from testbed.common.signals import begins_within
-from testbed.failures import Failure
-from testbed.failures.streams import stream_names
+from testbed.failures import Failure, stream_names
 from testbed.flight.columns import Recorded
 from testbed.injection.injection import Injection
 from testbed.plant.jsbsim import Plant

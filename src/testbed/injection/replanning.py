@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from testbed.aircraft.description import Aircraft
-from testbed.failures import Failure, held_by, meet, windows
-from testbed.failures.streams import stream_names
+from testbed.failures import Failure, held_by, meet, stream_names, windows
 from testbed.injection.injector import Planned
 from testbed.inputs.problems import BadInput, Problem
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Annotated
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, ValidationInfo
 from pydantic_core import PydanticCustomError
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
@@ -24,3 +25,15 @@ def refuse(what: str, expected: str = "", suggestion: str = "") -> PydanticCusto
     """The exception that a validator raises to refuse a value; its parts become those of a `Problem`."""
     parts = {"what": what, "expected": expected, "suggestion": suggestion}
     return PydanticCustomError("refused", "{what}, expected {expected}" if expected else "{what}", parts)
+
+
+def after(start: str) -> Callable[[float | None, ValidationInfo], float | None]:
+    """A validator of a time [s] that refuses one which is not after that of the key `start`, where both are given."""
+
+    def checked(time_s: float | None, info: ValidationInfo) -> float | None:
+        start_s = info.data.get(start)
+        if time_s is not None and start_s is not None and time_s <= start_s:
+            raise refuse(f"{time_s:g} s is not after {start}", f"more than {start_s:g}")
+        return time_s
+
+    return checked

@@ -6,9 +6,8 @@ import math
 
 import numpy as np
 
+from testbed.flight.loss import at_stops
 from testbed.metrics.flight_view import Readings
-
-_AT_STOP = 1e-3  # a command counts as at its stop within this fraction of the travel
 
 
 def control_effort_per_s(readings: Readings) -> float:
@@ -33,10 +32,8 @@ def saturated_time_s(readings: Readings) -> float:
     for name, facts in readings.actuators.items():
         if "limits" not in facts:
             return math.nan
-        low, high = facts["limits"]
-        command, margin = readings.log[f"{name}_command"], _AT_STOP * (high - low)
-        at_stop = (command <= low + margin) | (command >= high - margin)
-        saturated |= at_stop & (readings.log[f"{name}_failed"] == 0.0)
+        at_low, at_high = at_stops(readings.log[f"{name}_command"], *facts["limits"])
+        saturated |= (at_low | at_high) & (readings.log[f"{name}_failed"] == 0.0)
     return float(np.count_nonzero(saturated) * readings.step_s)
 
 

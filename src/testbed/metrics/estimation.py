@@ -9,7 +9,8 @@ from itertools import pairwise
 import numpy as np
 
 from testbed.flight.breakage import LOST
-from testbed.metrics.flight_view import Readings, settled_after
+from testbed.flight.columns import stays_from
+from testbed.metrics.flight_view import Readings
 
 BAND = 0.05
 """An estimate has settled when its error is within this fraction of the step of the true effectiveness."""
@@ -59,9 +60,9 @@ def _settlings(readings: Readings) -> Iterator[tuple[str, float]]:
         steps = np.flatnonzero(change > _STEP) + 1
         for start, end in pairwise([*steps, len(truth)]):
             if truth[start] > LOST:
-                outside = ~(np.abs(error[start:end]) <= BAND * change[start - 1])
-                row = settled_after(outside, 0)
-                yield name, math.nan if row is None else row * readings.step_s
+                inside = np.abs(error) <= BAND * change[start - 1]
+                row = stays_from(inside, start, end)
+                yield name, math.nan if row is None else (row - start) * readings.step_s
 
 
 def _worst(values: Iterator[float]) -> float:

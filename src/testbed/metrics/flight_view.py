@@ -91,12 +91,3 @@ def adaptation_rates(scenario: Scenario, actuators: Mapping[str, Mapping[str, An
     if not isinstance(gamma, Mapping):
         return dict.fromkeys(actuators, float(gamma))
     return {name: float(gamma.get(facts["kind"], math.nan)) for name, facts in actuators.items()}
-
-
-def settled_after(outside: np.ndarray, start: int) -> int | None:
-    """First row, not before `start`, from which a flag [rows] is false to the end; None if it is true in the last row."""
-    up = np.flatnonzero(outside[start:])
-    if not len(up):
-        return start
-    settled = start + int(up[-1]) + 1
-    return settled if settled < len(outside) else None

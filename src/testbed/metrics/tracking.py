@@ -7,8 +7,9 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from testbed.flight.columns import stays_from
 from testbed.flight.recovery import recoveries
-from testbed.metrics.flight_view import Readings, settled_after
+from testbed.metrics.flight_view import Readings
 
 _UNITS = {"altitude": "m", "heading": "deg", "airspeed": "m/s"}
 SETTLED = {"altitude": 1.0, "heading": 2.0, "airspeed": 0.5}
@@ -71,7 +72,7 @@ def _recovery(readings: Readings, quantity: str) -> float:
         return math.nan
     # NaN compares as false, so it does not count as settled.
     inside = np.abs(readings.error(quantity)) <= SETTLED[quantity]
-    row = settled_after(~inside, readings.row_at(times[-1]))
+    row = stays_from(inside, readings.row_at(times[-1]), len(inside))
     return math.nan if row is None else float(readings.time_s[row]) - times[-1]
 
 

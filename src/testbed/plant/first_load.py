@@ -10,7 +10,6 @@ import re
 
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.model_files.check import model_files, model_problems
-from testbed.aircraft.model_files.used import model_file
 from testbed.common import child
 from testbed.common.cache import Cache
 from testbed.inputs.problems import BadInput, Problem
@@ -75,7 +74,7 @@ def _answer(aircraft: Aircraft) -> model_cache.Record:
         return ended.last
     if ended.overtime:
         what = f"JSBSim does not finish loading and starting it within {ended.overtime}"
-        raise BadInput([_of_model(aircraft, what)])
+        raise BadInput([Problem(what, str(aircraft.model_file))])
     said = [Problem(**problem) for problem in ended.last.get("problems", [])]
     raise BadInput(said or _dead(aircraft, _last_words(ended)))
 
@@ -85,7 +84,7 @@ def _dead(aircraft: Aircraft, words: str) -> list[Problem]:
     missing = re.search(r"The property (\S+) does not exist", words)
     elements = model_files(aircraft).elements() if missing else ()
     named = [element for element in elements if missing and element.text.lstrip("-") == missing[1]]
-    return [element.problem(words) for element in named] or [_of_model(aircraft, words)]
+    return [element.problem(words) for element in named] or [Problem(words, str(aircraft.model_file))]
 
 
 def _last_words(ended: child.Ended) -> str:
@@ -100,7 +99,3 @@ def _last_words(ended: child.Ended) -> str:
         what = f"it ended the process ({ended.signal})"
         return f"JSBSim says {words[-_WORDS:]}; {what}" if words else f"JSBSim says nothing; {what}"
     return f"JSBSim says {words[-_WORDS:] or f'nothing; exit status {ended.status}'}"
-
-
-def _of_model(aircraft: Aircraft, what: str) -> Problem:
-    return Problem(what, str(model_file(aircraft.folder, aircraft.model)))

@@ -19,6 +19,7 @@ from testbed.aircraft.design_model import (
     DesignModel,
     kinematics,
     load_design_model,
+    rows_of,
 )
 from testbed.aircraft.model_files.check import in_yaml
 from testbed.aircraft.propulsors import EngineMap, Propulsor
@@ -74,10 +75,10 @@ def identify(aircraft: Aircraft, near: Trim | None = None) -> DesignModel:
         kinds=kinds,
         trim=tuple(positions),
         bias=tuple(map(float, bias)),
-        derivatives=tuple(tuple(map(float, row)) for row in slopes),
-        input_matrix=tuple(tuple(map(float, row)) for row in inputs),
-        torque_matrix=tuple(tuple(map(float, row)) for row in torques),
-        offset_matrix=tuple(tuple(map(float, row)) for row in offsets),
+        derivatives=rows_of(slopes),
+        input_matrix=rows_of(inputs),
+        torque_matrix=rows_of(torques),
+        offset_matrix=rows_of(offsets),
         propulsors=propulsors,
         identified_from=aircraft.fingerprint(),
         stall_alpha_rad=_stall_angle(plant, level),

@@ -157,7 +157,7 @@ class Plant:
         self._wind = np.zeros(3)
         self._started = False
         self._put_wind = [self.setter(name) for name in SET_WIND_FPS]
-        rotation = [self.setter(name) if self._manager.hasNode(name) else _no_put for name in ROTATION]
+        rotation = [self.setter(name) if self.has(name) else _no_put for name in ROTATION]
         self.blow = _together(*self._put_wind, *rotation)
         self.air_factors = np.array([1.0 / METRES_PER_FOOT] * 3 + [1.0] * 3)
         self._total_wind = [self.getter(name) for name in TOTAL_WIND_FPS]
@@ -170,6 +170,10 @@ class Plant:
         except jsbsim.BaseError as error:
             raise _broken_model(self.aircraft, str(error)) from None
 
+    def has(self, name: str) -> bool:
+        """Whether the loaded model has a property of this name."""
+        return bool(self._manager.hasNode(name))
+
     def getter(self, name: str) -> Callable[[], float]:
         """Function that reads a property, in JSBSim's unit; raises NoProperty if there is none (JSBSim itself would create it)."""
         return self._node(name).get_double_value
@@ -179,10 +183,10 @@ class Plant:
         return self._node(name).set_double_value
 
     def _node(self, name: str) -> Any:
-        if not self._manager.hasNode(name):
+        if not self.has(name):
             close = did_you_mean(name, self.catalog())
             raise NoProperty(
-                [Problem(f"has no property {name}", _model_file(self.aircraft), suggestion=close)]
+                [Problem(f"has no property {name}", str(self.aircraft.model_file), suggestion=close)]
             )
         return self._manager.get_node(name)
 
@@ -358,10 +362,5 @@ def _split(row: str) -> tuple[str, str]:
     return name.strip(), access
 
 
-def _model_file(aircraft: Aircraft) -> str:
-    """The aircraft's JSBSim model, to say what is wrong with it."""
-    return str(Path(aircraft.folder).resolve() / f"{aircraft.model}.xml")
-
-
 def _broken_model(aircraft: Aircraft, why: str) -> BadInput:
-    return BadInput([Problem(f"JSBSim says {why}", _model_file(aircraft))])
+    return BadInput([Problem(f"JSBSim says {why}", str(aircraft.model_file))])

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -16,11 +16,10 @@ from typing import Any
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.model_files.check import in_yaml, model_files
 from testbed.aircraft.model_files.safe_xml import Element
-from testbed.aircraft.model_files.used import model_file
 from testbed.common import child
 from testbed.inputs.problems import BadInput, Issue, Problem, did_you_mean
 from testbed.plant.first_load import trust
-from testbed.plant.jsbsim import NoProperty, Plant, loaded
+from testbed.plant.jsbsim import Plant, loaded
 from testbed.plant.properties import command_property, position_property
 
 _PHYSICS_HZ = 200.0
@@ -31,6 +30,10 @@ _MASSES = ("inertia/mass-slugs", "inertia/ixx-slugs_ft2", "inertia/iyy-slugs_ft2
 _CHANNEL = "channel"
 _WORDS = 300
 """Longest text of JSBSim's that is repeated [characters]."""
+
+
+Has = Callable[[str], object]
+"""Whether a model has a property of this name."""
 
 
 def _probed(request: dict[str, Any]) -> Iterator[child.Answer]:
@@ -51,15 +54,18 @@ def _started(aircraft: Aircraft) -> Iterator[child.Answer]:
     missing = list(_missing_blocks(aircraft, manager, fdm))
     if missing:
         raise BadInput(in_yaml(aircraft, missing))
-    suspects = list(_missing_references(aircraft, manager, fdm))
+    suspects = list(_missing_references(aircraft, manager.hasNode, lambda: _names(fdm)))
     yield _said(suspects)  # the last words if JSBSim ends the process now
     try:
         plant = Plant(aircraft, _PHYSICS_HZ)
         _run(plant)
     except Exception as error:
         what = f"JSBSim says {str(error).strip() or type(error).__name__}"
-        raise BadInput(suspects or [_of_model(aircraft, what[:_WORDS])]) from None
-    impossible = [*_impossible(plant), *_missing_later(plant)]
+        raise BadInput(suspects or [Problem(what[:_WORDS], str(aircraft.model_file))]) from None
+    impossible = [
+        *_impossible(plant),
+        *_missing_references(aircraft, plant.has, plant.catalog, control=False),
+    ]
     if impossible:
         raise BadInput(impossible)
     yield {"properties": plant.catalog()}
@@ -91,31 +97,20 @@ def _prefix_like(name: str, fdm: Any) -> str:
     )
 
 
-def _missing_references(aircraft: Aircraft, manager: Any, fdm: Any) -> Iterator[Problem]:
-    """Properties that functions and components of the model read, and that no part of it has."""
-    names: list[str] = []
-    for element in model_files(aircraft).elements():
-        for name in _read_by(element):
-            if not manager.hasNode(name):
-                names = names or _names(fdm)
-                yield element.problem(
-                    f"no part of the model has a property {name}", suggestion=did_you_mean(name, names)
-                )
+def _missing_references(
+    aircraft: Aircraft, has: Has, names: Callable[[], Iterable[str]], control: bool = True
+) -> Iterator[Problem]:
+    """Properties that functions and components of the model read, and that no part of it has.
 
-
-def _missing_later(plant: Plant) -> Iterator[Problem]:
-    """Properties that the model has not been asked for yet, in a branch that was not taken, and does not have.
-
-    Outside the flight control JSBSim ends the process when it comes to such a branch; inside it raises an error.
+    Once the model has run there may be more, in branches that were not taken. Outside the flight control JSBSim ends the process
+    when it comes to one; inside it raises an error, so `control` False leaves them out.
     """
-    for element in model_files(plant.aircraft).elements():
-        if _CHANNEL in element.path.split("/"):
-            continue
-        for name in _read_by(element):
-            try:
-                plant.getter(name)
-            except NoProperty:
-                near = did_you_mean(name, plant.catalog())
+    known: list[str] = []
+    for element in model_files(aircraft).elements():
+        for name in _read_by(element) if control or _CHANNEL not in element.path.split("/") else ():
+            if not has(name):
+                known = known or list(names())
+                near = did_you_mean(name, known)
                 yield element.problem(f"no part of the model has a property {name}", suggestion=near)
 
 
@@ -139,22 +134,17 @@ def _run(plant: Plant) -> None:
 
 def _impossible(plant: Plant) -> Iterator[Problem]:
     """Masses that no body has, and signals that are not finite after the model was run."""
+    file = str(plant.aircraft.model_file)
     for name in _MASSES:
         value = plant[name]
         if not (math.isfinite(value) and value > 0):
-            yield _of_model(plant.aircraft, f"{name} of the whole model is {value:g}", "more than 0")
+            yield Problem(f"{name} of the whole model is {value:g}", file, expected="more than 0")
     if not all(map(math.isfinite, plant.read())):
-        yield _of_model(
-            plant.aircraft, f"its state is not finite after {_STEPS} steps at the aircraft's reference"
-        )
+        yield Problem(f"its state is not finite after {_STEPS} steps at the aircraft's reference", file)
 
 
 def _said(problems: list[Problem]) -> child.Answer:
     return {"problems": [asdict(problem) for problem in problems]}
-
-
-def _of_model(aircraft: Aircraft, what: str, expected: str = "") -> Problem:
-    return Problem(what, str(model_file(aircraft.folder, aircraft.model)), expected=expected)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
-from scipy.optimize import least_squares
 
 from testbed.aircraft.description import Aircraft, Engine, MotorActuator
 from testbed.aircraft.propulsors import (
@@ -163,6 +162,10 @@ class Responses:
 
     def fitted(self, static: EngineMap, i: int, actuator: Engine) -> EngineMap:
         """The map with the lag and the rates that describe the response of engine i best; a lag in the aircraft's YAML is kept."""
+        from scipy.optimize import (
+            least_squares,  # here, because it is slow to import, and this is done once for an aircraft
+        )
+
         throttles, thrusts, scale = self.throttles[i], self.thrusts[i], actuator.scale
         row = np.array([static.thrust_at(t, self.axial_m_s) for t in static.throttles])
 

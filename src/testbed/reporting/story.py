@@ -13,12 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from testbed.flight.breakage import failure_times_s, failures_of
-from testbed.flight.columns import beliefs
+from testbed.flight.columns import beliefs, stays_from
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.loss import LIMITS
 from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
-from testbed.metrics.flight_view import settled_after
 from testbed.reporting.panels import has_estimates
 from testbed.reporting.words import believed, broke, joined, title
 
@@ -196,7 +195,7 @@ def _settled(view: Readings, rows: slice, worst: Mapping[str, float]) -> Iterato
         if band > RECOVERED[quantity]:
             yield _drift(view, quantity, unit, rows)
         elif worst[quantity] > band:
-            since = max(since, settled_after(np.abs(error) > band, rows.start) or 0)
+            since = max(since, stays_from(~(np.abs(error) > band), rows.start, len(error)) or 0)
             bands.append(f"{band:g} {unit}")
     if bands:
         yield f"Settled within {' and '.join(bands)} by {view.time_s[since]:.0f} s."

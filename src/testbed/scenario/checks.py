@@ -90,11 +90,10 @@ def failure_issues(
 
     With an unknown actuator, nothing else can be said.
     """
-    if (unfit := _actuator(failure, aircraft, (*path, "actuator"))) is not None:
-        yield unfit
+    issues = list(_unfit(failure, aircraft, rate_hz, path))
+    yield from issues
+    if any(issue.path[-1] == "actuator" for issue in issues):
         return
-    for fault in failure.faults(aircraft, rate_hz):
-        yield Issue((*path, fault.field), fault.what, fault.expected)
     if failure.when is not None:
         yield from _known(failure.when.signal, list(signals), "signal", (*path, "when", "signal"))
     writable = {same_property(name): can for name, can in properties.items()}
@@ -265,30 +264,25 @@ def _noise(scenario: Scenario) -> Iterator[Issue]:
 
 def _failures(scenario: Scenario, aircraft: Aircraft) -> Iterator[Issue]:
     known: list[int] = []
-    for i, failure in enumerate(scenario.failures):
-        problem = _actuator(failure, aircraft, ("failures", i, "actuator"))
-        if problem is None:
-            known.append(i)
-        else:
-            yield problem
     rate_hz = scenario.rate_hz if scenario.rate_hz > 1 else 1e9  # 1 is the stand-in for a refused rate
-    for i in known:
-        for fault in scenario.failures[i].faults(aircraft, rate_hz):
-            yield Issue(("failures", i, fault.field), fault.what, fault.expected)
+    for i, failure in enumerate(scenario.failures):
+        issues = list(_unfit(failure, aircraft, rate_hz, ("failures", i)))
+        yield from issues
+        if not any(issue.path[-1] == "actuator" for issue in issues):
+            known.append(i)
     for i, j, name in overlaps([scenario.failures[i] for i in known], aircraft):
         what = f"overlaps failures.{known[i]}: both hold {name}"
         yield Issue(("failures", known[j]), what, "time windows that do not overlap")
 
 
-def _actuator(failure: Failure, aircraft: Aircraft, path: TreePath) -> Issue | None:
-    name = failure.actuator
-    if name is None:
-        return None
-    actuator = aircraft.actuators.get(name)
-    if actuator is None:
-        return unknown(path, f"{aircraft.name} has no actuator {name!r}", name, aircraft.actuators)
-    if actuator.kind not in failure.kinds:
-        kinds = " or ".join(failure.kinds)
+def _unfit(failure: Failure, aircraft: Aircraft, rate_hz: float, path: TreePath) -> Iterator[Issue]:
+    """Whether the aircraft has a failure's actuator, and what does not fit it otherwise."""
+    name, here = failure.actuator, (*path, "actuator")
+    actuator = aircraft.actuators.get(name or "")
+    if name is not None and actuator is None:
+        yield unknown(here, f"{aircraft.name} has no actuator {name!r}", name, aircraft.actuators)
+    elif actuator is not None and actuator.kind not in failure.kinds:
         what = f"{name} is {with_article(actuator.kind)}, {failure.type} is for another kind"
-        return Issue(path, what, with_article(kinds))
-    return None
+        yield Issue(here, what, with_article(" or ".join(failure.kinds)))
+    else:
+        yield from (issue._replace(path=(*path, *issue.path)) for issue in failure.faults(aircraft, rate_hz))

@@ -7,8 +7,7 @@ from typing import Any, TypeVar
 
 from testbed.air.config import Atmosphere
 from testbed.common.signals import begins_within
-from testbed.failures import Failure
-from testbed.failures.streams import stream_names
+from testbed.failures import Failure, stream_names
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.model import Scenario

@@ -102,7 +102,7 @@ def placed_name(name: str, file: str | Path) -> str:
     if not is_folder_name(name):
         return name
     beside = Path(file).parent / name
-    return os.path.realpath(beside if os.path.isdir(beside) else name)
+    return os.path.realpath(name if os.path.isdir(name) and not os.path.isdir(beside) else beside)
 
 
 def _choice(said: str | dict[str, Any]) -> str | ChangedAircraft:

@@ -6,7 +6,7 @@ import math
 from itertools import pairwise
 from typing import Annotated, Any
 
-from pydantic import Discriminator, Field, PrivateAttr, Tag, ValidationInfo, field_validator
+from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag, ValidationInfo, field_validator
 
 from testbed.air.config import Atmosphere
 from testbed.aircraft.changes import ChangedAircraft
@@ -28,6 +28,18 @@ MAX_NAME = 120
 """Longest name of a flight [characters]: folders are named after it, and file systems allow 255."""
 
 
+def _all_round(heading_deg: float) -> float:
+    if not 0.0 <= heading_deg <= 360.0:
+        raise refuse(f"is {heading_deg:g}", "0 to 360", f"{heading_deg % 360.0:g}")
+    return heading_deg
+
+
+Heading = Annotated[
+    Number, AfterValidator(_all_round), Field(json_schema_extra={"minimum": 0, "maximum": 360})
+]
+"""An angle clockwise from north [deg]."""
+
+
 class Initial(Settings):
     """Initial condition: trimmed level flight."""
 
@@ -35,7 +47,7 @@ class Initial(Settings):
     """Above mean sea level, which is also the height of the ground."""
     airspeed_m_s: Positive
     """Relative to the air, also in wind."""
-    heading_deg: Number = Field(default=0.0, ge=0, le=360)
+    heading_deg: Heading = 0.0
     """Clockwise from north."""
 
 
@@ -48,7 +60,7 @@ class Command(Settings):
     """Above mean sea level."""
     airspeed_m_s: Positive | None = None
     """Relative to the air."""
-    heading_deg: Number | None = Field(default=None, ge=0, le=360)
+    heading_deg: Heading | None = None
     """Clockwise from north; flown to the short way round."""
 
 

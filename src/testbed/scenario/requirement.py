@@ -6,7 +6,7 @@ import math
 
 from pydantic import StrictBool, ValidationInfo, field_validator, model_validator
 
-from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, after, refuse
 
 
 class Requirement(Settings):
@@ -44,13 +44,7 @@ class Requirement(Settings):
     scale: Positive | None = None
     """What robustness 1 is, in the unit of the signal or metric; default: the limit, or half the distance between two limits."""
 
-    @field_validator("until_s")
-    @classmethod
-    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
-        start = info.data.get("from_s")
-        if until_s is not None and start is not None and until_s <= start:
-            raise refuse(f"{until_s:g} s is not after from_s", f"more than {start:g}")
-        return until_s
+    _after_start = field_validator("until_s")(after("from_s"))
 
     @field_validator("at_least")
     @classmethod

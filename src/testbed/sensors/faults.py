@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Union
 
-from pydantic import Field, ValidationInfo, create_model, field_validator, model_validator
+from pydantic import Field, create_model, field_validator, model_validator
 
 from testbed.common.signals import first_step_at
-from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, after, refuse
 from testbed.inputs.problems import guess
 from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of, names, unit_of
 
@@ -39,13 +39,7 @@ class SensorFault(Settings):
             raise refuse(f"unknown sensor {sensor!r}", *guess(sensor, names()))
         return sensor
 
-    @field_validator("until_s")
-    @classmethod
-    def _after_start(cls, until_s: float | None, info: ValidationInfo) -> float | None:
-        start = info.data.get("at_s")
-        if until_s is not None and start is not None and until_s <= start:
-            raise refuse(f"{until_s:g} s is not after at_s", f"more than {start:g}")
-        return until_s
+    _after_start = field_validator("until_s")(after("at_s"))
 
     @model_validator(mode="after")
     def _right_unit(self) -> SensorFault:

@@ -26,37 +26,14 @@ class Accelerated(Protocol):
     def specific_force_reader(self, axis: str) -> Callable[[], float]: ...
 
 
-class IdealSensors:
-    """The controller is told the truth, bit for bit: `plant.envelope.observe` copies it to the measured state."""
-
-    real = False
-
-    def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
-        """Nothing to remember."""
-
-    def measure(self, step: int) -> None:
-        """Nothing to add."""
-
-    def columns(self, truth: np.ndarray) -> dict[str, np.ndarray]:
-        """No columns of their own."""
-        return {}
-
-    def lengthen(self, steps: int) -> None:
-        """Nothing to draw."""
-
-    def receipts(self, steps: int, planned: float = math.inf) -> list[dict[str, Any]]:
-        """No faults."""
-        return []
-
-
 class RealSensors:
     """Sensors with errors and faults. All random numbers of the flight are drawn when this is made.
+
+    Ideal sensors need none of it: `plant.envelope.observe` copies the truth to the measured state.
 
     Attributes:
         table: [5, steps, channels] errors, offsets, faults, what was sensed, and what was read (see `measurement`) [SI].
     """
-
-    real = True
 
     def __init__(
         self, settings: SensorSettings, plant: Accelerated, rate_hz: int, steps: int, seed: int
@@ -135,10 +112,3 @@ def _parameters(i: int, model: SensorModel, scale: float, rate_hz: float) -> tup
     lag = 1.0 - math.exp(-model.low_pass_rad_s / rate_hz) if model.low_pass_rad_s else 1.0
     delay = round(model.delay_s * rate_hz)
     return source, lag, scale, delay, model.si("resolution"), reads == "heading"
-
-
-def make_sensors(
-    settings: SensorSettings, plant: Accelerated, rate_hz: int, steps: int, seed: int
-) -> IdealSensors | RealSensors:
-    """The sensors that a scenario asks for."""
-    return IdealSensors() if settings.is_ideal else RealSensors(settings, plant, rate_hz, steps, seed)

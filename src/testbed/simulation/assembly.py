@@ -26,7 +26,7 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
 from testbed.scenario.model import Scenario
 from testbed.scenario.references import references
-from testbed.sensors.suite import IdealSensors, RealSensors, make_sensors
+from testbed.sensors.suite import RealSensors
 from testbed.simulation.check import check
 
 
@@ -35,6 +35,7 @@ class Assembly:
     """Everything that takes part in one flight; all of it is made for this flight.
 
     Attributes:
+        sensors: those with errors; None for ideal ones.
         references: [steps, 6] rate-limited references by `signals.SETPOINT`.
         path_angle: of the steady flight in which the flight begins [rad].
         flown_by: name of the user's controller that flies in place of the scenario's, or empty.
@@ -46,7 +47,7 @@ class Assembly:
     controller: Controller
     injector: Injector
     weather: Weather
-    sensors: IdealSensors | RealSensors
+    sensors: RealSensors | None
     references: np.ndarray
     path_angle: float
     shape: Shape
@@ -70,6 +71,9 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     injector = Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed)
     if controller is None and isinstance(scenario.controller, OracleSettings):
         setup = replace(setup, truth=Truth(plant, injector))
+    sensors = None
+    if not scenario.sensors.is_ideal:
+        sensors = RealSensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed)
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,
@@ -77,7 +81,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         controller=make_controller(setup, controller),
         injector=injector,
         weather=weather,
-        sensors=make_sensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed),
+        sensors=sensors,
         references=references(scenario, start.state["path_angle"]),
         path_angle=start.state["path_angle"],
         shape=load_shape(aircraft.folder) or drawn_by_effect(setup.model, plant.span_m),

@@ -28,7 +28,7 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
     """
     aircraft, steps = parts.aircraft, len(recorded[0])
     names = all_columns(aircraft, scenario)
-    more = parts.sensors.columns(recorded[0])
+    more = parts.sensors.columns(recorded[0]) if parts.sensors else {}
     if not scenario.atmosphere.is_calm:
         more |= parts.weather.columns(steps)
     data = table(aircraft, scenario.rate_hz, recorded, more.values())
@@ -40,7 +40,7 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
     injections, warnings = parts.injector.concluded(scenario.steps)
     if not parts.flown_by:
         warnings += conditions.warnings(scenario)
-    faults = parts.sensors.receipts(steps, scenario.steps)
+    faults = parts.sensors.receipts(steps, scenario.steps) if parts.sensors else []
     events = _events(parts, log, outcome, actuators, injections, faults)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
     metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))

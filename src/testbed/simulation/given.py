@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from pydantic import BaseModel
+from pydantic import BaseModel, create_model
 
 from testbed.air.config import Gust, Vector, WindChange
 from testbed.common.signals import first_step_at
@@ -19,24 +19,6 @@ from testbed.plant.first_load import property_catalog
 from testbed.scenario.checks import failure_issues, glides, no_altitude
 from testbed.scenario.model import Command
 from testbed.simulation.assembly import Assembly
-
-
-class _GivenFailure(Settings):
-    """A failure of any type, under a key, as in a scenario."""
-
-    failure: AnyFailure
-
-
-class _GivenCommand(Settings):
-    command: Command
-
-
-class _GivenGust(Settings):
-    gust: Gust
-
-
-class _GivenWind(Settings):
-    wind: WindChange
 
 
 def failure_of(given: Failure | Mapping[str, Any], parts: Assembly, recorded: Recorded) -> Failure:
@@ -57,7 +39,7 @@ def failure_of(given: Failure | Mapping[str, Any], parts: Assembly, recorded: Re
 
     tree = _tree(given)
     now = {} if isinstance(tree, dict) and "when" in tree else _now(parts, step)
-    return _valid(_GivenFailure, "inject", tree, now, fits)
+    return _valid("failure", AnyFailure, "inject", tree, now, fits)
 
 
 def _met(when: When | None, parts: Assembly, recorded: Recorded, path: TreePath) -> Iterator[Issue]:
@@ -82,7 +64,7 @@ def command_of(given: Command | Mapping[str, Any], parts: Assembly, step: int) -
         if glides(parts.aircraft) and command.altitude_m is not None:
             yield no_altitude(parts.aircraft, (*path, "altitude_m"))
 
-    return _valid(_GivenCommand, "order", _tree(given), _now(parts, step), fits)
+    return _valid("command", Command, "order", _tree(given), _now(parts, step), fits)
 
 
 def gust_of(
@@ -98,9 +80,9 @@ def gust_of(
     """
     tree, now = _tree(given), _now(parts, step)
     if isinstance(tree, dict) and "wind_m_s" in tree:
-        change = _valid(_GivenWind, "blow", tree, {})
+        change = _valid("wind", WindChange, "blow", tree, {})
         return change.gust(now["at_s"], wind_m_s), change.wind_m_s
-    gust = _valid(_GivenGust, "blow", tree, now, lambda gust, path: _times(gust, parts, step, path))
+    gust = _valid("gust", Gust, "blow", tree, now, lambda gust, path: _times(gust, parts, step, path))
     return gust, wind_m_s
 
 
@@ -116,14 +98,17 @@ def _tree(given: BaseModel | Mapping[str, Any]) -> Any:
 
 
 def _valid(
-    holder: type[Settings],
+    key: str,
+    kind: Any,
     verb: str,
     tree: Any,
     defaults: Mapping[str, Any],
     fits: Callable[[Any, TreePath], Iterable[Issue]] = lambda *_: (),
 ) -> Any:
-    """The value of the holder's one key; raises BadInput with every problem, each with the method that was called."""
-    (key,) = holder.model_fields
+    """A tree as this kind of settings, under a key as in a scenario; raises BadInput with every problem, each with the method that
+    was called."""
+    fields: dict[str, Any] = {key: (kind, ...)}
+    holder = create_model("Given", __base__=Settings, **fields)
     whole = {**defaults, **tree} if isinstance(tree, dict) else tree
     source = Source(verb, {key: whole})
     return getattr(validated(holder, source, lambda made: fits(getattr(made, key), (key,))), key)

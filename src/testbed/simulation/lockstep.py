@@ -43,7 +43,8 @@ class Lockstep:
         parts, (truth, measured, setpoints, telemetry) = self.parts, rows
         self.rows = rows
         parts.controller.bind(as_records(measured, STATE), as_records(setpoints, SETPOINT), telemetry)
-        parts.sensors.bind(truth, measured)
+        if parts.sensors is not None:
+            parts.sensors.bind(truth, measured)
         parts.injector.observe(rows)
         limits = limits_of(parts.aircraft.envelope)
         self._channels = (parts.plant.raw, parts.plant.factors, limits, truth, measured)
@@ -89,7 +90,7 @@ class Lockstep:
                         weather.apply(k)
                     plant.sample()
                     ending = log_truth(k, channels)
-                    if sensors.real:
+                    if sensors is not None:
                         sensors.measure(k)
                     plant.command(controller.step(k))
                     for delay in injector.filters:

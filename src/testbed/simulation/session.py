@@ -69,6 +69,7 @@ class Session:
         *,
         set: Mapping[str, Any] | None = None,
     ) -> None:
+        _refuse_others(scenario, controller, set)
         if not isinstance(scenario, Scenario):
             scenario = load_scenario(scenario, set or {})
         elif set:
@@ -117,7 +118,8 @@ class Session:
             raise _refused("extend", f"is {duration_s!r}", least)
         self._planned = parts.scenario = longer_scenario(self._whole(), float(duration_s))
         parts.weather.lengthen(self._planned.atmosphere, round(steps))
-        parts.sensors.lengthen(round(steps))
+        if parts.sensors is not None:
+            parts.sensors.lengthen(round(steps))
         self.loop.lengthen(references(self._planned, parts.path_angle))
 
     # Look -----------------------------------------------------------------------------------------------------
@@ -276,3 +278,21 @@ class Session:
 
 def _refused(verb: str, what: str, expected: str = "", suggestion: str = "") -> BadInput:
     return BadInput([Problem(what, verb, expected=expected, suggestion=suggestion)])
+
+
+def _refuse_others(scenario: object, controller: object, settings: object) -> None:
+    """Raise BadInput for arguments of a wrong kind."""
+    right = (
+        (
+            "scenario",
+            scenario,
+            isinstance(scenario, Scenario | str | Path),
+            "the path of a scenario's YAML file, or a Scenario",
+        ),
+        ("controller", controller, controller is None or callable(controller), "a class of your own"),
+        ("set", settings, isinstance(settings, Mapping | None), "a mapping of dotted paths to values"),
+    )
+    if wrong := [
+        Problem(f"is {value!r:.60}", name, expected=what) for name, value, fits, what in right if not fits
+    ]:
+        raise BadInput(wrong)

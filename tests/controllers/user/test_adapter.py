@@ -14,6 +14,7 @@ from vtail_setup import vtail_setup
 
 from testbed.common.signals import SETPOINT, STATE
 from testbed.controllers.make import CONSTRUCTORS
+from testbed.controllers.user import adapter
 from testbed.controllers.user.adapter import Reference, State, adapted
 from testbed.controllers.user.loader import load_controller
 from testbed.flight.folder import load, write_run_folder
@@ -78,6 +79,20 @@ def test_what_it_says_of_its_actuators_is_logged(tmp_path: Path) -> None:
     assert log["left_propeller_effectiveness_estimate"][-1] == 1.0
 
 
+def test_one_that_is_slow_is_said_to_be(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(adapter, "_SLOW_S", 0.02)
+    file = tmp_path / "own.py"
+    file.write_text(
+        "import time\nclass Own:\n    def __init__(self, setup): self.trim = setup.trim_commands\n"
+        "    def update(self, time_s, state, reference): time.sleep(0.03 * (time_s == 0)); return self.trim\n"
+    )
+    slow = scenario(tmp_path, "pid", 20)  # 4000 steps
+    with pytest.warns(
+        UserWarning, match=r"own.py: takes 0\.0\d+ s in each control step, 1\d\d s for the whole flight"
+    ):
+        fly(slow, controller=load_controller(f"{file}:Own"))
+
+
 OWN = "class Own:\n    def __init__(self, setup): {init}\n    def {update}(self, time_s, state, reference): {body}\n"
 STEP = (
     "class Own:\n    def __init__(self, setup): pass\n    def bind(self, *channels): {bind}\n"
@@ -97,6 +112,12 @@ FAULTY = {
         init="0", update="update", body="return [0, 0]"
     ): "own.py: at 0.000 s commands are [0, 0], expected 4",
     OWN.format(init="0", update="update", body="pass"): "own.py: at 0.000 s commands are None, expected 4",
+    OWN.format(
+        init="0", update="update", body="return ['0', '0', '1', '1']"
+    ): "commands are ['0', '0', '1', '1'], expected 4 finite numbers",
+    OWN.format(
+        init="0", update="update", body="return [1e308] * 4"
+    ): "expected 4 finite numbers of at most 1e+12",
     OWN.format(
         init="0", update="update", body="return [0, 0, float('nan'), 0]"
     ): "commands are [0, 0, nan, 0]",

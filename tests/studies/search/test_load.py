@@ -9,7 +9,7 @@ from search_files import SEARCH, written
 from sweep_files import SWEEP
 from sweep_files import written as sweep_written
 
-from testbed.aircraft.shipped import search_files
+from testbed.aircraft.shipped import files_in
 from testbed.inputs.problems import BadInput
 from testbed.studies.checks import check
 from testbed.studies.search.load import load_search
@@ -22,8 +22,12 @@ def refused(file: Path, *settings: str) -> str:
 
 
 def test_shipped_searches_are_valid() -> None:
-    assert {file.stem for file in search_files()} == {"rare_gust", "smallest_gust", "smallest_turbulence"}
-    for file in search_files():
+    assert {file.stem for file in files_in("scenarios/searches")} == {
+        "rare_gust",
+        "smallest_gust",
+        "smallest_turbulence",
+    }
+    for file in files_in("scenarios/searches"):
         check(load_search(file))
 
 

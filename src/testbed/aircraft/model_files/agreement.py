@@ -80,7 +80,8 @@ def _compared(
     """A number of the YAML that is not that of a property, in the property's unit times a factor."""
     theirs = declared.get(name)
     if theirs is not None and not _same(ours, theirs * factor):
-        yield Issue(path, f"is {ours:g}, the model's {name} is {theirs:g}", f"{theirs * factor:g}")
+        what = f"is {ours:g}, the model's {name} is {theirs:g}"
+        yield Issue(path, what, f"{theirs * factor:g}; to change it, edit both, here and in the XML")
 
 
 def _engine(actuator: MotorActuator | Engine, here: TreePath, files: ModelFiles) -> Iterator[Issue]:
@@ -107,7 +108,7 @@ def _motor(actuator: MotorActuator, here: TreePath, found: Element) -> Iterator[
         theirs = None if element is None else finite(element.text)
         if ours is not None and theirs is not None and not _same(ours, theirs):
             what = f"is {ours:g}, {_place(element)} has {theirs:g}"
-            yield Issue((*here, "motor", field), what, f"{theirs:g}")
+            yield Issue((*here, "motor", field), what, f"{theirs:g}; to change it, edit both")
 
 
 def _place(element: Element | None) -> str:

@@ -60,16 +60,11 @@ class ModelFiles:
         return None if self.root is None else self.root.first(tag)
 
 
-def model_file(folder: Path, model: str) -> Path:
-    """The model's own file: MODEL.xml in the aircraft's folder."""
-    return folder.resolve() / f"{model}.xml"
-
-
 def read_model(folder: Path, model: str) -> ModelFiles:
     """Read the model and every file that it names; what cannot be used becomes a problem, and the rest is read."""
     found = ModelFiles()
     folder = folder.resolve()
-    file = model_file(folder, model)
+    file = folder / f"{model}.xml"
     if not _inside(folder, file) or file.parent != folder:
         what = f"the model {model!r} is outside the aircraft's folder"
         yaml = folder / f"{folder.name}.yaml"

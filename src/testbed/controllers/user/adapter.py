@@ -17,8 +17,10 @@ An error in the class is reported as bad input with the user's file and line, an
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Sequence
 from dataclasses import replace
+from time import perf_counter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,6 +35,14 @@ from testbed.inputs.problems import BadInput, Problem, did_you_mean
 _UPDATE = "update(time_s, state, reference) -> commands"
 _KEPT = (("effectiveness", 1.0), ("failed", 0.0))
 """Attributes of the user's object that are logged, and what is logged without them."""
+
+
+_TEXTS = "US"
+"""Kinds of numpy arrays of texts: numpy would make numbers of them."""
+_LARGEST = 1e12
+"""No command comes near it; beyond, products overflow."""
+_SLOW_S, _LONG_S = 3.0, 60.0
+"""After how long in the user's code it is said how long the flight takes, if that is longer than the second [s]."""
 
 
 class State(NamedTuple):
@@ -118,6 +128,7 @@ class CustomController:
         self._scale = setup.scale
         self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
         self._model, self._memory = model_record(setup)[0], trimmed_memory(setup)[0]
+        self._spent_s = 0.0
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
@@ -125,7 +136,7 @@ class CustomController:
 
     def step(self, step: int) -> np.ndarray:
         """Commands [n] for row `step`; raises BadInput, with the time, when the user's code fails."""
-        time_s = step * self._dt
+        time_s, begin = step * self._dt, perf_counter()
         state = State._make(self._states[step].tolist())
         reference = Reference._make(self._setpoints[step].tolist())
         try:
@@ -135,18 +146,29 @@ class CustomController:
             raise
         except BaseException as error:  # `sys.exit` too, which would end the command in silence
             raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
+        self._spent_s += perf_counter() - begin
+        if self._spent_s > _SLOW_S:
+            self._say_how_long(step + 1)
         commands = self._checked(answer, "commands", time_s)
         self._write_telemetry(step, commands, kept, time_s)
         return commands
 
+    def _say_how_long(self, steps: int) -> None:
+        """Warn once of a flight that takes longer than `_LONG_S`."""
+        each_s, self._spent_s = self._spent_s / steps, -math.inf
+        if (whole_s := each_s * len(self._telemetry)) > _LONG_S:
+            words = f"{self._name}: takes {each_s:.2g} s in each control step, {whole_s:.0f} s for the whole flight"
+            warnings.warn(words, stacklevel=2)
+
     def _checked(self, answer: Any, what: str, time_s: float) -> np.ndarray:
         """The answer as [n] finite numbers; raises BadInput when it is anything else."""
-        expected = f"{self._n} finite numbers: {', '.join(self._names)}"
+        expected = f"{self._n} finite numbers of at most {_LARGEST:g}: {', '.join(self._names)}"
         try:
-            values = np.asarray(answer, dtype=float)
+            given = np.asarray(answer)
+            values = given.astype(float) if given.dtype.kind not in _TEXTS else np.full(0, math.nan)
         except (Exception, SystemExit):  # whatever its `__array__` raises
             values = np.full(0, math.nan)
-        if values.shape != (self._n,) or not np.isfinite(values).all():
+        if values.shape != (self._n,) or not (np.abs(values) <= _LARGEST).all():
             problem = f"at {time_s:.3f} s {what} are {shown(answer)}"
             raise BadInput([Problem(problem, self._name, expected=expected)])
         return values
