@@ -45,14 +45,17 @@ def _parts(summary: Summary, folder: Path) -> Iterator[str]:
 
 def _flight(part: Summary, folder: Path) -> Iterator[str]:
     """The flight found beside the one at the origin: a picture, and a link to the page that compares them."""
-    found, origin = folder / part["folder"], folder / part["folder"].replace("found", "origin", 1)
+    name = Path(
+        part["folder"]
+    ).name  # summary.json may be somebody else's, and say a path that leads out of the folder
+    found, origin = folder / name, folder / name.replace("found", "origin", 1)
     if not (found / "log.csv").is_file() or not (origin / "log.csv").is_file():
         return
     flights = [run_folder.load(origin), run_folder.load(found)]
     if not all(flight.actuators for flight in flights):  # made up by a function of the user's
         return
     comparison = Comparison(flights, ["at the origin", "found"])
-    page = comparison.write(folder / f"{part['folder'].replace('found', 'comparison', 1)}.html")
+    page = comparison.write(folder / f"{name.replace('found', 'comparison', 1)}.html")
     label = f" ({part['label']})" if part["label"] else ""
     yield html.picture(
         picture(comparison), f"The flight found, and the one at the origin of the search{label}"
