@@ -183,7 +183,7 @@ def remaining(rows: Sequence[Row], trims: Mapping[str, str], bound: str) -> list
     lines = ["## What remains lost", "", f"Missions of which `{bound}` does not hold nine of ten."]
     if trims:
         heads.append("steady flight on JSBSim")
-        lines += ["The last column has the steady flights that JSBSim itself has after the failure, at whole m/s",
+        lines += ["The last column has the steady flights that JSBSim itself has after the failure, at steps of 0.5 m/s",
                   "([what the margin is](../results/missions.md#what-each-mission-is)).",
                   "A jam whose level trim is far from the speed before it has to be flown there first."]  # fmt: skip
     lines += ["", f"| {' | '.join(heads)} |", f"|{' --- |' * len(heads)}"]

@@ -74,7 +74,7 @@ To fly one again: `python benchmarks/missions.py --reporting --missions NAME --f
 says how the conditions are chosen. [When adaptation pays](../explanation/when_adaptation_pays.md) is from the same flights.
 """
 STEADY = """\
-The last column has the steady flights of the broken v-tail on JSBSim itself, looked for at each whole m/s
+The last column has the steady flights of the broken v-tail on JSBSim itself, looked for in steps of 0.5 m/s
 (`benchmarks/true_trims.py`), so that one in a narrower range is missed. The margin is how far the actuator nearest to a stop
 is from it, as a share of half its travel, at the airspeed where this is largest.
 """

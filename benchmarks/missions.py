@@ -37,7 +37,7 @@ TUNING_END, REPORTING_START = 50000, 90001
 """Seeds for tuning are below the first; those for reporting start at the second."""
 CONTROLLERS: dict[str, Mapping[str, Any]] = {
     "default": {"type": "adaptive_inversion"},
-    "oracle": {"type": "oracle"},
+    "oracle": {"type": "informed_inversion"},
     "imm_inversion": {"type": "imm_inversion"},
     "indi_monitor": {"type": "indi", "monitor": True},
     "indi": {"type": "indi"},

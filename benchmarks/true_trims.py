@@ -2,9 +2,10 @@
 
     python benchmarks/true_trims.py --missions jam,hardover
 
-For each airspeed in whole m/s, the angles and the commands of the working actuators are solved for (least squares with bounds,
-several starts) with every failure of the mission in force. Where there is no level one, flights that climb or descend are
-looked for. What no trim exists for, no controller can hold; the design model plays no part in this.
+For each airspeed, in steps of 1/36 of the reference airspeed (0.5 m/s for the v-tail), the angles and the commands of the
+working actuators are solved for (least squares with bounds, several starts) with every failure of the mission in force. Where
+there is no level one, flights that climb or descend are looked for. What no trim exists for, no controller can hold; the
+design model plays no part in this.
 """
 
 from __future__ import annotations
@@ -27,7 +28,8 @@ from testbed.plant.settling import accelerations
 from testbed.plant.trim import command_range, trim
 from testbed.studies.drawing.builder import Builder, Task, Variant
 
-AIRSPEEDS_M_S = range(11, 28)
+SLOWEST, FASTEST, STEP = 22 / 36, 54 / 36, 1 / 36
+"""Airspeeds that are tried, in units of the reference airspeed. Twice the step misses a level flight from 16.5 to 17 m/s."""
 PATH_ANGLES_DEG = (0, 3, -3, 6, -6)
 """Level first; the others are tried only if there is no level flight."""
 RESIDUAL_MAX = 1e-3  # m/s2, rad/s2
@@ -46,10 +48,13 @@ class Steady:
 
 
 def steady_flights(
-    aircraft: str, failures: Sequence[Failure], airspeeds: Sequence[int] = AIRSPEEDS_M_S
+    aircraft: str, failures: Sequence[Failure], airspeeds: Sequence[float] | None = None
 ) -> list[Steady]:
     """Steady flights with these failures in force: all level ones, or else all of the first path angle that has any."""
-    search = _Search(load_aircraft(aircraft), failures)
+    known = load_aircraft(aircraft)
+    if airspeeds is None:
+        airspeeds = (np.arange(SLOWEST, FASTEST + 0.5 * STEP, STEP) * known.reference.airspeed_m_s).tolist()
+    search = _Search(known, failures)
     for path_angle in PATH_ANGLES_DEG:
         if found := list(search.at(path_angle, airspeeds)):
             return found
@@ -76,11 +81,11 @@ class _Search:
         self._low = np.concatenate([-_ANGLES_MAX, ranges[:, 0]])
         self._high = np.concatenate([_ANGLES_MAX, ranges[:, 1]])
 
-    def at(self, path_angle_deg: float, airspeeds: Sequence[int]) -> Iterator[Steady]:
+    def at(self, path_angle_deg: float, airspeeds: Sequence[float]) -> Iterator[Steady]:
         """The steady flights with this path angle."""
         before: np.ndarray | None = None
         for airspeed in airspeeds:
-            before = self._solve(float(airspeed), math.radians(path_angle_deg), before)
+            before = self._solve(airspeed, math.radians(path_angle_deg), before)
             if before is not None:
                 commands, low, high = before[3:], self._low[3:], self._high[3:]
                 margin = float(np.min(np.minimum(commands - low, high - commands) / (0.5 * (high - low))))
@@ -123,7 +128,7 @@ def words(found: Sequence[Steady]) -> str:
         if angle > 0
         else f"descending at {-angle:g} deg"
     )
-    return f"{how}, {min(speeds):g} to {max(speeds):g} m/s, margin {margin:.2f}"
+    return f"{how}, {min(speeds):.3g} to {max(speeds):.3g} m/s, margin {margin:.2f}"
 
 
 def failures_of(mission: Mission) -> Sequence[Failure]:

@@ -22,7 +22,17 @@ def run(program: str) -> str:
 
 def test_its_names_are_shown_and_there() -> None:
     raised = ["BadInput", "Stopped"]
-    called = ["adopt", "compare", "design", "failure_probability", "fly", "load", "search", "sweep"]
+    called = [
+        "adopt",
+        "benchmark",
+        "compare",
+        "design",
+        "failure_probability",
+        "fly",
+        "load",
+        "search",
+        "sweep",
+    ]
     assert dir(testbed) == ["BadInput", "Session", "Stopped", "__version__", *called]
     assert all(callable(getattr(testbed, name)) for name in called)
     assert all(issubclass(getattr(testbed, name), Exception) for name in raised)

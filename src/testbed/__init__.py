@@ -7,6 +7,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from testbed.adoption.entry import adopt as adopt
+    from testbed.api.benchmark import benchmark as benchmark
     from testbed.api.load import load as load
     from testbed.api.search import search as search
     from testbed.api.sweep import sweep as sweep
@@ -25,6 +26,7 @@ _MODULES = {
     "Session": "testbed.simulation",
     "Stopped": "testbed.studies.run",
     "adopt": "testbed.adoption.entry",
+    "benchmark": "testbed.api.benchmark",
     "compare": "testbed.reporting.comparison.compare",
     "design": "testbed.gains.design",
     "failure_probability": "testbed.reliability.probability",

@@ -19,6 +19,7 @@ KNOWN = {
     "metrics": list(METRICS),
     "scenarios": ["scenarios/left_tail_fail.yaml", "scenarios/mems_turbulence.yaml"],
     "searches": ["scenarios/searches/rare_gust.yaml"],
+    "suites": ["scenarios/suites/open.yaml"],
     "sweeps": ["scenarios/sweeps/left_tail_monte_carlo.yaml"],
 }
 

@@ -18,7 +18,7 @@ from testbed.common.writing import refuse_unsafe, replacing, write, write_new
 
 SOURCES = Path(testbed.__file__).parent
 WRITERS = {"write_text", "write_bytes", "touch", "savefig", "to_csv", "to_parquet", "to_json", "to_excel", "tofile", "save",
-           "savez", "savetxt", "memmap", "mkstemp", "NamedTemporaryFile", "copyfile", "copytree", "link",
+           "savez", "savetxt", "memmap", "mkstemp", "NamedTemporaryFile", "copyfile", "copytree",
            "symlink", "symlink_to", "hardlink_to", "connect", "FileIO", "FileHandler", "OSFile"}  # fmt: skip
 """Functions that write to a path, or that make a path lead elsewhere."""
 SAVED = {
@@ -29,8 +29,7 @@ SAVED = {
     ("adoption/adopt.py", "save"): "a method of the design model, which goes through `writing`",
     ("reporting/figures/__init__.py", "save"): "goes through `writing`",
     ("reporting/figures/sheet.py", "save"): "into memory",
-    ("study_reports/search/figures.py", "save"): "goes through `writing`",
-    ("study_reports/sweep/figures.py", "save"): "goes through `writing`",
+    ("study_reports/drawing.py", "save"): "goes through `writing`",
     ("studies/folder/store.py", "connect"): "SQLite, after `refuse_unsafe`",
     ("studies/folder/store.py", "copyfile"): "into a temporary folder of its own",
 }
@@ -212,7 +211,7 @@ def writes(tree: ast.AST) -> Iterator[str]:
         function = node.func
         name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
         if (name == "open" and not _reads(node)) or (
-            (name in WRITERS or ast.unparse(function) in ("shutil.copy", "shutil.copy2"))
+            (name in WRITERS or ast.unparse(function) in ("shutil.copy", "shutil.copy2", "os.link"))
             and node.args
             and ast.unparse(node.args[0]) != "':memory:'"
         ):

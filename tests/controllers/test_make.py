@@ -20,7 +20,7 @@ def test_every_kind_of_settings_has_a_class_that_flies_it() -> None:
 
 @pytest.mark.parametrize("name", TABLE)
 def test_a_controller_has_the_protocol(name: str) -> None:
-    truth = ActuatorTruth([1.0] * 4, [True] * 4, [0.0] * 4)  # for the oracle alone
+    truth = ActuatorTruth([1.0] * 4, [True] * 4, [0.0] * 4)  # for the informed alone
     controller = make_controller(vtail_setup(TABLE[name](), truth=lambda: truth))
     assert list(controller.reasons) == []
     assert callable(controller.bind) and callable(controller.step)

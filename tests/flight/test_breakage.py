@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from handmade import at, injection, level_log, readings_of
 
-from testbed.flight.breakage import LOST, broken, broken_since, failure_times_s, failures_of
+from testbed.failures import TABLE as FAILURES
+from testbed.flight.breakage import LOST, broken, broken_since, failure_times_s, failures_of, response
 from testbed.flight.columns import stretches
 from testbed.flight.events import controller_events
 from testbed.metrics import measure
@@ -104,3 +105,27 @@ def test_failures_are_active_from_their_start_to_their_end() -> None:
     assert (first.number, first.actuator, first.from_s, first.until_s) == (0, "elevon", 2.0, math.inf)
     assert (second.number, second.type, second.from_s, second.until_s) == (1, "motor_stop", 3.0, 5.0)
     assert failure_times_s(events) == [2.0, 3.0]
+
+
+@pytest.mark.parametrize(
+    ("asked", "does"),
+    [
+        ({"type": "reversal"}, -1.0),
+        ({"type": "stuck"}, math.nan),
+        ({"type": "hardover", "to": "max"}, math.nan),
+        ({"type": "command_scale", "value": 0.5}, 0.5),
+        ({"type": "bias", "value": 3.0}, 1.0),
+        ({"type": "lag", "lag_rad_s": 3.0}, 1.0),
+    ],
+)
+def test_what_an_actuator_does_for_its_command(asked: dict[str, Any], does: float) -> None:
+    """While it lasts, and times the effect that is left; the other actuator does what it is told."""
+    failure = FAILURES[asked["type"]].model_validate(
+        {"actuator": "elevon", "at_s": 2.0, "until_s": 5.0, **asked}
+    )
+    events = [injection(2.0, type=asked["type"]), injection(5.0, type=asked["type"], active=False)]
+    log = lost(4.0, 10.0, 0.25)
+    found = response(log, "elevon", failures_of(events), [failure])
+    for time_s, expected in ((1.0, 1.0), (3.0, does), (4.5, 0.25 * does), (6.0, 0.25)):
+        assert found[at(time_s)] == pytest.approx(expected, nan_ok=True)
+    assert (response(log, "fan", failures_of(events), [failure]) == 1.0).all()

@@ -68,7 +68,7 @@ def test_repr_is_one_short_line() -> None:
 
 def test_html_shows_what_was_missed_first() -> None:
     html = a_flight(requirements=[MET, MISSED])._repr_html_()
-    assert "Not passed" in html and "1 of 2 requirements not met" in html
+    assert "Not passed" in html and "1 of 2 requirements met" in html
     assert html.index("NOT MET") < html.index("<td>met</td>")
     assert "heading &lt; 5 &amp; &gt; -5" in html and "heading < 5" not in html
     assert "not a number in this flight" in html and "0.1235" in html

@@ -22,7 +22,7 @@ export function replay(root, flight, columns, clock) {
       ${VIEWS.map((v, i) => `<button type="button" data-view="${v}" title="key ${i + 1}">${v}</button>`).join("")}
       <input type="range" min="${clock.start}" max="${clock.end}" step="any" value="${clock.now}" aria-label="time">
     </div>
-    <p class="note">Surfaces and discs are coloured by their true effectiveness, edges and thrust arrows by the controller's estimate.
+    <p class="note">Surfaces and discs are coloured by what they truly do for their command, edges and thrust arrows by the controller's estimate.
     Keys: space plays, arrows step, 1 2 3 choose the view.</p>`;
   const scene = picture(root.querySelector("canvas"), flight, columns);
   const [output, play, slider] = ["output", "[data-do=play]", "input"].map((s) => root.querySelector(s));

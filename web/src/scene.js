@@ -21,7 +21,7 @@ function quad(points) {
 
 function shade(value) {
   // Full effect is the fixed colour of a surface; none is the colour of a failure.
-  const part = Math.min(Math.max(value, 0), 1);
+  const part = Number.isFinite(value) ? Math.min(Math.max(value, 0), 1) : 0; // what does not follow its command has none of it
   return new Color(colour("failure")).lerp(new Color(colour("whole")), part);
 }
 
@@ -138,7 +138,7 @@ export class Scene {
   pose(part, row) {
     if (!part.actuator) return;
     const c = this.columns;
-    const effect = c[`${part.actuator}_effectiveness`][row];
+    const effect = c[`${part.actuator}_response`][row];
     const believed = this.flight.estimates ? c[`${part.actuator}_effectiveness_estimate`][row] : effect;
     part.surface.material.color.copy(shade(effect));
     if (part.kind === "panel") {
@@ -147,7 +147,7 @@ export class Scene {
       part.group.matrix.copy(deflection(a, b, trailing, angle, part.sense));
       part.edge.material.color.copy(shade(believed));
     } else {
-      const thrust = c[`${part.actuator}_position`][row] * effect;
+      const thrust = c[`${part.actuator}_position`][row] * c[`${part.actuator}_effectiveness`][row];
       const [low, high] = this.flight.actuators[part.actuator].limits;
       const most = Math.max(Math.abs(low), Math.abs(high));
       part.arrow.setDirection(new Vector3(Math.sign(thrust) || 1, 0, 0));

@@ -9,7 +9,7 @@ import importlib.util
 import os
 from pathlib import Path
 
-from testbed.inputs.problems import BadInput, Problem, did_you_mean, one_of
+from testbed.inputs.problems import BadInput, Problem, did_you_mean, guess, one_of
 
 _FOLDER = "a folder with a YAML file of its name, beside the scenario or else in the present folder"
 
@@ -101,6 +101,16 @@ def find_scenario(path: str | Path) -> Path:
     known = shipped | beside
     close = known.get(did_you_mean(Path(path).stem, known), "")
     raise BadInput([Problem("there is no such file", str(path), suggestion=close)])
+
+
+def find_suite(name: str | Path) -> Path:
+    """A benchmark's suite by its path, or a shipped one by its name; raises BadInput when there is none."""
+    if os.path.exists(name):
+        return Path(name)
+    shipped = {file.stem: file for file in files_in("scenarios/suites")}
+    if str(name) in shipped:
+        return shipped[str(name)]
+    raise BadInput([Problem("there is no such suite", str(name), None, "", *guess(name, shipped))])
 
 
 def shipped_files() -> list[Path]:

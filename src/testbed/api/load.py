@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from testbed.reporting.flight import ReportedFlight
 
-STUDIES = ("sweep", "search")
+STUDIES = ("sweep", "search", "benchmark")
 """The kinds of studies, each a module of this package. The folder of one has a file of this name, with .yaml."""
 
 
@@ -36,6 +36,10 @@ def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
         refuse_links(Path(folder))
         with believed(Path(folder) / "results.parquet", "the table of a search"):
             return pd.read_parquet(Path(folder) / "results.parquet")
+    if kind == "benchmark":
+        from testbed.api import benchmark
+
+        return benchmark.table(folder)
     if kind == "sweep":
         from testbed.studies.folder import reading
         from testbed.study_reports.sweep.table import table_of

@@ -13,6 +13,7 @@ import numpy as np
 
 from testbed.api.load import refuse_unfinished
 from testbed.api.study import changes, folder_of, write_summary
+from testbed.common.text import printable
 from testbed.common.writing import write
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
@@ -69,7 +70,7 @@ class SearchResult:
         return pd.read_parquet(self.folder / "results.parquet")
 
     def __repr__(self) -> str:
-        return "\n".join(sentences(self.summary))
+        return printable("\n".join(sentences(self.summary)))
 
 
 def search(

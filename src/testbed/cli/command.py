@@ -96,6 +96,11 @@ def add_many_flights(command: ArgumentParser) -> None:
         metavar="NAME=FILE.py:CLASS",
         help="compare a controller class of your own too; may be given several times",
     )
+    add_flying(command)
+
+
+def add_flying(command: ArgumentParser) -> None:
+    """How and where many flights are flown."""
     jobs = "number of processes (default: one for each core)"
     command.add_argument("--jobs", type=whole_number, metavar="N", help=jobs)
     command.add_argument(

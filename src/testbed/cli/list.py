@@ -50,6 +50,7 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "metrics": partial(_table, "testbed.metrics"),
     "scenarios": partial(_files, "scenarios"),
     "searches": partial(_files, "scenarios/searches"),
+    "suites": partial(_files, "scenarios/suites"),
     "sweeps": partial(_files, "scenarios/sweeps"),
 }
 """The lists that `testbed list` can show."""

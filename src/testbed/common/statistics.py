@@ -88,6 +88,38 @@ def paired(first: Sequence[bool], second: Sequence[bool], confidence: float = CO
     return Paired(both, only_a, only_b, neither, difference, low, high, confidence, p_value)
 
 
+@dataclass(frozen=True)
+class Mean:
+    """A mean with its confidence interval `low` to `high`."""
+
+    estimate: float
+    low: float
+    high: float
+    confidence: float
+
+    @property
+    def plain(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+_RESAMPLES = 4000
+
+
+def mean(values: Sequence[float], confidence: float = CONFIDENCE) -> Mean:
+    """The mean of independent values, or of differences by pairs, with the percentile interval of the bootstrap (Efron 1979).
+
+    The resamples are the same whenever it is asked for the same number of values.
+    """
+    known = np.asarray(values, dtype=float)
+    if not len(known):
+        return Mean(math.nan, math.nan, math.nan, confidence)
+    random = np.random.default_rng(len(known))
+    means = [float(known[random.integers(len(known), size=len(known))].mean()) for _ in range(_RESAMPLES)]
+    tail = 0.5 * (1.0 - confidence)
+    low, high = np.quantile(means, [tail, 1.0 - tail])
+    return Mean(float(known.mean()), float(low), float(high), confidence)
+
+
 def _newcombe(both: int, only_a: int, only_b: int, neither: int, confidence: float) -> tuple[float, float]:
     """Newcombe's interval: Wilson intervals of the two proportions, combined with the correlation phi of the pairs."""
     n = both + only_a + only_b + neither

@@ -7,16 +7,18 @@ cell that begins with `=` for a formula, which may send the table's contents to 
 
 from __future__ import annotations
 
-_CONTROL = [*range(0x20), *range(0x7F, 0xA0)]
-_DIRECTION = [0x061C, 0x200E, 0x200F, *range(0x202A, 0x202F), *range(0x2066, 0x206A)]
-_SHOWN = {code: ascii(chr(code))[1:-1] for code in [*_CONTROL, *_DIRECTION] if chr(code) not in "\n\t"}
+import re
+
+_CONTROL, _DIRECTION = r"\x00-\x08\x0b-\x1f\x7f-\x9f", r"\u061c\u200e\u200f\u202a-\u202e\u2066-\u2069"
+_NO_TEXT = r"\ud800-\udfff\ufffe\uffff"  # neither UTF-8 nor XML has these
+_HIDDEN = re.compile(f"[{_CONTROL}{_DIRECTION}{_NO_TEXT}]")
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")  # noqa: RUF001  (spreadsheets take wide ones too)
 _QUOTE = "'"
 
 
 def printable(text: str) -> str:
     r"""The text with control characters as escapes, such as `\x1b`; ends of lines and tabs stay."""
-    return text.translate(_SHOWN)
+    return _HIDDEN.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def with_article(word: str) -> str:

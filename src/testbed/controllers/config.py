@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import AfterValidator, Field, StrictBool, ValidationInfo, field_validator, model_validator
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Field,
+    StrictBool,
+    ValidationInfo,
+    field_validator,
+    model_validator,
+)
 
-from testbed.aircraft.control_design import Axis, ControlDesign
+from testbed.aircraft.control_design import DERIVED, Axis, ControlDesign
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 
 Fraction = Annotated[Number, Field(ge=0, le=1)]
@@ -173,61 +182,88 @@ class FixedInversionSettings(ControllerSettings):
 class PidSettings(ControllerSettings):
     """A conventional autopilot: cascaded loops, and an allocation from the design model, scheduled with dynamic pressure.
 
-    With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`).
-    Gains are in 1/s unless another unit is given. The defaults were found by a search (CMA-ES, rounded) on healthy flights
-    of an aircraft of 5 kg only: the routes hard, slow and fast of the missions, in calm air and at W20 = 25 ft/s, seeds 1 to 5.
-    The search kept the inner loops at 20 rad/s (60 deg of phase margin with the servos' lag), and pitch and altitude below a third
-    of the loop inside them.
+    With `p_dot` released, bank is controlled by yawing (`roll_kp`), else by rolling (`bank_kp`, `p_kp`). What is not given suits
+    the aircraft (`controllers.pid_design`). Gains are in 1/s unless another unit is given.
     """
 
     type: Literal["pid"] = "pid"
-    airspeed_kp: NonNegative = 1.9
+    airspeed_kp: NonNegative = DERIVED
     """Acceleration for an error of airspeed."""
-    airspeed_ki: NonNegative = 0.013
+    airspeed_ki: NonNegative = DERIVED
     """Acceleration for the integral of that error [1/s2]."""
-    u_dot_max: Positive = 6.0
-    """Largest acceleration that airspeed may ask for [m/s2]. With 0.7, airspeed is lost in a climb through sinking air."""
-    altitude_kp: NonNegative = 2.2
+    airspeed_error_max_m_s: Positive = DERIVED
+    """The airspeed error is limited to this [m/s]."""
+    u_dot_max: Positive = DERIVED
+    """Largest acceleration that airspeed may ask for, besides that for the climb [m/s2]."""
+    altitude_kp: NonNegative = DERIVED
     """Climb rate for an error of altitude."""
-    altitude_ki: NonNegative = 0.035
+    altitude_ki: NonNegative = DERIVED
     """Pitch for the integral of that error [rad/(m s)]."""
-    climb_max: Positive = 3.3
+    altitude_error_max_m: Positive = DERIVED
+    """The altitude error is limited to this [m]."""
+    climb_max: Positive = DERIVED
     """Largest climb rate that altitude may ask for [m/s]."""
-    pitch_kp: NonNegative = 6.6
+    pitch_kp: NonNegative = DERIVED
     """Pitch rate for an error of pitch."""
-    q_kp: NonNegative = 20.0
+    q_kp: NonNegative = DERIVED
     """Pitch acceleration for an error of pitch rate."""
-    heading_kp: NonNegative = 2.2
+    heading_kp: NonNegative = DERIVED
     """Turn rate for an error of heading."""
-    heading_ki: NonNegative = 0.4
+    heading_ki: NonNegative = DERIVED
     """Turn rate for the integral of that error [1/s2]."""
-    roll_kp: NonNegative = 2.1
+    roll_kp: NonNegative = DERIVED
     """Yaw rate for an error of bank: yawing causes sideslip, and with dihedral sideslip causes roll."""
-    bank_kp: NonNegative = 2.0
+    bank_kp: NonNegative = DERIVED
     """Roll rate for an error of bank."""
-    p_kp: NonNegative = 8.0
+    p_kp: NonNegative = DERIVED
     """Roll acceleration for an error of roll rate."""
-    roll_max_deg: Positive = 30.0
+    roll_max_deg: Positive = DERIVED
     """Largest bank that heading may ask for [deg]."""
-    r_kp: NonNegative = 20.0
+    r_kp: NonNegative = DERIVED
     """Yaw acceleration for an error of yaw rate."""
 
 
-class IndiSettings(ControllerSettings):
+class RegressionSettings(ControllerSettings):
+    """What the controllers share that compare measured rates with modelled actuators."""
+
+    filter_rad_s: NonNegative = 20.0
+    """Corner of two equal first-order lags on both, for noisy sensors [rad/s]; 0 is none."""
+
+
+class IndiSettings(RegressionSettings):
     """Incremental nonlinear dynamic inversion: uses measured rates in place of the model's; no estimates."""
 
     type: Literal["indi"] = "indi"
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags, on measured rates and on modelled actuators alike [rad/s]; 0 is none."""
     monitor: StrictBool = False
     """Diagnose failures as `adaptive_inversion` does by default, and switch modes as it does."""
 
 
-class RegressionSettings(ControllerSettings):
-    """What the controllers share that regress measured rates on positions."""
+class AdaptiveIndiSettings(RegressionSettings):
+    """`indi` that learns its input matrix in flight by least mean squares, and diagnoses nothing."""
 
-    filter_rad_s: NonNegative = 20.0
-    """Corner of two equal first-order lags on both sides of the regression [rad/s]; 0 is none."""
+    type: Literal["adaptive_indi"] = "adaptive_indi"
+    learning_filter_rad_s: Positive = 50.0
+    """Corner of the same for learning [rad/s]. With a low one, actuators seem weak: the commands that answer a gust are taken for
+    its cause."""
+    mu_s: NonNegative = 0.1
+    """Adaptation constant [s]: an actuator that moves at one of its units (`scale`) per second is learnt at this rate [1/s]."""
+    factor_max: Annotated[Number, Field(gt=1)] = 2.0
+    """How many times its first value an element of the input matrix may become, or how many times less."""
+
+
+class MracSettings(ControllerSettings):
+    """Inversion (6) with a model-reference adaptive part that makes up for what the model leaves out; diagnoses nothing."""
+
+    type: Literal["mrac"] = "mrac"
+    error_rad_s: Positive = 8.0
+    """Rate at which the error of p, q and r against the reference model decays [rad/s]; that of airspeed a tenth of it."""
+    adaptation: Positive = 0.25
+    """Adaptation rate: the stiffness of that error that a regressor of size 1 makes, in units of `error_rad_s` squared. With
+    0.25 it is critically damped."""
+    e_modification: NonNegative = 0.5
+    """Leakage of the parameters, in proportion to the error [1]."""
+    authority_max: Positive = 1.0
+    """Bound of the parameters of each rate, in units of what the actuators give with one `scale` of each."""
 
 
 class L1InversionSettings(RegressionSettings):
@@ -272,12 +308,25 @@ class ImmInversionSettings(RegressionSettings):
     """How long it must be as probable as that [s]."""
 
 
-class OracleSettings(ControllerSettings):
-    """The law of `adaptive_inversion`, told the true effectiveness and failures at once: the bound of any diagnosis."""
+class InformedSettings(RegressionSettings):
+    """The law of `adaptive_inversion`, told the true effectiveness and failures at once."""
 
-    type: Literal["oracle"] = "oracle"
+    type: Literal["informed_inversion"] = "informed_inversion"
     threshold: Fraction = 0.05
     """An actuator with this true effectiveness or less is given up as failed."""
+    patience_s: NonNegative = 0.0
+    """How long an actuator must have been lost or stuck before it is given up [s]: what comes back sooner is waited for."""
+    keeps_axes: StrictBool = False
+    """Give up no axis, neither from the start nor after a failure: the actuators that remain share all of them."""
+    increments: StrictBool = False
+    """Take what is measured of the rates and not explained by the model from the demand, as `indi` does."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _keeps(cls, value: Any) -> Any:
+        if isinstance(value, dict) and value.get("keeps_axes") is True:
+            return {"released": (), **value}
+        return value
 
 
 TABLE: dict[str, type[ControllerSettings]] = {
@@ -285,14 +334,38 @@ TABLE: dict[str, type[ControllerSettings]] = {
     "fixed_inversion": FixedInversionSettings,
     "pid": PidSettings,
     "indi": IndiSettings,
+    "adaptive_indi": AdaptiveIndiSettings,
+    "mrac": MracSettings,
     "l1_inversion": L1InversionSettings,
     "rls_inversion": RlsInversionSettings,
     "imm_inversion": ImmInversionSettings,
-    "oracle": OracleSettings,
+    "informed_inversion": InformedSettings,
 }
 """Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""
+
+OLD_NAMES = {"oracle": "informed_inversion"}
+"""Types that are still accepted by the names that they had."""
+
+
+def settings_of(kind: object) -> type[ControllerSettings] | None:
+    """The settings of a `type` of controller, also by an old name; None if there is no such type."""
+    return TABLE.get(OLD_NAMES.get(str(kind), str(kind)))
+
+
+def _renamed(value: Any) -> Any:
+    """A `controller` block with the present name of its type; an old one is said once, as a warning."""
+    if isinstance(value, dict) and value.get("type") in OLD_NAMES:
+        now = OLD_NAMES[value["type"]]
+        warnings.warn(f"the controller {value['type']} is called {now} now", FutureWarning, stacklevel=2)
+        return {**value, "type": now}
+    return value
+
 
 if TYPE_CHECKING:
     AnyController = ControllerSettings
 else:
-    AnyController = Annotated[Union[tuple(TABLE.values())], Field(discriminator="type")]  # noqa: UP007
+    AnyController = Annotated[
+        Union[tuple(TABLE.values())],  # noqa: UP007
+        Field(discriminator="type"),
+        BeforeValidator(_renamed),
+    ]

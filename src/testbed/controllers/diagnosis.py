@@ -81,10 +81,11 @@ class DiagnosedController(CompiledController):
 
     def _take_over(self, step: int) -> None:
         """The estimate of a jammed actuator becomes its position, and that of one that is lost, or used again, 1: a lost one is
-        not used, and does not act. The others keep theirs."""
+        not used, and does not act. The others keep theirs. A law that divides by no estimate uses a reversed one with its sign."""
         s, d = self._memory[0], self._diagnosed[0]
         s.lambda_hat[(s.failed == 1) | (d.failed == 1)] = 1.0
         s.lambda_hat[d.jammed == 1] = d.lambda_hat[d.jammed == 1]
         s.failed[:], s.jammed[:], s.early[:] = d.failed, d.jammed, d.early
+        s.reversed[:] = d.reversed & self._records[1][0].uncompensated
         self._modes.switch(step, float(self._parts[0][step].airspeed))
         d.designed_position[:], d.failed[:], d.early[:] = s.designed_position, s.failed, s.early

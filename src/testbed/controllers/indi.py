@@ -37,9 +37,9 @@ from testbed.controllers.setup import Setup
 def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
     """z = (x_c_dot - Phi 1)_f, into z [4]: the part of the measured rates that the actuators do not make.
 
-    Of flagged actuators, one that is jammed acts by its estimated position, and one that is lost does not act. In a regulated
-    mode f_m is subtracted too. `m.offset` is added back: it is the constant part of the propellers' torque,
-    which Phi contains, but which belongs to f_m because B is linear.
+    Of flagged actuators, one that is jammed acts by its estimated position, one that is reversed by minus its position, and one
+    that is lost does not act. In a regulated mode f_m is subtracted too. `m.offset` is added back: it is the constant part of the
+    propellers' torque, which Phi contains, but which belongs to f_m because B is linear.
     """
     regressor(pressure_ratio, m, s, phi)
     z[0], z[1], z[2], z[3] = y.p_dot, y.q_dot, y.r_dot, y.u_dot
@@ -48,6 +48,8 @@ def measured_remainder(y, pressure_ratio, m, c, k, s, f, phi, z):
         for j in range(len(s.position)):
             if s.jammed[j]:
                 z[i] -= phi[i, j] * s.lambda_hat[j]
+            elif s.reversed[j]:
+                z[i] += phi[i, j]
             elif not s.failed[j]:
                 z[i] -= phi[i, j]
     low_pass(z, s.filtered, c.filter_rate * c.dt)
@@ -80,5 +82,5 @@ def indi(setup: Setup) -> DiagnosedController:
     """The controller; raises BadInput as `InversionController` does. Its estimates are logged as 1, for no command is divided by
     one."""
     chosen, settings = setup.settings_as(IndiSettings), settings_record(setup, None)
-    settings[0].filter_rate = chosen.filter_rad_s
+    settings[0].filter_rate, settings[0].uncompensated = chosen.filter_rad_s, True
     return DiagnosedController(setup, indi_step, settings, chosen.monitor)

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from testbed.controllers import Controller
+from testbed.controllers.adaptive_indi import adaptive_indi
 from testbed.controllers.imm import imm_inversion
 from testbed.controllers.indi import indi
+from testbed.controllers.informed import InformedController
 from testbed.controllers.inversion.controller import InversionController, fixed_inversion
 from testbed.controllers.l1 import l1_inversion
-from testbed.controllers.oracle import OracleController
+from testbed.controllers.mrac import mrac
 from testbed.controllers.pid import pid
 from testbed.controllers.rls import rls_inversion
 from testbed.controllers.setup import Setup
@@ -23,8 +25,10 @@ CONSTRUCTORS: dict[str, Callable[[Setup], Controller]] = {
     "fixed_inversion": fixed_inversion,
     "pid": pid,
     "indi": indi,
+    "adaptive_indi": adaptive_indi,
+    "mrac": mrac,
     "l1_inversion": l1_inversion,
-    "oracle": OracleController,
+    "informed_inversion": InformedController,
     "rls_inversion": rls_inversion,
     "imm_inversion": imm_inversion,
 }

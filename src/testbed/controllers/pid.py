@@ -34,13 +34,11 @@ from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.law import pressure_ratio_of
 from testbed.controllers.inversion.modes import allocation_of
 from testbed.controllers.outer_loops import clip, wrap
+from testbed.controllers.pid_design import suited
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, U_DOT, mode_dtype
 from testbed.controllers.setup import Setup
 
-# Errors are limited to these before they enter the loops.
-AIRSPEED_ERROR_MAX = 2.0  # m/s
-ALTITUDE_ERROR_MAX = 5.0  # m
-HEADING_ERROR_MAX = 0.35  # rad
+HEADING_ERROR_MAX = 0.35  # rad, to which the heading error is limited
 HEADING_INTEGRAL_MAX = 0.3  # rad/s
 PRESSURE_RATIO_MIN = 0.2
 """Least dynamic pressure over that at the reference that the allocation divides by. So at low airspeed a surface deflects at most
@@ -54,14 +52,15 @@ def longitudinal(y, ref, dt, g, k, s):
     An aircraft that is too slow counts as too high, as in `outer_loops.regulate`.
     """
     v = max(y.airspeed, 1.0)
-    e_speed = clip(ref.airspeed - y.airspeed, AIRSPEED_ERROR_MAX)
-    e_height = clip(ref.altitude - y.altitude, ALTITUDE_ERROR_MAX)
+    e_speed = clip(ref.airspeed - y.airspeed, g.airspeed_error_max_m_s)
+    e_height = clip(ref.altitude - y.altitude, g.altitude_error_max_m)
     e_height -= k.slow_descent * max(ref.airspeed - y.airspeed - k.slow_descent_from, 0.0)
     s.airspeed_integral = clip(s.airspeed_integral + g.airspeed_ki * e_speed * dt, g.u_dot_max)
     s.x_dc_dot[U_DOT] = clip(g.airspeed_kp * e_speed + s.airspeed_integral + ref.airspeed_rate, g.u_dot_max)
 
     s.pitch_integral += g.altitude_ki * e_height * dt
     climb = clip(g.altitude_kp * e_height + ref.altitude_rate, g.climb_max)
+    s.x_dc_dot[U_DOT] += GRAVITY_M_S2 * climb / v  # thrust for the energy of the climb
     pitch = s.pitch_integral + climb / v
     turn = GRAVITY_M_S2 / v * math.tan(y.roll) * math.sin(y.roll)
     s.x_dc_dot[Q_DOT] = g.q_kp * (g.pitch_kp * (pitch - y.pitch) + turn - y.q)
@@ -108,7 +107,10 @@ def pid(setup: Setup) -> CompiledController:
     Args:
         setup: design model (effects, trim, throttle curve), stops, released axes, gains in `settings`.
     """
-    settings, gains = settings_record(setup, None), gains_record(setup.settings_as(PidSettings))
+    settings, gains = (
+        settings_record(setup, None),
+        gains_record(suited(setup.settings_as(PidSettings), setup)),
+    )
     return CompiledController(setup, pid_step, settings, mode_record(setup), trimmed_memory(setup), (gains,))
 
 

@@ -1,6 +1,6 @@
 """What a controller is given before a flight: the design model and the designer's choices, never the plant.
 
-One controller is an exception: `oracle` is told the truth about the actuators, as a bound for the others (`Setup.truth`).
+One controller is an exception: `informed_inversion` is told the truth about the actuators (`Setup.truth`).
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class Setup:
         settings: the scenario's `controller` block.
         released: axes that are given up while no actuator is flagged as failed, in the order of `signals.RATES`.
         parameters: those of a controller of the user's own: what its class declares, with the scenario's values.
-        truth: for `oracle` alone, a function that tells the truth about the actuators; None for every other controller.
+        truth: for `informed_inversion` alone, a function that tells the truth about the actuators; None for every other controller.
     """
 
     aircraft: str

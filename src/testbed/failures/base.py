@@ -105,6 +105,11 @@ class Failure(Settings):
             raise refuse("has no start" if self.at_s is None else "has two starts", "either at_s or when")
         return self
 
+    @property
+    def response(self) -> float:
+        """What the actuator does for a command, 1 when healthy; NaN where it does not follow its command at all."""
+        return 1.0 if self.follows_command else math.nan
+
     @classmethod
     def neutral(cls, actuator: AnyActuator) -> Mapping[str, Any] | None:
         """Fields with which the failure has no effect on this actuator; None if there are no such fields."""

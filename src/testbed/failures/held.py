@@ -30,6 +30,10 @@ class CommandScale(ActuatorFailure):
     harmless: ClassVar[Mapping[str, Any]] = {"value": 1.0}
     examples: ClassVar[Examples] = both({"value": 0.5})
 
+    @property
+    def response(self) -> float:
+        return self.value
+
     def words(self, kind: str, unit: str) -> str:
         few = "only " if self.value < 1.0 else ""
         return f"followed {few}{100 * self.value:.0f} % of its commands"
@@ -45,6 +49,10 @@ class Reversal(ActuatorFailure):
     type: Literal["reversal"] = "reversal"
     follows_command: ClassVar[bool] = False
     examples: ClassVar[Examples] = {"servo": {}}
+
+    @property
+    def response(self) -> float:
+        return -1.0
 
     def words(self, kind: str, unit: str) -> str:
         return "acted against its commands"

@@ -18,11 +18,12 @@ breaks no actuator, although it may disturb several.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from testbed.failures import Failure
 from testbed.failures.losses import LOST as LOST
 from testbed.flight.columns import row_at, stretches
 
@@ -78,6 +79,24 @@ def broken(
         if failure.actuator == actuator and failure.type != "effectiveness":
             first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
             rows[first:end] = True
+    return rows
+
+
+def response(
+    log: Mapping[str, np.ndarray], actuator: str, active: Iterable[ActiveFailure], failures: Sequence[Failure]
+) -> np.ndarray:
+    """[rows] What the actuator truly does for its command: 1 healthy, 0 nothing, -1 the opposite, NaN while it does not follow.
+
+    Args:
+        log: columns by name, each [rows].
+        active: the failures of the flight (`failures_of`).
+        failures: those of its scenario.
+    """
+    rows = log[f"{actuator}_effectiveness"].copy()
+    for failure in active:
+        if failure.actuator == actuator and failure.number < len(failures):
+            first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
+            rows[first:end] *= failures[failure.number].response
     return rows
 
 

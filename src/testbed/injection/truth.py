@@ -1,7 +1,6 @@
-"""The truth about a flight's actuators, for the controller `oracle` alone.
+"""The truth about a flight's actuators, for the controller `informed_inversion` alone.
 
-No other controller sees the plant or the failures. `oracle` is told, in each control step, what an ideal diagnosis would
-find, so that its flights bound what any diagnosis can reach.
+No other controller sees the plant or the failures. It is told, in each control step, what an ideal diagnosis would find.
 """
 
 from __future__ import annotations

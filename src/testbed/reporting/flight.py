@@ -5,7 +5,6 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,9 +13,10 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting import html
 from testbed.reporting.attempt import add_report
+from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import number
+from testbed.reporting.page import sections
 from testbed.reporting.story import story
-from testbed.reporting.words import count
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,8 +31,8 @@ KEY_NUMBERS = {
 }
 """Metrics that a notebook shows of every flight, and their titles."""
 _MOST_ROWS = 12  # requirements shown in a notebook; the report has all of them
-_AGAIN = """<p>Save the scenario below as scenario.yaml, and run this beside it.</p>
-<pre>python -m testbed run scenario.yaml</pre>"""
+_AGAIN = Html("""<p>Save the scenario below as scenario.yaml, and run this beside it.</p>
+<pre>python -m testbed run scenario.yaml</pre>""")
 """How to fly a flight again whose page stands alone."""
 _TOLD = ("altitude_m", "heading_deg", "airspeed_m_s", "beta_deg")
 """Columns without which there is no story."""
@@ -89,39 +89,27 @@ class ReportedFlight(Flight):
 
     def _repr_html_(self) -> str:
         """What a notebook shows: the verdict, the story, the requirements (those not met first), and KEY_NUMBERS."""
+        who = [tag("strong", self.scenario.name), f", {self.controller}: ", sections.verdict(self)]
+        warnings = (f"Warning: {warning}" for warning in self.warnings)
         told = story(self) if all(name in self.columns for name in _TOLD) else []
-        lines = (f"<p>{escape(line)}</p>" for line in told)
-        return "\n".join(["<div>", *_verdict(self), *lines, *_requirements(self), *_numbers(self), "</div>"])
+        lines = [tag("p", line) for line in (who, *warnings, *told)]
+        return tag("div", lines, _requirements(self), _numbers(self))
 
 
-def _verdict(flight: Flight) -> Iterator[str]:
-    missed = sum(not r["passed"] for r in flight.requirements)
-    said = f"{missed} of {count(len(flight.requirements), 'requirement')} not met" if missed else ""
-    if not missed and flight.requirements:
-        said = f"all {len(flight.requirements)} requirements met"
-    verdict = "Passed" if flight.passed else "Not passed"
-    how = "; ".join(filter(None, (f"{flight.outcome.sentence} ({flight.end_time_s:g} s)", said)))
-    name, controller = escape(flight.scenario.name), escape(flight.controller)
-    yield f"<p><strong>{name}</strong>, {controller}: {verdict}. {how[0].upper()}{escape(how[1:])}.</p>"
-    for warning in flight.warnings:
-        yield f"<p>Warning: {escape(warning)}</p>"
-
-
-def _requirements(flight: Flight) -> Iterator[str]:
-    order = sorted(flight.requirements, key=lambda r: bool(r["passed"]))
+def _requirements(flight: Flight) -> Iterator[Html]:
     columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
         "requirement": lambda r: r["name"],
         "": lambda r: "met" if r["passed"] else "NOT MET",
         "worst value": lambda r: number(r.get("value")),
         "remark": lambda r: r.get("reason", ""),
     }
-    if order:
+    if order := sections.in_order(flight):
         yield html.listing(order[:_MOST_ROWS], columns)
     if len(order) > _MOST_ROWS:
-        yield f"<p>and {len(order) - _MOST_ROWS} more</p>"
+        yield tag("p", f"and {len(order) - _MOST_ROWS} more")
 
 
-def _numbers(flight: Flight) -> Iterator[str]:
+def _numbers(flight: Flight) -> Iterator[Html]:
     known = {what: flight.metrics[name] for name, what in KEY_NUMBERS.items() if name in flight.metrics}
     if known:
         yield html.listing(known, {"of the whole flight": str, "": lambda what: number(known[what])})

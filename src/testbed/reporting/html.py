@@ -1,41 +1,70 @@
-"""Parts that all reports are made of: page, style, tables, figures and notes.
+"""Parts that all pages are made of. A page is one HTML file with its figures and scripts, and loads nothing from the network.
 
-A report is one HTML file. It contains its figures and scripts, and loads nothing from the network.
+`tag` is the one way from text to markup: what it is given is text and is escaped, but for what `tag` made itself and for what the
+source says is `Html`. So no name in a file of somebody else becomes markup.
 """
 
 from __future__ import annotations
 
 import base64
+import hashlib
 import json
 from collections.abc import Callable, Iterable, Mapping
 from html import escape
 from pathlib import Path
 from typing import Any, TypeVar
+from urllib.parse import quote
 
 from testbed.common.files import plain
+from testbed.common.text import printable
 from testbed.common.writing import write
 from testbed.reporting.numbers import number
 
 _ASSETS = Path(__file__).parent / "assets"
-_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:"
-"""What a browser may load for a page: only what the page contains. It holds even against what a name might smuggle in."""
+_STYLES = ("palette.css", "report.css", "sweep.css", "uplot.css")
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; "
+"""Where the policy of every page begins: a browser loads nothing for it."""
+_NOWHERE = "img-src data:; base-uri 'none'; form-action 'none'; script-src "
+"""No address that relative links start from, no form that could be sent; then the scripts that may run, by their digests."""
+_VOID = ("img", "meta", "br")  # have no contents and no end
 
 
 class Html(str):
-    """Text that is already HTML. Any other text is escaped when it is put into a table or a note."""
+    """Text that is already HTML: made by `tag`, or written in the source. Any other text is escaped."""
 
 
 Item = TypeVar("Item")
-_SHAPES = (
-    '<circle cx="7" cy="7" r="5"/>',
-    '<rect x="2.5" y="2.5" width="9" height="9"/>',
-    '<path d="M7 1.5 13 12H1Z"/>',
-    '<path d="M7 1 13 7 7 13 1 7Z"/>',
-)
-"""Shapes of the marks of flights or variants that are compared, in their order; their colours are in sweep.css."""
-
+Part = str | None | Iterable["Part"]
+"""What can stand in an element: text, `Html`, nothing, or several of these."""
 Cell = str | float | None
 """Content of a table's cell: text, HTML, a number, or None where there is no value."""
+_SHAPES = (
+    Html('<circle cx="7" cy="7" r="5"/>'),
+    Html('<rect x="2.5" y="2.5" width="9" height="9"/>'),
+    Html('<path d="M7 1.5 13 12H1Z"/>'),
+    Html('<path d="M7 1 13 7 7 13 1 7Z"/>'),
+)
+"""Shapes of the marks of flights or variants that are compared, in their order."""
+
+
+def joined(part: Part, between: str = "") -> Html:
+    """A part as HTML, with `between` its pieces: text is escaped, and its control characters are shown as what they are."""
+    if part is None or isinstance(part, Html):
+        return Html(part or "")
+    if isinstance(part, str):
+        return Html(escape(printable(part)))
+    return Html(between.join(made for each in part if (made := joined(each, between))))
+
+
+def tag(name: str, /, *inside: Part, **attributes: str | float | None) -> Html:
+    """An element with its contents and attributes; `class_` is `class`. An attribute that is "" or None is left out."""
+    said = {
+        key.rstrip("_").replace("_", "-"): value
+        for key, value in attributes.items()
+        if value not in ("", None)
+    }
+    about = "".join(f' {key}="{joined(str(value))}"' for key, value in said.items())
+    return Html(f"<{name}{about}>" if name in _VOID else f"<{name}{about}>{joined(inside)}</{name}>")
 
 
 def asset(name: str) -> str:
@@ -44,46 +73,78 @@ def asset(name: str) -> str:
 
 
 def write_page(
-    file: Path, title: str, parts: Iterable[str], styles: Iterable[str] = (), within: Path | None = None
+    file: Path,
+    title: str,
+    parts: Part,
+    script: str = "",
+    data: Mapping[str, Any] | None = None,
+    within: Path | None = None,
 ) -> Path:
-    """Write a report, completely or not at all; returns its file. Raises OSError when it cannot be written.
+    """Write a page, completely or not at all; returns its file. Raises OSError when it cannot be written.
 
     Args:
-        parts: HTML.
-        styles: names of style sheets beside the one of all reports.
+        script: the asset that draws what moves.
+        data: what the script reads, by id: texts, or values that become JSON.
         within: the folder that was asked for (see `writing.replacing`); by default the file's own.
     """
-    name, body = escape(title), "\n".join(part for part in parts if part)
-    style = "\n".join(map(asset, ("report.css", *styles)))
-    head = (
-        f'<meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">'
-        f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">'
-        f"<title>{name}</title><style>{style}</style>"
+    body = joined([parts, *(_data(name, value) for name, value in (data or {}).items())], "\n")
+    code = asset(script) if script else ""
+    head = [
+        tag("meta", charset="utf-8"),
+        tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
+        tag("meta", http_equiv="Content-Security-Policy", content=_policy(code)),
+        tag("title", title),
+        tag("style", Html("\n".join(map(asset, _STYLES)))),
+    ]
+    text = tag(
+        "html",
+        tag("head", head),
+        "\n",
+        tag("body", body, tag("script", Html(code)) if code else None),
+        lang="en",
     )
-    text = f'<!DOCTYPE html>\n<html lang="en"><head>{head}</head>\n<body>\n{body}\n</body></html>\n'
-    write(file, text, within)
+    write(file, f"<!DOCTYPE html>\n{text}\n".encode(errors="backslashreplace"), within)
     return file
 
 
+def _policy(code: str) -> str:
+    """What a browser may do with a page: run this code, and show what is in it."""
+    digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
+    return f"{_POLICY}{_NOWHERE}" + (f"'sha256-{digest}'" if code else "'none'")
+
+
 def is_page(file: Path) -> bool:
-    """Whether a file is a report that `write_page` wrote."""
+    """Whether a file is a page that `write_page` wrote."""
     with file.open(encoding="utf-8", errors="replace") as stream:
-        return _POLICY in stream.read(1000)
+        return (
+            joined(_POLICY) in (begun := stream.read(1000)) or _POLICY in begun
+        )  # earlier versions did not escape
+
+
+def _data(name: str, value: Any) -> Html:
+    """Data for a script: a text, or JSON in which a number that is not finite is null. Nothing in it ends its element."""
+    text, kind = value, "text/plain"
+    if not isinstance(value, str):
+        text, kind = json.dumps(plain(value), separators=(",", ":"), ensure_ascii=False), "application/json"
+    for character in "<\u2028\u2029":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return tag("script", Html(text), type=kind, id=name)
 
 
 def row(cells: Iterable[Cell], kind: str = "") -> Html:
     """A row of a table: texts are escaped, numbers aligned to the right; `kind` is the row's CSS class."""
-    inside = "".join(map(_cell, cells))
-    return Html(f'<tr class="{kind}">{inside}</tr>' if kind else f"<tr>{inside}</tr>")
+    return tag("tr", map(_cell, cells), class_=kind)
+
+
+def _cell(value: Cell) -> Html:
+    return tag("td", value) if isinstance(value, str) else tag("td", number(value), class_="number")
 
 
 def table(heads: Iterable[str], rows: Iterable[Html], caption: str = "") -> Html:
     """A table with a head, from rows made by `row`. On a narrow screen the table scrolls, not the page."""
-    head = "".join(f"<th>{_text(text)}</th>" for text in heads)
-    above = f"<caption>{_text(caption)}</caption>" if caption else ""
-    body = "\n".join(rows)
-    inside = f"{above}<thead><tr>{head}</tr></thead>\n<tbody>\n{body}\n</tbody>"
-    return Html(f'<div class="table"><table>{inside}</table></div>')
+    above = tag("caption", caption) if caption else None
+    head = tag("thead", tag("tr", [tag("th", text) for text in heads]))
+    return tag("div", tag("table", above, head, "\n", tag("tbody", joined(rows, "\n"))), class_="table")
 
 
 def listing(
@@ -97,14 +158,28 @@ def listing(
     return table(columns, (row([cell(item) for cell in cells], kind(item)) for item in items), caption)
 
 
+def opening(
+    title: str, lines: Iterable[str], facts: Mapping[str, str] | None = None, verdict: Part = None
+) -> Html:
+    """What a page begins with: its title, short facts {what: value} in a row, a verdict, and the answer in sentences."""
+    chips = [tag("li", tag("b", what), value) for what, value in (facts or {}).items()]
+    return joined(
+        [
+            tag("h1", title),
+            tag("ul", chips, class_="chips") if chips else None,
+            verdict,
+            listed(lines, "story"),
+        ],
+        "\n",
+    )
+
+
 def bar(name: str, share: float, said: str, i: int = 0, chance: float | None = None, kind: str = "") -> Html:
     """A bar as long as a share of 1, in the i-th colour, with a name and what is `said` of it; `chance` is a line across it."""
-    line = "" if chance is None else f'<u style="left:{100 * chance:.1f}%"></u>'
-    return Html(
-        f'<div class="driver{kind}"><div class="name">{escape(name)}</div><div class="track">'
-        f'<i class="v{i % 6}" style="width:{100 * share:.1f}%"></i>{line}</div>'
-        f'<div class="number">{escape(said)}</div></div>'
-    )
+    line = None if chance is None else tag("u", style=f"left:{100 * chance:.1f}%")
+    filled = tag("i", class_=f"v{i % 6}", style=f"width:{100 * share:.1f}%")
+    parts = {"name": name, "track": [filled, line], "number": said}
+    return tag("div", [tag("div", part, class_=what) for what, part in parts.items()], class_=f"driver{kind}")
 
 
 def figures(folder: Path, captions: Mapping[str, str]) -> list[Html]:
@@ -115,71 +190,42 @@ def figures(folder: Path, captions: Mapping[str, str]) -> list[Html]:
 
 def picture(data: bytes, caption: str) -> Html:
     """A figure whose picture is the contents of a PNG file."""
-    encoded, said = base64.b64encode(data).decode("ascii"), escape(caption)
-    image = f'<img alt="{said}" src="data:image/png;base64,{encoded}">'
-    return Html(f"<figure>{image}<figcaption>{said}</figcaption></figure>")
+    source = f"data:image/png;base64,{base64.b64encode(data).decode('ascii')}"
+    return tag("figure", tag("img", alt=caption, src=source), tag("figcaption", caption))
 
 
 def panels(group: Mapping[str, Any]) -> Html:
     """The place of a group of panels (see `page.panels`), which the page's script fills."""
-    inside = Html(f'<div class="panels" id="panels-{group["name"]}"></div>')
-    title = group["title"]
-    return folded(title, inside) if group["folded"] else Html(f"<h2>{escape(title)}</h2>{inside}")
-
-
-def script(text: str, kind: str = "", name: str = "") -> Html:
-    """A script, or data for one: `kind` is its type, and `name` its id. The text may hold anything."""
-    about = "".join(f' {key}="{value}"' for key, value in (("type", kind), ("id", name)) if value)
-    inside = text.replace("</script", "<\\/script").replace("<!--", "<\\!--")  # would end the script
-    return Html(f"<script{about}>{inside}</script>")
-
-
-def data(value: object, name: str) -> Html:
-    """Data for a script, as JSON; a number that is not finite is null."""
-    text = json.dumps(plain(value), separators=(",", ":"), ensure_ascii=False).replace("<", "\\u003c")
-    return script(text, "application/json", name)
+    inside = tag("div", class_="panels", id=f"panels-{group['name']}")
+    return folded(group["title"], inside) if group["folded"] else joined([tag("h2", group["title"]), inside])
 
 
 def listed(lines: Iterable[str], kind: str = "") -> Html:
     """A list of sentences; `kind` is its CSS class."""
-    inside = "".join(f"<li>{escape(line)}</li>" for line in lines)
-    return Html(f'<ul class="{kind}">{inside}</ul>' if kind else f"<ul>{inside}</ul>")
+    return tag("ul", [tag("li", line) for line in lines], class_=kind)
 
 
 def mark(i: int) -> Html:
     """The mark of the i-th flight or variant: a shape in its colour."""
-    shape = _SHAPES[i % len(_SHAPES)]
-    about = 'width="14" height="14" viewBox="0 0 14 14" aria-hidden="true"'
-    return Html(f'<svg class="mark v{i % 6}" {about}>{shape}</svg>')
+    shape, kind = _SHAPES[i % len(_SHAPES)], f"mark v{i % 6}"
+    return tag("svg", shape, class_=kind, width=14, height=14, viewBox="0 0 14 14", aria_hidden="true")
 
 
 def legend(names: Iterable[str]) -> Html:
     """The mark of each flight or variant with its name."""
-    named = (f"<span>{mark(i)} {escape(name)}</span>" for i, name in enumerate(names))
-    return Html(f'<p class="legend">{"".join(named)}</p>')
+    return tag("p", [tag("span", mark(i), " ", name) for i, name in enumerate(names)], class_="legend")
 
 
-def chips(facts: Mapping[str, str]) -> Html:
-    """Short facts in a row: {what: value}."""
-    inside = "".join(f"<li><b>{escape(what)}</b>{escape(value)}</li>" for what, value in facts.items())
-    return Html(f'<ul class="chips">{inside}</ul>')
+def link(text: str, page: str) -> Html:
+    """A link to a page in a folder near this one; no text makes it one to somewhere else."""
+    return tag("a", text, href=quote(page))
 
 
-def folded(title: str, inside: str) -> Html:
+def folded(title: str, *inside: Part) -> Html:
     """A part that is opened by a click."""
-    return Html(f"<details><summary>{escape(title)}</summary>\n{inside}\n</details>")
+    return tag("details", tag("summary", title), "\n", inside)
 
 
-def note(text: str) -> Html:
+def note(*inside: Part) -> Html:
     """A remark in grey, below what it is about."""
-    return Html(f'<p class="note">{_text(text)}</p>')
-
-
-def _cell(value: Cell) -> str:
-    if isinstance(value, str):
-        return f"<td>{_text(value)}</td>"
-    return f'<td class="number">{number(value)}</td>'
-
-
-def _text(text: str) -> str:
-    return text if isinstance(text, Html) else escape(text)
+    return tag("p", inside, class_="note")

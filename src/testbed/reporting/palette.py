@@ -1,14 +1,18 @@
-"""Colours, lines and markers of all figures, told apart in grey print and by colour-blind readers."""
+"""The colours of figures: those of the pages on white, from their style sheet; lines and markers of several of a kind."""
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from typing import Any
 
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
-"""By Okabe and Ito."""
+STYLE = Path(__file__).parent / "assets" / "palette.css"
+PALETTE = dict(re.findall(r"--([\w-]+): ([^;]+);", STYLE.read_text(encoding="utf-8").partition("@media")[0]))
+"""{name: colour} of a page on white."""
+COLOURS = tuple(PALETTE[f"v{i}"] for i in range(6))
 LINES = ("-", "--", ":", "-.", (0, (5, 1)), (0, (1, 1)))
 MARKERS = "os^Dvp"
-MISSED, MET = "#b3261e", "#23753a"
+MISSED, MET = PALETTE["missed"], PALETTE["met"]
 
 
 def nth(i: int, *parts: str) -> dict[str, Any]:

@@ -5,6 +5,7 @@ To show another signal, add a line to TRACKED or STATES, or a panel to a functio
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -12,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from testbed.common.units import unit as unit_of
+from testbed.flight.breakage import failures_of, response
 from testbed.flight.columns import beliefs
 from testbed.flight.flight import Flight
 from testbed.flight.recovery import UNITS, tracking_error
@@ -72,6 +74,8 @@ class Panel:
     flagged: str = ""
     notes: tuple[tuple[float, float, str], ...] = ()
     """(from [s], until [s], words) of stretches, written where they begin."""
+    most: float = math.inf
+    """Values beyond it do not set the axis."""
 
     @property
     def heading(self) -> str:
@@ -88,9 +92,27 @@ def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bo
     return any(c is not None and bool(np.any(np.abs(c - 1.0) > 0.0)) for c in columns)
 
 
+def shown_log(flight: Flight) -> dict[str, np.ndarray]:
+    """The log by columns [rows], with those that reports add: errors, and what each actuator does for its command."""
+    log, active = dict(flight.signals), failures_of(flight.events)
+    for name in _answering(flight):
+        log[response_of(name)] = response(log, name, active, flight.scenario.failures)
+    return log | error_columns(log)
+
+
 def error_columns(log: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
-    """Columns that reports add to the log: the error of each quantity that follows a reference."""
+    """The error of each quantity that follows a reference."""
     return {error_of(q): tracking_error(log, q) for q in TRACKED if reference_of(q) in log}
+
+
+def _answering(flight: Flight) -> list[str]:
+    """The actuators of which the log says how much effect they have."""
+    return [name for name in flight.actuators if f"{name}_effectiveness" in flight.columns]
+
+
+def response_of(actuator: str) -> str:
+    """Name of the column of what an actuator truly does for its command."""
+    return f"{actuator}_response"
 
 
 def flown(quantity: str) -> str:
@@ -149,13 +171,20 @@ def effectiveness(flight: Flight) -> Iterator[Panel]:
     own = flight.flown_by or not estimated
     threshold = None if own else flight.scenario.controller.model_dump().get("threshold")
     for name in flight.actuators:
-        series = [Series(f"{name}_effectiveness", "true", "truth")]
+        series = [Series(response_of(name), "true", "truth")]
         if estimated:
             series.append(Series(f"{name}_effectiveness_estimate", "believed", "belief"))
         yield Panel(
             title(name), "-", tuple(series), 1.2, {} if threshold is None else {threshold: f"threshold {threshold:g}"},
-            (0.0, 1.0), f"{name}_failed", "flagged failed", tuple(_taken_for(flight, name)),
+            (0.0, 1.0), f"{name}_failed", "flagged failed", (*_held(flight, name), *_taken_for(flight, name)),
         )  # fmt: skip
+
+
+def _held(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
+    """When an actuator does not follow its command, so that there is no line of what it does for it."""
+    for failure in failures_of(flight.events):
+        if failure.actuator == actuator and math.isnan(flight.scenario.failures[failure.number].response):
+            yield failure.from_s, failure.until_s, "does not follow its command"
 
 
 def _taken_for(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
@@ -183,7 +212,7 @@ def rates(flight: Flight) -> Iterator[Panel]:
     """The controlled rates, measured and desired; hatched where an axis is given up."""
     for flag in (name for name in flight.columns if name.endswith("_released")):
         axis = flag.removesuffix("_released")
-        ending = next(ending for ending in _LEAST_RATE if f"{axis}_{ending}" in flight.columns)
+        ending = next((ending for ending in _LEAST_RATE if f"{axis}_{ending}" in flight.columns), "deg_s2")
         measured = Series(f"{axis}_{ending}", "measured", "truth")
         desired = Series(f"{axis}_desired_{ending}", "desired", "reference", spikes=True)
         unit = unit_of(measured.column)
@@ -200,7 +229,7 @@ class Group(NamedTuple):
     def of(self, flight: Flight) -> list[Panel]:
         """The group's panels of a flight, those whose series its log has."""
         made = [panel for function in self.panels for panel in function(flight)]
-        known = {*flight.columns, *map(error_of, TRACKED)}
+        known = {*flight.columns, *map(error_of, TRACKED), *map(response_of, _answering(flight))}
         return [panel for panel in made if all(series.column in known for series in panel.series)]
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from html import escape
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +14,12 @@ from testbed.flight.flight import Flight
 from testbed.flight.folder import load
 from testbed.reporting import html
 from testbed.reporting.figures import TABLE as FIGURES
+from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.panels import groups
 from testbed.reporting.page.phases import phases
-from testbed.reporting.panels import error_columns, has_estimates
+from testbed.reporting.panels import has_estimates, shown_log
 from testbed.reporting.words import describe
 
 _REPLAYED = ("north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg")
@@ -39,8 +39,8 @@ def write_page(
     flight: Flight,
     file: Path,
     figures: Path | None = None,
-    again: str = sections.AGAIN,
-    back: str = "",
+    again: Html = sections.AGAIN,
+    back: Part = None,
     within: Path | None = None,
 ) -> Path:
     """Write the page of a flight; returns its file. Raises OSError when it cannot be written.
@@ -48,46 +48,43 @@ def write_page(
     Args:
         figures: folder of the static figures, if there are any.
         again: HTML that says how to fly it again.
-        back: HTML above the title, such as a link to where the flight comes from.
+        back: what stands above the title, such as a link to where the flight comes from.
         within: the folder that was asked for; by default the file's own.
     """
-    parts = _parts(flight, figures, again, back)
-    return html.write_page(file, flight.scenario.name, parts, ["uplot.css"], within)
+    log = shown_log(flight)
+    if len(log["time_s"]) < 2 or not all(name in log for name in _REPLAYED):
+        parts = _parts(flight, None, figures, again, back)
+        return html.write_page(file, flight.scenario.name, parts, within=within)
+    told, columns = packed(log)
+    shown = groups(flight, log)
+    data = {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
+    parts = _parts(flight, _moving(shown, log), figures, again, back)
+    return html.write_page(file, flight.scenario.name, parts, "flight.js", data, within)
 
 
-def _parts(flight: Flight, figures: Path | None, again: str, back: str) -> Iterator[str]:
-    log = dict(flight.signals)
-    moving = len(flight.data) > 1 and all(name in log for name in _REPLAYED)
+def _parts(flight: Flight, moving: Part, figures: Path | None, again: Html, back: Part) -> Iterator[Part]:
     yield back
     yield sections.head(flight)
-    if moving:
-        log |= error_columns(log)
-        told, columns = packed(log)
-        shown = groups(flight, log)
-        yield _moving(shown, list(log))
-    if figures is not None:
-        yield _figures(figures)
+    yield moving
+    if figures is not None:  # hidden where the script runs, and printed
+        captions = {name: figure.caption for name, figure in FIGURES.items()}
+        shown = html.figures(figures, captions)
+        yield tag("div", tag("h2", "Figures"), shown, class_="still") if shown else None
     yield sections.requirements(flight)
     yield sections.events(flight)
     yield sections.metrics(flight)
     yield sections.again(flight, again)
-    if moving:
-        yield html.data(_for_the_script(flight, told, shown, log), "flight")
-        yield html.script(columns, "text/plain", "columns")
-        yield html.script(html.asset("flight.js"))
 
 
-def _moving(shown: list[dict[str, Any]], columns: list[str]) -> str:
+def _moving(shown: list[dict[str, Any]], columns: Iterable[str]) -> Html:
     """The places that the script fills: timeline, replay, panels, and a panel of any column."""
-    parts = ['<div class="moving"><h2>The flight</h2><div id="timeline"></div><div id="replay"></div>']
-    parts.append(
-        '<p class="note">Drag in a panel to zoom, double-click for the whole flight, click to go there.</p>'
-    )
-    parts += map(html.panels, shown)
-    options = "".join(f"<option>{escape(name)}</option>" for name in columns if name != "time_s")
-    chosen = f'<div id="any-column"><label>column <select>{options}</select></label></div>'
-    parts.append(html.folded("Any column of the log", chosen))
-    return "\n".join([*parts, "</div>"])
+    said = "Drag in a panel to zoom, double-click for the whole flight, click to go there."
+    chosen = tag("select", [tag("option", name) for name in columns if name != "time_s"])
+    any_column = tag("div", tag("label", "column ", chosen), id="any-column")
+    return tag(
+        "div", tag("h2", "The flight"), [tag("div", id=place) for place in ("timeline", "replay")], html.note(said),
+        map(html.panels, shown), html.folded("Any column of the log", any_column), class_="moving",
+    )  # fmt: skip
 
 
 def _for_the_script(
@@ -106,9 +103,3 @@ def _for_the_script(
         "estimates": has_estimates(log, flight.actuators),
         "shape": (flight.shape or conventional()).model_dump(),
     }
-
-
-def _figures(folder: Path) -> str:
-    """The static figures; they are hidden where the script runs, and printed."""
-    shown = html.figures(folder, {name: figure.caption for name, figure in FIGURES.items()})
-    return "\n".join(['<div class="still"><h2>Figures</h2>', *shown, "</div>"]) if shown else ""

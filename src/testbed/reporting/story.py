@@ -153,6 +153,7 @@ def _released(view: Readings, flag: Mapping[str, Any]) -> list[str]:
         e["axis"]
         for e in view.events
         if e["kind"] == "release"
+        and e["axis"] in AXES
         and flag["time_s"] <= e["time_s"] < until
         and (released := view.log[f"{e['axis']}_released"])[first:end].mean() >= 0.5
         and not released[max(first - 1, 0)]

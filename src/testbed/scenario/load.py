@@ -14,6 +14,7 @@ from testbed.aircraft.changes import ChangedAircraft, load_with_changes, name_in
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shipped import find_scenario, is_folder_name
 from testbed.controllers.config import TABLE as CONTROLLERS
+from testbed.controllers.config import settings_of
 from testbed.inputs import overrides
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.kinds import refuse_other
@@ -131,7 +132,7 @@ def _drop_settings_of_other_controllers(source: Source) -> None:
     controller = source.tree.get("controller")
     if not isinstance(controller, dict) or not overrides.is_override(source, ("controller", "type")):
         return
-    chosen = CONTROLLERS.get(str(controller.get("type")))
+    chosen = settings_of(controller.get("type"))
     if chosen is None:
         return
     others = {name for settings in CONTROLLERS.values() for name in settings.model_fields}

@@ -15,7 +15,7 @@ from testbed.aircraft.conventional_shape import drawn_by_effect
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.shape import Shape, load_shape
 from testbed.controllers import Controller
-from testbed.controllers.config import OracleSettings
+from testbed.controllers.config import InformedSettings
 from testbed.controllers.make import make_controller
 from testbed.controllers.setup import Setup, setup_for
 from testbed.controllers.user.loader import name_of
@@ -69,7 +69,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     weather.begin()
     setup = _setup(scenario, aircraft, start)
     injector = Injector(plant, aircraft, scenario.failures, scenario.rate_hz, scenario.seed)
-    if controller is None and isinstance(scenario.controller, OracleSettings):
+    if controller is None and isinstance(scenario.controller, InformedSettings):
         setup = replace(setup, truth=Truth(plant, injector))
     sensors = None
     if not scenario.sensors.is_ideal:

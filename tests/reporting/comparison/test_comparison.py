@@ -58,7 +58,7 @@ def test_rows_of_other_rates_meet_at_the_same_times() -> None:
 
 def test_a_shorter_flight_has_no_values_after_its_end() -> None:
     short = made("b", seconds=6.0)
-    values = on_grid(made("a").data[:, 0], short, "altitude_m")
+    values = on_grid(made("a").data[:, 0], short.signals, "altitude_m")
     assert np.isfinite(values[: at(6.0)]).all() and np.isnan(values[at(6.0) :]).all()
 
 

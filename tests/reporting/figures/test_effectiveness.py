@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
-from figure_flights import broken, panels
-from handmade import flight_of, level_log
+from dataclasses import replace
 
+import numpy as np
+from figure_flights import broken, panels
+from handmade import flight_of, injection, level_log
+
+from testbed.reporting.comparison.differences import Compared
+from testbed.reporting.comparison.panels import columns_of
+from testbed.reporting.comparison.panels import groups as of_comparison
 from testbed.reporting.figures import plot
+from testbed.reporting.page.panels import groups
+from testbed.reporting.panels import shown_log
 
 
 def _labels(flight: object) -> set[str]:
@@ -21,3 +29,33 @@ def test_an_estimate_is_drawn_with_its_threshold() -> None:
     log["elevon_effectiveness_estimate"][400:] = 0.5
     labels = _labels(flight_of(log))
     assert "believed" in labels and any(label.startswith("threshold") for label in labels)
+
+
+def test_what_is_true_is_what_the_actuator_does_for_its_command() -> None:
+    """An actuator that is held has no line of it from then on, and the panel says so; in the page and in the figure."""
+    made = flight_of(level_log(), [injection(3.0, type="stuck")])
+    failure = {"type": "stuck", "actuator": "elevon", "at_s": 3.0}
+    scenario = made.scenario.model_validate({**made.scenario.model_dump(), "failures": [failure]})
+    held = replace(made, scenario=scenario)
+    axes = panels(plot(held, "effectiveness"))[0]
+    (true,) = (line for line in axes.lines if line.get_label() == "true")
+    time, values = (np.asarray(part, dtype=float) for part in true.get_data())
+    assert (values[time < 3.0] == 1.0).all() and np.isnan(values[time >= 3.0]).all()
+    assert "does not follow its command" in {text.get_text() for text in axes.texts}
+    (group,) = (group for group in groups(held, shown_log(held)) if group["name"] == "effectiveness")
+    assert "does not follow its command from 3.0 s on" in group["panels"][0]["title"]
+
+
+def test_compared_flights_share_what_is_true_only_where_it_is_the_same() -> None:
+    estimating = level_log()
+    estimating["elevon_effectiveness_estimate"][400:] = 0.5
+    weak = {name: values.copy() for name, values in estimating.items()}
+    weak["elevon_effectiveness"][300:] = 0.2
+    shorter = {name: values[:800] for name, values in estimating.items()}
+    for other, labels in ((shorter, ["true"]), (weak, ["true, a", "true, b"])):
+        compared = Compared([flight_of(estimating), flight_of(other)], ["a", "b"])
+        (group,) = (
+            g for g in of_comparison(compared, columns_of(compared.flights)) if g["name"] == "effectiveness"
+        )
+        said = [series["label"] for series in group["panels"][0]["series"]]
+        assert said == [*labels, "a", "b"]

@@ -52,7 +52,7 @@ def test_probabilities_are_those_of_the_table(flown: Flown) -> None:
     _, frame, _ = flown
     figure = TABLE["probabilities"](*flown)
     assert figure is not None
-    drawn = [float(line.get_xdata()[0]) for line in figure.axes[0].lines if len(line.get_xdata()) == 1]
+    drawn = np.concatenate([np.asarray(line.get_xdata(), dtype=float) for line in figure.axes[0].lines])
     expected = frame.groupby("controller.type", observed=True)["passed"].mean()
     assert set(np.round(expected, 9)) <= set(np.round(drawn, 9))
 

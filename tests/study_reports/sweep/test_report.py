@@ -18,6 +18,7 @@ import testbed
 from testbed.api.sweep import answer as printed
 from testbed.api.sweep import finish
 from testbed.cli.commands import main
+from testbed.reporting.html import joined
 from testbed.studies.load import load_sweep
 from testbed.study_reports.sweep.answer import answer
 from testbed.study_reports.sweep.report import parts, write_sweep_report
@@ -50,7 +51,7 @@ def test_it_is_one_file_that_fetches_nothing(folder: Path) -> None:
 
 
 def test_the_answer_comes_first(summary: dict[str, Any], tmp_path: Path) -> None:
-    text = Page("".join(parts(summary, tmp_path))).text
+    text = Page(joined(parts(summary, tmp_path))).text
     share = summary["variants"][0]["all_requirements"]
     first = f"adaptive_inversion meets all requirements in {share['successes']} of {share['n']} flights ("
     assert text.index(first) < text.index("How often the requirements are met")
@@ -88,7 +89,7 @@ def test_any_one_value_may_be_absent(summary: dict[str, Any], tmp_path: Path) ->
             "s1_half_width"} <= named  # fmt: skip
     for place in places:
         changed = without(summary, place)
-        page = Page("".join(parts(changed, tmp_path)))
+        page = Page(joined(parts(changed, tmp_path)))
         assert not re.search(r"\b(None|nan)\b", page.text), place
         assert answer(changed)
         assert "None" not in "".join(printed(changed)), place
@@ -107,7 +108,7 @@ def test_an_index_without_its_half_width_says_so(summary: dict[str, Any], tmp_pa
         "s1": 0.25,
         "s1_half_width": None,
     }
-    assert "0.25 ± unknown" in "".join(parts(summary, tmp_path))
+    assert "0.25 ± unknown" in joined(parts(summary, tmp_path))
 
 
 @pytest.mark.nightly

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from testbed.common.text import printable
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.yaml_source import describe
@@ -19,7 +20,7 @@ class Comparison(Compared):
     """Flights side by side, each with a name. The first is the one that the others are compared with."""
 
     def __repr__(self) -> str:
-        return "\n".join(page.sentences(self))
+        return printable("\n".join(page.sentences(self)))
 
     def _repr_html_(self) -> str:
         """What a notebook shows: the sentences, and the metrics that differ."""

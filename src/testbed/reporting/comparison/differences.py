@@ -9,6 +9,7 @@ import numpy as np
 
 from testbed.common.angles import wrap_deg
 from testbed.flight.flight import Flight
+from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -88,10 +89,15 @@ def _by_settings(flights: Sequence[Flight]) -> list[str]:
 
 def settings(flights: Sequence[Flight]) -> list[Setting]:
     """The settings that are not the same in all scenarios, in their order."""
-    flat = [dict(_flat(flight.scenario.model_dump(mode="json", exclude_none=True))) for flight in flights]
+    flat = [settings_by_path(flight.scenario) for flight in flights]
     paths = dict.fromkeys(path for one in flat for path in one)
     found = (Setting(path, tuple(one.get(path) for one in flat)) for path in paths)
     return [setting for setting in found if any(value != setting.values[0] for value in setting.values)]
+
+
+def settings_by_path(scenario: Scenario) -> dict[str, Any]:
+    """{dotted path: value} of everything that a scenario has."""
+    return dict(_flat(scenario.model_dump(mode="json", exclude_none=True)))
 
 
 def _flat(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
@@ -135,11 +141,11 @@ def _first(time: np.ndarray, differs: Mapping[str, np.ndarray]) -> tuple[float |
     return float(time[row]), tuple(name for name, start in starts.items() if start == row)
 
 
-def on_grid(time: np.ndarray, flight: Flight, name: str) -> np.ndarray:
-    """A column of a flight at the times of a grid [rows]: its latest row, and NaN after its end."""
-    own = flight.column("time_s")
+def on_grid(time: np.ndarray, log: Mapping[str, np.ndarray], name: str) -> np.ndarray:
+    """A column of a log at the times of a grid [rows]: its latest row, and NaN after its end."""
+    own = log["time_s"]
     rows = np.searchsorted(own, time + _SAME_TIME, side="right") - 1
-    values = flight.column(name)[np.clip(rows, 0, len(own) - 1)]
+    values = log[name][np.clip(rows, 0, len(own) - 1)]
     return np.where((rows >= 0) & (time <= own[-1] + _SAME_TIME), values, np.nan)
 
 

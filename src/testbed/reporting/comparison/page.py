@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from html import escape
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +11,7 @@ from testbed.flight.breakage import failure_times_s
 from testbed.reporting import html
 from testbed.reporting.comparison.differences import Compared
 from testbed.reporting.comparison.panels import columns_of, groups
+from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.numbers import rounded
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.phases import phases
@@ -23,30 +23,31 @@ _MOST_COLUMNS = 4  # named where logs differ first
 
 def write(comparison: Compared, file: Path) -> Path:
     """Write the page; returns its file. Raises OSError when it cannot be written."""
-    name = " and ".join((", ".join(comparison.names[:-1]), comparison.names[-1]))
-    return html.write_page(file, name, _parts(comparison, name), ["uplot.css", "sweep.css"])
+    log = columns_of(comparison.flights)
+    shown = groups(comparison, log)
+    told, columns = packed(log)
+    data = {"data": told, "panels": shown, "flights": list(_flights(comparison))}
+    title = " and ".join((", ".join(comparison.names[:-1]), comparison.names[-1]))
+    parts = _parts(comparison, title, shown)
+    return html.write_page(file, title, parts, "compare.js", {"comparison": data, "columns": columns})
 
 
-def _parts(comparison: Compared, name: str) -> Iterator[str]:
+def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]]) -> Iterator[Part]:
     from testbed.reporting.comparison.figure import picture
 
-    yield f"<h1>{escape(name)}</h1>"
-    yield html.listed(sentences(comparison), "story")
-    log = columns_of(comparison.flights)
-    shown = groups(comparison.flights, comparison.names, log)
-    yield '<div class="moving"><h2>The flights</h2><div id="timelines"></div>'
-    yield html.legend(comparison.names)
-    yield from map(html.panels, shown)
-    yield "</div>"
-    yield f'<div class="still">{html.picture(picture(comparison), "Errors and bank of the flights")}</div>'
-    yield from _stories(comparison)
+    yield html.opening(title, sentences(comparison))
+    panels = [
+        tag("h2", "The flights"),
+        tag("div", id="timelines"),
+        html.legend(comparison.names),
+        *map(html.panels, shown),
+    ]
+    yield tag("div", panels, class_="moving")
+    yield tag("div", html.picture(picture(comparison), "Errors and bank of the flights"), class_="still")
+    yield _stories(comparison)
     yield _requirements(comparison)
     yield _metrics(comparison)
     yield _settings(comparison)
-    told, columns = packed(log)
-    yield html.data({"data": told, "panels": shown, "flights": list(_flights(comparison))}, "comparison")
-    yield html.script(columns, "text/plain", "columns")
-    yield html.script(html.asset("compare.js"))
 
 
 def _flights(comparison: Compared) -> Iterator[dict[str, Any]]:
@@ -106,25 +107,22 @@ def _ended(i: int, comparison: Compared) -> str:
     return f"{comparison.names[i]}: {verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
 
 
-def summary(comparison: Compared) -> str:
+def summary(comparison: Compared) -> Html:
     """The sentences and the metrics, for a notebook."""
-    return html.listed(sentences(comparison), "story") + _metrics(comparison)
+    return html.joined([html.listed(sentences(comparison), "story"), _metrics(comparison)])
 
 
-def _stories(comparison: Compared) -> Iterator[str]:
-    yield "<h2>Each flight told</h2>"
+def _stories(comparison: Compared) -> Iterator[Html]:
+    yield tag("h2", "Each flight told")
     for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
-        yield f"<h3>{html.mark(i)} {escape(name)}</h3>{html.listed(story(flight))}"
+        yield tag("h3", html.mark(i), " ", name)
+        yield html.listed(story(flight))
 
 
-def _requirements(comparison: Compared) -> str:
-    flights = comparison.flights
-    names = dict.fromkeys(r["name"] for flight in flights for r in flight.requirements)
-    if not names:
-        return ""
-    verdicts = [{r["name"]: r for r in flight.requirements} for flight in flights]
+def _requirements(comparison: Compared) -> Iterator[Html]:
+    verdicts = [{r["name"]: r for r in flight.requirements} for flight in comparison.flights]
     rows = []
-    for name in names:
+    for name in dict.fromkeys(name for one in verdicts for name in one):
         found = [one.get(name) for one in verdicts]
         cells = [
             "" if r is None else f"{'met' if r['passed'] else 'NOT MET'} ({rounded(r['value'])})"
@@ -132,34 +130,31 @@ def _requirements(comparison: Compared) -> str:
         ]
         missed = any(r is not None and not r["passed"] for r in found)
         rows.append((not missed, html.row([name, *cells], "missed" if missed else "")))
-    ordered = [row for _, row in sorted(rows, key=lambda row: row[0])]
-    caption = "Verdict and worst value; those that any flight missed come first."
-    return "<h2>Requirements</h2>" + html.table(["requirement", *comparison.names], ordered, caption)
+    if rows:
+        yield tag("h2", "Requirements")
+        caption = "Verdict and worst value; those that any flight missed come first."
+        ordered = [row for _, row in sorted(rows, key=lambda row: row[0])]
+        yield html.table(["requirement", *comparison.names], ordered, caption)
 
 
-def _metrics(comparison: Compared) -> str:
+def _metrics(comparison: Compared) -> Iterator[Html]:
     """The metrics that differ, and the others folded away."""
-    differ: list[html.Html] = []
-    same: list[html.Html] = []
+    rows: dict[bool, list[Html]] = {True: [], False: []}
     for name, values in comparison.metrics.iterrows():
         numbers = [rounded(value) for value in values]
-        row = html.row([str(name), definition(str(name)), *(html.Html(f"<span>{n}</span>") for n in numbers)])
-        (differ if len(set(numbers)) > 1 else same).append(row)
+        cells = [str(name), definition(str(name)), *(tag("span", number) for number in numbers)]
+        rows[len(set(numbers)) > 1].append(html.row(cells))
     heads = ["metric", "definition and [unit]", *comparison.names]
-    parts = [
-        "<h2>Metrics side by side</h2>",
-        html.table(heads, differ) if differ else "<p>All are the same.</p>",
-    ]
-    return "\n".join(
-        [*parts, html.folded("Metrics that are the same", html.table(heads, same)) if same else ""]
-    )
+    yield tag("h2", "Metrics side by side")
+    yield html.table(heads, rows[True]) if rows[True] else tag("p", "All are the same.")
+    if rows[False]:
+        yield html.folded("Metrics that are the same", html.table(heads, rows[False]))
 
 
-def _settings(comparison: Compared) -> str:
-    if not comparison.settings:
-        return ""
+def _settings(comparison: Compared) -> Iterator[Html]:
     rows = [
         html.row([setting.path, *("-" if value is None else str(value) for value in setting.values)])
         for setting in comparison.settings
     ]
-    return html.folded("Settings that differ", html.table(["setting", *comparison.names], rows))
+    if rows:
+        yield html.folded("Settings that differ", html.table(["setting", *comparison.names], rows))

@@ -12,7 +12,7 @@ from testbed.common.angles import unwrapped_deg
 from testbed.common.units import unit
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
-from testbed.reporting.comparison.differences import minus, on_grid
+from testbed.reporting.comparison.differences import Compared, minus, on_grid
 from testbed.reporting.page.panels import group_of
 from testbed.reporting.panels import (
     TRACKED,
@@ -20,13 +20,14 @@ from testbed.reporting.panels import (
     Series,
     actuators,
     effectiveness,
-    error_columns,
+    error_of,
     errors,
     flown,
+    shown_log,
     states,
 )
 
-_STYLES = 6  # in sweep.css
+_STYLES = 6  # in the palette
 _FEW = 3  # flights whose actuators are not folded away
 
 
@@ -34,35 +35,30 @@ def columns_of(flights: Sequence[Flight]) -> dict[str, np.ndarray]:
     """The columns of all flights on one time grid, that of the longest: `1:roll_deg` is of the second flight."""
     time = max(flights, key=lambda flight: flight.end_time_s).column("time_s")
     log: dict[str, np.ndarray] = {"time_s": time}
-    for i, flight in enumerate(flights):
-        own = {name: on_grid(time, flight, name) for name in flight.columns if name != "time_s"}
-        own |= {name: _without_jumps(error, name) for name, error in error_columns(own).items()}
+    turning = {error_of("heading"), f"{flown('heading')}-0"}  # differences, which go on beyond a half turn
+    for i, shown in enumerate(map(shown_log, flights)):
+        own = {name: on_grid(time, shown, name) for name in shown if name != "time_s"}
         for name in map(flown, TRACKED):
             if i and f"0:{name}" in log and name in own:
-                own[f"{name}-0"] = _without_jumps(minus(own[name], log[f"0:{name}"], name), name)
+                own[f"{name}-0"] = minus(own[name], log[f"0:{name}"], name)
+        for name in turning & own.keys():
+            own[name] = unwrapped_deg(own[name])
         log |= {f"{i}:{name}": values for name, values in own.items()}
     return log
 
 
-def _without_jumps(values: np.ndarray, name: str) -> np.ndarray:
-    """A difference of headings goes on beyond a half turn; any other is as it is."""
-    return unwrapped_deg(values) if name.startswith("heading") else values
-
-
-def groups(
-    flights: Sequence[Flight], names: Sequence[str], log: Mapping[str, np.ndarray]
-) -> list[dict[str, Any]]:
+def groups(comparison: Compared, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group, as `web/src/panels.js` draws them."""
+    flights, names = comparison.flights, comparison.names
     failures = sorted({t for flight in flights for t in failure_times_s(flight.events)})
-    believed = "Effectiveness: the first flight's true one, and what is believed"
     made = [
         ("errors", "Errors against the references", False, _all_panels(flights, errors)),
         ("differences", f"Differences from {names[0]}", False, list(_differences())),
         ("attitude", "Attitude", False, _all_panels(flights, states)),
-        ("effectiveness", believed, False, _all_panels(flights, effectiveness)),
+        ("effectiveness", "Effectiveness, true and believed", False, _all_panels(flights, effectiveness)),
         ("positions", "Positions of the actuators", len(flights) > _FEW, _all_panels(flights, actuators)),
     ]
-    drawn = [group_of(name, title, folded, _of_all(of, names, log)) for name, title, folded, of in made]
+    drawn = [group_of(name, title, folded, of_all(of, comparison, log)) for name, title, folded, of in made]
     for panel in (panel for group in drawn for panel in group["panels"]):
         panel["failures"] = failures
     return drawn
@@ -83,15 +79,32 @@ def _differences() -> Iterator[Panel]:
         yield Panel(quantity, unit(flown(quantity)), (series,), drawn.least_error)
 
 
-def _of_all(panels: Sequence[Panel], names: Sequence[str], log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
+def of_all(panels: Sequence[Panel], comparison: Compared, log: Mapping[str, np.ndarray]) -> Iterator[Panel]:
     """Each panel with one series of each flight: what its controller believes, if that is drawn, else the first.
 
-    Beside what is believed, the panel has the true one of the first flight.
+    Beside what is believed stands what is true: once where that is the same in all flights, else of each.
     """
     for panel in panels:
         first = panel.series[0]
         main = next((series for series in panel.series if series.style == "belief"), first)
-        truth = [] if main is first else [first._replace(column=f"0:{first.column}")]
-        series = [Series(f"{i}:{main.column}", name, f"v{i % _STYLES}") for i, name in enumerate(names)]
+        series = [
+            Series(f"{i}:{main.column}", name, f"v{i % _STYLES}") for i, name in enumerate(comparison.names)
+        ]
+        truth = [] if main is first else _truths(first, comparison, log)
         if known := [each for each in (*truth, *series) if each.column in log]:
-            yield replace(panel, series=tuple(known), notes=())
+            yield replace(panel, series=tuple(known), flag="", notes=())
+
+
+def _truths(true: Series, comparison: Compared, log: Mapping[str, np.ndarray]) -> list[Series]:
+    """What is true in each flight, and once what is true in all for as long as they fly."""
+    found = {
+        i: true._replace(column=f"{i}:{true.column}", label=f"true, {name}")
+        for i, name in enumerate(comparison.names)
+        if f"{i}:{true.column}" in log
+    }
+    together = log["time_s"] < min(comparison.flights[i].end_time_s for i in found)
+    longest = max(found, key=lambda i: comparison.flights[i].end_time_s)
+    values = [log[series.column][together] for series in found.values()]
+    if all(np.array_equal(each, values[0], equal_nan=True) for each in values):
+        return [found[longest]._replace(label="true")]
+    return list(found.values())

@@ -11,6 +11,7 @@ from typing import BinaryIO
 
 import numpy as np
 
+from testbed.common.text import printable
 from testbed.flight.flight import Flight
 from testbed.reporting.export.place import Origin, Poses, poses, wind
 from testbed.reporting.story import story
@@ -66,4 +67,4 @@ def _camel(column: str) -> str:
 
 def _escaped(text: str) -> str:
     """A text as a property's value: commas, backslashes and ends of lines are escaped."""
-    return text.replace("\\", "\\\\").replace(",", "\\,").replace("\n", "\\\n")
+    return printable(text).replace("\\", "\\\\").replace(",", "\\,").replace("\n", "\\\n")

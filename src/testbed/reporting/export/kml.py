@@ -7,6 +7,7 @@ tip of its axis. So tilt is nose down, roll is to the left, and both have the op
 from __future__ import annotations
 
 from datetime import UTC, datetime
+from html import escape
 from typing import BinaryIO
 from xml.etree import ElementTree as Xml
 
@@ -31,7 +32,7 @@ def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
     root = Xml.Element(f"{{{_KML}}}kml")
     document = _add(root, "Document")
     _add(document, "name", printable(flight.scenario.name))
-    _add(document, "description", printable("\n".join(story(flight))))
+    _add(document, "description", escape(printable("\n".join(story(flight)))))  # readers show it as HTML
     columns = [c for c in ("airspeed_m_s", *wind(flight)) if c in flight.columns]
     schema = _add(document, "Schema", id=_SCHEMA)
     for column in columns:

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any, BinaryIO
+from collections.abc import Iterator, Mapping
+from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 
@@ -30,44 +30,17 @@ _GROUPS = {
     ),
     "/references": ("altitude_command_m", "airspeed_command_m_s", "heading_command_deg"),
 }  # fmt: skip
-
-_TIME = {
-    "type": "object",
-    "properties": {"sec": {"type": "integer"}, "nsec": {"type": "integer"}},
-}
-_NUMBER, _TEXT, _INTEGER = {"type": "number"}, {"type": "string"}, {"type": "integer"}
-
-
-def _object(**properties: Any) -> dict[str, Any]:
-    return {"type": "object", "properties": properties}
-
-
-_SCHEMAS = {
-    "foxglove.FrameTransform": _object(
-        timestamp=_TIME,
-        parent_frame_id=_TEXT,
-        child_frame_id=_TEXT,
-        translation=_object(x=_NUMBER, y=_NUMBER, z=_NUMBER),
-        rotation=_object(x=_NUMBER, y=_NUMBER, z=_NUMBER, w=_NUMBER),
-    ),
-    "foxglove.LocationFix": _object(
-        timestamp=_TIME,
-        frame_id=_TEXT,
-        latitude=_NUMBER,
-        longitude=_NUMBER,
-        altitude=_NUMBER,
-        position_covariance={"type": "array", "items": _NUMBER},
-        position_covariance_type=_INTEGER,
-    ),
-    "foxglove.Log": _object(
-        timestamp=_TIME, level=_INTEGER, message=_TEXT, name=_TEXT, file=_TEXT, line=_INTEGER
-    ),
-}
-
 _FOXGLOVE = {"/tf": "foxglove.FrameTransform", "/location": "foxglove.LocationFix", "/events": "foxglove.Log"}
+"""Topics whose messages have one of Foxglove's schemas; those of the others have the topic's name."""
+_TYPES = {bool: "boolean", int: "integer", float: "number", str: "string"}
 
-Message = tuple[int, str, dict[str, Any]]
-"""Time [ns], topic, contents."""
+
+class Message(NamedTuple):
+    """What is said on a topic at a time of the flight."""
+
+    time_s: float
+    topic: str
+    contents: dict[str, Any]
 
 
 def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
@@ -78,108 +51,88 @@ def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
         what = "mcap needs the package mcap"
         raise BadInput([Problem(what, "--to mcap", expected="pip install 'testbed[export]'")]) from None
     track, topics = poses(flight, origin, RATE_HZ), _topics(flight)
-    messages = [*_motion(track), *_signals(flight, topics), *_events(flight)]
+    said = [*_motion(track), *_signals(flight, topics), *_events(flight)]
+    channels: dict[str, int] = {}
     writer = Writer(stream)
     writer.start(profile="", library="testbed")
-    channel = _channels(writer, flight, topics)
-    for sequence, (time, topic, contents) in enumerate(sorted(messages, key=lambda m: m[:2])):
+    for sequence, message in enumerate(sorted(said, key=lambda m: m[:2])):
+        now = EPOCH_S * 10**9 + round(message.time_s * 1e9)
+        contents = {"timestamp": {"sec": now // 10**9, "nsec": now % 10**9}, **message.contents}
+        if message.topic not in channels:
+            schema = _schema({**contents, **dict.fromkeys(topics.get(message.topic, ()), 0.0)})
+            channels[message.topic] = _channel(writer, flight, message.topic, schema, topics)
         data = json.dumps(contents, allow_nan=False).encode()
-        writer.add_message(channel(topic), time, data, time, sequence)
+        writer.add_message(channels[message.topic], now, data, now, sequence)
     writer.add_metadata("flight", {"scenario": flight.scenario.name, "outcome": str(flight.outcome)})
     writer.finish()
 
 
 def _topics(flight: Flight) -> dict[str, dict[str, str]]:
     """{topic: {name in the message: column}} of the log's signals."""
-    topics = {topic: {c: c for c in columns if c in flight.columns} for topic, columns in _GROUPS.items()}
+    topics = {topic: {c: c for c in columns} for topic, columns in _GROUPS.items()}
     topics["/wind"] = {column: column for column in wind(flight)}
     for name in flight.actuators:
-        told = {of: f"{name}_{of}" for of in _ACTUATOR}
-        topics[f"/actuators/{name}"] = {of: column for of, column in told.items() if column in flight.columns}
-    return {topic: columns for topic, columns in topics.items() if columns}
+        topics[f"/actuators/{name}"] = {of: f"{name}_{of}" for of in _ACTUATOR}
+    there = {topic: {n: c for n, c in of.items() if c in flight.columns} for topic, of in topics.items()}
+    return {topic: columns for topic, columns in there.items() if columns}
 
 
-def _channels(writer: Any, flight: Flight, topics: Mapping[str, Mapping[str, str]]) -> Callable[[str], int]:
-    """Register every topic with its schema; returns a function from topic to the channel's number."""
-    units = units_of(flight)
-    schemas = {
-        topic: (
-            topic.strip("/").replace("/", "."),
-            _object(
-                timestamp=_TIME, **{name: {**_NUMBER, "description": units[c]} for name, c in of.items()}
-            ),
-        )
-        for topic, of in topics.items()
-    }
-    schemas |= {topic: (name, _SCHEMAS[name]) for topic, name in _FOXGLOVE.items()}
-    numbers: dict[str, int] = {}
-    for topic, (name, schema) in schemas.items():
-        data = json.dumps({"title": name, **schema}).encode()
-        numbers[topic] = writer.register_channel(
-            topic, "json", writer.register_schema(name, "jsonschema", data)
-        )
-    return numbers.__getitem__
+def _schema(example: Any) -> dict[str, Any]:
+    """The JSON schema of values like this one."""
+    if isinstance(example, Mapping):
+        return {"type": "object", "properties": {name: _schema(value) for name, value in example.items()}}
+    if isinstance(example, list):
+        return {"type": "array", "items": _schema(example[0])}
+    return {"type": _TYPES[type(example)]}
+
+
+def _channel(
+    writer: Any, flight: Flight, topic: str, schema: dict[str, Any], topics: Mapping[str, Mapping[str, str]]
+) -> int:
+    """Register a topic with its schema, in which each signal has its unit; returns its number."""
+    units, name = units_of(flight), _FOXGLOVE.get(topic, topic.strip("/").replace("/", "."))
+    for signal, column in topics.get(topic, {}).items():
+        schema["properties"][signal]["description"] = units[column]
+    data = json.dumps({"title": name, **schema}).encode()
+    number: int = writer.register_channel(topic, "json", writer.register_schema(name, "jsonschema", data))
+    return number
 
 
 def _motion(track: Poses) -> Iterator[Message]:
     """The aircraft's frame in the world's, and its location."""
-    rotations = rotation(track.roll_deg, track.pitch_deg, track.heading_deg)
-    for k, time in enumerate(track.time_s):
-        stamp, now = _stamp(float(time))
-        place = (float(at[k]) for at in (track.east_m, track.north_m, track.altitude_m))
-        frame = {
-            "timestamp": stamp,
-            "parent_frame_id": "world",
-            "child_frame_id": "aircraft",
+    places = np.column_stack([track.east_m, track.north_m, track.altitude_m]).tolist()
+    rotations = rotation(track.roll_deg, track.pitch_deg, track.heading_deg).tolist()
+    geodetic = np.column_stack([track.latitude_deg, track.longitude_deg, track.altitude_m]).tolist()
+    unknown = {"position_covariance": [0.0] * 9, "position_covariance_type": 0}
+    frames = {"parent_frame_id": "world", "child_frame_id": "aircraft"}
+    for time, place, turn, on_earth in zip(track.time_s.tolist(), places, rotations, geodetic, strict=True):
+        pose = {
             "translation": dict(zip("xyz", place, strict=True)),
-            "rotation": dict(zip("xyzw", rotations[k].tolist(), strict=True)),
+            "rotation": dict(zip("xyzw", turn, strict=True)),
         }
-        yield now, "/tf", frame
-        location = {
-            "timestamp": stamp,
-            "frame_id": "aircraft",
-            "latitude": float(track.latitude_deg[k]),
-            "longitude": float(track.longitude_deg[k]),
-            "altitude": float(track.altitude_m[k]),
-            "position_covariance": [0.0] * 9,
-            "position_covariance_type": 0,
-        }
-        yield now, "/location", location
+        yield Message(time, "/tf", {**frames, **pose})
+        at = dict(zip(("latitude", "longitude", "altitude"), on_earth, strict=True))
+        yield Message(time, "/location", {"frame_id": "aircraft", **at, **unknown})
 
 
 def _signals(flight: Flight, topics: Mapping[str, Mapping[str, str]]) -> Iterator[Message]:
-    time = flight.column("time_s")
-    for row in thinned(flight, RATE_HZ):
-        stamp, now = _stamp(float(time[row]))
+    rows = thinned(flight, RATE_HZ)
+    log = {name: values[rows].tolist() for name, values in flight.signals.items()}
+    for k, time in enumerate(log["time_s"]):
         for topic, of in topics.items():
-            known = {name: v for name, c in of.items() if math.isfinite(v := float(flight.signals[c][row]))}
-            yield now, topic, {"timestamp": stamp, **known}
+            yield Message(time, topic, {name: v for name, c in of.items() if math.isfinite(v := log[c][k])})
 
 
 def _events(flight: Flight) -> Iterator[Message]:
     for event in flight.events:
-        stamp, now = _stamp(float(event["time_s"]))
-        level = _LEVELS.get(event["kind"], 2)
         words = {"message": describe(event, flight), "name": event["kind"], "file": "", "line": 0}
-        yield now, "/events", {"timestamp": stamp, "level": level, **words}
+        yield Message(float(event["time_s"]), "/events", {"level": _LEVELS.get(event["kind"], 2), **words})
 
 
 def rotation(roll_deg: np.ndarray, pitch_deg: np.ndarray, heading_deg: np.ndarray) -> np.ndarray:
     """[rows, 4] quaternions x, y, z, w that turn components in the aircraft's frame into the world's (see the module)."""
+    from scipy.spatial.transform import Rotation
+
     # The same turns about axes that point the other way: pitch about left, yaw from east to the left.
-    half = np.radians([roll_deg, -np.asarray(pitch_deg), 90.0 - np.asarray(heading_deg)]) / 2.0
-    (cr, cp, cy), (sr, sp, sy) = np.cos(half), np.sin(half)
-    return np.column_stack(
-        [
-            sr * cp * cy - cr * sp * sy,
-            cr * sp * cy + sr * cp * sy,
-            cr * cp * sy - sr * sp * cy,
-            cr * cp * cy + sr * sp * sy,
-        ]
-    )
-
-
-def _stamp(time_s: float) -> tuple[dict[str, int], int]:
-    """A time of the flight as Foxglove's {sec, nsec}, and in ns since 1970."""
-    now = EPOCH_S * 10**9 + round(time_s * 1e9)
-    return {"sec": now // 10**9, "nsec": now % 10**9}, now
+    angles = np.column_stack([90.0 - np.asarray(heading_deg), -np.asarray(pitch_deg), roll_deg])
+    return np.asarray(Rotation.from_euler("ZYX", angles, degrees=True).as_quat())

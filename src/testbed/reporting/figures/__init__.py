@@ -6,10 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from testbed.flight.flight import Flight
-from testbed.reporting.panels import GROUPS
+from testbed.reporting.panels import GROUPS, shown_log
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from testbed.reporting.figures.lines import Shown
 
 
 class Drawn(NamedTuple):
@@ -39,16 +41,31 @@ def plot(flight: Flight, name: str) -> Figure:
     from testbed.reporting.figures.sheet import Sheet, plain_text
 
     with plain_text():
-        return Sheet().draw(flight, GROUPS[name].of(flight), TABLE[name].what, TABLE[name].height)
+        return Sheet().draw(_shown(flight), GROUPS[name].of(flight), TABLE[name].what, TABLE[name].height)
 
 
 def draw(flight: Flight, folder: str | Path) -> list[Path]:
     """Write `folder/figures/<name>.png` for each of TABLE; returns the files in that order."""
     from testbed.reporting.figures.sheet import Sheet, plain_text, save
 
-    sheet, files = Sheet(), []
+    sheet, shown = Sheet(), _shown(flight)
     with plain_text():
-        for name, (what, _, height) in TABLE.items():
-            figure = sheet.draw(flight, GROUPS[name].of(flight), what, height)
-            files.append(save(figure, Path(folder), name))
-    return files
+        return [
+            save(sheet.draw(shown, GROUPS[name].of(flight), what, height), Path(folder), name)
+            for name, (what, _, height) in TABLE.items()
+        ]
+
+
+def _shown(flight: Flight) -> Shown:
+    """A flight as the sheet draws it."""
+    from testbed.reporting.figures.events import marks
+    from testbed.reporting.figures.lines import Shown
+    from testbed.reporting.figures.zoom import zoom_span
+
+    end_s = max(flight.end_time_s, 1e-3)
+    return Shown(
+        f"{flight.scenario.name} — {flight.controller}",
+        f"{flight.outcome.sentence}, {flight.end_time_s:g} s; {'passed' if flight.passed else 'not passed'}",
+        end_s, shown_log(flight), marks(flight.events, flight), zoom_span(flight.events, end_s),
+        flight.scenario.requirements,
+    )  # fmt: skip

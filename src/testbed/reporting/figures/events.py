@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from testbed.flight.flight import Flight
+from testbed.reporting.palette import MET, MISSED, PALETTE
 from testbed.reporting.words import describe
 
 _MOST_LABELS = 12
@@ -14,12 +15,12 @@ _MOST_LINES = 60
 _CHARACTER = 0.0685  # inches, the mean width of a character of a label
 
 STYLES: dict[str, dict[str, Any]] = {
-    "injection": {"color": "black", "linestyle": "-", "linewidth": 1.6},
-    "detection": {"color": "#0072B2", "linestyle": (0, (6, 2)), "linewidth": 1.4},
-    "false_alarm": {"color": "#B22222", "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6},
+    "injection": {"color": PALETTE["truth"], "linestyle": "-", "linewidth": 1.6},
+    "detection": {"color": PALETTE["belief"], "linestyle": (0, (6, 2)), "linewidth": 1.4},
+    "false_alarm": {"color": MISSED, "linestyle": (0, (6, 2, 1, 2)), "linewidth": 1.6},
     "release": {"color": "0.35", "linestyle": (0, (1, 1.5)), "linewidth": 1.6},
-    "recovered": {"color": "#00614A", "linestyle": (0, (3, 1, 1, 1, 1, 1)), "linewidth": 1.4},
-    "lost": {"color": "#B22222", "linestyle": "-", "linewidth": 2.4},
+    "recovered": {"color": MET, "linestyle": (0, (3, 1, 1, 1, 1, 1)), "linewidth": 1.4},
+    "lost": {"color": MISSED, "linestyle": "-", "linewidth": 2.4},
 }
 MARKERS = {
     "injection": "v",

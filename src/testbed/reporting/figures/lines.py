@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,20 +12,26 @@ from matplotlib.axes import Axes
 
 from testbed.common.angles import wrap_deg
 from testbed.flight.columns import stretches
-from testbed.flight.flight import Flight
-from testbed.reporting.figures.signals import band, thin
+from testbed.reporting.figures.events import Mark
+from testbed.reporting.figures.signals import band
+from testbed.reporting.palette import PALETTE, nth
 from testbed.reporting.panels import Panel, Series
+from testbed.scenario.requirement import Requirement
 
 STYLES: dict[str, dict[str, Any]] = {
-    "truth": {"color": "black", "linestyle": "-", "linewidth": 1.3},
+    "truth": {"color": PALETTE["truth"], "linestyle": "-", "linewidth": 1.3},
     # Wide, because the command is drawn on top of it.
     "position": {"color": "0.62", "linestyle": "-", "linewidth": 3.4, "solid_capstyle": "butt"},
-    "reference": {"color": "#0072B2", "linestyle": (0, (5, 2)), "linewidth": 1.5},
-    "belief": {"color": "#0072B2", "linestyle": (0, (5, 2)), "linewidth": 1.8},
-    "command": {"color": "#D55E00", "linestyle": "-", "linewidth": 1.0},
+    "reference": {"color": PALETTE["belief"], "linestyle": (0, (5, 2)), "linewidth": 1.5},
+    "belief": {"color": PALETTE["belief"], "linestyle": (0, (5, 2)), "linewidth": 1.8},
+    "command": {"color": PALETTE["command"], "linestyle": "-", "linewidth": 1.0},
     "level": {"color": "0.35", "linestyle": (0, (1, 2)), "linewidth": 1.1},
+    **{
+        f"v{i}": {"lw": 1.7, "ms": 5, "markevery": (0.03 * (i + 1), 0.15), **nth(i, "ls", "marker")}
+        for i in range(6)
+    },
 }
-"""By the style of a series; "level" is of stops, thresholds and requirements."""
+"""By the style of a series; "level" is of stops, thresholds and requirements, "v0" and so on are of flights that are compared."""
 _SHADE: dict[str, Any] = {
     "facecolor": "0.9",
     "edgecolor": "0.7",
@@ -39,25 +46,40 @@ _MOST_SHADES, _MOST_NOTES = 200, 6
 _HUGE = 1e6  # values beyond it, of a flight that diverged, do not set an axis
 
 
-def draw_panel(axes: Axes, flight: Flight, panel: Panel, width: float) -> None:
+@dataclass(frozen=True)
+class Shown:
+    """What a figure is of: its title, how it ended, its log by columns [rows], and the marks of its events.
+
+    `zoom` is the stretch of time [s] that is drawn again beside the whole, None for none.
+    """
+
+    title: str
+    ended: str
+    end_s: float
+    log: Mapping[str, np.ndarray]
+    marks: Sequence[Mark]
+    zoom: tuple[float, float] | None = None
+    requirements: Sequence[Requirement] = ()
+
+
+def draw_panel(axes: Axes, panel: Panel, shown: Shown, width: float) -> None:
     """Draw a panel over the axes' time; `width` is that of the axes [pixels]."""
-    time = flight.column("time_s")
+    time = shown.log["time_s"]
     first, last = axes.get_xlim()
     rows = slice(*np.searchsorted(time, [first, last + 1e-9]))
-    values = {column: whole[rows] for column, whole in _values(flight, panel).items()}
-    parts = round(width / _PIXELS)
+    values = {column: whole[rows] for column, whole in _values(shown.log, panel).items()}
     for series in panel.series:
-        _line(axes, time[rows], values[series.column], series, parts)
-    allowed = list(_allowed(axes, flight, panel, time[rows], values))
-    _shade(axes, flight, panel, time)
+        _line(axes, time[rows], values[series.column], series, round(width / _PIXELS))
+    allowed = list(_allowed(axes, shown, time[rows], values))
+    _shade(axes, shown, panel)
     _fit(axes, panel, [_fitted(panel, series, values[series.column]) for series in panel.series] + allowed)
     _levels(axes, panel)
     _notes(axes, panel)
 
 
-def _values(flight: Flight, panel: Panel) -> dict[str, np.ndarray]:
+def _values(log: Mapping[str, np.ndarray], panel: Panel) -> dict[str, np.ndarray]:
     """{column: values [rows]} of a panel's series; a heading is on the same turn as its reference, which does not jump."""
-    values = {series.column: flight.column(series.column) for series in panel.series}
+    values = {series.column: log[series.column] for series in panel.series}
     if "heading_command_deg" in values:
         wanted = np.unwrap(values["heading_command_deg"], period=360.0)
         values["heading_deg"] = wanted + wrap_deg(values["heading_deg"] - wanted)
@@ -66,7 +88,7 @@ def _values(flight: Flight, panel: Panel) -> dict[str, np.ndarray]:
 
 
 def _line(axes: Axes, time: np.ndarray, values: np.ndarray, series: Series, parts: int) -> None:
-    """Draw a signal [rows], thinned to what can be seen, or as its mean in a band of its extremes where it is dense.
+    """Draw a signal [rows], or its mean in a band of its extremes where it is dense.
 
     Jumps of an angle by more than 180 deg are left out of the line.
     """
@@ -78,7 +100,6 @@ def _line(axes: Axes, time: np.ndarray, values: np.ndarray, series: Series, part
         look = {"color": style["color"], "alpha": 0.22, "linewidth": 0}
         axes.fill_between(dense.time_s, dense.low, dense.high, label="extremes", **look)
         time, values = dense.time_s, dense.mean
-    time, values = thin(time, values)
     if wraps:
         jumps = np.flatnonzero(np.abs(np.diff(values)) > 180.0) + 1
         time, values = np.insert(time, jumps, math.nan), np.insert(values, jumps, math.nan)
@@ -86,22 +107,22 @@ def _line(axes: Axes, time: np.ndarray, values: np.ndarray, series: Series, part
 
 
 def _allowed(
-    axes: Axes, flight: Flight, panel: Panel, time: np.ndarray, values: Mapping[str, np.ndarray]
+    axes: Axes, shown: Shown, time: np.ndarray, values: Mapping[str, np.ndarray]
 ) -> Iterator[np.ndarray]:
     """Draw what the requirements allow the panel's signals, and give the values that the axis is to hold as well."""
-    for requirement in flight.scenario.requirements:
+    for requirement in shown.requirements:
         if requirement.signal not in values:
             continue
         since, until = requirement.begins_s, requirement.until_s or math.inf
         for limit in (requirement.at_most, requirement.at_least):
             if limit is not None:
-                _level(axes, limit, "requirement", since, min(until, max(flight.end_time_s, 1e-3)))
+                _level(axes, limit, "requirement", since, min(until, shown.end_s))
                 yield np.array([limit])
         if requirement.within is not None and requirement.of in values:
             inside = (time >= since) & (time <= until)
             for size in (-requirement.within, requirement.within):
                 allowed = np.where(inside, values[str(requirement.of)] + size, math.nan)
-                axes.plot(*thin(time, allowed), label="requirement", **STYLES["level"])
+                axes.plot(time, allowed, label="requirement", **STYLES["level"])
                 yield allowed
 
 
@@ -109,14 +130,14 @@ def _level(axes: Axes, value: float, label: str, since_s: float, until_s: float)
     axes.plot([since_s, until_s], [value, value], label=label, **STYLES["level"])
 
 
-def _shade(axes: Axes, flight: Flight, panel: Panel, time: np.ndarray) -> None:
+def _shade(axes: Axes, shown: Shown, panel: Panel) -> None:
     """Hatch the times at which the panel's flag is set."""
     if not panel.flag:
         return
-    left, right = axes.get_xlim()
+    time, (left, right) = shown.log["time_s"], axes.get_xlim()
     label = panel.flagged
-    for first, end in stretches(flight.column(panel.flag) > 0.5)[:_MOST_SHADES]:
-        since, until = time[first], time[end] if end < len(time) else flight.end_time_s
+    for first, end in stretches(shown.log[panel.flag] > 0.5)[:_MOST_SHADES]:
+        since, until = time[first], time[end] if end < len(time) else shown.end_s
         if since < right and until > left:
             axes.axvspan(max(since, left), min(until, right), label=label, **_SHADE)
             label = "_"  # one entry in the legend
@@ -135,7 +156,7 @@ def _fitted(panel: Panel, series: Series, values: np.ndarray) -> np.ndarray:
 def _fit(axes: Axes, panel: Panel, signals: Sequence[np.ndarray]) -> None:
     """Fit the y axis to all finite values, with a margin; it is no shorter than `Panel.least`, so that noise looks small."""
     values = np.concatenate([*signals, np.array(panel.span or ())])
-    values = values[np.isfinite(values) & (np.abs(values) < _HUGE)]
+    values = values[np.isfinite(values) & (np.abs(values) <= min(panel.most, _HUGE))]
     low, high = (float(values.min()), float(values.max())) if len(values) else (0.0, 0.0)
     half, middle = max(0.5 * (high - low) * 1.12, 0.5 * panel.least), 0.5 * (low + high)
     axes.set_ylim(middle - half, middle + half)

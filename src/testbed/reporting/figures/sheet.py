@@ -16,15 +16,12 @@ from typing import Any
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from PIL import Image
 
 from testbed.common.writing import write
-from testbed.flight.flight import Flight
-from testbed.reporting.figures.events import Mark, marks, rows_of
-from testbed.reporting.figures.lines import draw_panel
-from testbed.reporting.figures.zoom import zoom_span
+from testbed.reporting.figures.events import Mark, rows_of
+from testbed.reporting.figures.lines import Shown, draw_panel
 from testbed.reporting.panels import Panel
 
 DPI = 110
@@ -34,7 +31,6 @@ _LANE_ROW = 0.19
 _LABEL = 0.58  # from the axis to its label, with room for the numbers
 _ZOOM, _BETWEEN = 2.3, 0.6
 """Width of the panels around the failure, and the gap before them, with room for numbers."""
-_TICK = 3.5 / 72.0
 _GRID: dict[str, Any] = {"color": "0.88", "linewidth": 0.6}
 _LONGEST = 15  # characters in a line of an axis's label
 
@@ -47,7 +43,7 @@ class Drawing(Figure):
 
 
 class Sheet:
-    """A figure of a flight. Drawn again, it shows other panels with the same axes: making these takes longer than drawing."""
+    """A figure of one flight or several. Drawn again, it shows other panels with the same axes: making these takes longer."""
 
     def __init__(self) -> None:
         self.figure = Drawing(figsize=(_WIDTH, _WIDTH), dpi=DPI)
@@ -56,12 +52,11 @@ class Sheet:
         self._lane.set_axis_off()
         self._axes: list[Axes] = []
 
-    def draw(self, flight: Flight, panels: Sequence[Panel], what: str, tall: float) -> Figure:
-        """The figure with these panels, each `tall` inches high, and every event of the flight marked in each."""
-        span = (0.0, max(flight.end_time_s, 1e-3))
-        shown, closer = marks(flight.events, flight), zoom_span(flight.events, span[1])
+    def draw(self, shown: Shown, panels: Sequence[Panel], what: str, tall: float) -> Figure:
+        """The figure with these panels, each `tall` inches high, and every event marked in each."""
+        span, closer = (0.0, shown.end_s), shown.zoom
         width = _WIDTH - _LEFT - _RIGHT - (_ZOOM + _BETWEEN if closer else 0.0)
-        lane = rows_of(shown, span, width)
+        lane = rows_of(shown.marks, span, width)
         lane_height = _LANE_ROW * (max((row for _, row, _ in lane), default=-1) + 1) + 0.04
         height = _TOP + lane_height + (tall + _GAP) * len(panels) - _GAP + _BOTTOM
         self._clear(height, len(panels) * (2 if closer else 1))
@@ -73,14 +68,14 @@ class Sheet:
                 axes = next(free)
                 bottom = top - (tall + _GAP) * i - tall
                 axes.set_position((left / _WIDTH, bottom / height, wide / _WIDTH, tall / height))
-                _set_up(axes, start, (wide, tall), last=i == len(panels) - 1)
+                _set_up(axes, start, wide, last=i == len(panels) - 1)
                 axes.set_label("" if wide == width else "zoom")
                 axes.set_ylabel(fill(panel.heading, _LONGEST) if wide == width else "", fontsize=9.5)
-                _mark(axes, shown)
-                draw_panel(axes, flight, panel, wide * DPI)
+                _mark(axes, shown.marks)
+                draw_panel(axes, panel, shown, wide * DPI)
         if closer:
-            _name_zoom(self._axes[len(panels)], shown)
-        _title(self.figure, flight, what)
+            _name_zoom(self._axes[len(panels)], shown.marks)
+        _title(self.figure, shown, what)
         self._write_lane(lane, span, (_LEFT, top, width, lane_height))
         _legend(self.figure, self._axes[: len(panels)])
         return self.figure
@@ -130,22 +125,12 @@ def _new(figure: Figure) -> Axes:
     return axes
 
 
-def _set_up(axes: Axes, span: tuple[float, float], size: tuple[float, float], *, last: bool) -> None:
-    """Set the time axis of a panel, of which only the `last` one has numbers; `size` is width and height [inches]."""
+def _set_up(axes: Axes, span: tuple[float, float], width: float, *, last: bool) -> None:
+    """Set the time axis of a panel, of which only the `last` one has numbers; `width` in inches."""
     axes.set_xlim(*span)
-    axes.xaxis.set_visible(last)
-    if last:
-        axes.set_xlabel("time [s]", fontsize=9.5)
-    else:  # as the last one is drawn, but in one piece: each tick of an axis is four objects
-        at = [tick for tick in axes.xaxis.get_majorticklocs() if span[0] <= tick <= span[1]]
-        down = -_TICK / size[1]
-        for (bottom, top), look in (((0.0, 1.0), _GRID), ((down, 0.0), {"color": "black", "linewidth": 0.8})):
-            lines = [((tick, bottom), (tick, top)) for tick in at]
-            strokes = LineCollection(
-                lines, transform=axes.get_xaxis_transform(), zorder=0.5, clip_on=False, **look
-            )
-            axes.add_collection(strokes, autolim=False)
-    axes.yaxis.set_label_coords(-_LABEL / size[0], 0.5)
+    axes.tick_params(axis="x", labelbottom=last)
+    axes.set_xlabel("time [s]" if last else "", fontsize=9.5)
+    axes.yaxis.set_label_coords(-_LABEL / width, 0.5)
 
 
 def _mark(axes: Axes, shown: Sequence[Mark]) -> None:
@@ -170,14 +155,11 @@ def _marker(axes: Axes, mark: Mark, y: float, transform: Any) -> None:
     axes.plot([mark.time_s], [y], mark.marker, color=colour, markersize=5, transform=transform, clip_on=False)
 
 
-def _title(figure: Figure, flight: Flight, what: str) -> None:
+def _title(figure: Figure, shown: Shown, what: str) -> None:
     height = figure.get_figheight()
-    verdict = "passed" if flight.passed else "not passed"
-    title = f"{flight.scenario.name} — {flight.controller}"
-    outcome = f"{flight.outcome.sentence}, {flight.end_time_s:g} s; {verdict}"
     left, right = _LEFT / _WIDTH, 1 - _RIGHT / _WIDTH
-    figure.text(left, 1 - 0.22 / height, title, fontsize=12, fontweight="bold", va="center")
-    figure.text(right, 1 - 0.22 / height, outcome, fontsize=10, ha="right", va="center")
+    figure.text(left, 1 - 0.22 / height, shown.title, fontsize=12, fontweight="bold", va="center")
+    figure.text(right, 1 - 0.22 / height, shown.ended, fontsize=10, ha="right", va="center")
     figure.text(left, 1 - 0.46 / height, what, fontsize=10, va="center", color="0.25")
 
 

@@ -1,4 +1,4 @@
-"""Signals reduced to what can be seen: fewer points for the same picture, and dense signals as a band."""
+"""Dense signals as a band, where a line would be a blot."""
 
 from __future__ import annotations
 
@@ -6,8 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-BLOCKS = 900
-"""Parts of the time axis for `thin`: about the width of a panel in pixels."""
 _DENSE = 0.35  # crossings of the signal's own spread in a part, from which on a line is a blot
 
 
@@ -18,19 +16,6 @@ class Band(NamedTuple):
     low: np.ndarray
     high: np.ndarray
     mean: np.ndarray
-
-
-def thin(time: np.ndarray, values: np.ndarray, blocks: int = BLOCKS) -> tuple[np.ndarray, np.ndarray]:
-    """(time, values) with fewer points for the same picture: first, last, lowest and highest point of each of `blocks` parts."""
-    each = len(values) // blocks
-    if each <= 4:
-        return time, values
-    whole = len(values) // each * each
-    stretches = values[:whole].reshape(-1, each)
-    first = np.arange(len(stretches)) * each
-    middle = [first + stretches.argmin(axis=1), first + stretches.argmax(axis=1)]
-    keep = np.unique(np.concatenate([first, *middle, first + each - 1, np.arange(whole, len(values))]))
-    return time[keep], values[keep]
 
 
 def band(time: np.ndarray, values: np.ndarray, span_s: float, parts: int) -> Band | None:

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from html import escape
+from collections.abc import Callable, Iterator, Mapping
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
@@ -12,6 +11,7 @@ from testbed.common.docstrings import first_line
 from testbed.flight.flight import Flight
 from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
+from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import rounded
 from testbed.reporting.story import diagnoses, story
 from testbed.reporting.words import describe, title
@@ -24,36 +24,28 @@ _THEMES = {
     "effort": "Effort of the actuators",
 }
 """Titles of the metrics' modules."""
-AGAIN = """<p>Run this in the folder of this report.
+AGAIN = Html("""<p>Run this in the folder of this report.
 With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
-<pre>python -m testbed run scenario.yaml --out again</pre>"""
+<pre>python -m testbed run scenario.yaml --out again</pre>""")
 
 
-def head(flight: Flight) -> str:
-    """Title, chips, verdict, story and warnings."""
-    missed = [requirement["name"] for requirement in flight.requirements if not requirement["passed"]]
-    total = len(flight.requirements)
-    verdict = "Passed" if flight.passed else "Not passed"
-    text = f"<strong>{verdict}.</strong> It {flight.outcome.sentence} ({flight.end_time_s:g} s); "
-    text += (
-        f"{total - len(missed)} of {total} requirements met."
-        if total
-        else "the scenario has no requirements."
-    )
-    warnings = "".join(f'\n<p class="missed">Warning: {escape(warning)}</p>' for warning in flight.warnings)
-    return (
-        f"<h1>{escape(flight.scenario.name)}</h1>\n{html.chips(facts(flight))}\n"
-        f'<p class="verdict {"met" if flight.passed else "missed"}">{text}</p>\n'
-        f"{html.listed(story(flight), 'story')}{_said(flight)}{warnings}"
-    )
+def head(flight: Flight) -> Iterator[Html]:
+    """Title, chips, verdict, story, what the controller said, and warnings."""
+    said, met = diagnoses(flight), "met" if flight.passed else "missed"
+    sentence = tag("p", verdict(flight), class_=f"verdict {met}")
+    yield html.opening(flight.scenario.name, story(flight), facts(flight), sentence)
+    if said:
+        yield html.folded(said[0], html.listed(said[1:])) if said[1:] else tag("p", said[0])
+    for warning in flight.warnings:
+        yield tag("p", f"Warning: {warning}", class_="missed")
 
 
-def _said(flight: Flight) -> str:
-    """What the controller said, folded: the first of it can be read."""
-    said = diagnoses(flight)
-    if not said:
-        return ""
-    return html.folded(said[0], html.listed(said[1:])) if said[1:] else f"<p>{escape(said[0])}</p>"
+def verdict(flight: Flight) -> Html:
+    """Whether it passed, how it ended, and how many requirements are met."""
+    total, met = len(flight.requirements), sum(bool(r["passed"]) for r in flight.requirements)
+    counted = f"{met} of {total} requirements met." if total else "the scenario has no requirements."
+    word = tag("strong", "Passed." if flight.passed else "Not passed.")
+    return html.joined([word, f" It {flight.outcome.sentence} ({flight.end_time_s:g} s); {counted}"])
 
 
 def facts(flight: Flight) -> dict[str, str]:
@@ -71,11 +63,15 @@ def facts(flight: Flight) -> dict[str, str]:
     }
 
 
-def requirements(flight: Flight) -> str:
+def in_order(flight: Flight) -> list[Mapping[str, Any]]:
+    """The verdicts on its requirements, missed ones first."""
+    return sorted(flight.requirements, key=lambda r: bool(r["passed"]))
+
+
+def requirements(flight: Flight) -> Iterator[Html]:
     """The requirements, missed ones first, with margins as bars."""
     if not flight.requirements:
-        return ""
-    order = sorted(flight.requirements, key=lambda r: bool(r["passed"]))
+        return
     caption = (
         "Value: the worst value. Bar: how much of the limit it takes; the line is the limit. "
         "Robustness: the distance from the limit in units of its scale, negative where it is not met."
@@ -88,11 +84,11 @@ def requirements(flight: Flight) -> str:
         "robustness": lambda r: rounded(r.get("robustness")),
         "remark": lambda r: r.get("reason", ""),
     }
-    table = html.listing(order, columns, caption, lambda r: "met" if r["passed"] else "missed")
-    return f"<h2>Requirements</h2>\n{table}"
+    yield tag("h2", "Requirements")
+    yield html.listing(in_order(flight), columns, caption, lambda r: "met" if r["passed"] else "missed")
 
 
-def _bar(requirement: Mapping[str, Any]) -> html.Html | str:
+def _bar(requirement: Mapping[str, Any]) -> str:
     """The worst value as a share of the limit, up to twice the limit; empty where there is no such share."""
     value, margin = requirement["value"], requirement.get("margin")
     if value is None or margin is None or not math.isfinite(value) or not math.isfinite(margin):
@@ -100,39 +96,37 @@ def _bar(requirement: Mapping[str, Any]) -> html.Html | str:
     allowed = abs(value) + margin if value >= 0 else None
     if not allowed or allowed <= 0.0:
         return ""
-    share = min(abs(value) / allowed, 2.0)
+    filled = tag("i", style=f"width:{50 * min(abs(value) / allowed, 2.0):.1f}%")
     kind = "margin" if requirement["passed"] else "margin missed"
-    return html.Html(
-        f'<span class="{kind}"><i style="width:{50 * share:.1f}%"></i><u style="left:50%"></u></span>'
-    )
+    return tag("span", filled, tag("u", style="left:50%"), class_=kind)
 
 
-def events(flight: Flight) -> str:
+def events(flight: Flight) -> Iterator[Html]:
     """What happened, in order of time."""
-    if not flight.events:
-        return "<h2>Events</h2>\n<p>Nothing broke, and nothing was flagged.</p>"
     columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
         "time [s]": lambda event: f"{event['time_s']:.3f}",
         "kind": lambda event: title(str(event["kind"])),
         "what": lambda event: describe(event, flight),
     }
-    return f"<h2>Events</h2>\n{html.listing(flight.events, columns)}"
+    yield tag("h2", "Events")
+    none = tag("p", "Nothing broke, and nothing was flagged.")
+    yield html.listing(flight.events, columns) if flight.events else none
 
 
-def metrics(flight: Flight) -> str:
+def metrics(flight: Flight) -> Iterator[Html]:
     """The metrics by theme, each with its definition; those of another version of testbed last."""
     themes: dict[str, list[str]] = {}
     for name in flight.metrics:
         module = METRICS[name].__module__.rpartition(".")[2] if name in METRICS else ""
         themes.setdefault(_THEMES.get(module, "Others"), []).append(name)
-    parts = ["<h2>Metrics</h2>", html.note("A dash means that the metric has no value in this flight.")]
     columns: dict[str, Callable[[str], html.Cell]] = {
         "metric": str,
         "definition and [unit]": definition,
         "value": lambda name: rounded(flight.metrics[name]),
     }
-    parts += (html.folded(theme, html.listing(names, columns)) for theme, names in themes.items())
-    return "\n".join(parts)
+    yield tag("h2", "Metrics")
+    yield html.note("A dash means that the metric has no value in this flight.")
+    yield from (html.folded(theme, html.listing(names, columns)) for theme, names in themes.items())
 
 
 def definition(metric: str) -> str:
@@ -141,11 +135,13 @@ def definition(metric: str) -> str:
     return first_line(function) if function else ""
 
 
-def again(flight: Flight, how: str = AGAIN) -> str:
+def again(flight: Flight, how: Html = AGAIN) -> Iterator[Html]:
     """The resolved scenario, the versions, and the HTML `how` with the command that flies it again."""
+    yield tag("h2", "Fly it again")
+    yield how
+    yield html.folded("The scenario with all its values", tag("pre", dump(flight.scenario)))
     versions = ", ".join(f"{name} {_version(name)}" for name in ("testbed", "jsbsim", "numpy"))
-    scenario = html.folded("The scenario with all its values", f"<pre>{escape(dump(flight.scenario))}</pre>")
-    return f"<h2>Fly it again</h2>\n{how}\n{scenario}\n{html.note(f'Report made with {versions}.')}"
+    yield html.note(f"Report made with {versions}.")
 
 
 def _version(name: str) -> str:

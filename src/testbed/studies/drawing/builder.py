@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from testbed.controllers.config import TABLE as CONTROLLERS
+from testbed.controllers.config import settings_of
 from testbed.controllers.user.own import OwnController
 from testbed.inputs.overrides import set_value
 from testbed.inputs.yaml_source import Source
@@ -89,11 +89,11 @@ class Builder:
         name = rest.partition(".")[0]
         if name == _PARAMETERS:
             return bool(self.own) and kind not in self.own
-        chosen = CONTROLLERS.get(str(self.base.tree["controller"]["type"]) if kind in self.own else kind)
+        chosen = settings_of(self.base.tree["controller"]["type"] if kind in self.own else kind)
         return chosen is not None and name in self._settings and name not in chosen.model_fields
 
     @cached_property
     def _settings(self) -> set[str]:
         """Names of settings that any of the compared controllers has."""
-        types = [CONTROLLERS.get(str(variant.values.get(TYPE))) for variant in self.variants]
+        types = [settings_of(variant.values.get(TYPE)) for variant in self.variants]
         return {name for settings in types if settings for name in settings.model_fields}

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from testbed.reporting.figures.sheet import Drawing, plain_text, save
 from testbed.reporting.palette import nth
+from testbed.study_reports.drawing import Draw, draw_all, figure, legend
 
 Summary = Mapping[str, Any]
 CAPTIONS = {
@@ -25,13 +24,7 @@ _MOST_INPUTS, _MOST_PANELS = 12, 6
 
 def draw_search(summary: Summary, folder: Path) -> list[Path]:
     """Draw every figure for which the summary has data into folder/figures; returns the files."""
-    files = []
-    for name, draw in TABLE.items():
-        with plain_text():
-            figure = draw(summary)
-            if figure is not None:
-                files.append(save(figure, folder, name))
-    return files
+    return draw_all(TABLE, folder, summary)
 
 
 def convergence(summary: Summary) -> Figure | None:
@@ -39,25 +32,17 @@ def convergence(summary: Summary) -> Figure | None:
     shown = [part for part in summary["parts"] if part.get("path")]
     if not shown:
         return None
-    figure = Drawing(figsize=(8.0, 4.0), layout="constrained")
-    axes = figure.subplots()
+    drawn, ((axes,),) = figure(8.0, 4.0)
     for i, part in enumerate(shown):
-        flights = [step["flights"] for step in part["path"]]
+        flights, distance = ([step[what] for step in part["path"]] for what in ("flights", "distance"))
         flights.append(max(part["flights"], flights[-1]))  # points that were asked for twice are flown once
-        distance = [step["distance"] for step in part["path"]]
-        axes.step(
-            flights,
-            [*distance, distance[-1]],
-            where="post",
-            label=part["label"] or None,
-            ms=4,
-            **nth(i, "marker"),
-        )
+        look = {"label": _label(part, shown), "ms": 4, **nth(i, "marker")}
+        axes.step(flights, [*distance, distance[-1]], where="post", **look)
     axes.set(xlabel="flights", ylabel="distance of the nearest failure")
-    _finish(axes, shown)
+    legend(axes, beside=True)
     axes.set_ylim(0.0, 1.1 * max(part["path"][0]["distance"] for part in shown) or 1.0)
     axes.set_xlim(left=0.0)
-    return figure
+    return drawn
 
 
 def path(summary: Summary) -> Figure | None:
@@ -65,19 +50,17 @@ def path(summary: Summary) -> Figure | None:
     shown = [part for part in summary["parts"] if len(part.get("path", ())) > 1][:_MOST_PANELS]
     if not shown:
         return None
-    figure = Drawing(figsize=(8.0, 2.6 * len(shown)), layout="constrained")
-    for i, (axes, part) in enumerate(zip(np.ravel(figure.subplots(len(shown), 1)), shown, strict=True)):
+    drawn, grid = figure(8.0, 2.6 * len(shown), len(shown))
+    for axes, part in zip(grid.flat, shown, strict=True):
         names = sorted(part["point"], key=lambda name: -part["point"][name]["share"])[:_MOST_INPUTS]
         for j, name in enumerate(names):
             values = [step["coordinates"][name] for step in part["path"]]
             axes.plot(range(1, len(values) + 1), values, label=name, ms=4, **nth(j, "marker"))
         axes.set(ylabel="standard deviations", title=part["label"])
-        axes.grid(alpha=0.3)
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))
-        axes.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
-        if i == len(shown) - 1:
-            axes.set_xlabel("nearer failures, in the order in which they were found")
-    return figure
+        legend(axes, beside=True)
+    grid[-1, 0].set_xlabel("nearer failures, in the order in which they were found")
+    return drawn
 
 
 def levels(summary: Summary) -> Figure | None:
@@ -85,37 +68,30 @@ def levels(summary: Summary) -> Figure | None:
     shown = [part for part in summary["parts"] if len(part.get("levels", ())) > 1]
     if not shown:
         return None
-    figure = Drawing(figsize=(8.0, 4.0), layout="constrained")
-    axes = figure.subplots()
+    drawn, ((axes,),) = figure(8.0, 4.0)
     for i, part in enumerate(shown):
         known = [level for level in part["levels"] if level["threshold"] is not None and level["probability"]]
-        at = [level["threshold"] for level in known]
         products = np.cumprod([level["probability"] for level in known])
         spread = np.sqrt(np.cumsum([(level["cov"] or 0.0) ** 2 for level in known]))
         ends = products * np.exp(np.outer([-1.96, 1.96], np.sqrt(np.log1p(spread**2))))
+        look = {"capsize": 3, "ms": 4, "label": _label(part, shown), **nth(i, "marker")}
         axes.errorbar(
-            at,
+            [level["threshold"] for level in known],
             products,
             yerr=[products - ends[0], ends[1] - products],
-            capsize=3,
-            label=part["label"] or None,
-            ms=4,
-            **nth(i, "marker"),
+            **look,
         )
     axes.set_yscale("log")
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
     axes.set(xlabel="robustness", ylabel="probability of at most this")
     axes.axvline(0.0, color="0.35", ls=":")
-    _finish(axes, shown)
-    return figure
+    legend(axes, beside=True)
+    return drawn
 
 
-def _finish(axes: Axes, shown: Sequence[Summary]) -> None:
-    """Grid, and a legend beside the panel if there is more than one line."""
-    axes.grid(alpha=0.3)
-    if len(shown) > 1:
-        axes.legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+def _label(part: Summary, among: list[Summary]) -> str | None:
+    """The name of a part in the legend, if it is not the only one."""
+    return part["label"] or None if len(among) > 1 else None
 
 
-Draw = Callable[[Summary], Figure | None]
 TABLE: dict[str, Draw] = {"convergence": convergence, "path": path, "levels": levels}

@@ -6,7 +6,7 @@ Everything is read from the folder.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +14,11 @@ from testbed.flight import folder as run_folder
 from testbed.reporting import html
 from testbed.reporting.comparison.compare import Comparison
 from testbed.reporting.comparison.figure import picture
+from testbed.reporting.html import Html, Part
 from testbed.study_reports.search import sections
 from testbed.study_reports.search.figures import CAPTIONS, draw_search
 
-Summary = dict[str, Any]
+Summary = Mapping[str, Any]
 
 
 def write_search_page(folder: str | Path) -> Path:
@@ -28,28 +29,24 @@ def write_search_page(folder: str | Path) -> Path:
     folder = Path(folder).resolve()
     summary: Summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     draw_search(summary, folder)
-    return html.write_page(folder / "report.html", summary["search"], _parts(summary, folder), ["sweep.css"])
+    return html.write_page(folder / "report.html", summary["search"], _parts(summary, folder))
 
 
-def _parts(summary: Summary, folder: Path) -> Iterator[str]:
-    yield from sections.head(summary)
-    yield from sections.probabilities(summary)
-    yield from sections.design_points(summary)
-    for part in summary["parts"]:
-        if part["found"]:
-            yield from _flight(part, folder)
-    yield from html.figures(folder / "figures", CAPTIONS)
-    yield from sections.levels(summary)
-    yield from sections.searches(summary)
+def _parts(summary: Summary, folder: Path) -> Iterator[Part]:
+    yield sections.head(summary)
+    yield sections.probabilities(summary)
+    yield sections.design_points(summary)
+    yield (_flight(part, folder) for part in summary["parts"] if part["found"])
+    yield html.figures(folder / "figures", CAPTIONS)
+    yield sections.levels(summary)
+    yield sections.searches(summary)
 
 
-def _flight(part: Summary, folder: Path) -> Iterator[str]:
+def _flight(part: Summary, folder: Path) -> Iterator[Html]:
     """The flight found beside the one at the origin: a picture, and a link to the page that compares them."""
-    name = Path(
-        part["folder"]
-    ).name  # summary.json may be somebody else's, and say a path that leads out of the folder
+    name = Path(part["folder"]).name  # a summary from somebody else names no other place
     found, origin = folder / name, folder / name.replace("found", "origin", 1)
-    if not (found / "log.csv").is_file() or not (origin / "log.csv").is_file():
+    if not name.startswith("found") or not all((each / "log.csv").is_file() for each in (found, origin)):
         return
     flights = [run_folder.load(origin), run_folder.load(found)]
     if not all(flight.actuators for flight in flights):  # made up by a function of the user's
@@ -60,8 +57,8 @@ def _flight(part: Summary, folder: Path) -> Iterator[str]:
     yield html.picture(
         picture(comparison), f"The flight found, and the one at the origin of the search{label}"
     )
-    yield html.note(
-        html.Html(
-            f'<a href="{page.name}">Both flights side by side</a>, <a href="{found.name}/report.html">the flight found</a>.'
-        )
-    )
+    links = [
+        html.link("Both flights side by side", page.name),
+        html.link("the flight found", f"{name}/report.html"),
+    ]
+    yield html.note(html.joined(links, ", "), ".")

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from html import escape
 from itertools import accumulate
 from operator import itemgetter, mul
 from typing import Any
 
 from testbed.reporting import html
+from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import number
 from testbed.study_reports.search.words import answer, rounded
 
@@ -16,27 +16,26 @@ Summary = Mapping[str, Any]
 Columns = dict[str, Callable[[Summary], html.Cell]]
 
 
-def head(summary: Summary) -> Iterator[str]:
+def head(summary: Summary) -> Html:
     """Title, chips, the answer in sentences."""
     facts = {"goal": summary["goal"], "flights": str(summary["flights"]), "budget": f"{summary['budget']} each",
              "seed": str(summary["seed"]), "varied": ", ".join(summary["varied"])}  # fmt: skip
     if summary["requirement"]:
         facts["requirement"] = summary["requirement"]
-    yield f"<h1>{escape(summary['search'])}</h1>"
-    yield html.chips(facts)
-    yield html.listed(answer(summary), "story")
+    return html.opening(summary["search"], answer(summary), facts)
 
 
-def probabilities(summary: Summary) -> Iterator[str]:
+def probabilities(summary: Summary) -> Iterator[Html]:
     """The probability of each variant, and of each part, with what plain sampling would need."""
     if summary["goal"] != "probability":
         return
-    yield "<h2>How likely a requirement is broken</h2>"
+    yield tag("h2", "How likely a requirement is broken")
     known = [{**v["probability"], "label": v["label"] or "all", "weight": ""} for v in summary["variants"]]
     if len(summary["parts"]) > len(summary["variants"]):
         for part in summary["parts"]:
             weight = number(part["weight"], ".3g")
-            known.append({**part["probability"], **_chosen(part, "label", "reason"), "weight": weight})
+            about = {"label": part["label"], "reason": part["reason"], "weight": weight}
+            known.append({**part["probability"], **about})
     columns: Columns = {
         "": itemgetter("label"),
         "weight": itemgetter("weight"),
@@ -54,16 +53,12 @@ def probabilities(summary: Summary) -> Iterator[str]:
     )
 
 
-def _chosen(part: Summary, *keys: str) -> dict[str, Any]:
-    return {key: part[key] for key in keys}
-
-
-def design_points(summary: Summary) -> Iterator[str]:
+def design_points(summary: Summary) -> Iterator[Html]:
     """For each part that found a failure: every input with its value, and a bar for its share of the squared distance."""
     found = [part for part in summary["parts"] if part["found"] and part["distance"]]
     if not found:
         return
-    yield "<h2>What it takes</h2>"
+    yield tag("h2", "What it takes")
     columns: Columns = {
         "input": itemgetter("input"),
         "value found": itemgetter("value"),
@@ -72,13 +67,13 @@ def design_points(summary: Summary) -> Iterator[str]:
         "values at least as far": lambda each: number(each["beyond"], ".2g"),
     }
     for part in found:
-        yield f"<h3>{escape(part['label'])}</h3>" if part["label"] else ""
+        yield tag("h3", part["label"]) if part["label"] else Html()
         inputs = [{"input": name, **each} for name, each in part["point"].items()]
         bars = (
             html.bar(each["input"], each["share"], number(each["value"], ".3g"))
             for each in sorted(inputs, key=lambda each: -each["share"])
         )
-        yield f'<div class="drivers">{"".join(bars)}</div>'
+        yield tag("div", bars, class_="drivers")
         yield html.folded("As numbers", html.listing(inputs, columns))
     yield html.note(
         "Bars: the share of each input in the squared distance of the failure found from the origin; in the number, its value. "
@@ -86,7 +81,7 @@ def design_points(summary: Summary) -> Iterator[str]:
     )
 
 
-def levels(summary: Summary) -> Iterator[str]:
+def levels(summary: Summary) -> Iterator[Html]:
     """The levels of subset simulation: how the probability is the product of larger ones."""
     columns: Columns = {
         "robustness at most": itemgetter("threshold"),
@@ -103,7 +98,7 @@ def levels(summary: Summary) -> Iterator[str]:
             yield html.folded(f"Levels {part['label']}".strip(), html.listing(rows, columns))
 
 
-def searches(summary: Summary) -> Iterator[str]:
+def searches(summary: Summary) -> Iterator[Html]:
     """Every search that was made, in a table."""
     columns: Columns = {
         "search": lambda part: part["label"] or "all",

@@ -11,6 +11,7 @@ import numpy as np
 from testbed.air.config import COLUMNS
 from testbed.common.units import unit
 from testbed.flight.flight import Flight
+from testbed.reporting.comparison.differences import settings_by_path
 from testbed.reporting.numbers import number
 from testbed.reporting.words import broke, joined
 
@@ -160,17 +161,9 @@ def _from(north: float, east: float) -> str:
 
 def _value(flight: Flight, parts: list[str]) -> str:
     """`controller.model_error.Cm_alpha = 1.21`."""
-    node: Any = flight.scenario.model_dump(mode="json")
-    for part in parts:
-        node = (
-            node[int(part)]
-            if isinstance(node, list)
-            else (node or {}).get(part)
-            if isinstance(node, dict)
-            else None
-        )
     path = ".".join(parts)
-    shown = number(node, ".3g") if isinstance(node, int | float) else str(node)
+    value = settings_by_path(flight.scenario).get(path)
+    shown = number(value, ".3g") if isinstance(value, int | float) else str(value)
     return f"{path} = {shown} {unit(path)}".rstrip()
 
 

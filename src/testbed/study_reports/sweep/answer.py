@@ -44,7 +44,10 @@ def _percent(share: float | None) -> str:
 
 def _against(summary: Mapping[str, Any], best: Mapping[str, Any], other: Mapping[str, Any]) -> str:
     """`Compared with fixed (42 of 60 flights, 57 to 80 %): better in 16 paired runs, worse in none.`"""
-    pair = next(p for p in summary["pairs"] if {p["first"], p["second"]} == {best["label"], other["label"]})
+    both = {best["label"], other["label"]}
+    pair = next((p for p in summary["pairs"] if {p["first"], p["second"]} == both), None)
+    if pair is None:
+        return f"{other['label']} was not compared with it."
     better, worse = pair["only_first"], pair["only_second"]
     if pair["first"] != best["label"]:
         better, worse = worse, better

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -62,31 +61,25 @@ def pass_shares(rows: pd.DataFrame, path: str) -> list[Point]:
     The parts have as equal numbers of flights as can be: ten, or fewer so that each has 8 flights. Of ten different numbers or
     fewer, such as those of a choice, each is a part.
     """
-    passed = rows["passed"].to_numpy(dtype=bool)
-    if is_number(rows[path]):
-        return list(_of_numbers(rows[path].to_numpy(dtype=float), passed))
-    names = rows[path].astype(str).to_numpy()
-    return [Point(str(name), _proportion(passed[names == name])) for name in np.unique(names)]
+    values, passed = rows[path], rows["passed"].astype(bool)
+    names = None if is_number(values) else values.astype(str)
+    return [
+        Point(
+            float(values[part.index].mean()) if names is None else str(at),
+            proportion(int(part.sum()), len(part)),
+        )
+        for at, part in passed.groupby(_parts(values) if names is None else names)
+    ]
 
 
-def _of_numbers(x: np.ndarray, passed: np.ndarray) -> Iterator[Point]:
-    which = _parts(x)
-    for part in np.unique(which):
-        yield Point(float(x[which == part].mean()), _proportion(passed[which == part]))
+def _parts(values: pd.Series) -> pd.Series:
+    """The part in which each number is."""
+    import pandas as pd
 
-
-def _parts(x: np.ndarray) -> np.ndarray:
-    """[flights] the number of the part in which each value is."""
-    levels, of_level = np.unique(x, return_inverse=True)
-    if len(levels) <= _BINS:
-        return of_level
-    parts = min(_BINS, max(2, len(x) // _FLIGHTS_OF_A_BIN))
-    edges = np.unique(np.quantile(x, np.linspace(0, 1, parts + 1)))
-    return np.clip(np.searchsorted(edges, x, side="right") - 1, 0, max(len(edges) - 2, 0))
-
-
-def _proportion(passed: np.ndarray) -> Proportion:
-    return proportion(int(passed.sum()), len(passed))
+    if values.nunique() <= _BINS:
+        return values
+    most = min(_BINS, max(2, len(values) // _FLIGHTS_OF_A_BIN))
+    return pd.qcut(values, most, labels=False, duplicates="drop")
 
 
 def error_band(folder: Path, flights: np.ndarray, channel: str) -> Band | None:

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from testbed.common.statistics import proportion
-from testbed.reporting.figures.sheet import Drawing, plain_text, save
 from testbed.reporting.palette import COLOURS, MET, MISSED, nth
 from testbed.studies.folder.reading import groups_of, unit
 from testbed.studies.plan import Plan
+from testbed.studies.sensitivity import sensitivity
 from testbed.studies.summary import requirement_titles
 from testbed.studies.verdicts import state
+from testbed.study_reports.drawing import Draw, draw_all, figure, legend
 from testbed.study_reports.sweep.curves import is_number
 from testbed.study_reports.sweep.flights import errors, shares
 
@@ -34,77 +35,71 @@ _MOST_PANELS, _MOST_POINTS = 9, 3000
 
 def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
     """Draw every figure for which the table has data into folder/figures; returns the files."""
-    files = []
-    for name, draw in TABLE.items():
-        with plain_text():
-            figure = draw(plan, frame, folder)
-            if figure is not None:
-                files.append(save(figure, folder, name))
-    return files
+    return draw_all(TABLE, folder, plan, frame, folder)
 
 
 def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """Probability that all requirements are met, and that each is met, with 95 % intervals."""
-    titles = requirement_titles(plan)
-    names = ["all requirements", *titles]
-    columns = ["passed", *(f"requirements.{j}.passed" for j in range(len(titles)))]
-    figure, axes = _figure(8.0, 0.9 + 0.42 * len(names))
+    names = ["all requirements", *requirement_titles(plan)]
+    columns = ["passed", *(f"requirements.{j}.passed" for j in range(len(names) - 1))]
+    drawn, ((axes,),) = figure(8.0, 0.9 + 0.42 * len(names))
     for i, (label, rows) in enumerate(groups_of(plan, frame)):
-        offset = 0.12 * (i - (len(plan.variants) - 1) / 2)
-        for j, column in enumerate(columns):
-            known = proportion(int((rows[column] == True).sum()) if column in rows else 0, len(rows))  # noqa: E712
-            error = [[max(0.0, known.estimate - known.low)], [max(0.0, known.high - known.estimate)]]
-            named = (label or None) if j == 0 else None
-            axes.errorbar(
-                known.estimate,
-                j + offset,
-                xerr=error,
-                ls="",
-                ms=4,
-                capsize=2,
-                label=named,
-                **nth(i, "marker"),
-            )
+        met = [int((rows[column] == True).sum()) if column in rows else 0 for column in columns]  # noqa: E712
+        known = [proportion(count, len(rows)) for count in met]
+        at = np.array([(share.estimate, share.low, share.high) for share in known])
+        _intervals(axes, at, i, label, len(plan.variants), "x")
     axes.set(yticks=range(len(names)), yticklabels=[_short(n) for n in names], xlim=(-0.02, 1.02))
     axes.invert_yaxis()
     axes.set_xlabel("probability of being met, 95 % interval")
-    _legend(axes)
-    return figure
+    legend(axes)
+    return drawn
+
+
+def _intervals(axes: Axes, known: np.ndarray, i: int, label: str, variants: int, along: str) -> None:
+    """Draw [names, 3] shares with their lowest and highest values, those of the i-th variant beside the others'."""
+    share, low, high = known.T
+    where = np.arange(len(share)) + 0.12 * (i - (variants - 1) / 2)
+    error = np.maximum([share - low, high - share], 0.0)
+    at = (share, where) if along == "x" else (where, share)
+    look: dict[str, Any] = {
+        f"{along}err": error,
+        "ls": "",
+        "capsize": 2,
+        "ms": 4,
+        "label": label or None,
+        **nth(i, "marker"),
+    }
+    axes.errorbar(*at, **look)
 
 
 def pass_share(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """Share of flights that pass along each varied value, with its 95 % interval."""
-    drawn = shares(plan, frame)[:_MOST_PANELS]
-    if not drawn:
+    panels = shares(plan, frame)[:_MOST_PANELS]
+    if not panels:
         return None
-    columns = min(len(drawn), 3)
-    rows = -(-len(drawn) // columns)
-    figure, grid = _figure(1.0 + 3.6 * columns, 0.6 + 2.7 * rows, rows, columns, share_x=False)
-    for axes in np.ravel(grid)[len(drawn) :]:
+    columns = min(len(panels), 3)
+    rows = -(-len(panels) // columns)
+    drawn, grid = figure(1.0 + 3.6 * columns, 0.6 + 2.7 * rows, rows, columns)
+    for axes in grid.flat[len(panels) :]:
         axes.set_visible(False)
-    for k, (axes, panel) in enumerate(zip(np.ravel(grid), drawn, strict=False)):
+    for k, (axes, panel) in enumerate(zip(grid.flat, panels, strict=False)):
         for i, (points, variant) in enumerate(zip(panel["variants"], plan.variants, strict=True)):
             _share(axes, points, i, variant.label, len(plan.variants))
         axes.set(xlabel=_axis(panel["path"]), ylim=(-0.02, 1.02))
-        if k % columns == 0:
-            axes.set_ylabel("share that passes")
-    _legend(np.ravel(grid)[0])
-    return figure
+        axes.set_ylabel("" if k % columns else "share that passes")
+    legend(grid[0, 0])
+    return drawn
 
 
-def _share(axes: Any, points: list[list[Any]], i: int, label: str, variants: int) -> None:
+def _share(axes: Axes, points: list[list[Any]], i: int, label: str, variants: int) -> None:
     """The points [at, share, low, high, flights] of a variant: beside each other for names, as a line for numbers."""
-    at = [point[0] for point in points]
-    share, low, high = np.array([point[1:4] for point in points], dtype=float).T
+    at, known = [point[0] for point in points], np.array([point[1:4] for point in points], dtype=float)
     if at and isinstance(at[0], str):
-        where = np.arange(len(at)) + 0.12 * (i - (variants - 1) / 2)
-        error = np.maximum([share - low, high - share], 0.0)
-        axes.errorbar(
-            where, share, yerr=error, ls="", capsize=2, ms=4, label=label or None, **nth(i, "marker")
-        )
-        axes.set_xticks(range(len(at)), map(_short, at))
+        _intervals(axes, known, i, label, variants, "y")
+        axes.set_xticks(range(len(at)), [_short(name) for name in at])
         axes.set_xlim(-0.5, len(at) - 0.5)
         return
+    share, low, high = known.T
     axes.plot(at, share, ms=4, label=label or None, **nth(i, "marker", "ls"))
     axes.fill_between(at, low, high, color=COLOURS[i % 6], alpha=0.2)
 
@@ -114,21 +109,19 @@ def flight_map(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     numbers = [path for path in plan.paths if is_number(frame[path])][:2]
     if len(numbers) < 2:
         return None
-    count = len(plan.variants)
-    figure, grid = _figure(1.0 + 3.4 * count, 3.6, 1, count)
-    for axes, (label, rows) in zip(np.ravel(grid), groups_of(plan, frame), strict=True):
+    drawn, (cells,) = figure(1.0 + 3.4 * len(plan.variants), 3.6, 1, len(plan.variants), share=True)
+    for axes, (label, rows) in zip(cells, groups_of(plan, frame), strict=True):
         ended = np.array(
             [state(str(o), bool(p)) for o, p in zip(rows["outcome"], rows["passed"], strict=True)]
         )
         for name, style in _ENDINGS.items():
-            those = rows[ended == name]
-            if len(those):
-                first = those.head(_MOST_POINTS)
-                axes.scatter(first[numbers[0]], first[numbers[1]], label=f"{name} ({len(those)})", **style)
+            if (count := int((ended == name).sum())) > 0:
+                first = rows[ended == name].head(_MOST_POINTS)
+                axes.scatter(first[numbers[0]], first[numbers[1]], label=f"{name} ({count})", **style)
         axes.set(xlabel=_axis(numbers[0]), title=label)
         axes.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
-    np.ravel(grid)[0].set_ylabel(_axis(numbers[1]))
-    return figure
+    cells[0].set_ylabel(_axis(numbers[1]))
+    return drawn
 
 
 def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
@@ -136,26 +129,23 @@ def envelope(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     panels, count = list(errors(plan, frame, folder)), len(plan.variants)
     if not panels:
         return None
-    figure, grid = _figure(1.2 + 3.8 * count, 2.7 * len(panels), len(panels), count)
-    cells = np.reshape(grid, (len(panels), count))
-    for panel, row in zip(panels, cells, strict=True):
+    drawn, grid = figure(1.2 + 3.8 * count, 2.7 * len(panels), len(panels), count, share=True)
+    for panel, row in zip(panels, grid, strict=True):
         for i, (axes, band) in enumerate(zip(row, panel["variants"], strict=True)):
             if band is not None:
                 _band(axes, panel["times"], band, i)
             for limit in panel["limits"]:
-                span = [limit["from_s"], limit["until_s"]]
                 for size in (-limit["size"], limit["size"]):
-                    axes.plot(span, [size, size], color=MISSED, ls=":", lw=1.2)
+                    axes.plot([limit["from_s"], limit["until_s"]], [size, size], color=MISSED, ls=":", lw=1.2)
         row[0].set_ylabel(panel["title"])
         _linear_then_logarithmic(row[0], panel["linear"])  # of all the row, which shares its axis
-    for axes, variant in zip(cells[0], plan.variants, strict=True):
-        axes.set_title(variant.label, fontsize=10)
-    for axes in cells[-1]:
-        axes.set_xlabel("time [s]")
-    return figure
+    for above, below, variant in zip(grid[0], grid[-1], plan.variants, strict=True):
+        above.set_title(variant.label, fontsize=10)
+        below.set_xlabel("time [s]")
+    return drawn
 
 
-def _linear_then_logarithmic(axes: Any, linear: float) -> None:
+def _linear_then_logarithmic(axes: Axes, linear: float) -> None:
     """A y axis that is linear up to a size, and logarithmic beyond: a loss and a good flight are seen in one picture."""
     most = 1.3 * max(map(abs, axes.get_ylim()))
     axes.set_yscale("asinh", linear_width=linear)
@@ -166,7 +156,7 @@ def _linear_then_logarithmic(axes: Any, linear: float) -> None:
     axes.set_ylim(-most, most)
 
 
-def _band(axes: Any, times: list[float], band: dict[str, Any], i: int) -> None:
+def _band(axes: Axes, times: list[float], band: dict[str, Any], i: int) -> None:
     low, median, high, largest = (np.array(band[k], float) for k in ("low", "median", "high", "largest"))
     axes.fill_between(times, low, high, color=COLOURS[i % 6], alpha=0.25, label="5 to 95 %")
     axes.plot(times, median, color=COLOURS[i % 6], lw=1.8, label="median")
@@ -178,50 +168,35 @@ def detection_delay(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | N
     """Cumulative distribution of the detection delay: share of detections within a delay, against that delay."""
     if "detection_delay_s" not in frame or not frame["detection_delay_s"].notna().any():
         return None
-    figure, axes = _figure(7.0, 4.0)
+    drawn, ((axes,),) = figure(7.0, 4.0)
     for i, (label, rows) in enumerate(groups_of(plan, frame)):
-        delays = np.sort(rows["detection_delay_s"].dropna().to_numpy(dtype=float))
+        delays = rows["detection_delay_s"].dropna().to_numpy(dtype=float)
         if len(delays):
-            words = f"{label or 'all'}: {len(delays)} of {len(rows)} flights"
-            shares_within = np.arange(1, len(delays) + 1) / len(delays)
-            axes.step(delays, shares_within, where="post", label=words, **nth(i, "ls"))
+            axes.ecdf(delays, label=f"{label or 'all'}: {len(delays)} of {len(rows)} flights", **nth(i, "ls"))
     axes.set(xlabel="detection delay [s]", ylabel="share of detections", ylim=(0, 1.02))
-    _legend(axes)
-    return figure
+    legend(axes)
+    return drawn
 
 
 def drivers(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """PAWN sensitivity of passing to each varied value, with the index that chance alone would give."""
-    from testbed.studies.sensitivity import sensitivity
-
-    found = {
-        label: sensitivity(rows, plan.paths, ["passed"])["passed"] for label, rows in groups_of(plan, frame)
-    }
-    usable = {label: result["inputs"] for label, result in found.items() if "inputs" in result}
-    if not usable:
+    found = [sensitivity(rows, plan.paths, ["passed"])["passed"] for _, rows in groups_of(plan, frame)]
+    if not any("inputs" in result for result in found):
         return None
-    figure, axes = _figure(7.0, 1.2 + 0.5 * len(plan.paths))
-    labels = [v.label for v in plan.variants]
-    for label, inputs in usable.items():
-        i = labels.index(label)
-        where = [plan.paths.index(name) + 0.25 * (i - (len(labels) - 1) / 2) for name in inputs]
-        axes.barh(
-            where, [r["pawn"] for r in inputs.values()], height=0.22, color=COLOURS[i % 6], hatch=_HATCHES[i % 4],
-            edgecolor="white", label=label or None,
-        )  # fmt: skip
-        axes.axvline(next(iter(inputs.values()))["pawn_by_chance"], color=COLOURS[i % 6], ls=":", lw=1)
-    indicative = ", indicative" if any(result.get("indicative") for result in found.values()) else ""
-    axes.set(
-        yticks=range(len(plan.paths)),
-        yticklabels=plan.paths,
-        xlabel=f"PAWN index on passing{indicative}; dotted: by chance",
-    )
+    drawn, ((axes,),) = figure(7.0, 1.2 + 0.5 * len(plan.paths))
+    for i, (result, variant) in enumerate(zip(found, plan.variants, strict=True)):
+        if inputs := result.get("inputs"):
+            where = [plan.paths.index(name) + 0.25 * (i - (len(found) - 1) / 2) for name in inputs]
+            look = {"color": COLOURS[i % 6], "hatch": _HATCHES[i % 4], "edgecolor": "white"}
+            axes.barh(where, [r["pawn"] for r in inputs.values()], 0.22, label=variant.label or None, **look)
+            axes.axvline(next(iter(inputs.values()))["pawn_by_chance"], color=COLOURS[i % 6], ls=":", lw=1)
+    indicative = ", indicative" if any(result.get("indicative") for result in found) else ""
+    axes.set_yticks(range(len(plan.paths)), plan.paths)
+    axes.set_xlabel(f"PAWN index on passing{indicative}; dotted: by chance")
     axes.invert_yaxis()
-    _legend(axes)
-    return figure
+    legend(axes)
+    return drawn
 
-
-Draw = Callable[[Plan, "pd.DataFrame", Path], Figure | None]
 
 TABLE: dict[str, Draw] = {
     "probabilities": probabilities,
@@ -231,21 +206,6 @@ TABLE: dict[str, Draw] = {
     "detection_delay": detection_delay,
     "drivers": drivers,
 }
-
-
-def _figure(
-    width: float, height: float, rows: int = 1, columns: int = 1, *, share_x: bool = True
-) -> tuple[Figure, Any]:
-    figure = Drawing(figsize=(width, height), layout="constrained")
-    axes = figure.subplots(rows, columns, squeeze=False, sharex=share_x and rows * columns > 1, sharey="row")
-    for each in axes.flat:
-        each.grid(alpha=0.3)
-    return figure, axes if rows * columns > 1 else axes[0, 0]
-
-
-def _legend(axes: Any) -> None:
-    if axes.get_legend_handles_labels()[1]:
-        axes.legend(fontsize=8)
 
 
 def _axis(name: str) -> str:

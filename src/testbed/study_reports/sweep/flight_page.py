@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from html import escape
 from pathlib import Path
 
 from testbed.flight.flight import Flight
 from testbed.reporting import html, run_report
+from testbed.reporting.html import tag
 from testbed.studies.folder import logs
 
 FOLDER = "flights"
@@ -21,16 +21,16 @@ def page_of(log: Path) -> Path:
 def write_kept_page(flight: Flight, log: Path) -> Path:
     """Write the page of the flight of a kept log; returns its file. Raises OSError when it cannot be written."""
     file = page_of(log)
-    back = html.Html(f'<p class="note">Run {logs.run_of(log)} of <a href="../report.html">a sweep</a>.</p>')
+    back = html.note(f"Run {logs.run_of(log)} of ", html.link("a sweep", "../report.html"), ".")
     return run_report.write_page(flight, file, again=_again(log), back=back, within=log.parent.parent)
 
 
-def _again(log: Path) -> str:
-    command = only(logs.run_of(log), logs.label_of(log))
-    return (
-        "<p>Run this in the folder of the sweep. It flies the same flight, and keeps its log in full precision; "
-        f"here it has single precision.</p>\n<pre>{escape(command)}</pre>"
+def _again(log: Path) -> html.Html:
+    said = (
+        "Run this in the folder of the sweep. It flies the same flight, and keeps its log in full precision; "
+        "here it has single precision."
     )
+    return html.joined([tag("p", said), tag("pre", only(logs.run_of(log), logs.label_of(log)))])
 
 
 def only(run: int, variant: str, sweep: str = "sweep.yaml") -> str:

@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from functools import partial
-from html import escape
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from operator import itemgetter
 from typing import Any
 
 from testbed.reporting import html
-from testbed.reporting.html import Html
+from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import interval, number
 from testbed.reporting.words import title
 from testbed.study_reports.sweep.answer import answer, ranked
 from testbed.study_reports.sweep.flight_page import only
 
 Summary = Mapping[str, Any]
+Pages = Mapping[tuple[str, int], str]
+"""Pages of flights, by the label of the variant and the run."""
 
 
-def head(summary: Summary) -> Iterator[str]:
+def head(summary: Summary) -> Iterator[Html]:
     """Title, chips, the answer in sentences."""
-    yield f"<h1>{escape(summary['sweep'])}</h1>"
-    yield html.chips(_facts(summary))
-    yield html.listed(answer(summary), "story")
+    yield html.opening(summary["sweep"], answer(summary), _facts(summary))
     if not summary["probabilistic"]:
         yield html.note(
             "These runs are not a random sample: the shares describe the runs flown and are not probabilities."
@@ -41,20 +39,16 @@ def _facts(summary: Summary) -> dict[str, str]:
     return facts | {"varied": ", ".join(summary["varied"])}
 
 
-def probabilities(summary: Summary) -> Iterator[str]:
+def probabilities(summary: Summary) -> Iterator[Html]:
     """Dots with intervals for each requirement, those missed most first, and how flights ended."""
     variants = summary["variants"]
-    yield "<h2>How often the requirements are met</h2>"
+    yield tag("h2", "How often the requirements are met")
     if len(variants) > 1:
         yield html.legend([variant["label"] for variant in variants])
-    rows = [_dots("all requirements", [v["all_requirements"] for v in variants], "total")]
-    each = [
-        [v["requirements"][j] for v in variants]
-        for j in range(len(variants[0]["requirements"]) if variants else 0)
-    ]
-    for shares in sorted(each, key=lambda shares: min(share["estimate"] or 0.0 for share in shares)):
-        rows.append(_dots(shares[0]["name"], shares))
-    yield f'<div class="dots">{"".join(rows)}</div>'
+    each = list(zip(*(variant["requirements"] for variant in variants), strict=True))
+    each.sort(key=lambda shares: min(share["estimate"] or 0.0 for share in shares))
+    total = _dots("all requirements", [v["all_requirements"] for v in variants], "total")
+    yield tag("div", total, (_dots(shares[0]["name"], shares) for shares in each), class_="dots")
     ended = {"": lambda v: v["label"] or "all", "how flights ended": lambda v: _outcomes(v["outcomes"])}
     yield html.listing(variants, ended)
     yield html.note(
@@ -63,28 +57,28 @@ def probabilities(summary: Summary) -> Iterator[str]:
     )
 
 
-def _dots(name: str, shares: list[dict[str, Any]], kind: str = "") -> str:
-    lines = "".join(_dot(i, share) for i, share in enumerate(shares))
-    return f'<div class="requirement {kind}"><div class="name">{escape(name)}</div><div class="lines">{lines}</div></div>'
+def _dots(name: str, shares: Sequence[Mapping[str, Any]], kind: str = "") -> Html:
+    lines = tag("div", (_dot(i, share) for i, share in enumerate(shares)), class_="lines")
+    return tag("div", tag("div", name, class_="name"), lines, class_=f"requirement {kind}")
 
 
-def _dot(i: int, share: Mapping[str, Any]) -> str:
-    if share["estimate"] is None or share["low"] is None or share["high"] is None:
-        return '<div class="line"><div class="track"></div><div class="number">no runs</div></div>'
-    low, at, high = (100 * share[k] for k in ("low", "estimate", "high"))
-    count = f"{share['successes']} of {share['n']}"
-    return (
-        f'<div class="line"><div class="track"><i class="v{i % 6}" style="left:{low:.2f}%;width:{high - low:.2f}%"></i>'
-        f'<span style="left:{at:.2f}%">{html.mark(i)}</span></div>'
-        f'<div class="number" title="{count} flights">{interval(share)}</div></div>'
-    )
+def _dot(i: int, share: Mapping[str, Any]) -> Html:
+    known = not any(share[k] is None for k in ("low", "estimate", "high"))
+    inside, said, count = None, "no runs", None
+    if known:
+        low, at, high = (100 * share[k] for k in ("low", "estimate", "high"))
+        line = tag("i", class_=f"v{i % 6}", style=f"left:{low:.2f}%;width:{high - low:.2f}%")
+        inside = [line, tag("span", html.mark(i), style=f"left:{at:.2f}%")]
+        said, count = interval(share), f"{share['successes']} of {share['n']} flights"
+    number = tag("div", said, class_="number", title=count)
+    return tag("div", tag("div", inside, class_="track"), number, class_="line")
 
 
 def _outcomes(outcomes: Mapping[str, int]) -> Html:
-    return Html("<br>".join(f"{count} {escape(title(name))}" for name, count in outcomes.items()))
+    return html.joined((f"{count} {title(name)}" for name, count in outcomes.items()), tag("br"))
 
 
-def pairs(summary: Summary) -> Iterator[str]:
+def pairs(summary: Summary) -> Iterator[Html]:
     """The variants compared run by run."""
     if not summary["pairs"]:
         return
@@ -95,11 +89,11 @@ def pairs(summary: Summary) -> Iterator[str]:
         "only the second passed": lambda pair: pair["only_second"],
         "p (exact McNemar)": lambda pair: number(pair["p_value"], ".2g"),
     }
-    yield "<h2>Compared, run by run</h2>"
+    yield tag("h2", "Compared, run by run")
     yield html.listing(summary["pairs"], columns)
 
 
-def excursions(summary: Summary) -> Iterator[str]:
+def excursions(summary: Summary) -> Iterator[Html]:
     """Quantiles and tolerance bounds of the metrics."""
     metrics = [
         {"label": variant["label"], "name": name, **metric}
@@ -126,21 +120,21 @@ def excursions(summary: Summary) -> Iterator[str]:
     yield html.folded("How large every metric became", inside)
 
 
-def drivers(summary: Summary) -> Iterator[str]:
+def drivers(summary: Summary) -> Iterator[Html]:
     """What passing depends on, as bars; and the indices of other results."""
-    yield "<h2>Which varied values drive the result</h2>"
-    several = len(summary["variants"]) > 1
-    for i, variant in enumerate(summary["variants"]):
-        if several:
-            yield f"<h3>{html.mark(i)} {escape(variant['label'])}</h3>"
-        yield _bars(variant["sensitivity"].get("passed", {}), variant["all_requirements"]["n"], i)
+    variants = summary["variants"]
+    yield tag("h2", "Which varied values drive the result")
+    for i, variant in enumerate(variants):
+        if len(variants) > 1:
+            yield tag("h3", html.mark(i), " ", variant["label"])
+        yield from _bars(variant["sensitivity"].get("passed", {}), variant["all_requirements"]["n"], i)
     yield html.note(
         "Bars: how far the share that passes moves when one value is held in a part of its range (PAWN index, Pianosi and "
         "Wagener 2018). The line is what random numbers reach: what stays below it has no effect that these runs show."
     )
     rows = [
         row
-        for variant in summary["variants"]
+        for variant in variants
         for output, result in variant["sensitivity"].items()
         for row in _indices(variant["label"], output, result)
     ]
@@ -148,65 +142,59 @@ def drivers(summary: Summary) -> Iterator[str]:
     yield html.folded("Indices of every result", html.table(heads, rows))
 
 
-def _bars(result: Mapping[str, Any], runs: int, i: int) -> str:
+def _bars(result: Mapping[str, Any], runs: int, i: int) -> Iterator[Html]:
     inputs = result.get("inputs")
     if not inputs:
-        return f'<p class="note">No answer: {escape(result.get("reason", "nothing varies"))}.</p>'
-    said = (
-        f'<p class="note">Indicative: {runs} runs; 100 give an answer.</p>'
-        if result.get("indicative")
-        else ""
-    )
-    rows = "".join(_bar(name, index, i) for name, index in ranked(inputs))
-    return f'{said}<div class="drivers">{rows}</div>'
+        yield html.note(f"No answer: {result.get('reason', 'nothing varies')}.")
+        return
+    if result.get("indicative"):
+        yield html.note(f"Indicative: {runs} runs; 100 give an answer.")
+    yield tag("div", (_bar(name, index, i) for name, index in ranked(inputs)), class_="drivers")
 
 
-def _bar(name: str, index: Mapping[str, Any], i: int) -> str:
+def _bar(name: str, index: Mapping[str, Any], i: int) -> Html:
     size, chance = (min(index[k] or 0.0, 1.0) for k in ("pawn", "pawn_by_chance"))
     return html.bar(name, size, number(index["pawn"], ".2f"), i, chance, "" if index["matters"] else " weak")
 
 
 def _indices(label: str, output: str, result: Mapping[str, Any]) -> Iterator[Html]:
     if "reason" in result:
-        yield html.row([label, output, Html(f'<span class="note">{escape(result["reason"])}</span>'), "", ""])
+        yield html.row([label, output, tag("span", result["reason"], class_="note"), "", ""])
     for name, index in ranked(result.get("inputs", {})):
-        by_chance = (
-            ""
-            if index["matters"] or index["pawn"] is None
-            else ' <span class="note">no more than chance</span>'
-        )
+        weak = not index["matters"] and index["pawn"] is not None
+        about = [name, " ", tag("span", "no more than chance", class_="note")] if weak else name
         share = number(index["s1"], ".2f")
         if index["s1"] is not None:
             share += f" ± {number(index['s1_half_width'], '.2f', absent='unknown')}"
-        yield html.row([label, output, Html(escape(name) + by_chance), number(index["pawn"], ".2f"), share])
+        yield html.row([label, output, html.joined(about), number(index["pawn"], ".2f"), share])
 
 
-def worst(summary: Summary, folder_name: str) -> Iterator[str]:
+def worst(summary: Summary, folder_name: str, pages: Pages) -> Iterator[Html]:
     """The worst flights, each with what it missed, its page or the command that flies it again."""
-    yield "<h2>The worst flights</h2>"
     flights = [
         {"label": variant["label"], **flight}
         for variant in summary["variants"]
         for flight in variant["worst"]
     ]
+
+    def again(flight: Summary) -> Html:
+        if page := pages.get((flight["label"], flight["run"])):
+            return html.link("report", page)
+        return tag("code", only(flight["run"], "", f"{folder_name}/sweep.yaml"))
+
     columns: dict[str, Callable[[Summary], html.Cell]] = {
         "": itemgetter("label"),
         "run": lambda flight: str(flight["run"]),
         "ended": lambda flight: title(flight["outcome"]),
         "missed by most": lambda flight: flight.get("missed") or flight.get("reason") or "",
         "margin": lambda flight: number(flight.get("margin"), ".3g"),
-        "its page, or the command that flies it, from the parent folder": partial(_again, folder_name),
+        "its page, or the command that flies it, from the parent folder": again,
     }
-    yield html.listing(flights, columns) if flights else "<p>None failed.</p>"
+    yield tag("h2", "The worst flights")
+    yield html.listing(flights, columns) if flights else tag("p", "None failed.")
 
 
-def _again(folder_name: str, flight: Mapping[str, Any]) -> Html:
-    if page := flight.get("page"):
-        return Html(f'<a href="{escape(page)}">report</a>')
-    return Html(f"<code>{escape(only(flight['run'], '', f'{folder_name}/sweep.yaml'))}</code>")
-
-
-def runs_needed(summary: Summary) -> Iterator[str]:
+def runs_needed(summary: Summary) -> Iterator[Html]:
     """How many runs a claim needs."""
     rows = []
     for variant in summary["variants"]:

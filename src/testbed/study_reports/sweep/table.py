@@ -9,6 +9,7 @@ import pandas as pd
 from pandas.plotting import PlotAccessor
 
 from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.reporting.html import Html, joined, tag
 from testbed.studies.folder.reading import load_plan
 
 if TYPE_CHECKING:
@@ -25,8 +26,8 @@ class SweepTable(pd.DataFrame):
 
     def _repr_html_(self) -> str | None:
         """What a notebook shows: the sentence, then the table."""
-        table = super()._repr_html_()  # type: ignore[misc]
-        return f"<p>{self.attrs.get('summary', '')}</p>\n{table}"
+        table = Html(super()._repr_html_())  # type: ignore[misc]
+        return joined([tag("p", str(self.attrs.get("summary", ""))), table])
 
 
 class SweepPlot(PlotAccessor):

@@ -1,0 +1,81 @@
+"""The page of benchmark results, from the folders that `testbed benchmark` flew and the entries of `leaderboard/`.
+
+    python benchmarks/benchmark_page.py runs/benchmark runs/healthy
+
+The first folder is of the suite `open`, the second of `healthy`. An entry is a folder in `leaderboard/` with `entry.yaml`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from testbed.study_reports.benchmark import page
+
+ROOT = Path(__file__).parents[1]
+PAGE = ROOT / "docs" / "results" / "benchmark.md"
+ENTRIES = ROOT / "leaderboard"
+HEAD = """\
+# Benchmark
+
+<!-- Written by python benchmarks/benchmark_page.py: change that, not this. -->
+
+This page compares the controllers on flights that are drawn from a [suite](../reference/benchmark.md), which says a distribution:
+any failure of any aircraft in any weather. No list of flights can be learnt by heart, and no one chose these: their seed is made
+from a digest of the controllers' code and a word that was said after it was frozen.
+
+**Held** means flown to the end, and never farther from the references of altitude and heading than the suite's limits, which
+grow with the aircraft's span and speed. **Inside** is the share of the time within them. Intervals are of 95 %: Wilson's of
+a share, Newcombe's of a difference of shares by pairs, the bootstrap's of a mean. *Best of all* is the best controller in each
+draw, those that are told the truth among them: no controller can hold more than what is possible, and this is a part of it.
+"""
+
+
+def main(arguments: Sequence[str] | None = None) -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("folders", nargs="+", type=Path, help="folders of testbed benchmark")
+    options = parser.parse_args(arguments)
+    summaries = [json.loads((folder / "summary.json").read_text()) for folder in options.folders]
+    PAGE.write_text(text(summaries), encoding="utf-8")
+
+
+def text(summaries: Sequence[dict[str, Any]]) -> str:
+    """The page's Markdown."""
+    lines = [HEAD, *page(summaries[0])]
+    for summary in summaries[1:]:
+        lines += ["", f"# Suite `{summary['suite']}`", "", *page(summary)]
+    return "\n".join([*lines, "", *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
+
+
+def leaderboard(files: Sequence[Path]) -> Iterator[str]:
+    """The table of entries, each of its own seed: so they are compared with the default on the same draws."""
+    yield from (
+        "## Entries",
+        "",
+        "`CONTRIBUTING.md` in the checkout says how to enter. A workflow flies a part of each again.",
+        "",
+    )
+    if not files:
+        yield "There is none yet."
+        return
+    yield "| entry | suite | draws | controller | survived | held | inside |"
+    yield "| --- | --- | --- | --- | --- | --- | --- |"
+    for file in files:
+        said = yaml.safe_load(file.read_text(encoding="utf-8"))
+        for name, one in said["controllers"].items():
+            scores = " | ".join(
+                "{estimate:.3f} ({low:.3f} to {high:.3f})".format(**one[key])
+                for key in ("survived", "held", "inside")
+            )
+            yield f"| {file.parent.name} | {said['suite']} {said['version']} | {said['draws']} | `{name}` | {scores} |"
+
+
+if __name__ == "__main__":
+    main()

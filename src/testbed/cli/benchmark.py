@@ -1,0 +1,102 @@
+"""`testbed benchmark`: controllers on flights that are drawn from a suite."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from testbed.cli import study
+from testbed.cli.command import Command, add_flying, add_out, whole_number
+from testbed.cli.interrupts import tidily
+from testbed.cli.run import print_verdict
+from testbed.cli.status import MET, NOT_MET
+from testbed.cli.working import working
+
+
+def _arguments(command: ArgumentParser) -> None:
+    suite = "a shipped suite, or a suite's YAML file (default: open)"
+    command.add_argument("suite", nargs="?", help=suite)
+    add_out(command, "DIR", "folder to make (default: runs/benchmark-<suite>-<seed>)")
+    own = "fly a controller class of your own too; with a NAME alone, of the suite's controllers only those"
+    command.add_argument(
+        "--controller", action="append", default=[], metavar="NAME[=FILE.py:CLASS]", help=own
+    )
+    draws = "flights of each controller (default: 1000); with --verify, those flown again (20)"
+    command.add_argument("--draws", type=whole_number, metavar="N", help=draws)
+    seed = "from which the flights are drawn (default: 1)"
+    command.add_argument("--seed", type=whole_number, metavar="S", help=seed)
+    word = "make the seed from a public word and the digest of the law"
+    command.add_argument("--word", metavar="WORD", help=word)
+    command.add_argument("--only", type=whole_number, metavar="I", help="fly draw I alone, into run folders")
+    entry = "write the result as a file that others can check"
+    command.add_argument("--entry", type=Path, metavar="FILE", help=entry)
+    verify = "fly a part of an entry again, and compare; needs --controller for those of its author"
+    command.add_argument("--verify", type=Path, metavar="FILE", help=verify)
+    add_flying(command)
+    command.set_defaults(set=[])
+
+
+def _run(options: Namespace) -> int:
+    """Fly a benchmark, one draw of it, or a part of an entry; as `study.run`."""
+    from testbed.api import benchmark
+
+    if options.verify is not None:
+        return _verify(options)
+    if options.only is not None:
+        return _fly_only(options)
+    own = {"draws": options.draws, "word": options.word, "entry": options.entry}
+    return study.run(benchmark, options, options.suite or "open", **own)
+
+
+def _verify(options: Namespace) -> int:
+    """Fly a part of an entry again, say what came of it, and return the exit status."""
+    from testbed.api import benchmark
+
+    with tidily(), working("flying"):
+        same, lines = benchmark.verify(
+            options.verify,
+            options.suite,
+            controllers=options.controller,
+            draws=options.draws,
+            jobs=options.jobs,
+            cluster=options.cluster,
+        )
+    print("\n".join(lines))
+    return MET if same else NOT_MET
+
+
+def _fly_only(options: Namespace) -> int:
+    """Fly one draw alone by every controller, tell each of its flights, and return the exit status."""
+    from testbed.api import benchmark, sweep
+    from testbed.flight.folder import refuse_existing
+    from testbed.studies.run import Options
+
+    plan, usual = benchmark.prepare(
+        options.suite or "open",
+        controllers=options.controller,
+        draws=options.only + 1,
+        seed=options.seed,
+        word=options.word,
+    )
+    folder = options.out or usual.with_name(f"{usual.name}-draw-{options.only}")
+    refuse_existing(folder)
+    how = Options(options.jobs, options.cluster, "none")
+    with tidily():
+        passed, flights = sweep.fly_run(plan, options.only, folder, how, figures=not options.no_plots)
+    for flight in flights:
+        print_verdict(flight)
+    print(f"wrote {folder}")
+    return MET if passed else NOT_MET
+
+
+COMMAND = Command(
+    "compare controllers on flights that are drawn from a suite",
+    _arguments,
+    _run,
+    (
+        "testbed benchmark --draws 100",
+        "testbed benchmark open --controller mine=my_controller.py:MyController --draws 200",
+        "testbed benchmark open --seed 7 --only 12 --controller default",
+        "testbed benchmark --verify entry.yaml --controller mine=my_controller.py:MyController",
+    ),
+)

@@ -1,0 +1,81 @@
+"""Read a suite's file, choose who flies it, and read back what a folder was begun with."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from testbed.aircraft.shipped import find_suite
+from testbed.controllers.user.own import OwnController, own_controllers
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source
+from testbed.studies.benchmark.model import Suite
+
+Compared = dict[str, Mapping[str, Any] | OwnController]
+"""Controllers by name: settings of a shipped one, or one of the user's."""
+
+
+def load_suite(file: str | Path) -> tuple[Suite, dict[str, Any]]:
+    """The suite in a file, or a shipped one by its name, and its tree; raises BadInput with every problem of its keys."""
+    source = yamlfile.read(find_suite(file))
+    return validated(Suite, source), source.tree
+
+
+def chosen(suite: Suite, said: Mapping[str, Any], given: Sequence[str]) -> Compared:
+    """The controllers to fly.
+
+    Args:
+        said: the tree of the suite's file.
+        given: each NAME of one in the suite, to fly no others of it; or NAME=FILE.py:CLASS, to fly that too.
+    """
+    names = [text for text in given if "=" not in text]
+    problems = [
+        Problem(
+            f"{suite.suite} has no controller {name!r}",
+            "--controller",
+            None,
+            "",
+            *guess(name, suite.controllers),
+        )
+        for name in names
+        if name not in suite.controllers
+    ]
+    own = own_controllers([text for text in given if "=" in text])
+    problems += [
+        Problem(f"{name} is a controller of {suite.suite}", "--controller", expected="another name")
+        for name in own
+        if name in suite.controllers
+    ]
+    if problems:
+        raise BadInput(problems)
+    shipped = {name: each for name, each in said["controllers"].items() if name in names or not names}
+    return {**shipped, **own}
+
+
+def read_back(folder: Path) -> tuple[Suite, Compared, dict[str, Any]]:
+    """What benchmark.yaml of a folder says: the suite, the controllers, of the user's without their code, and the whole tree."""
+    source = yamlfile.read(folder / "benchmark.yaml")
+    tree, expected = source.tree, {"file": str, "seed": int, "draws": int, "controllers": dict, "suite": dict}
+    problems = [
+        source.problem((key,), "is missing or of another kind", "the file as testbed wrote it")
+        for key, kind in expected.items()
+        if not isinstance(tree.get(key), kind)
+    ]
+    if problems:
+        raise BadInput(problems)
+    compared: Compared = {}
+    for name, said in tree["controllers"].items():
+        file, _, made_by = str(said).rpartition(":")
+        compared[name] = said if isinstance(said, dict) else OwnController(name, file, made_by)
+    return validated(Suite, Source(source.file, tree["suite"])), compared, tree
+
+
+def digest_of(suite: Suite) -> str:
+    """SHA-256 of what a suite says, from which its flights are drawn; comments, order and controllers do not count."""
+    said = suite.model_dump(mode="json", exclude={"controllers", "told", "purpose", "time_limit_s"})
+    return hashlib.sha256(json.dumps(said, sort_keys=True).encode()).hexdigest()

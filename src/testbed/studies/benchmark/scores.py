@@ -1,0 +1,164 @@
+"""How each controller did: a table with a row for each flight, and what it says of each controller, paired by draw.
+
+All controllers fly the same draws, so two are compared draw by draw. A flight without a result is lost: its controller raised
+an error, gave what is no number, or took too long. The bound of a draw is the best of all that were flown, those that are told the
+truth among them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from testbed.common.files import plain
+from testbed.common.statistics import mean, paired, proportion
+from testbed.flight.flight import Outcome
+from testbed.studies.benchmark.law import law_sha256
+from testbed.studies.benchmark.plan import Benchmark
+from testbed.studies.folder.histories import CHANNELS, SHAPE
+from testbed.studies.folder.store import Store
+from testbed.studies.record import NO_RESULT, Record, key_of
+
+BOUND = "best of all"
+"""The name of the bound beside those of controllers."""
+FACTORS = ("failures", "course", "aircraft", "truth", "weather", "gust", "sensors")
+"""What results are counted by."""
+_METRICS = (
+    "altitude_error_max_m", "heading_error_max_deg", "detection_delay_s", "missed_detections", "false_alarms",
+    "control_effort_per_s", "saturated_time_s",
+)  # fmt: skip
+_WORST = 5
+"""Draws of each controller that are named as lost."""
+Summary = dict[str, Any]
+
+
+def table(plan: Benchmark, store: Store) -> pd.DataFrame:
+    """A row for each flight, in the order of draws and controllers; draws that not every controller has flown are left out."""
+    rows = []
+    for number in range(plan.runs):
+        keys = [key_of(number * len(plan.variants) + j) for j in range(len(plan.variants))]
+        if all(key in store for key in keys):
+            limits = [each["at_most"] for each in plan.task(number * len(keys)).values["requirements"]]
+            rows += [_row(plan, store.record(key), store.history(key), limits) for key in keys]
+    return pd.DataFrame(rows)
+
+
+def _row(plan: Benchmark, record: Record, history: bytes, limits: Sequence[float]) -> dict[str, Any]:
+    return {
+        "draw": record.run,
+        "controller": plan.labels[record.variant],
+        **{factor: plan.groups(record.run)[factor] for factor in FACTORS},
+        "outcome": record.outcome,
+        "survived": record.outcome == Outcome.completed,
+        "held": record.passed,
+        "inside": _inside(history, limits),
+        "end_time_s": record.end_time_s,
+        **{name: record.metrics.get(name, math.nan) for name in _METRICS},
+        "reason": record.reason,
+    }
+
+
+def _inside(history: bytes, limits: Sequence[float]) -> float:
+    """Share of the flight's planned time within the limits of altitude and heading, 0 to 1, by the points of its history."""
+    if not history:
+        return 0.0
+    errors = np.frombuffer(history, "<f4").reshape(SHAPE)
+    names = [name.partition("_")[0] for name in CHANNELS]
+    altitude, heading = (np.abs(errors[names.index(name)]) for name in ("altitude", "heading"))
+    return float(np.mean((altitude <= limits[0]) & (heading <= limits[1])))  # NaN after the end is outside
+
+
+def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
+    """What the table says; nothing in it depends on the clock, the machine or the order of the flights."""
+    wide = {name: frame.pivot(index="draw", columns="controller", values=name)[plan.labels]
+            for name in ("survived", "held", "inside")}  # fmt: skip
+    for each in wide.values():
+        each[BOUND] = each.max(axis=1)
+    known: Summary = plain(
+        {
+            **{key: value for key, value in plan.tree.items() if key != "suite"},
+            "suite": plan.suite.suite,
+            "version": plan.suite.version,
+            "suite_sha256": plan.digest,
+            "law_sha256": law_sha256(),
+            "draws": len(wide["held"]),
+            "reference": plan.labels[0],
+            "order": [*plan.labels, BOUND],
+            "told": [name for name in plan.suite.told if name in plan.labels],
+            "scores": {name: _score(plan, frame, wide, name) for name in [*plan.labels, BOUND]},
+            "by": {factor: _by(frame, wide["held"], factor) for factor in FACTORS},
+            "lost": {name: list(_lost(plan, frame, wide, name)) for name in plan.labels},
+        }
+    )
+    return known
+
+
+def _score(plan: Benchmark, frame: pd.DataFrame, wide: Mapping[str, pd.DataFrame], name: str) -> Summary:
+    """The shares and means of one controller, and its differences from the reference."""
+    first = plan.labels[0]
+    survived, held, inside = (wide[each][name] for each in ("survived", "held", "inside"))
+    half = len(held) // 2
+    score = {
+        "survived": _share(survived),
+        "held": _share(held),
+        "held_in_each_half": [_share(held[:half]), _share(held[half:])],
+        "inside": _mean(inside),
+        "short_of_bound": _mean(wide["inside"][BOUND] - inside),
+        "against_reference": {
+            "survived": paired(survived.tolist(), wide["survived"][first].tolist()).plain,
+            "held": paired(held.tolist(), wide["held"][first].tolist()).plain,
+            "inside": _mean(inside - wide["inside"][first]),
+        },
+    }
+    return score if name == BOUND else score | _noticed(frame[frame["controller"] == name])
+
+
+def _noticed(rows: pd.DataFrame) -> Summary:
+    """What was flagged, how soon, and what control cost, of the flights of one controller."""
+    healthy, broken = (rows[(rows["failures"] == "none") == flag] for flag in (True, False))
+    return {
+        "noticed": _share(broken["detection_delay_s"].notna()),
+        "missed": _share(broken["missed_detections"] > 0),
+        "named_wrongly": _share(broken["false_alarms"] > 0),
+        "delay_s": {f"p{100 * q:g}": rows["detection_delay_s"].quantile(q) for q in (0.5, 0.9)},
+        "healthy_hours": float(healthy["end_time_s"].sum() / 3600.0),
+        "healthy_false_alarms": int(healthy["false_alarms"].sum()),
+        "effort_per_s": rows["control_effort_per_s"].median(),
+        "saturated_s": rows["saturated_time_s"].mean(),
+        "without_result": rows[rows["outcome"].isin(NO_RESULT)]["reason"].value_counts().to_dict(),
+    }
+
+
+def _by(frame: pd.DataFrame, held: pd.DataFrame, factor: str) -> Summary:
+    """For each group of a factor, the number of draws and how many of them each controller held."""
+    groups = frame.drop_duplicates("draw").set_index("draw")[factor]
+    return {
+        str(group): {"draws": len(draws), "held": held.loc[draws.index].sum().astype(int).to_dict()}
+        for group, draws in sorted(groups.groupby(groups))
+    }
+
+
+def _lost(
+    plan: Benchmark, frame: pd.DataFrame, wide: Mapping[str, pd.DataFrame], name: str
+) -> Iterable[Summary]:
+    """The draws that a controller did not hold and others did, those first in which it was outside longest."""
+    untold = [other for other in plan.labels if other != name and other not in plan.suite.told]
+    held, inside = wide["held"], wide["inside"][name]
+    which = inside[~held[name].astype(bool) & held[untold].any(axis=1)].sort_values(kind="stable")
+    rows = frame[frame["controller"] == name].set_index("draw")
+    for draw in which.index[:_WORST]:
+        said = {key: str(rows.loc[draw, key]) for key in ("outcome", *FACTORS)}
+        others = [other for other in untold if held.loc[draw, other]]
+        yield {"draw": int(draw), "of": len(which), "inside": inside[draw], "held_by": others, **said}
+
+
+def _share(flags: pd.Series) -> Summary:
+    return proportion(int(flags.sum()), len(flags)).plain
+
+
+def _mean(values: pd.Series) -> Summary:
+    return mean(values.tolist()).plain

@@ -1,0 +1,119 @@
+"""Entries: written, flown again in part, and refused in a sentence where they cannot be compared."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from suite_files import flown, tree, written
+from sweep_files import run
+
+from testbed.api.benchmark import verify
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput
+
+OWN = Path(__file__).parents[3] / "examples" / "my_controller.py"
+MINE = f"mine={OWN}:MyController"
+
+
+@pytest.fixture(scope="module")
+def entered(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a suite and an entry, `entry.yaml`, of two draws."""
+    folder = tmp_path_factory.mktemp("entered")
+    flown(
+        written(folder), folder / "out", draws=2, controllers=["default", MINE], entry=folder / "entry.yaml"
+    )
+    return folder
+
+
+def test_what_was_flown_is_confirmed(entered: Path) -> None:
+    same, lines = verify(entered / "entry.yaml", entered / "tiny.yaml", controllers=[MINE], draws=1, jobs=1)
+    assert same
+    assert lines == ["2 of 2 flights are the same to the last bit"]
+
+
+def test_the_code_to_run_is_said_by_who_checks(entered: Path) -> None:
+    with pytest.raises(BadInput, match="its class was not given"):
+        verify(entered / "entry.yaml", entered / "tiny.yaml")
+
+
+def changed(entered: Path, to: Path, old: str, new: str) -> Path:
+    text = (entered / "entry.yaml").read_text()
+    assert old in text
+    to.write_text(text.replace(old, new))
+    return to
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "said"),
+    [
+        ("version", 2, "is of tiny 2, and this is tiny 1"),
+        ("suite_sha256", "0" * 64, "another content of its suite"),
+        ("aircraft_sha256", "0" * 64, "another content of its aircraft"),
+        ("law_sha256", "0" * 64, "other code of the shipped controllers"),
+        ("environment", {"python": "2.7"}, "was flown with python 2.7, this is 3"),
+        ("draws", 3, "has 2 flights of 3"),
+        ("controllers", {}, "at least 1"),
+    ],
+)
+def test_an_entry_that_cannot_be_compared_is_refused(
+    entered: Path, tmp_path: Path, key: str, value: object, said: str
+) -> None:
+    said_there = yamlfile.read(entered / "entry.yaml").tree | {key: value}
+    file = tmp_path / "entry.yaml"
+    file.write_text(yamlfile.dump(said_there))
+    with pytest.raises(BadInput, match=said):
+        verify(file, entered / "tiny.yaml", controllers=[MINE])
+
+
+def test_scores_that_are_not_those_of_the_flights_are_refused(entered: Path, tmp_path: Path) -> None:
+    said = yamlfile.read(entered / "entry.yaml").tree
+    said["controllers"]["mine"]["held"]["estimate"] = 0.75  # of two flights
+    (tmp_path / "entry.yaml").write_text(yamlfile.dump(said))
+    with pytest.raises(BadInput, match="its flights say"):
+        verify(tmp_path / "entry.yaml", entered / "tiny.yaml", controllers=[MINE])
+
+
+def test_other_code_is_refused(entered: Path, tmp_path: Path) -> None:
+    (tmp_path / "my_controller.py").write_text(OWN.read_text() + "# changed\n")
+    with pytest.raises(BadInput, match="other code of mine"):
+        verify(
+            entered / "entry.yaml",
+            entered / "tiny.yaml",
+            controllers=[f"mine={tmp_path / 'my_controller.py'}:MyController"],
+        )
+
+
+def test_a_flight_that_was_made_up_is_found(entered: Path, tmp_path: Path) -> None:
+    """Marks that say of every flight of one's own that it was held."""
+    said = yamlfile.read(entered / "entry.yaml").tree
+    mine = said["controllers"]["mine"]
+    mine["flights"] = " ".join(f"h{mark[1:]}" for mark in mine["flights"].split())
+    for key in ("held", "survived"):
+        mine[key]["estimate"] = 1.0
+    before = yamlfile.read(entered / "entry.yaml").tree["controllers"]["mine"]["flights"]
+    assert mine["flights"] != before, "it would be no lie"
+    (tmp_path / "entry.yaml").write_text(yamlfile.dump(said))
+    same, lines = verify(tmp_path / "entry.yaml", entered / "tiny.yaml", controllers=[MINE], draws=2, jobs=1)
+    assert not same
+    assert any("mine: did not end as the entry says" in line for line in lines)
+
+
+def test_a_suite_with_mistakes_is_refused_with_their_lines(tmp_path: Path) -> None:
+    suite = tree()
+    suite["controllers"]["fixed"] = {"type": "fixed_invrsion"}
+    suite["failures"]["types"][0]["type"] = "efectiveness"
+    done = run(tmp_path, "benchmark", written(tmp_path, suite))
+    assert done.returncode == 2
+    assert (
+        "controllers.fixed.type: unknown type 'fixed_invrsion', did you mean fixed_inversion?" in done.stderr
+    )
+    assert "failures.types.0.type: 'efectiveness' is not known, did you mean effectiveness?" in done.stderr
+    assert done.stderr.count("tiny.yaml:") == len(done.stderr.splitlines())
+
+
+def test_an_unknown_suite_or_controller_is_answered(tmp_path: Path) -> None:
+    done = run(tmp_path, "benchmark", "opne")
+    assert (done.returncode, done.stderr) == (2, "opne: there is no such suite, did you mean open?\n")
+    done = run(tmp_path, "benchmark", written(tmp_path), "--controller", "defualt")
+    assert done.stderr == "--controller: tiny has no controller 'defualt', did you mean default?\n"

@@ -1,0 +1,114 @@
+"""A benchmark flown: the same bytes however it is flown; who raises, gives no number or hangs loses that draw and no other."""
+
+from __future__ import annotations
+
+import math
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from suite_files import BAD, flown, same_results, tree, written
+from sweep_files import command, finished, run
+
+import testbed
+from testbed.inputs.problems import BadInput
+
+
+@pytest.fixture(scope="module")
+def suite(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return written(tmp_path_factory.mktemp("suite"))
+
+
+@pytest.fixture(scope="module")
+def folder(suite: Path) -> Path:
+    return flown(suite, suite.parent / "one")
+
+
+def test_a_row_for_each_draw_and_controller(folder: Path) -> None:
+    rows = testbed.load(folder)
+    assert isinstance(rows, pd.DataFrame)
+    assert list(rows["draw"]) == [0, 0, 1, 1, 2, 2, 3, 3]
+    assert list(rows["controller"]) == ["default", "fixed"] * 4
+    assert ((rows["outcome"] == "completed") == rows["survived"]).all()
+    assert rows["held"].any() and not rows["held"].all(), "else this shows little"
+    assert rows["inside"].between(0.0, 1.0).all()
+    assert (rows["inside"][rows["held"]] == 1.0).all(), "who holds is inside all the time"
+
+
+def test_two_workers_give_the_bytes_of_one(suite: Path, folder: Path, tmp_path: Path) -> None:
+    same_results(folder, flown(suite, tmp_path / "two", jobs=2))
+
+
+def test_going_on_with_fewer_draws_gives_the_bytes_of_all(suite: Path, folder: Path, tmp_path: Path) -> None:
+    flown(suite, tmp_path / "more", draws=2)
+    same_results(folder, flown(suite, tmp_path / "more", resume=True))
+
+
+def test_other_seeds_are_not_mixed(suite: Path, tmp_path: Path) -> None:
+    flown(suite, tmp_path / "out", draws=1)
+    with pytest.raises(BadInput, match="seed"):
+        flown(suite, tmp_path / "out", draws=1, seed=6, resume=True)
+
+
+@pytest.mark.nightly
+def test_killed_and_resumed_gives_the_same_bytes(suite: Path, folder: Path, tmp_path: Path) -> None:
+    options = ["benchmark", suite, "--draws", 4, "--seed", 5, "--jobs", 1, "--out", tmp_path / "out"]
+    process = subprocess.Popen(command(*options), stdout=subprocess.DEVNULL)
+    while finished(tmp_path / "out") < 2:
+        assert process.poll() is None
+        time.sleep(0.002)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    assert run(tmp_path, *options, "--resume").returncode == 0
+    same_results(folder, tmp_path / "out")
+
+
+def test_a_draw_flown_alone_is_the_row_of_the_table(suite: Path, folder: Path, tmp_path: Path) -> None:
+    said = ["--seed", 5, "--only", 2, "--controller", "default", "--no-plots", "--out", tmp_path / "alone"]
+    done = run(tmp_path, "benchmark", suite, *said)
+    flight = testbed.load(tmp_path / "alone" / "run-000002-default")
+    row = testbed.load(folder).iloc[4]
+    assert done.returncode == (0 if row["held"] else 1), done.stderr
+    assert flight.metrics["altitude_error_max_m"] == pytest.approx(row["altitude_error_max_m"], rel=1e-12)
+
+
+@pytest.mark.parametrize("made_by", ["Raises", "NoNumber", pytest.param("Hangs", marks=pytest.mark.nightly)])
+def test_who_does_not_fly_loses_alone(made_by: str, folder: Path, tmp_path: Path) -> None:
+    (tmp_path / "bad.py").write_text(BAD)
+    suite = written(tmp_path, tree() | {"time_limit_s": 20})
+    own = f"bad={tmp_path / 'bad.py'}:{made_by}"
+    rows = testbed.load(flown(suite, tmp_path / "out", draws=1, controllers=["default", own]))
+    default, bad = rows.iloc[0], rows.iloc[1]
+    assert (bad["survived"], bad["held"], bad["inside"]) == (False, False, 0.0)
+    reason = {"Raises": "ZeroDivisionError", "NoNumber": "finite", "Hangs": "no result within 20 s"}[made_by]
+    assert reason in bad["reason"]
+    assert default["altitude_error_max_m"] == testbed.load(folder).iloc[0]["altitude_error_max_m"]
+
+
+def test_a_seed_of_a_word(suite: Path) -> None:
+    from testbed.api.benchmark import prepare
+
+    one, again, other = (prepare(suite, word=word)[0].study.seed for word in ("sun", "sun", "moon"))
+    assert one == again != other
+    with pytest.raises(BadInput, match="--word or --seed"):
+        prepare(suite, word="sun", seed=1)
+
+
+def test_what_the_summary_says(folder: Path) -> None:
+    import json
+
+    summary = json.loads((folder / "summary.json").read_text())
+    rows = testbed.load(folder)
+    for name in ("default", "fixed"):
+        mine, score = rows[rows["controller"] == name], summary["scores"][name]
+        assert score["held"]["estimate"] == mine["held"].mean()
+        assert score["inside"]["estimate"] == pytest.approx(mine["inside"].mean())
+        assert score["short_of_bound"]["estimate"] >= 0.0
+    best = rows.groupby("draw")["held"].any().mean()
+    assert summary["scores"]["best of all"]["held"]["estimate"] == best
+    assert math.isclose(summary["scores"]["default"]["against_reference"]["inside"]["estimate"], 0.0)
+    for groups in summary["by"].values():
+        assert sum(group["draws"] for group in groups.values()) == 4

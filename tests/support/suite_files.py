@@ -1,0 +1,55 @@
+"""A small suite: the failures of the shipped one on the v-tail, in flights of two seconds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import testbed
+from testbed.aircraft.shipped import find_suite
+from testbed.inputs import yaml_source as yamlfile
+
+BAD = """\
+class Raises:
+    def __init__(self, setup): pass
+    def update(self, time_s, state, reference): return [0.0, 1.0 / 0.0, 0.0, 0.0]
+
+class NoNumber:
+    def __init__(self, setup): self.trim = list(setup.trim_commands)
+    def update(self, time_s, state, reference): return [float("nan"), *self.trim[1:]]
+
+class Hangs:
+    def __init__(self, setup): pass
+    def update(self, time_s, state, reference):
+        while True: pass
+"""
+
+
+def tree() -> dict[str, Any]:
+    """The suite's tree, to be changed."""
+    suite: dict[str, Any] = yamlfile.read(find_suite("open")).tree
+    suite |= {"suite": "tiny", "duration_s": 2, "told": []}
+    suite["controllers"] = {"default": {"type": "adaptive_inversion"}, "fixed": {"type": "fixed_inversion"}}
+    suite["aircraft"] = {name: suite["aircraft"][name] for name in ("vtail", "vtail_aft")}
+    early = {"uniform": [0.2, 1.2]}
+    for part, key in (("references", "at_s"), ("sensor_faults", "at_s"), ("failures", "first_s")):
+        suite[part][key] = early
+    suite["failures"] |= {name: {"uniform": [0.1, 0.4]} for name in ("after_s", "lasts_s", "back_after_s")}
+    return suite
+
+
+def written(folder: Path, suite: dict[str, Any] | None = None) -> Path:
+    file = folder / "tiny.yaml"
+    file.write_text(yamlfile.dump(tree() if suite is None else suite))
+    return file
+
+
+def flown(suite: Path, out: Path, **options: Any) -> Path:
+    """Four draws of a suite, flown into a folder."""
+    testbed.benchmark(suite, out, **{"draws": 4, "seed": 5, "jobs": 1, **options})
+    return out
+
+
+def same_results(one: Path, other: Path) -> None:
+    for name in ("results.csv", "summary.json"):
+        assert (one / name).read_bytes() == (other / name).read_bytes(), name
