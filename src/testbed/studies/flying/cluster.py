@@ -21,6 +21,7 @@ from pathlib import Path
 
 from testbed.aircraft.changes import name_in
 from testbed.aircraft.description import load_aircraft
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import placed_name
 from testbed.studies.drawing.builder import Task
@@ -154,9 +155,7 @@ def _children(packed: bytes) -> tuple[Children, tempfile.TemporaryDirectory[str]
     job, name, files = pickle.loads(zlib.decompress(packed))
     folder = tempfile.TemporaryDirectory(prefix="testbed-", ignore_cleanup_errors=True)
     for file, content in files.items():
-        place = Path(folder.name, file)
-        place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_bytes(content)
+        write(Path(folder.name, file), content, within=Path(folder.name))
     own = {name: each.unpacked(Path(folder.name, _OWN, name)) for name, each in job.builder.own.items()}
     builder = job.builder.with_aircraft(str(Path(folder.name, name))).with_own(own)
     return Children(replace(job, builder=builder, search_path=())), folder
