@@ -18,7 +18,7 @@ from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.panels import groups
-from testbed.reporting.page.phases import phases
+from testbed.reporting.page.phases import of_flight
 from testbed.reporting.panels import has_estimates, shown_log
 from testbed.reporting.words import describe
 
@@ -86,7 +86,7 @@ def _for_the_script(
     return {
         "data": told,
         "panels": shown,
-        "phases": phases(flight.events, flight.end_time_s, flight.scenario.duration_s),
+        "phases": of_flight(flight),
         "failures_s": failure_times_s(flight.events),
         "events": [
             {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
