@@ -74,17 +74,6 @@ PAGES: tuple[Page, ...] = (
         _AFT,
         ("results/missions.md", "explanation/when_adaptation_pays.md"),
     ),
-    Page(
-        "benchmark",
-        (
-            "-m testbed benchmark open --word WORD --resume --out runs/benchmark",
-            "-m testbed benchmark healthy --word WORD --draws 100 --resume --out runs/healthy",
-            "benchmarks/benchmark_page.py runs/benchmark runs/healthy",
-        ),
-        "made from the law's digest and a public word",
-        12000,
-        (*_AFT, "sweeps", "adoption", "aircraft", "scenarios/suites"),
-    ),
     Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
     Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
     Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),
