@@ -134,6 +134,7 @@ def _default_folder(scenario: Scenario, i: int) -> Path:
 
 def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
+    from testbed.reporting.page.unmet import told
     from testbed.reporting.story import diagnoses, story
 
     by = f", flown by {flight.flown_by}" if flight.flown_by else ""
@@ -145,7 +146,7 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         print("  ", end="")
         print_verdict_word("NOT MET", good=False)
-        print(f"  {requirement['name']}: {number(requirement['value'])}{reason}")
+        print(f"  {requirement['name']}: {number(requirement['value'])}{told(flight, requirement)}{reason}")
     total = len(flight.requirements)
     met = f": {total - len(missed)} of {total} requirements met" if total else ""
     print_verdict_word("passed" if flight.passed else "not passed", flight.passed)
