@@ -18,7 +18,7 @@ from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, flight_of
 from testbed.studies.folder import logs, reading, store, table
 from testbed.studies.folder.begin import refuse_blocked, runs_of
-from testbed.studies.folder.names import flight_label, in_file_names, log_file
+from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
@@ -234,6 +234,10 @@ def report_run(path: Path) -> list[tuple[Flight, Path]]:
         flight = logs.read(log)
         made.append((flight, write_kept_page(flight, log)))
     sweep = made[0][1].parent.parent
-    if (sweep / "report.html").is_file() and (sweep / "summary.json").is_file():
+    if (
+        file_of(sweep).stem == "sweep"
+        and (sweep / "report.html").is_file()
+        and (sweep / "summary.json").is_file()
+    ):
         write_sweep_report(sweep)
     return made
