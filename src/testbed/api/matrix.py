@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 from testbed.api.load import refuse_unfinished
 from testbed.api.study import changes, folder_of, write_summary
 from testbed.common.files import write_whole
+from testbed.common.text import cell
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.controllers.user.own import own_controllers
 from testbed.reporting.attempt import attempt
+from testbed.reporting.junit import Test
 from testbed.reporting.words import count
 from testbed.studies.checks import check
 from testbed.studies.drawing.builder import TYPE
@@ -26,6 +28,7 @@ from testbed.studies.run import Flights, Options
 from testbed.studies.sweep import fly_sweep
 from testbed.study_reports.matrix import write_matrix_page
 from testbed.study_reports.sweep.flight_page import write_kept_page
+from testbed.study_reports.tests import tests_of_matrix
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -125,6 +128,7 @@ def finish(
 
     found = summarize(plan, pd.read_parquet(folder / "results.parquet"))
     cells = pd.DataFrame(found["cells"]).astype({"run": "Int64"})
+    cells = cells.map(lambda value: cell(value) if isinstance(value, str) else value)
     write_whole(folder / TABLE, cells.to_csv(index=False, lineterminator="\n").encode())
     write_summary(found, folder)
     if figures:
@@ -134,13 +138,18 @@ def finish(
 
 
 def _write_pages(plan: MatrixPlan, found: Mapping[str, Any], folder: Path) -> None:
-    for cell in found["cells"]:
-        if cell["run"] is not None:
-            number = cell["run"] * len(plan.variants) + plan.labels.index(cell["controller"])
+    for one in found["cells"]:
+        if one["run"] is not None:
+            number = one["run"] * len(plan.variants) + plan.labels.index(one["controller"])
             log = log_file(folder, plan, number)
             flight = logs.read(log) if log.is_file() else None
             if flight is not None and flight.actuators:
                 write_kept_page(flight, log)
+
+
+def tests(plan: MatrixPlan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
+    """A test of each cell, for `--junit`."""
+    return tests_of_matrix(plan, summary, folder)
 
 
 def rebuild(folder: Path) -> dict[str, Any]:
@@ -158,17 +167,17 @@ def answer(summary: Mapping[str, Any]) -> Sequence[str]:
 
 def _unexpected(summary: Mapping[str, Any]) -> Iterator[str]:
     for against in ("worse", "better"):
-        for cell in summary["cells"]:
-            if cell["against"] == against:
-                yield f"{against} than expected: {said(cell)}"
+        for one in summary["cells"]:
+            if one["against"] == against:
+                yield f"{against} than expected: {_said(one)}"
 
 
-def said(cell: Mapping[str, Any]) -> str:
+def _said(one: Mapping[str, Any]) -> str:
     """A cell in a line: `elevator stuck 1, calm, pid: lost, expected held (missed ...)`."""
-    where = ", ".join(filter(None, [cell["weather"], cell["controller"]]))
-    why = f" ({cell['why']})" if cell["why"] else ""
-    return (f"{cell['actuator']} {cell['failure']} {cell['severity']:g}, {where}: "
-            f"{cell['result']}, expected {cell['expected']}{why}")  # fmt: skip
+    where = ", ".join(filter(None, [one["weather"], one["controller"]]))
+    why = f" ({one['why']})" if one["why"] else ""
+    return (f"{one['actuator']} {one['failure']} {one['severity']:g}, {where}: "
+            f"{one['result']}, expected {one['expected']}{why}")  # fmt: skip
 
 
 def met(summary: Mapping[str, Any]) -> bool:

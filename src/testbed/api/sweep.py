@@ -12,6 +12,7 @@ from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.attempt import add_report, attempt
+from testbed.reporting.junit import Test
 from testbed.reporting.numbers import interval, number
 from testbed.studies import summary
 from testbed.studies.checks import check
@@ -26,6 +27,7 @@ from testbed.studies.run import Flights, Options
 from testbed.studies.sweep import fly_only, fly_sweep
 from testbed.study_reports.sweep.flight_page import write_kept_page
 from testbed.study_reports.sweep.report import write_sweep_report
+from testbed.study_reports.tests import tests_of_sweep
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -124,6 +126,11 @@ def finish(
         attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
         attempt("the report", lambda: write_sweep_report(folder))
     return found
+
+
+def tests(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
+    """A test of each flight, for `--junit`."""
+    return tests_of_sweep(plan, reading.load(folder), folder)
 
 
 def _write_worst_pages(plan: Plan, found: dict[str, Any], folder: Path) -> None:

@@ -14,6 +14,7 @@ from testbed.cli.working import working
 
 if TYPE_CHECKING:
     from testbed.api.study import Kind
+    from testbed.studies.plan import Plan
 
 
 def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", **own: Any) -> int:
@@ -23,6 +24,11 @@ def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", *
     """
     from testbed.studies.run import Options
 
+    junit = getattr(options, "junit", None)  # which kinds with a verdict take
+    if junit is not None:
+        from testbed.reporting.junit import refuse
+
+        refuse(junit)
     how = Options(options.jobs, options.cluster, save_logs)
     shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
     plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
@@ -31,10 +37,18 @@ def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", *
             flights = kind.fly(plan, folder, how, resume=options.resume)
         with _writing(folder):
             summary = kind.finish(plan, folder, flights, figures=not options.no_plots)
+            if junit is not None:
+                _write_junit(kind, plan, folder, summary, junit)
     status = _told(kind, summary)
     print(flights)
     print(f"wrote {folder}")
     return status
+
+
+def _write_junit(kind: Any, plan: Plan, folder: Path, summary: dict[str, Any], file: Path) -> None:
+    from testbed.reporting import junit
+
+    junit.write(file, plan.name, kind.tests(plan, folder, summary))
 
 
 def report(kind: Kind, folder: Path) -> int:

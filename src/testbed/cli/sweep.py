@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.cli import study
-from testbed.cli.command import Command, add_file, add_many_flights, add_out, add_set, whole_number
+from testbed.cli.command import Command, add_file, add_junit, add_many_flights, add_out, add_set, whole_number
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
@@ -28,13 +29,14 @@ def _arguments(command: ArgumentParser) -> None:
 
 
 def add_single_runs(command: ArgumentParser, logs: str) -> None:
-    """What a sweep and a matrix share: one run alone, and the logs that are kept, by default `logs`."""
+    """What a sweep and a matrix share: one run alone, the verdict as a file, and the logs that are kept, by default `logs`."""
     command.add_argument(
         "--only", type=whole_number, metavar="I", help="fly run I alone and keep its whole log"
     )
     variant = "with --only: fly only this one of the compared variants, into a run folder"
     command.add_argument("--variant", metavar="LABEL", help=variant)
     which = "logs to keep: none, failed or all (default: %(default)s)"
+    add_junit(command)
     command.add_argument("--save-logs", default=logs, metavar="WHICH", help=which)
 
 
@@ -57,6 +59,7 @@ def _fly_only(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
     """Fly one run alone, tell each of its flights, and return the exit status."""
     from testbed.api import sweep
     from testbed.flight.folder import refuse_existing, refuse_unwritable
+    from testbed.reporting import junit
     from testbed.studies.run import Options
 
     how = Options(options.jobs, options.cluster, options.save_logs)
@@ -65,6 +68,8 @@ def _fly_only(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
     )
     folder = options.out or usual.with_name(_name(usual.name, options.only, options.variant))
     refuse_existing(folder)
+    if options.junit is not None:
+        junit.refuse(options.junit)
     with later():
         refuse_unwritable(folder)
     with tidily():
@@ -73,6 +78,8 @@ def _fly_only(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
         )
     for flight in flights:
         print_verdict(flight)
+    if options.junit is not None:
+        junit.write(options.junit, plan.name, chain.from_iterable(map(junit.tests_of, flights)))
     print(f"wrote {folder}")
     return MET if passed else NOT_MET
 

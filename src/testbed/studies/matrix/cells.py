@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from testbed.aircraft.description import Aircraft, AnyActuator
+from testbed.common.text import with_article
 from testbed.failures import TABLE
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.studies.matrix.model import Matrix
@@ -90,9 +91,8 @@ def _misfit(kind: str, broken: Mapping[str, Any], aircraft: Aircraft, rate_hz: f
     """Why a failure does not fit its actuator; "" where it does."""
     actuator = aircraft.actuators[broken["actuator"]]
     if actuator.kind not in TABLE[kind].kinds:
-        return f"a {' or '.join(TABLE[kind].kinds)} can fail so, and this is a {actuator.kind}".replace(
-            "a e", "an e"
-        )
+        fitting = " or ".join(map(with_article, TABLE[kind].kinds))
+        return f"{fitting} can fail so, and this is {with_article(actuator.kind)}"
     try:
         issues = TABLE[kind].model_validate(broken).faults(aircraft, rate_hz)
         return "; ".join(issue.what for issue in issues)

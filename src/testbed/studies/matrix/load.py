@@ -13,6 +13,7 @@ from typing import Any
 from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.shipped import aircraft_names, find_scenario
+from testbed.common.text import text_of
 from testbed.controllers.user.own import OwnController
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import MEGABYTE, read_text
@@ -77,7 +78,7 @@ def read_baseline(file: str | Path) -> list[dict[str, Any]]:
 
 
 def _entry(row: Mapping[str, Any]) -> dict[str, Any]:
-    entry = {key: row[key] for key in Expected.model_fields if row.get(key)}
+    entry = {key: text_of(row[key]) for key in Expected.model_fields if row.get(key)}
     try:
         return entry | ({"severity": float(entry["severity"])} if "severity" in entry else {})
     except ValueError:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from testbed.studies.matrix.cells import Cell
 from testbed.studies.matrix.model import RESULTS
 from testbed.studies.matrix.plan import MatrixPlan
-from testbed.studies.verdicts import missed, requirements_of, state
+from testbed.studies.verdicts import said_of, state
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,26 +72,10 @@ def _flown(plan: MatrixPlan, number: int, variant: int, rows: Sequence[Mapping[A
         "held": flown.count("held"),
         "lost": flown.count("lost"),
         "run": worst,
-        "why": _why(plan, each[worst]),
+        "why": said_of(plan, each[worst]),
     }
 
 
 def _robustness(row: Mapping[Any, Any]) -> float:
     value = row["robustness"]
     return value if value == value else 0.0  # NaN without a result
-
-
-def _why(plan: MatrixPlan, row: Mapping[Any, Any]) -> str:
-    """`aileron got stuck where it was: altitude at most 5, was 12.3; 1 more`; empty for a flight that was held."""
-    if row["reason"]:
-        return str(row["reason"])
-    requirements = requirements_of(plan)
-    short = missed(requirements, row)
-    ended = "" if row["outcome"] == "completed" else f"{row['outcome']} at {row['end_time_s']:.4g} s"
-    if short is None:
-        return ended
-    more = f" and {short.others} more" if short.others else ""
-    return (
-        f"{ended}; ".removeprefix("; ")
-        + f"missed {requirements[short.number].title} ({short.value:.4g}){more}"
-    )
