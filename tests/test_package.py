@@ -31,6 +31,7 @@ def test_its_names_are_shown_and_there() -> None:
         "fly",
         "load",
         "matrix",
+        "merge",
         "search",
         "sweep",
     ]

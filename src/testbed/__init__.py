@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from testbed.api.benchmark import benchmark as benchmark
     from testbed.api.load import load as load
     from testbed.api.matrix import matrix as matrix
+    from testbed.api.merge import merge as merge
     from testbed.api.search import search as search
     from testbed.api.sweep import sweep as sweep
     from testbed.gains.design import design as design
@@ -34,6 +35,7 @@ _MODULES = {
     "fly": "testbed.simulation",
     "load": "testbed.api.load",
     "matrix": "testbed.api.matrix",
+    "merge": "testbed.api.merge",
     "search": "testbed.api.search",
     "sweep": "testbed.api.sweep",
 }

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 STUDIES = ("sweep", "search", "matrix", "benchmark")
 """The kinds of studies, each a module of this package. The folder of one has a file of this name, with .yaml."""
 
-_KEEP_LOGS = ("sweep", "matrix")
+KEEP_LOGS = ("sweep", "matrix")
+"""Those whose flights can be told one by one: logs are kept, and shards are merged."""
 
 
 def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
@@ -67,7 +68,7 @@ def load_flight(path: str | Path) -> ReportedFlight:
 def kind_of(path: str | Path) -> str:
     """What a path names: `run`, `sweep`, `search`, or `log`, a flight whose log a sweep kept. Raises BadInput when it is none."""
     path = Path(path)
-    if path.suffix == ".parquet" or any(os.path.isfile(path.parent / f"{kind}.yaml") for kind in _KEEP_LOGS):
+    if path.suffix == ".parquet" or any(os.path.isfile(path.parent / f"{kind}.yaml") for kind in KEEP_LOGS):
         from testbed.studies.folder import logs  # only here, as most paths are folders of runs
 
         if logs.is_kept(path):

@@ -156,7 +156,12 @@ def rebuild(folder: Path) -> dict[str, Any]:
     """As `Kind.rebuild`."""
     refuse_blocked(folder)
     refuse_unfinished(folder)
-    return finish(load_matrix(folder / "matrix.yaml"), folder)
+    return finish(plan_of(folder), folder)
+
+
+def plan_of(folder: Path) -> MatrixPlan:
+    """The plan of a matrix folder, as its file has it."""
+    return load_matrix(folder / "matrix.yaml")
 
 
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:

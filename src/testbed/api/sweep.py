@@ -109,7 +109,7 @@ def prepare(
     return plan, folder
 
 
-fly = fly_sweep
+fly, plan_of = fly_sweep, reading.load_plan
 
 
 def finish(

@@ -33,13 +33,13 @@ def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", *
     shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
     plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
     with tidily():
-        with _flying():
+        with flying():
             flights = kind.fly(plan, folder, how, resume=options.resume)
         with _writing(folder):
             summary = kind.finish(plan, folder, flights, figures=not options.no_plots)
             if junit is not None:
                 _write_junit(kind, plan, folder, summary, junit)
-    status = _told(kind, summary)
+    status = told(kind, summary)
     print(flights)
     print(f"wrote {folder}")
     return status
@@ -55,17 +55,18 @@ def report(kind: Kind, folder: Path) -> int:
     """Write what was found in a study's folder again; returns the exit status."""
     with working("drawing and writing"), tidily():
         summary = kind.rebuild(folder)
-    return _told(kind, summary)
+    return told(kind, summary)
 
 
-def _told(kind: Kind, summary: dict[str, Any]) -> int:
+def told(kind: Kind, summary: dict[str, Any]) -> int:
+    """Print the answer of a study; returns the exit status."""
     for line in kind.answer(summary):
         print(line)
     return MET if kind.met(summary) else NOT_MET
 
 
 @contextmanager
-def _flying() -> Iterator[None]:
+def flying() -> Iterator[None]:
     """For the block that flies: raises Ended when it stops before the last flight."""
     from testbed.studies.run import Stopped
 

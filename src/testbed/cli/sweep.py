@@ -36,6 +36,8 @@ def add_single_runs(command: ArgumentParser, logs: str) -> None:
     variant = "with --only: fly only this one of the compared variants, into a run folder"
     command.add_argument("--variant", metavar="LABEL", help=variant)
     which = "logs to keep: none, failed or all (default: %(default)s)"
+    shard = "fly every N-th run, from the K-th on; `testbed merge` joins the folders"
+    command.add_argument("--shard", metavar="K/N", help=shard)
     add_junit(command)
     command.add_argument("--save-logs", default=logs, metavar="WHICH", help=which)
 
@@ -52,7 +54,25 @@ def run(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
         return _fly_only(kind, options, file, **own)
     if options.variant is not None:
         raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
+    if options.shard is not None:
+        return _fly_shard(kind, options, file, **own)
     return study.run(kind, options, file, save_logs=options.save_logs, **own)
+
+
+def _fly_shard(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
+    """Fly a part of the runs, which `testbed merge` joins with the others; returns the exit status."""
+    from testbed.studies.run import Options
+
+    how = Options(options.jobs, options.cluster, options.save_logs, shard=options.shard)
+    plan, folder = kind.prepare(
+        file, options.out, options.set, seed=options.seed, resume=options.resume,
+        controllers=options.controller, **own,
+    )  # fmt: skip
+    with tidily(), study.flying():
+        flights = kind.fly(plan, folder, how, resume=options.resume)
+    print(flights)
+    print(f"wrote {folder}, shard {options.shard}")
+    return MET
 
 
 def _fly_only(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
