@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import believed, refuse_links
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -35,7 +36,9 @@ def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
         import pandas as pd
 
         refuse_unfinished(folder)
-        return pd.read_parquet(Path(folder) / "results.parquet")
+        refuse_links(Path(folder))
+        with believed(Path(folder) / "results.parquet", "the table of a search"):
+            return pd.read_parquet(Path(folder) / "results.parquet")
     if kind == "benchmark":
         from testbed.api import benchmark
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from testbed.api.load import refuse_unfinished
 from testbed.api.study import changes, folder_of, write_summary
-from testbed.common.files import write_whole
 from testbed.common.text import cell
+from testbed.common.writing import write
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.controllers.user.own import own_controllers
 from testbed.reporting.attempt import attempt
@@ -129,7 +129,7 @@ def finish(
     found = summarize(plan, pd.read_parquet(folder / "results.parquet"))
     cells = pd.DataFrame(found["cells"]).astype({"run": "Int64"})
     cells = cells.map(lambda value: cell(value) if isinstance(value, str) else value)
-    write_whole(folder / TABLE, cells.to_csv(index=False, lineterminator="\n").encode())
+    write(folder / TABLE, cells.to_csv(index=False, lineterminator="\n"))
     write_summary(found, folder)
     if figures:
         attempt("the pages of the flights", lambda: _write_pages(plan, found, folder))

@@ -11,6 +11,7 @@ from testbed.api.study import changes, folder_of, write_summary
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
 from testbed.reporting.junit import Test
 from testbed.reporting.numbers import interval, number
@@ -236,8 +237,9 @@ def report_run(path: Path) -> list[tuple[Flight, Path]]:
     The pages are SWEEP/flights/<name of the log>.html. The sweep's report is written again, if there is one, with links to
     them. Raises BadInput when no log was kept.
     """
-    made = []
-    for log in logs.logs_of(path):
+    made, found = [], logs.logs_of(path)
+    refuse_links(found[0].parent.parent)
+    for log in found:
         flight = logs.read(log)
         made.append((flight, write_kept_page(flight, log)))
     sweep = made[0][1].parent.parent

@@ -99,8 +99,8 @@ def add_many_flights(command: ArgumentParser) -> None:
         "--controller",
         action="append",
         default=[],
-        metavar="NAME=FILE.py:CLASS",
-        help="compare a controller class of your own too; may be given several times",
+        metavar="NAME=OWN",
+        help="compare a controller of your own too: FILE.py:CLASS, a command or a C library; may be given several times",
     )
     add_flying(command)
 

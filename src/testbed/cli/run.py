@@ -31,8 +31,8 @@ def _arguments(command: ArgumentParser) -> None:
     add_file(command, "scenario")
     add_out(command, "DIR", "run folder to make (default: runs/<name>)")
     command.add_argument("--no-plots", action="store_true", help="draw no figures")
-    own = "fly a controller class of your own in place of the scenario's"
-    command.add_argument("--controller", metavar="FILE.py:CLASS", help=own)
+    own = "fly a controller of your own: a Python class FILE.py:CLASS, a command in quotes, or a C library"
+    command.add_argument("--controller", metavar="OWN", help=own)
     watched = "show the flight in FlightGear while it is flown, in real time"
     command.add_argument("--flightgear", metavar="HOST:PORT", help=watched)
     add_origin(command, "with --flightgear")

@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Any, TypeVar
 from urllib.parse import quote
 
-from testbed.common.files import plain, replacing
+from testbed.common.files import plain
 from testbed.common.text import printable
+from testbed.common.writing import write
 from testbed.reporting.numbers import number
 
 _ASSETS = Path(__file__).parent / "assets"
@@ -72,13 +73,19 @@ def asset(name: str) -> str:
 
 
 def write_page(
-    file: Path, title: str, parts: Part, script: str = "", data: Mapping[str, Any] | None = None
+    file: Path,
+    title: str,
+    parts: Part,
+    script: str = "",
+    data: Mapping[str, Any] | None = None,
+    within: Path | None = None,
 ) -> Path:
     """Write a page, completely or not at all; returns its file. Raises OSError when it cannot be written.
 
     Args:
         script: the asset that draws what moves.
         data: what the script reads, by id: texts, or values that become JSON.
+        within: the folder that was asked for (see `writing.replacing`); by default the file's own.
     """
     body = joined([parts, *(_data(name, value) for name, value in (data or {}).items())], "\n")
     code = asset(script) if script else ""
@@ -96,8 +103,7 @@ def write_page(
         tag("body", body, tag("script", Html(code)) if code else None),
         lang="en",
     )
-    with replacing(file) as partial:
-        partial.write_text(f"<!DOCTYPE html>\n{text}\n", encoding="utf-8", errors="backslashreplace")
+    write(file, f"<!DOCTYPE html>\n{text}\n".encode(errors="backslashreplace"), within)
     return file
 
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
 
-from testbed.common.files import write_whole
 from testbed.common.text import printable
+from testbed.common.writing import write as write_file
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.reporting.numbers import number
@@ -48,7 +48,7 @@ def write(file: Path, name: str, tests: Iterable[Test]) -> None:
         elif test.skipped:
             ElementTree.SubElement(case, "skipped", {"message": printable(test.skipped)})
     ElementTree.indent(root)
-    write_whole(file, ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n")
+    write_file(file, ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n")
 
 
 def refuse(file: Path) -> None:

@@ -36,7 +36,12 @@ def write_report(folder: str | Path) -> Path:
 
 
 def write_page(
-    flight: Flight, file: Path, figures: Path | None = None, again: Html = sections.AGAIN, back: Part = None
+    flight: Flight,
+    file: Path,
+    figures: Path | None = None,
+    again: Html = sections.AGAIN,
+    back: Part = None,
+    within: Path | None = None,
 ) -> Path:
     """Write the page of a flight; returns its file. Raises OSError when it cannot be written.
 
@@ -44,15 +49,17 @@ def write_page(
         figures: folder of the static figures, if there are any.
         again: HTML that says how to fly it again.
         back: what stands above the title, such as a link to where the flight comes from.
+        within: the folder that was asked for; by default the file's own.
     """
     log = shown_log(flight)
     if len(log["time_s"]) < 2 or not all(name in log for name in _REPLAYED):
-        return html.write_page(file, flight.scenario.name, _parts(flight, None, figures, again, back))
+        parts = _parts(flight, None, figures, again, back)
+        return html.write_page(file, flight.scenario.name, parts, within=within)
     told, columns = packed(log)
     shown = groups(flight, log)
     data = {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
     parts = _parts(flight, _moving(shown, log), figures, again, back)
-    return html.write_page(file, flight.scenario.name, parts, "flight.js", data)
+    return html.write_page(file, flight.scenario.name, parts, "flight.js", data, within)
 
 
 def _parts(flight: Flight, moving: Part, figures: Path | None, again: Html, back: Part) -> Iterator[Part]:

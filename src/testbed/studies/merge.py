@@ -6,6 +6,9 @@ import shutil
 from collections.abc import Sequence
 from pathlib import Path
 
+from testbed.common.writing import write
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, collect
 from testbed.studies.folder import store, table
 from testbed.studies.folder.begin import is_new, refuse_changed, refuse_other
@@ -13,6 +16,8 @@ from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
 from testbed.studies.record import key_of
+
+_LARGEST_LOG = 1000 * MEGABYTE
 
 
 def merge(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
@@ -53,11 +58,10 @@ def _joined(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
             with store.reading(folder) as shard:
                 _add(merged, shard)
             for log in sorted((folder / "logs").glob("*.parquet")):
-                (out / "logs").mkdir(exist_ok=True)
-                shutil.copyfile(log, out / "logs" / log.name)
-        for name in (f"{plan.study.word}.yaml", "cases.csv"):
-            if (folders[0] / name).is_file():
-                shutil.copyfile(folders[0] / name, out / name)
+                write(out / "logs" / log.name, _contents(log), within=out)
+        if plan.cases_text is not None:
+            write(out / "cases.csv", plan.cases_text)
+        write(out / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
         n = len(plan.variants)
         missing = sorted({k // n for k in range(plan.size) if key_of(k) not in merged})
         if not missing:
@@ -65,6 +69,13 @@ def _joined(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
         return missing
     finally:
         merged.close()
+
+
+def _contents(log: Path) -> bytes:
+    """A kept log; raises BadInput for a link, which may lead out of a folder."""
+    if log.is_symlink():
+        raise BadInput([Problem("is a link", str(log), expected="a log that a sweep kept")])
+    return read_bytes(log, _LARGEST_LOG, "a log that a sweep kept")
 
 
 def _add(merged: Store, shard: Store) -> None:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from testbed.common.files import write_whole
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.cluster import refuse_dead
@@ -100,7 +100,7 @@ class Flights:
             if not self.count:
                 remove_results(folder)  # which are those of fewer flights
             if flown.log:
-                write_whole(log_file(folder, self.plan, self.plan.number(task)), flown.log)
+                write(log_file(folder, self.plan, self.plan.number(task)), flown.log, within=folder)
             self.store.add(key(task), flown.record, flown.history if self.plan.histories else b"")
             self.count, self._ended = self.count + 1, time.perf_counter()
             self._flown_s += max(0.0, flown.record.end_time_s)  # NaN without a result

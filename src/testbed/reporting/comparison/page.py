@@ -23,7 +23,6 @@ _MOST_COLUMNS = 4  # named where logs differ first
 
 def write(comparison: Compared, file: Path) -> Path:
     """Write the page; returns its file. Raises OSError when it cannot be written."""
-    file.parent.mkdir(parents=True, exist_ok=True)
     log = columns_of(comparison.flights)
     shown = groups(comparison, log)
     told, columns = packed(log)

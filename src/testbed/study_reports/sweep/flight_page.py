@@ -22,9 +22,8 @@ def page_of(log: Path) -> Path:
 def write_kept_page(flight: Flight, log: Path) -> Path:
     """Write the page of the flight of a kept log; returns its file. Raises OSError when it cannot be written."""
     file = page_of(log)
-    file.parent.mkdir(exist_ok=True)
     back = html.note(f"Run {logs.run_of(log)} of ", html.link(f"a {_study(log).stem}", "../report.html"), ".")
-    return run_report.write_page(flight, file, again=_again(log), back=back)
+    return run_report.write_page(flight, file, again=_again(log), back=back, within=log.parent.parent)
 
 
 def _again(log: Path) -> html.Html:
