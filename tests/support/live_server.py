@@ -14,6 +14,7 @@ from time import monotonic
 from typing import Any
 from urllib.parse import urlsplit
 
+import numpy as np
 from command_line import ROOT
 from websockets.sync.client import ClientConnection, connect
 
@@ -51,19 +52,24 @@ class Page:
         at = urlsplit(address)
         uri = f"ws://{at.netloc}/flight?{at.query}"
         self.socket: ClientConnection = connect(uri, origin=origin or f"http://{at.netloc}")  # type: ignore[arg-type]
-        self.frames: list[bytes] = []
         self.notes: list[dict[str, Any]] = []
         self.asked = 0
 
     def hear(self, timeout_s: float = 20.0) -> dict[str, Any]:
-        """The next note; frames before it are kept. Raises TimeoutError if none comes."""
+        """The next note. Raises TimeoutError if none comes."""
         end = monotonic() + timeout_s
         while True:
             said = self.socket.recv(max(end - monotonic(), 0.0))
             if isinstance(said, str):
                 self.notes.append(json.loads(said))
                 return self.notes[-1]
-            self.frames.append(said)
+
+    def see(self) -> float:
+        """The time of the next frame [s]."""
+        said: str | bytes = ""
+        while isinstance(said, str):
+            said = self.socket.recv(20.0)
+        return float(np.frombuffer(said, "<f4")[0])
 
     def until(self, kind: str, **about: Any) -> dict[str, Any]:
         """Hear until a note of this kind, in which these keys have these values; raises TimeoutError."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
 import shlex
 from argparse import ArgumentParser, Namespace
 from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -34,9 +34,7 @@ def _arguments(command: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     """Serve until Ctrl-C; raises BadInput with every problem at once."""
-    with contextlib.suppress(ImportError):
-        pass
-    if "websockets" not in locals():
+    if find_spec("websockets") is None:
         raise BadInput(
             [Problem("needs the package websockets", "live", expected="pip install 'testbed[live]'")]
         )

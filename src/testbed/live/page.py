@@ -54,7 +54,10 @@ def _flight() -> Html:
         tag("label", "go back to ", tag("output", id="back-to"), for_="back"),
         tag("input", type="range", id="back", min=0, max=0, step=0.1, value=0),
     ]
-    said = "Click on a surface or a propeller, or on its name, to break it. Keys: space pauses, left and right turn, up and down climb."
+    said = (
+        "Click on a surface or a propeller, or on its name, to break it. "
+        "Keys: space pauses, left and right turn, up and down climb."
+    )
     canvas = tag("canvas", aria_label="the flight")
     return tag(
         "section", tag("div", canvas, tag("output"), class_="picture"), tag("div", times, class_="buttons"),

@@ -1,4 +1,4 @@
-"""The server of the page: on this machine only, for those who know the address with its token. The first browser flies, others look on."""
+"""The server of the page: on this machine only, for those who know its token. The first browser flies, others look on."""
 
 from __future__ import annotations
 
@@ -9,14 +9,16 @@ import json
 import secrets
 import socket
 from collections.abc import Callable
+from contextlib import AbstractAsyncContextManager
 from http import HTTPStatus
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
-from websockets.asyncio.server import ServerConnection, broadcast, serve
+from websockets.asyncio.server import Server, ServerConnection, broadcast, serve
 from websockets.datastructures import Headers
 from websockets.exceptions import ConnectionClosed
 from websockets.http11 import Request, Response
+from websockets.typing import Origin
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.live.messages import MOST_BYTES, read
@@ -76,11 +78,11 @@ class LiveServer:
             finally:
                 await asyncio.to_thread(pilot.end)
 
-    def _serving(self) -> serve:
+    def _serving(self) -> AbstractAsyncContextManager[Server]:
         return serve(
             self._with_page,
             sock=self._listener,
-            origins=[f"http://{host}" for host in self._hosts],  # type: ignore[list-item]
+            origins=[Origin(f"http://{host}") for host in self._hosts],
             process_request=self._answer,
             max_size=MOST_BYTES,
             max_queue=8,
