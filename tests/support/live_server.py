@@ -8,7 +8,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -17,6 +17,7 @@ from urllib.parse import urlsplit
 import numpy as np
 from command_line import ROOT
 from websockets.sync.client import ClientConnection, connect
+from websockets.typing import Origin
 
 
 @contextmanager
@@ -51,7 +52,9 @@ class Page:
     def __init__(self, address: str, origin: str | None = None) -> None:
         at = urlsplit(address)
         uri = f"ws://{at.netloc}/flight?{at.query}"
-        self.socket: ClientConnection = connect(uri, origin=origin or f"http://{at.netloc}")  # type: ignore[arg-type]
+        self._open = ExitStack()
+        page = connect(uri, origin=Origin(origin or f"http://{at.netloc}"), close_timeout=0.2)
+        self.socket: ClientConnection = self._open.enter_context(page)
         self.notes: list[dict[str, Any]] = []
         self.asked = 0
 
@@ -89,4 +92,4 @@ class Page:
                 return note
 
     def close(self) -> None:
-        self.socket.close()
+        self._open.close()
