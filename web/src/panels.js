@@ -152,8 +152,7 @@ export class Panels {
     entry.seen.disconnect();
     const { box, panel } = entry;
     entry.plot?.destroy();
-    const data = [this.columns.time_s, ...panel.series.map(({ column }) => this.columns[column])];
-    entry.plot = new uPlot(options(panel, Math.max(box.clientWidth, 120), this.clock), data, box);
+    entry.plot = new uPlot(options(panel, Math.max(box.clientWidth, 120), this.clock), this.data(panel), box);
     const canvas = box.querySelector("canvas");
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", panel.title);
@@ -161,6 +160,19 @@ export class Panels {
     entry.hand.className = "hand";
     entry.plot.over.append(entry.hand);
     place(entry.hand, entry.plot, this.clock);
+  }
+
+  data(panel) {
+    return [this.columns.time_s, ...panel.series.map(({ column }) => this.columns[column])];
+  }
+
+  // Other rows, as of a flight that goes on.
+  renew(columns) {
+    this.columns = columns;
+    for (const { plot, panel, hand } of this.made.filter((entry) => entry.plot)) {
+      plot.setData(this.data(panel));
+      place(hand, plot, this.clock);
+    }
   }
 
   redraw() {

@@ -55,7 +55,7 @@ def _run(options: Namespace) -> int:
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
     stay = contextlib.chdir(".") if options.controller else contextlib.nullcontext()
     with stay:  # its file may lead to another folder
-        controller = collect(problems, lambda: _own_controller(options.controller))
+        controller = collect(problems, lambda: own_controller(options.controller))
     viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
         raise BadInput(problems)
@@ -95,7 +95,7 @@ def report(folder: Path) -> int:
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 
 
-def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
+def own_controller(reference: str | None) -> Callable[[Setup], object] | None:
     """The user's controller class, from `FILE.py:CLASS`; None for None."""
     if reference is None:
         return None
