@@ -18,7 +18,6 @@ from typing import Any
 from blocks import write
 
 import testbed
-from testbed.common.files import replacing
 from testbed.flight.flight import Flight
 from testbed.reporting.comparison.compare import Comparison
 from testbed.reporting.comparison.figure import picture
@@ -150,10 +149,9 @@ def main() -> None:
     """Write the picture and both blocks of the README."""
     default = flown(DEFAULT)
     rivals = {name: at_its_best(controller) for name, controller in RIVALS.items()}
-    with replacing(FIGURE) as partial:
-        partial.write_bytes(
-            picture(Comparison([default.flights[0], *(rivals[name].flights[0] for name in DRAWN)]))
-        )
+    FIGURE.write_bytes(
+        picture(Comparison([default.flights[0], *(rivals[name].flights[0] for name in DRAWN)]))
+    )
     write(README, "picture", sentences(default, rivals))
     write(README, "missions", table(MISSIONS.read_text(encoding="utf-8")))
 

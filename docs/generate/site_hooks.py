@@ -26,7 +26,7 @@ import reference_tables  # noqa: E402
 import stamps  # noqa: E402
 
 _TABLE = re.compile(r"^<!-- (table|keys): (\S+)(?: without ([\w ]+))? -->$", flags=re.MULTILINE)
-_FILE = re.compile(r"^<!-- file: (\S+\.(?:py|xml|yaml)) -->$", flags=re.MULTILINE)
+_FILE = re.compile(r"^<!-- file: (\S+\.(?:py|pl|xml|yaml)) -->$", flags=re.MULTILINE)
 _INLINE = re.compile(r'<span class="arithmatex">\\\((.*?)\\\)</span>', flags=re.DOTALL)
 _BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=re.DOTALL)
 
@@ -38,7 +38,7 @@ def on_page_markdown(markdown: str, **_: Any) -> str:
 
 def _file(asked: re.Match[str]) -> str:
     path = Path(asked.group(1))
-    language = {".py": "python"}.get(path.suffix, path.suffix[1:])
+    language = {".py": "python", ".pl": "perl"}.get(path.suffix, path.suffix[1:])
     return f"```{language}\n{(_ROOT / path).read_text(encoding='utf-8').rstrip()}\n```"
 
 

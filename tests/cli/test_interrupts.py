@@ -16,8 +16,10 @@ _FLIGHT = ["run", "scenarios/left_tail_fail.yaml", "--out", "out", "--set", "req
 _FLIGHT += ["--set", "duration_s=3600"]  # longer than any of the waits below
 
 
-def interrupted(folder: Path, after_s: float, *arguments: str) -> tuple[int, str]:
-    """Exit status and last line of a command that gets SIGINT so long after Ctrl-C is first handled."""
+def interrupted(
+    folder: Path, after_s: float, *arguments: str, by: signal.Signals = signal.SIGINT
+) -> tuple[int, str]:
+    """Exit status and last line of a command that gets a signal so long after Ctrl-C is first handled."""
     begun = folder / "begun"
     begun.unlink(missing_ok=True)
     code = (
@@ -32,7 +34,7 @@ def interrupted(folder: Path, after_s: float, *arguments: str) -> tuple[int, str
     while not begun.exists():
         time.sleep(0.001)
     time.sleep(after_s)
-    process.send_signal(signal.SIGINT)
+    process.send_signal(by)
     _, err = process.communicate()
     return process.returncode, "".join(err.splitlines()[-1:]) if "Traceback" not in err else err
 
@@ -41,6 +43,11 @@ def interrupted(folder: Path, after_s: float, *arguments: str) -> tuple[int, str
 def test_ctrl_c_in_a_run_is_one_line(tmp_path: Path, after_s: float) -> None:
     assert interrupted(tmp_path, after_s, *_FLIGHT) == (130, "interrupted")
     assert [path.name for path in tmp_path.iterdir()] == ["begun"]
+
+
+@pytest.mark.parametrize("by", [signal.SIGTERM, signal.SIGHUP])
+def test_a_schedulers_signal_and_a_closed_terminal_are_as_ctrl_c(tmp_path: Path, by: signal.Signals) -> None:
+    assert interrupted(tmp_path, 0.3, *_FLIGHT, by=by) == (130, "interrupted")
 
 
 def test_ctrl_c_while_it_imports(tmp_path: Path) -> None:

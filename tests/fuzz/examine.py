@@ -16,7 +16,9 @@ aircraft's model is loaded here as the process of the first load does it (`plant
 
 from __future__ import annotations
 
+import base64
 import contextlib
+import io
 import json
 import os
 import shutil
@@ -30,6 +32,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
 import mutants
+import received
 import yaml
 
 if TYPE_CHECKING:
@@ -124,7 +127,14 @@ def _write(files: dict[str, str], root: Path) -> None:
         shutil.copytree(data_root() / "aircraft" / "vtail", root / "vtail", ignore=skipped)
         (root / "s.yaml").write_text(_SCENARIO)
     for name, text in files.items():
-        (root / name).write_bytes(text.encode("utf-8", "surrogatepass"))
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        coded = text.startswith(received.BASE64)
+        content = (
+            base64.b64decode(text.removeprefix(received.BASE64))
+            if coded
+            else text.encode("utf-8", "surrogatepass")
+        )
+        (root / name).write_bytes(content)
 
 
 def _scenario(fly: bool, begin: Callable[[str], None]) -> str:
@@ -224,6 +234,76 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     return _scenario(fly, begin)
 
 
+def _run_folder(fly: bool, begin: Callable[[str], None]) -> str:
+    import testbed
+    from testbed.reporting.comparison.compare import compare
+    from testbed.reporting.export import TABLE as FORMATS
+    from testbed.reporting.figures import draw
+    from testbed.reporting.run_report import write_report
+
+    before = _outside()
+    begin("reading")
+    flight = testbed.load(received.FOLDER)
+    begin("telling")
+    write_report(received.FOLDER)
+    flight._repr_html_()
+    compare([flight, flight], f"{received.FOLDER}/comparison.html")
+    for to in FORMATS:
+        flight.export(to, f"{received.FOLDER}/flight.{to}")
+    if fly:
+        draw(flight, received.FOLDER)
+    assert _outside() == before, "wrote outside of the folder"
+    return "valid"
+
+
+def _sweep_folder(fly: bool, begin: Callable[[str], None]) -> str:
+    return _study_folder("sweep", fly, begin)
+
+
+def _search_folder(fly: bool, begin: Callable[[str], None]) -> str:
+    return _study_folder("search", fly, begin)
+
+
+def _study_folder(kind: str, fly: bool, begin: Callable[[str], None]) -> str:
+    """Read, report on and, with `fly`, resume the folder of a study, by the commands that users give."""
+    import testbed
+
+    study = f"{kind}.yaml"
+    Path(study).write_text(yaml.safe_dump(received.STUDIES[study]))
+    before = _outside()
+    begin("reading")
+    testbed.load(received.FOLDER)
+    begin("reporting")
+    _called("report", received.FOLDER)
+    if fly:
+        begin("resuming")
+        _called(kind, study, "--out", received.FOLDER, "--resume", "--jobs", "1")
+    assert _outside() == before, "wrote outside of the folder"
+    return "valid"
+
+
+def _called(*arguments: str) -> None:
+    """A command; raises BadInput where it refuses, AssertionError for a defect."""
+    from testbed.cli.commands import main
+    from testbed.inputs.problems import BadInput, Problem
+
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said):
+        status = main(arguments)
+    if status == 2:
+        raise BadInput([Problem(said.getvalue())])
+    assert status in (0, 1), said.getvalue()[-200:]
+
+
+def _outside() -> dict[str, bytes]:
+    """The files that are not in the received folder."""
+    return {
+        str(file): file.read_bytes()
+        for file in Path().rglob("*")
+        if file.is_file() and file.parts[0] != received.FOLDER
+    }
+
+
 def _endless(fly: bool, begin: Callable[[str], None]) -> str:
     """Of no mutant: the negative control, a request that is never answered."""
     begin("waiting")
@@ -233,6 +313,7 @@ def _endless(fly: bool, begin: Callable[[str], None]) -> str:
 
 TABLE: dict[str, Callable[[bool, Callable[[str], None]], str]] = {
     "scenario": _scenario, "sweep": _sweep, "search": _search, "aircraft": _aircraft, "xml": _aircraft,
+    "run folder": _run_folder, "sweep folder": _sweep_folder, "search folder": _search_folder,
     "endless": _endless,
 }  # fmt: skip
 

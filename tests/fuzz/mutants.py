@@ -11,6 +11,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
 
+import received
 import yaml
 from hypothesis import strategies as st
 
@@ -237,5 +238,9 @@ KINDS: dict[str, st.SearchStrategy[Mutant]] = {
     "search": _yaml_files("search.yaml", search_bases()),
     "aircraft": _aircraft_yaml(),
     "xml": mutated_model() | _xml_text(),
+    **{
+        kind: received.mutants_of(kind, mutated_trees, mutated_text)
+        for kind in ("run folder", "sweep folder", "search folder")
+    },
 }
 """The kinds of mutants, by the file that is mutated."""

@@ -33,7 +33,7 @@ def test_nothing_is_written_over(tmp_path: Path) -> None:
 
 def test_what_cannot_be_made_is_refused_in_words(tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    assert refused(tmp_path / "file/below").endswith("file/below: cannot be written: File exists")
+    assert refused(tmp_path / "file/below").endswith("file/below: cannot be written: Not a directory")
     assert refused(tmp_path / ("x" * 300)).endswith("cannot be written: File name too long")
     assert "has a NUL character in its name" in refused(tmp_path / "a\0b")
     assert "/proc/x" in refused(Path("/proc/x/y"))
@@ -43,15 +43,15 @@ def test_a_path_that_can_be_made_is_left_free(tmp_path: Path) -> None:
     file = tmp_path / "new" / "file"
     refuse_unwritable(file)
     assert list(file.parent.iterdir()) == []
-    with written(file) as partial:
-        partial.write_text("all")
+    with written(file) as stream:
+        stream.write(b"all")
     assert [(each.name, each.read_text()) for each in file.parent.iterdir()] == [("file", "all")]
 
 
 def test_a_full_disk_names_the_file_that_was_asked_for(tmp_path: Path) -> None:
     file = tmp_path / "file"
-    with pytest.raises(BadInput) as error, written(file) as partial:
-        partial.write_text("a part")
-        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(partial))
+    with pytest.raises(BadInput) as error, written(file) as stream:
+        stream.write(b"a part")
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), "partial")
     assert str(error.value) == f"{file}: cannot be written: No space left on device"
     assert list(tmp_path.iterdir()) == []

@@ -11,7 +11,7 @@ from testbed.reliability import failure_probability
 from testbed.reliability.adaptive import ROUND
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend, Mixture, fitted
-from testbed.reliability.rounds import Rounds
+from testbed.reliability.weighing import Rounds
 
 MIXTURE = Mixture(
     np.linalg.qr(np.random.default_rng(3).standard_normal((5, 2)))[0],
@@ -96,7 +96,7 @@ def test_a_round_does_not_change_its_own_weights() -> None:
     estimates = []
     for seed in range(40):
         random, asked = np.random.default_rng(seed), Asked(lambda u: 2.0 - u[:, 0], 5, 10_000)
-        rounds = Rounds(5)
+        rounds = Rounds()
         for _ in range(2):
             rounds.draw(asked, Blend([MIXTURE.broad(1.5)], np.ones(1)), ROUND, random)
         assert rounds.drawn == len(rounds.terms) == 2 * ROUND

@@ -8,7 +8,7 @@ import pytest
 from scipy import stats
 
 from testbed.reliability import failure_probability
-from testbed.reliability.importance import Mixture
+from testbed.reliability.importance import AboutPoints
 
 LINEAR = limit_states.linear(20, 1e-5)
 
@@ -51,10 +51,10 @@ def test_more_regions_than_it_can_see_are_not_forgotten() -> None:
 
 def test_weights_are_the_ratio_of_the_densities() -> None:
     centres = np.array([[1.0, 2.0], [-1.0, 0.5]])
-    mixture = Mixture(centres, np.array([0.3, 0.7]))
+    mixture = AboutPoints(centres, np.array([0.3, 0.7]))
     points = np.random.default_rng(1).standard_normal((6, 2))
     densities = [stats.multivariate_normal(centre).pdf(points) for centre in centres]
     expected = stats.multivariate_normal(np.zeros(2)).pdf(points) / (0.3 * densities[0] + 0.7 * densities[1])
-    assert mixture.weights(points) == pytest.approx(expected)
+    assert np.exp(-mixture.log_ratio(points)) == pytest.approx(expected)
     drawn = mixture.draw(20_000, np.random.default_rng(2))
-    assert mixture.weights(drawn).mean() == pytest.approx(1, abs=0.1)
+    assert np.exp(-mixture.log_ratio(drawn)).mean() == pytest.approx(1, abs=0.1)

@@ -43,6 +43,12 @@ def lost(scenario: Scenario) -> Flight:
     raise ValueError("at 0x7f00deadbeef " + "x" * 1000)
 
 
+def hungry(scenario: Scenario) -> Flight:
+    """Asks for more memory than there is."""
+    np.ones(2**50)
+    return quick(scenario)
+
+
 def bad(scenario: Scenario) -> Flight:
     """Raises, hangs, or kills its process, as the effectiveness left says; flies otherwise."""
     value = scenario.failures[0].value  # type: ignore[attr-defined]

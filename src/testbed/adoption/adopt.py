@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.metadata
-import shutil
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +16,7 @@ from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft
 from testbed.aircraft.design_model import DESIGN_MODEL
 from testbed.aircraft.model_files.check import model_problems
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput
 from testbed.plant.first_load import trust
 from testbed.plant.identification import identify
@@ -42,8 +42,8 @@ def adopt(source: Source, folder: Path) -> str:
         model = identify(aircraft, near=found)
         model.save(place / DESIGN_MODEL)
         text = card(aircraft, model, found, losses(aircraft, found))
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copytree(place, folder, dirs_exist_ok=True)
+        for file in sorted(each for each in place.rglob("*") if each.is_file()):
+            write(folder / file.relative_to(place), file.read_bytes(), within=folder)
     return text
 
 

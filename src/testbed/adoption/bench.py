@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+from testbed.common import writing
 from testbed.common.units import METRES_PER_FOOT
 from testbed.plant.jsbsim import EngineError, engine_errors, opened
 from testbed.plant.properties import INTEGRATORS
@@ -99,5 +100,4 @@ def one_line(text: str) -> str:
 
 def write(folder: Path, model: str, tree: ET.Element) -> None:
     """Write a model where `Bench` finds it."""
-    folder.mkdir(parents=True, exist_ok=True)
-    ET.ElementTree(tree).write(folder / f"{model}.xml", encoding="unicode")
+    writing.write(folder / f"{model}.xml", ET.tostring(tree, encoding="unicode"))

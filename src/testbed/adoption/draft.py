@@ -18,6 +18,7 @@ from testbed.adoption.engines import GEAR_S, LEAST_THRUST, Start, Step, clean, f
 from testbed.adoption.propulsors import TURBINE, Propulsor, engine_files, find_propulsors
 from testbed.adoption.source import Source, declare, read_whole
 from testbed.adoption.wiring import STICKS
+from testbed.common.writing import write_new
 from testbed.inputs.problems import BadInput, Problem
 from testbed.plant.jsbsim import EngineError
 
@@ -108,7 +109,7 @@ class _Loader:
         place = folder / "Engines"
         place.mkdir(parents=True)
         for file in engine_files(tree, source):
-            (place / file.name).write_bytes(file.read_bytes())
+            write_new(place / file.name, file.read_bytes())
 
     def bench(self) -> Bench:
         """A new bench; raises BadInput with JSBSim's words."""

@@ -13,6 +13,7 @@ import yaml
 from testbed.adoption.blocks import prefix_of
 from testbed.adoption.draft import Draft, Servo
 from testbed.adoption.propulsors import Propulsor, engine_files
+from testbed.common.writing import write, write_new
 
 _SCALE = 0.4  # of half the travel: one unit of the scaled input matrix, near what the v-tail has
 _BETA_MAX_DEG, _ROLL_MAX_DEG, _ALPHA_MAX_DEG = 40, 110, 25
@@ -43,13 +44,11 @@ def write_folder(draft: Draft, folder: Path, name: str, jsbsim_version: str) -> 
     """Write the JSBSim files: the model in one file, engines and propellers in `Engines`."""
     (folder / "Engines").mkdir(parents=True, exist_ok=True)
     for file in engine_files(draft.tree, draft.source):
-        (folder / "Engines" / file.name).write_bytes(file.read_bytes())
+        write_new(folder / "Engines" / file.name, file.read_bytes())
     ET.indent(draft.tree, "  ")
     header = origin(draft, jsbsim_version) + " Changes are listed in the YAML beside this file."
     text = ET.tostring(draft.tree, encoding="unicode")
-    (folder / f"{name}.xml").write_text(
-        f'<?xml version="1.0"?>\n<!-- {header} -->\n{text}\n', encoding="utf-8"
-    )
+    write_new(folder / f"{name}.xml", f'<?xml version="1.0"?>\n<!-- {header} -->\n{text}\n')
 
 
 def origin(draft: Draft, jsbsim_version: str) -> str:
@@ -84,7 +83,7 @@ def write_yaml(draft: Draft, folder: Path, name: str, condition: Condition, jsbs
         *servos,
         *(line for each, thrust in engines for line in _engine(each, thrust)),
     ]
-    (folder / f"{name}.yaml").write_text("\n".join(lines) + "\n", encoding="utf-8")
+    write(folder / f"{name}.yaml", "\n".join(lines) + "\n")
 
 
 def _reference(draft: Draft, condition: Condition) -> list[str]:

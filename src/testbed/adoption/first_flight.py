@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from testbed.adoption.draft import Draft, Servo
+from testbed.common.writing import write_new
 
 FILE = "first_flight.yaml"
 _DURATION_S, _TURN_S, _TURN_DEG, _FAILURE_S = 60, 5, 30, 20
@@ -26,7 +27,7 @@ def write_first_flight(draft: Draft, folder: Path, name: str) -> None:
         "requirements:",
         "  - {signal: heading_deg, from_s: 30, within: 15, of: heading_command_deg}",
     ]
-    (folder / FILE).write_text("\n".join(lines) + "\n", encoding="utf-8")
+    write_new(folder / FILE, "\n".join(lines) + "\n")
 
 
 def _broken(draft: Draft) -> Servo:

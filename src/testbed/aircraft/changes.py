@@ -19,6 +19,7 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.aircraft.model_files.rotating_air import put_rotation
 from testbed.aircraft.model_files.safe_xml import read_bytes, read_xml
 from testbed.common.cache import Cache
+from testbed.common.writing import write_new
 from testbed.inputs.base import Number, Positive, Settings, Text
 from testbed.inputs.problems import BadInput, Problem, TreePath, did_you_mean
 from testbed.inputs.yaml_source import dotted
@@ -104,9 +105,9 @@ def _copy(aircraft: Aircraft, changed: str, to: Path) -> None:
         place = to / file.relative_to(own.parent)
         place.parent.mkdir(parents=True, exist_ok=True)
         if file == own:
-            place.write_text(changed, encoding="utf-8")
+            write_new(place, changed)
         else:
-            place.write_bytes(read_bytes(file))
+            write_new(place, read_bytes(file))
 
 
 class _Model:

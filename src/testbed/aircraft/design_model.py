@@ -25,8 +25,8 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.propulsors import EngineMap, Propulsor
-from testbed.common.files import replacing
 from testbed.common.units import GRAVITY_M_S2
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
@@ -151,8 +151,7 @@ class DesignModel:
 
     def save(self, path: Path) -> None:
         """Write as JSON, completely or not at all."""
-        with replacing(path) as partial:
-            partial.write_text(json.dumps(asdict(self), indent=1) + "\n")
+        write(path, json.dumps(asdict(self), indent=1) + "\n")
 
 
 def load_design_model(path: Path) -> DesignModel:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.api.study import folder_of, write_summary
-from testbed.common.files import write_whole
+from testbed.common.writing import write
 from testbed.controllers.user.own import not_given
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.benchmark.law import seed_of
@@ -106,7 +106,7 @@ def finish(
         if not len(frame):
             raise BadInput([Problem("no draw was flown by every controller", str(folder))])
         summary = scores.summarize(plan, frame)
-        write_whole(folder / "results.csv", frame.to_csv(index=False, lineterminator="\n").encode())
+        write(folder / "results.csv", frame.to_csv(index=False, lineterminator="\n"))
         write_summary(summary, folder)
         if plan.entry is not None:
             entry.write(plan.entry, plan, stored, summary)
@@ -137,7 +137,7 @@ def table(folder: str | Path) -> pd.DataFrame:
     """The table of a benchmark's folder, with a row for each flight."""
     import pandas as pd
 
-    return pd.read_csv(Path(folder) / "results.csv", keep_default_na=False, na_values=[""])
+    return pd.read_csv(Path(folder) / "results.csv", dtype={"reason": str}).fillna({"reason": ""})
 
 
 def verify(

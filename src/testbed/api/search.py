@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -15,9 +14,11 @@ import numpy as np
 from testbed.api.load import refuse_unfinished
 from testbed.api.study import changes, folder_of, write_summary
 from testbed.common.text import printable
+from testbed.common.writing import write
 from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import believed, read_json, refuse_links
 from testbed.reporting.attempt import add_report, attempt
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
@@ -145,7 +146,7 @@ def finish(plan: SearchPlan, folder: Path, flights: Flights, *, figures: bool = 
             part["folder"], part["words"] = _write_found(plan, folder, each, flights.job, figures)
     first = nearest([part for part in said["parts"] if part["variant"] == 0])
     if first is not None:
-        shutil.copyfile(folder / first["folder"] / "scenario.yaml", folder / "found.yaml")
+        write(folder / "found.yaml", (folder / first["folder"] / "scenario.yaml").read_bytes())
     write_summary(said, folder)
     if figures:
         attempt("the report", lambda: write_search_page(folder))
@@ -175,11 +176,12 @@ def rebuild(folder: Path) -> dict[str, Any]:
     """As `Kind.rebuild`: figures and report alone. Raises BadInput when the search has not finished, or is damaged."""
     refuse_blocked(folder)
     refuse_unfinished(folder)
-    try:
-        summary: dict[str, Any] = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
-        what, expected = "cannot be read", "`testbed search --resume`, which writes it anew without flying"
-        raise BadInput([Problem(what, str(folder / "summary.json"), expected=expected)]) from None
+    refuse_links(folder)
+    file, expected = folder / "summary.json", "`testbed search --resume`, which writes it anew without flying"
+    summary: dict[str, Any] = read_json(file, expected)
+    with believed(file, expected):
+        answer(summary)
+        met(summary)
     attempt("the report", lambda: write_search_page(folder))
     return summary
 

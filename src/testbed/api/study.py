@@ -10,7 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from testbed.common.files import replacing, slug
+from testbed.common.files import slug
+from testbed.common.writing import write
 from testbed.inputs.overrides import Option
 from testbed.studies.plan import Plan
 from testbed.studies.run import Flights, Options
@@ -64,5 +65,4 @@ def changes(
 def write_summary(summary: Mapping[str, Any], folder: Path) -> None:
     """Write summary.json, whole or not at all."""
     text = json.dumps(summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    with replacing(folder / "summary.json") as partial:
-        partial.write_text(text + "\n", encoding="utf-8")
+    write(folder / "summary.json", text + "\n")

@@ -39,8 +39,8 @@ def _run(options: Namespace) -> int:
         certificate = certify(scenario, options.error)
     print(text(certificate))
     if options.out is not None:
-        with tidily(), written(options.out) as partial:
-            partial.write_text(FORMATS[options.out.suffix](certificate), encoding="utf-8")
+        with tidily(), written(options.out) as stream:
+            stream.write(FORMATS[options.out.suffix](certificate).encode())
         print(f"wrote {options.out}")
     return MET
 

@@ -80,6 +80,12 @@ def add_origin(command: ArgumentParser, when: str) -> None:
     command.add_argument("--origin", metavar="LAT,LON[,ALT]", help=meaning)
 
 
+def add_junit(command: ArgumentParser) -> None:
+    """`--junit`: the verdict for continuous integration."""
+    meaning = "write the verdict as JUnit XML, with the stories of flights that failed"
+    command.add_argument("--junit", type=Path, metavar="FILE", help=meaning)
+
+
 def add_set(command: ArgumentParser) -> None:
     """`--set`: changes of a scenario's settings."""
     meaning = "change a setting by its dotted path"
@@ -93,8 +99,8 @@ def add_many_flights(command: ArgumentParser) -> None:
         "--controller",
         action="append",
         default=[],
-        metavar="NAME=FILE.py:CLASS",
-        help="compare a controller class of your own too; may be given several times",
+        metavar="NAME=OWN",
+        help="compare a controller of your own too: FILE.py:CLASS, a command or a C library; may be given several times",
     )
     add_flying(command)
 

@@ -117,8 +117,8 @@ def _flagged(one: ActuatorDesign) -> str:
 
 
 def _write(path: Path, text: str) -> None:
-    with tidily(), written(path) as partial:
-        partial.write_text(text, encoding="utf-8")
+    with tidily(), written(path) as stream:
+        stream.write(text.encode())
     print(f"wrote {path}")
 
 

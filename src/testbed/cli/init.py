@@ -10,6 +10,7 @@ from testbed.aircraft.shipped import data_root
 from testbed.cli.command import Command
 from testbed.cli.schema import TABLE, text_of
 from testbed.cli.status import MET
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -40,11 +41,10 @@ def _run(options: Namespace) -> int:
             raise BadInput([Problem("is not empty", str(folder), expected="a new or empty folder")])
         for file in sorted(each for each in TEMPLATES.iterdir() if each.is_file()):
             text = _filled(file.read_text(encoding="utf-8"), choice, aircraft)
-            (folder / file.name).write_text(text, encoding="utf-8")
-        (folder / EXAMPLE.name).write_bytes((data_root() / EXAMPLE).read_bytes())
-        (folder / "schemas").mkdir()
+            write(folder / file.name, text)
+        write(folder / EXAMPLE.name, (data_root() / EXAMPLE).read_bytes())
         for kind in TABLE:
-            (folder / "schemas" / f"{kind}.json").write_text(text_of(kind), encoding="utf-8")
+            write(folder / "schemas" / f"{kind}.json", text_of(kind), within=folder)
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror}", str(folder))]) from None
     print(f"wrote {folder}: README.md says what to run")

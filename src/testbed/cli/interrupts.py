@@ -1,4 +1,4 @@
-"""Ctrl-C: one line and exit status 130, whenever it comes.
+"""Ctrl-C: one line and exit status 130, whenever it comes. SIGTERM and SIGHUP, as of a scheduler or a closed terminal, do the same.
 
 A KeyboardInterrupt in the middle of an import, in a callback of a weak reference, or in code that numba calls while it
 compiles, may be swallowed. So, until something is being written, Ctrl-C ends the process by itself, at once; nothing has to be
@@ -17,37 +17,42 @@ from testbed.cli.status import INTERRUPTED
 
 WORDS = "interrupted"
 
+_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
 _AGAIN_S = 0.01
 """An interrupt that was swallowed is sent again after this time, when the callback that swallowed it has returned."""
 
 
 def end_at_once() -> None:
-    """From now on Ctrl-C ends the process at once; not if SIGINT is ignored or handled already, as under nohup."""
-    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-        signal.signal(signal.SIGINT, _end)
+    """From now on Ctrl-C ends the process at once; not a signal that is ignored or handled already, as under nohup."""
+    for number in _SIGNALS:
+        if signal.getsignal(number) in (signal.default_int_handler, signal.SIG_DFL):
+            signal.signal(number, _end)
 
 
 @contextlib.contextmanager
 def tidily() -> Iterator[None]:
     """While in the block, Ctrl-C is a KeyboardInterrupt, so that what is being written can be removed or finished."""
-    before = signal.getsignal(signal.SIGINT)
-    if before is not _end:
+    ours = [number for number in _SIGNALS if signal.getsignal(number) is _end]
+    if not ours:
         yield
         return
     hook = sys.unraisablehook
-    signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in ours:
+        signal.signal(number, signal.default_int_handler)
     sys.unraisablehook = _send_again
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before)
+        for number in ours:
+            signal.signal(number, _end)
         sys.unraisablehook = hook
 
 
 @contextlib.contextmanager
 def later() -> Iterator[None]:
     """While in the block, Ctrl-C waits: for a moment in which something is made and removed again."""
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, _SIGNALS)
     try:
         yield
     finally:

@@ -22,6 +22,7 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 TABLE = {
     "aircraft": ("testbed.aircraft.description", "Aircraft"),
+    "matrix": ("testbed.studies.matrix.model", "Matrix"),
     "scenario": ("testbed.scenario.model", "Scenario"),
     "search": ("testbed.studies.model", "Search"),
     "sweep": ("testbed.studies.model", "Sweep"),
@@ -58,8 +59,8 @@ def _run(options: Namespace) -> int:
         print(text_of(options.kind), end="")
         return MET
     refuse_unwritable(options.out, _is_schema)
-    with written(options.out) as partial:
-        partial.write_text(text_of(options.kind), encoding="utf-8")
+    with written(options.out) as stream:
+        stream.write(text_of(options.kind).encode())
     print(f"wrote {options.out}")
     return MET
 

@@ -9,7 +9,7 @@ BAD_INPUT = 2
 ENDED_EARLY = 3
 """The command could not be carried out to its end, as on a full disk; what a sweep has flown is kept."""
 INTERRUPTED = 130
-"""Ctrl-C: 128 and the number of the signal SIGINT, as shells have it."""
+"""Ctrl-C, or SIGTERM or SIGHUP: 128 and the number of the signal SIGINT, as shells have it."""
 
 
 class Ended(Exception):

@@ -7,13 +7,14 @@ process that starts it, so a script needs no `__main__` guard.
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import json
 import os
+import select
 import signal
 import subprocess
 import sys
 import tempfile
-import threading
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -119,7 +120,7 @@ def answer(function: Callable[[Any], Iterable[Answer]]) -> NoReturn:
     """Answer the request that this process was started for, within its limits, and end it."""
     asked = json.load(sys.stdin)
     _hold_back(Limits(**asked["limits"]))
-    threading.Thread(target=_end_with_parent, args=(asked["lifeline"],), daemon=True).start()
+    end_with_parent(asked["lifeline"])
     for each in function(asked["request"]):
         print(f"\n{json.dumps(each)}", flush=True)  # on a line of its own, whatever JSBSim has written
     os._exit(0)  # at once: JSBSim may abort while it takes a model apart
@@ -146,7 +147,12 @@ def _hold_back(limits: Limits) -> None:
         )  # the soft limit sends the signal that tells that time ran out
 
 
-def _end_with_parent(lifeline: int) -> None:
-    """End this process when the one that started it has gone; one that computes without end has its limit."""
-    os.read(lifeline, 1)
-    os._exit(1)
+def end_with_parent(lifeline: int) -> None:
+    """Let the operating system end this process as soon as nobody holds the other end of this pipe, whatever it is computing.
+
+    The signal that tells of it, SIGIO, ends a process that does not handle it.
+    """
+    fcntl.fcntl(lifeline, fcntl.F_SETOWN, os.getpid())
+    fcntl.fcntl(lifeline, fcntl.F_SETFL, os.O_ASYNC)
+    if select.select([lifeline], [], [], 0)[0]:  # nothing is ever written there: it was closed before
+        os._exit(1)

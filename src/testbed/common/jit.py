@@ -19,9 +19,9 @@ import numba
 import numpy as np
 
 from testbed.common.cache import Cache
-from testbed.common.files import cache_home
 from testbed.common.jit_cache import CodeCache
 from testbed.common.jit_program import Function
+from testbed.common.private import cache_home, is_private
 
 F = TypeVar("F", bound=Callable[..., Any])
 LONGEST_WAIT_S = 60.0
@@ -40,28 +40,42 @@ def _cache_folder() -> Path | None:
         text.update(file.read_bytes())
     for root in _roots():
         folder = root / f"numba-{numba.__version__}-{text.hexdigest()[:16]}"
-        try:
-            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            os.utime(folder)  # `prune` goes by the time of last use
-        except OSError:
-            continue
-        # The code in the folder will be executed, so it must not belong to somebody else.
-        if os.access(folder, os.W_OK) and folder.stat().st_uid == _user():
-            prune(root)
-            return folder
+        with contextlib.suppress(OSError):
+            root.mkdir(mode=0o700, parents=True, exist_ok=True)
+            if is_private(root):
+                folder.mkdir(mode=0o700, exist_ok=True)
+                os.utime(folder)  # `prune` goes by the time of last use
+                # The code in the folder will be executed, so nobody else may have put it there.
+                if is_private(folder) and os.access(folder, os.W_OK):
+                    prune(root)
+                    return folder
     return None
 
 
 def _roots() -> Iterator[Path]:
-    """Where compiled code may be kept, best first. There may be no home folder, and no temporary folder either."""
+    """Where compiled code may be kept, best first. There may be no home folder, and no temporary folder either.
+
+    In the temporary folder somebody else may have taken the usual name. Then it is one with a name that was free.
+    """
     if home := cache_home():
-        yield home / "testbed"
+        yield (home / "testbed").resolve()
     with contextlib.suppress(OSError):
-        yield Path(tempfile.gettempdir()) / f"testbed-{_user()}"
+        scratch = Path(tempfile.gettempdir()).resolve()
+        usual = f"testbed-{os.getuid()}"
+        yield scratch / usual
+        yield from sorted(scratch.glob(f"{usual}-cache-*"))
+        new = Path(tempfile.mkdtemp(prefix=f"{usual}-cache-", dir=scratch))
+        if is_private(new):
+            yield new
+        else:
+            new.rmdir()
 
 
-def _user() -> int:
-    return os.getuid() if hasattr(os, "getuid") else 0
+def _chosen_folder(folder: Path) -> Path | None:
+    """The folder that the user has chosen for compiled code; None where others may have put some there."""
+    with contextlib.suppress(OSError):
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    return folder if is_private(folder.resolve()) else None
 
 
 def prune(root: Path, days: float = 30.0) -> None:
@@ -78,7 +92,7 @@ if _OURS:
     _FOLDER = _cache_folder()
     numba.config.CACHE_DIR = str(_FOLDER or "")  # type: ignore[attr-defined]
 else:
-    _FOLDER = Path(os.environ["NUMBA_CACHE_DIR"])
+    _FOLDER = _chosen_folder(Path(os.environ["NUMBA_CACHE_DIR"]))
 
 
 @contextlib.contextmanager

@@ -33,6 +33,15 @@ RATES = ("p_dot", "q_dot", "r_dot", "u_dot")
 SETPOINT = ("altitude", "airspeed", "heading", "altitude_rate", "airspeed_rate", "heading_rate")
 """Rate-limited references and their rates [m, m/s, rad, m/s, m/s2, rad/s]."""
 
+SENSED = (
+    "time", "p", "q", "r", "force_x", "force_y", "force_z",
+    "velocity_north", "velocity_east", "velocity_down", "north", "east", "altitude",
+    "roll", "pitch", "heading", "airspeed", "alpha", "beta", "pressure", "temperature",
+)  # fmt: skip
+"""What an autopilot outside of the program is given each step, as the sensors read it: time [s], gyro [rad/s], specific force along
+the body axes [m/s2], velocity over the ground [m/s], position from the start and altitude above sea level [m], attitude [rad],
+airspeed [m/s], alpha and beta [rad], static pressure [Pa] and temperature of the air [K]."""
+
 GROUND_M = 0.5
 """Altitude of the centre of gravity below which the aircraft counts as on the ground [m]; the terrain is at sea level."""
 

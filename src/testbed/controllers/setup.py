@@ -6,8 +6,12 @@ One controller is an exception: `informed_inversion` is told the truth about the
 from __future__ import annotations
 
 import math
+import re
+import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
@@ -22,6 +26,8 @@ from testbed.controllers.released_axes import released_from_start
 from testbed.controllers.scaling import scaled
 
 S = TypeVar("S", bound=ControllerSettings)
+_MOST_KEPT = 100_000_000  # bytes of a controller's own files
+_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}")
 
 
 @dataclass(frozen=True)
@@ -57,6 +63,44 @@ class ActuatorTruth(NamedTuple):
 
 
 @dataclass(frozen=True)
+class FlightPlan:
+    """What a controller outside of the program may need to know of the flight.
+
+    Attributes:
+        seed: of the flight's random numbers.
+        scenario: as its file would hold it, without what goes wrong in it: failures, faults of sensors, changes of the truth.
+    """
+
+    seed: int
+    scenario: Mapping[str, Any]
+
+    @cached_property
+    def folder(self) -> Path:
+        """An empty folder for files of the controller's own, for the time of the flight; made when it is first asked for."""
+        return Path(self._made.name)
+
+    @cached_property
+    def _made(self) -> tempfile.TemporaryDirectory[str]:
+        return tempfile.TemporaryDirectory(prefix="testbed-controller-")
+
+    @property
+    def has_folder(self) -> bool:
+        """Whether the folder was asked for."""
+        return "_made" in self.__dict__
+
+    def files(self) -> dict[str, bytes]:
+        """Name and contents of the files in the folder, as long as they are at most 100 MB in all; empty ones are left out."""
+        found, left = {}, _MOST_KEPT
+        for path in sorted(self.folder.iterdir()):
+            if path.is_symlink() or not path.is_file() or not _NAME.fullmatch(path.name):
+                continue
+            left -= path.stat().st_size
+            if left >= 0 and (content := path.read_bytes()):
+                found[path.name] = content
+        return found
+
+
+@dataclass(frozen=True)
 class Setup:
     """All that a controller knows when the flight begins.
 
@@ -71,6 +115,7 @@ class Setup:
         settings: the scenario's `controller` block.
         released: axes that are given up while no actuator is flagged as failed, in the order of `signals.RATES`.
         parameters: those of a controller of the user's own: what its class declares, with the scenario's values.
+        plan: what a controller outside of the program may need to know of the flight; None where nothing is flown.
         truth: for `informed_inversion` alone, a function that tells the truth about the actuators; None for every other controller.
     """
 
@@ -85,6 +130,7 @@ class Setup:
     settings: ControllerSettings
     released: tuple[str, ...] = ()
     parameters: Mapping[str, Any] = field(default_factory=dict)
+    plan: FlightPlan | None = None
     truth: Callable[[], ActuatorTruth] | None = None
 
     def __post_init__(self) -> None:

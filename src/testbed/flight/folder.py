@@ -16,15 +16,16 @@ import numpy as np
 
 from testbed.aircraft.shape import Shape
 from testbed.common.text import cell, text_of
+from testbed.common.writing import replacing, write
 from testbed.flight.damage import refuse_damaged
 from testbed.flight.flight import Flight, Outcome
-from testbed.inputs.input_file import MEGABYTE, read_text
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import read_json, refuse_links
 from testbed.inputs.yaml_source import describe
 from testbed.scenario.load import Scenario, dump, load_scenario
 
 _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
-_LARGEST_SUMMARY = 20 * MEGABYTE
+_OWN = "controller"  # folder of the files of a controller of one's own
 _KINDS: dict[str, tuple[type, ...]] = {
     "end_time_s": (float,), "events": (list, dict), "requirements": (list, dict), "actuators": (list, dict),
     "warnings": (list, str), "metrics": (dict, int, float, NoneType), "flown_by": (str,),
@@ -98,8 +99,9 @@ def load(folder: str | Path) -> Flight:
     missing = [file for file in (scenario_file, summary_file, log_file) if not file.is_file()]
     if missing:
         raise BadInput([Problem("is missing from the run folder", str(file)) for file in missing])
+    refuse_links(folder)
+    summary = read_json(summary_file, "the summary of a run")
     try:
-        summary = json.loads(read_text(summary_file, _LARGEST_SUMMARY, "the summary of a run"))
         columns, data = _read_log(log_file)
         scenario = load_scenario(scenario_file, with_aircraft=False)
         flight = flight_from(scenario, summary, columns, data)
@@ -156,10 +158,14 @@ def _is_of(value: object, kinds: tuple[type, ...]) -> bool:
 
 
 def _write_files(flight: Flight, folder: Path) -> None:
-    (folder / _SCENARIO).write_text(dump(flight.scenario), encoding="utf-8")
+    write(folder / _SCENARIO, dump(flight.scenario))
     text = json.dumps(flight.summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
-    (folder / _SUMMARY).write_text(text + "\n", encoding="utf-8")
+    write(folder / _SUMMARY, text + "\n")
     _write_log(flight, folder / _LOG)
+    if flight.files:
+        (folder / _OWN).mkdir()
+    for name, content in flight.files.items():
+        write(folder / _OWN / name, content)
 
 
 def _write_log(flight: Flight, file: Path) -> None:
@@ -171,7 +177,7 @@ def _write_log(flight: Flight, file: Path) -> None:
     # Not by pa.array, which would import pandas; that takes longer than the flight.
     arrays = [pa.Array.from_buffers(pa.float64(), len(c), [None, pa.py_buffer(c)]) for c in columns]
     table = pa.Table.from_arrays(arrays, names=list(flight.columns))
-    with file.open("wb") as stream:
+    with replacing(file) as stream:
         stream.write((",".join(map(cell, flight.columns)) + "\n").encode())
         pyarrow.csv.write_csv(table, stream, pyarrow.csv.WriteOptions(include_header=False))
 

@@ -15,11 +15,19 @@ MEGABYTE = 1_000_000
 LARGEST_YAML = MEGABYTE
 """Largest YAML file that is read [bytes]. Shipped ones have up to 7 kB; one of this size takes seconds to read."""
 
+_ZIP = b"PK\x03\x04"
+"""How xlsx, ods and zip files begin."""
+
 
 def read_text(path: str | Path, most: int = LARGEST_YAML, expected: str = "a YAML file") -> str:
     """As `read_bytes`, decoded from UTF-8, without a byte order mark, with `\\n` at the end of lines."""
+    content = read_bytes(path, most, expected)
+    if content.startswith(_ZIP):
+        raise BadInput(
+            [Problem("is a spreadsheet or an archive", str(path), expected=f"{expected}, saved as text")]
+        )
     try:
-        text = read_bytes(path, most, expected).decode("utf-8-sig")
+        text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
         raise BadInput([Problem("is not UTF-8 text", str(path), expected=expected)]) from None
     return text.replace("\r\n", "\n").replace("\r", "\n")

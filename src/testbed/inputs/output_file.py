@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from tempfile import TemporaryFile
+from typing import BinaryIO
 
-from testbed.common.files import partial_of, replacing
+from testbed.common.writing import replacing
 from testbed.inputs.problems import BadInput, Problem
 
 
@@ -23,9 +25,10 @@ def refuse_unwritable(file: Path, is_ours: Callable[[Path], bool] = lambda _: Fa
         if os.path.lexists(file) and not (file.is_file() and is_ours(file)):
             what, expected = "exists already", "a file that does not exist yet"
             raise BadInput([Problem(what, str(file), expected=expected)])
+        with suppress(FileNotFoundError):
+            os.lstat(file)  # a name that is too long
         file.parent.mkdir(parents=True, exist_ok=True)
-        partial_of(file).touch()
-        partial_of(file).unlink()
+        TemporaryFile(dir=file.parent).close()
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None
     except ValueError:
@@ -33,10 +36,10 @@ def refuse_unwritable(file: Path, is_ours: Callable[[Path], bool] = lambda _: Fa
 
 
 @contextmanager
-def written(file: Path) -> Iterator[Path]:
-    """A path to write to, which takes the place of `file` when the block ends without an error; raises BadInput if it cannot."""
+def written(file: Path) -> Iterator[BinaryIO]:
+    """A stream that takes the place of `file` when the block ends without an error; raises BadInput if it cannot."""
     try:
-        with replacing(file) as partial:
-            yield partial
+        with replacing(file) as stream:
+            yield stream
     except OSError as error:
         raise BadInput([Problem(f"cannot be written: {error.strerror}", str(file))]) from None

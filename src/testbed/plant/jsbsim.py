@@ -28,6 +28,7 @@ from testbed.common.units import DEGREES_PER_RADIAN, METRES_PER_FOOT
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 from testbed.plant.first_load import assure
 from testbed.plant.properties import (
+    AIR_AND_GROUND,
     AIR_DATA,
     EARTH_DEG_S,
     INTEGRATORS,
@@ -264,6 +265,13 @@ class Plant:
         """
         force, mass = self.getter(f"forces/fb{axis}-total-lbs"), self.getter("inertia/mass-slugs")
         return lambda: METRES_PER_FOOT * force() / mass()
+
+    def air_and_ground_reader(self) -> Callable[[], tuple[float, ...]]:
+        """Function that gives the present specific force along the body axes [m/s2], velocity over the ground, north and east
+        [m/s], static pressure [Pa] and temperature of the air [K]."""
+        forces = [self.specific_force_reader(axis) for axis in "xyz"]
+        rest = [(self.getter(name), factor) for name, factor in AIR_AND_GROUND]
+        return lambda: (*(force() for force in forces), *(get() * factor for get, factor in rest))
 
     # Trim and identification: the plant as a test stand -----------------------------------------------------------
 

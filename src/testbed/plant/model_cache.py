@@ -10,14 +10,14 @@ import hashlib
 import importlib.util
 import json
 import os
-import tempfile
 import time
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from testbed.common.files import cache_home
+from testbed.common.private import cache_home, is_private
+from testbed.common.writing import write as write_file
 
 Record = Mapping[str, Any]
 """What was found, as JSON can hold it. Of a first load: `properties`, the name of each property of the model, and whether it
@@ -49,13 +49,7 @@ def write(digest: str, found: Record) -> None:
     with contextlib.suppress(OSError):
         file.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         _prune(file.parent)
-        handle, name = tempfile.mkstemp(dir=file.parent, prefix=".")
-        try:
-            with os.fdopen(handle, "w", encoding="utf-8") as stream:
-                json.dump(found, stream)
-            os.replace(name, file)
-        finally:
-            Path(name).unlink(missing_ok=True)
+        write_file(file, json.dumps(found))
 
 
 def _prune(folder: Path) -> None:
@@ -66,14 +60,11 @@ def _prune(folder: Path) -> None:
 
 
 def _file_of(digest: str) -> Path | None:
-    """The file of a record; None where there is no home folder, or where the folder is somebody else's."""
+    """The file of a record; None where there is no home folder, or where others can write into its folder."""
     if (home := cache_home()) is None:
         return None
-    folder = home / "testbed" / "models"
-    try:
-        if folder.is_dir() and hasattr(os, "getuid") and folder.stat().st_uid != os.getuid():
-            return None
-    except OSError:
+    folder = (home / "testbed" / "models").resolve()
+    if os.path.lexists(folder) and not is_private(folder):
         return None
     return folder / f"{digest}-{_rules()}.json"
 

@@ -48,6 +48,14 @@ ACCELERATIONS = tuple(_OF[name] for name in ("u_dot", "v_dot", "w_dot", "p_dot",
 AIR_DATA = tuple(_OF[name] for name in ("airspeed", "alpha", "beta", "roll", "pitch", "heading"))
 """Motion through the air, and attitude: what the direction of a gust in body or wind axes depends on."""
 
+AIR_AND_GROUND: tuple[Property, ...] = (
+    ("velocities/v-north-fps", METRES_PER_FOOT),
+    ("velocities/v-east-fps", METRES_PER_FOOT),
+    ("atmosphere/P-psf", NEWTONS_PER_POUND / METRES_PER_FOOT**2),
+    ("atmosphere/T-R", 5.0 / 9.0),
+)
+"""Velocity over the ground, north and east; static pressure and temperature of the air."""
+
 # The wind is set through JSBSim's gust properties, because run_ic overwrites its wind properties.
 SET_WIND_FPS = tuple(f"atmosphere/gust-{axis}-fps" for axis in ("north", "east", "down"))
 TOTAL_WIND_FPS = tuple(f"atmosphere/total-wind-{axis}-fps" for axis in ("north", "east", "down"))

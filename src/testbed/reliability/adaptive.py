@@ -13,13 +13,12 @@ import numpy as np
 from threadpoolctl import threadpool_limits
 
 from testbed.common.statistics import CONFIDENCE
-from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.mixture import Blend, Mixture, fitted
 from testbed.reliability.results import FailureProbability
-from testbed.reliability.rounds import Rounds
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
+from testbed.reliability.weighing import Rounds, effective_size, regions_missed
 
 ROUND = 500
 LEAST = 3 * ROUND
@@ -68,12 +67,20 @@ def adaptive(asked: Asked, random: np.random.Generator, cov: float) -> FailurePr
         why = _doubt(rounds, last, run, asked)
     if why:
         return instead(asked, random, cov, run, why)
-    return _result(asked, run, rounds, cov)
+    whole = math.hypot(rounds.cov, 1 / (run.ancestors + 1))
+    low, high = log_normal(rounds.probability, whole, rounds.effective - 1)
+    ends = low, min(1.0, max(high, rounds.probability / (1 - CONFIDENCE) ** (1 / run.ancestors)))
+    said = (
+        f"{rounds.drawn} points in {len(rounds.points)} rounds about the failures, c.o.v. {rounds.cov:.2f}, "
+        f"{whole:.2f} with what {run.ancestors} independent lines may have missed"
+    )
+    said += "." if whole <= cov else f"; {cov:g} was not reached."
+    return asked.answer("adaptive", rounds.probability, whole, ends, run.levels, whole <= cov, said)
 
 
 def _drawn(asked: Asked, run: Run, random: np.random.Generator, cov: float) -> tuple[Rounds, Mixture]:
     """Draw rounds until the precision is reached, or SPENT of the budget; with the last mixture fitted."""
-    rounds, first = Rounds(asked.dimensions), _first(run, random)
+    rounds, first = Rounds(), _first(run, random)
     density, last, most = first, first.parts[0], int(SPENT * asked.left)
     while rounds.drawn < most and (
         rounds.drawn < LEAST or rounds.cov > TARGET * cov or rounds.heaviest > HEAVY
@@ -124,22 +131,17 @@ def _fitted(rounds: Rounds, run: Run, random: np.random.Generator) -> Mixture:
 def _flattened(weights: np.ndarray) -> tuple[np.ndarray, float]:
     """The weights to a power of at most 1, with which their effective sample size is ALIKE, and that size; their sum is 1."""
     wanted, low, high = min(ALIKE, len(weights)), 0.0, 1.0
-    if _effective_size(weights) < wanted:
+    if effective_size(weights) < wanted:
         for _ in range(30):
             middle = (low + high) / 2
-            low, high = (middle, high) if _effective_size(weights**middle) >= wanted else (low, middle)
+            low, high = (middle, high) if effective_size(weights**middle) >= wanted else (low, middle)
         weights = weights**low
-    return weights / weights.sum(), _effective_size(weights)
-
-
-def _effective_size(weights: np.ndarray) -> float:
-    """Kish's effective sample size (1965)."""
-    return float(weights.sum() ** 2 / np.sum(weights**2))
+    return weights / weights.sum(), effective_size(weights)
 
 
 def _doubt(rounds: Rounds, last: Mixture, run: Run, asked: Asked) -> str:
     """Why the weights are not to be trusted; "" if nothing speaks against them."""
-    if why := doubt(rounds, run, asked, "the failures", HEAVY):
+    if why := rounds.doubt(run, asked, "the failures", HEAVY):
         return why
     uncovered = float(np.mean(rounds.weights_of(run.failures) > HEAVY * rounds.drawn * rounds.probability))
     if uncovered > UNCOVERED:
@@ -159,25 +161,3 @@ def _regions(mixture: Mixture) -> np.ndarray:
             if between @ np.linalg.solve(covariance, between) < APART**2:
                 region[region == region[i]] = region[j]
     return region
-
-
-def _result(asked: Asked, run: Run, rounds: Rounds, cov: float) -> FailureProbability:
-    whole = math.hypot(rounds.cov, 1 / (run.ancestors + 1))
-    low, high = log_normal(rounds.probability, whole, rounds.effective - 1)
-    high = min(1.0, max(high, rounds.probability / (1 - CONFIDENCE) ** (1 / run.ancestors)))
-    said = (
-        f"{rounds.drawn} points in {len(rounds.points)} rounds about the failures, c.o.v. {rounds.cov:.2f}, "
-        f"{whole:.2f} with what {run.ancestors} independent lines may have missed"
-    )
-    reached = whole <= cov
-    return FailureProbability(
-        probability=rounds.probability,
-        cov=whole,
-        interval=(low, high),
-        evaluations=asked.evaluations,
-        method="adaptive",
-        levels=tuple(run.levels),
-        design_point=asked.nearest,
-        converged=reached,
-        reason=f"{said}." if reached else f"{said}; {cov:g} was not reached.",
-    )

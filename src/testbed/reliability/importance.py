@@ -5,8 +5,7 @@ Schueller and Stix 1987, Structural Safety 4:293; Melchers 1989, Structural Safe
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from scipy import stats
@@ -14,13 +13,13 @@ from scipy.special import logsumexp
 from threadpoolctl import threadpool_limits
 
 from testbed.common.statistics import CONFIDENCE
-from testbed.reliability.doubt import doubt, regions_missed
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.smallest import search_from
 from testbed.reliability.subset import first_run, go_on, instead, log_normal, missing_evaluations
 from testbed.reliability.subset_run import Run
 from testbed.reliability.surface import Search
+from testbed.reliability.weighing import Rounds, regions_missed
 
 EXPLORED = 1 / 8
 """Points a level of the subset simulation that looks for regions, as a share of the budget."""
@@ -38,7 +37,7 @@ HEAVY = 0.1
 
 
 @dataclass
-class Mixture:
+class AboutPoints:
     """Standard normals about the design points `centres` [k, d], drawn with the probabilities `shares` [k]."""
 
     centres: np.ndarray
@@ -49,43 +48,16 @@ class Mixture:
         centre = self.centres[random.choice(len(self.shares), n, p=self.shares)]
         return centre + random.standard_normal(centre.shape)
 
-    def weights(self, points: np.ndarray) -> np.ndarray:
-        """Standard normal density over that of the mixture, at points [n, d]."""
-        exponents = points @ self.centres.T - np.sum(self.centres**2, axis=1) / 2
-        return np.exp(-logsumexp(exponents, axis=1, b=self.shares))
+    def log_ratio(self, points: np.ndarray) -> np.ndarray:
+        """Logarithm of the density over that of the standard normal, at points [n, d]."""
+        return np.asarray(logsumexp(self._exponents(points), axis=1, b=self.shares))
 
+    def likeliest(self, points: np.ndarray) -> np.ndarray:
+        """The design point [n] about which each of the points [n, d] is likeliest to have been drawn."""
+        return np.asarray(np.argmax(self._exponents(points), axis=1))
 
-@dataclass
-class Weighed:
-    """Weights of the drawn points, 0 for those that do not fail."""
-
-    weights: np.ndarray = field(default_factory=lambda: np.empty(0))
-
-    @property
-    def probability(self) -> float:
-        return float(self.weights.mean())
-
-    @property
-    def cov(self) -> float:
-        """Coefficient of variation of the mean; infinite before there are 10 failures."""
-        if np.count_nonzero(self.weights) < 10:
-            return math.inf
-        return float(self.weights.std() / self.weights.mean() / math.sqrt(len(self.weights)))
-
-    @property
-    def heaviest(self) -> float:
-        """The greatest weight, as a share of the sum."""
-        return float(self.weights.max() / self.weights.sum())
-
-    @property
-    def useless(self) -> bool:
-        """Whether fewer than 10 points failed, or one weight is more than HEAVY of the sum."""
-        return not math.isfinite(self.cov) or self.heaviest > HEAVY
-
-    @property
-    def effective(self) -> int:
-        """Effective sample size (Kish 1965): the number of equal weights that have the same coefficient of variation."""
-        return int(self.weights.sum() ** 2 / np.sum(self.weights**2))
+    def _exponents(self, points: np.ndarray) -> np.ndarray:
+        return np.asarray(points @ self.centres.T - np.sum(self.centres**2, axis=1) / 2)
 
 
 def importance(asked: Asked, random: np.random.Generator, cov: float) -> FailureProbability:
@@ -104,14 +76,19 @@ def importance(asked: Asked, random: np.random.Generator, cov: float) -> Failure
         if mixture is None:
             return instead(asked, random, cov, run, "the failures are not in a few regions")
         drawn = _draw(asked, mixture, random, cov)
-    why = doubt(drawn, run, asked, "the design points", HEAVY)
-    why = why or regions_missed(_regions(mixture, run.failures), run.draws, SINGLE)
+    why = drawn.doubt(run, asked, "the design points", HEAVY)
+    why = why or regions_missed(mixture.likeliest(run.failures), run.draws, SINGLE)
     if why:
         return instead(asked, random, cov, run, why)
-    return _result(asked, run, drawn, cov, len(mixture.shares))
+    regions, reached = len(mixture.shares), drawn.cov <= cov
+    said = f"{drawn.drawn} points about {regions} design point{'s' * (regions > 1)}, c.o.v. {drawn.cov:.2f}"
+    said += "." if reached else f"; the budget was spent before {cov:g} was reached."
+    low, high = log_normal(drawn.probability, drawn.cov, drawn.effective - 1)
+    ends = low, min(1.0, high / (1 - CONFIDENCE) ** (1 / run.ancestors))
+    return asked.answer("importance", drawn.probability, drawn.cov, ends, run.levels, reached, said)
 
 
-def _mixture(asked: Asked, run: Run, random: np.random.Generator) -> Mixture | None:
+def _mixture(asked: Asked, run: Run, random: np.random.Generator) -> AboutPoints | None:
     """Design points one after another, each from the nearest failure that belongs to none yet; None with too many."""
     failures = run.failures[np.argsort(np.linalg.norm(run.failures, axis=1), kind="stable")]
     search, centres = Search(asked), np.empty((0, asked.dimensions))
@@ -130,7 +107,7 @@ def _mixture(asked: Asked, run: Run, random: np.random.Generator) -> Mixture | N
         if np.mean(_covered(failures, centres)) < len(centres) / MOST_REGIONS / 2:
             return None
     alone = stats.norm.sf(np.linalg.norm(centres, axis=1))
-    return Mixture(centres, (alone / alone.sum() + 1 / len(centres)) / 2)
+    return AboutPoints(centres, (alone / alone.sum() + 1 / len(centres)) / 2)
 
 
 def _search_evaluations(asked: Asked) -> int:
@@ -143,35 +120,11 @@ def _covered(failures: np.ndarray, centres: np.ndarray) -> np.ndarray:
     return np.any(failures @ centres.T >= COVERED * np.sum(centres**2, axis=1), axis=1)
 
 
-def _draw(asked: Asked, mixture: Mixture, random: np.random.Generator, cov: float) -> Weighed:
+def _draw(asked: Asked, mixture: AboutPoints, random: np.random.Generator, cov: float) -> Rounds:
     """Draw batches until the precision is reached, the weights turn out useless, or the budget is spent."""
-    drawn = Weighed()
-    while asked.left and (len(drawn.weights) < 2 * BATCH or (drawn.cov > cov and not drawn.useless)):
-        points = mixture.draw(min(BATCH, asked.left), random)
-        failing = asked(points) <= 0
-        drawn.weights = np.append(drawn.weights, np.where(failing, mixture.weights(points), 0.0))
+    drawn = Rounds()
+    while asked.left and (
+        drawn.drawn < 2 * BATCH or (drawn.enough and drawn.cov > cov and drawn.heaviest <= HEAVY)
+    ):
+        drawn.draw(asked, mixture, min(BATCH, asked.left), random)
     return drawn
-
-
-def _regions(mixture: Mixture, failures: np.ndarray) -> np.ndarray:
-    """The design point [n] about which each of the failures [n, d] is likeliest to have been drawn."""
-    likely = failures @ mixture.centres.T - np.sum(mixture.centres**2, axis=1) / 2
-    return np.asarray(np.argmax(likely, axis=1))
-
-
-def _result(asked: Asked, run: Run, drawn: Weighed, cov: float, regions: int) -> FailureProbability:
-    said = f"{len(drawn.weights)} points about {regions} design point{'s' * (regions > 1)}, c.o.v. {drawn.cov:.2f}"
-    reached = drawn.cov <= cov
-    low, high = log_normal(drawn.probability, drawn.cov, drawn.effective - 1)
-    high = min(1.0, high / (1 - CONFIDENCE) ** (1 / run.ancestors))
-    return FailureProbability(
-        probability=drawn.probability,
-        cov=drawn.cov,
-        interval=(low, high),
-        evaluations=asked.evaluations,
-        method="importance",
-        levels=tuple(run.levels),
-        design_point=asked.nearest,
-        converged=reached,
-        reason=f"{said}." if reached else f"{said}; the budget was spent before {cov:g} was reached.",
-    )

@@ -50,36 +50,27 @@ CORRELATIONS = (
 
 
 class Kriging:
-    """Mean and standard deviation of the limit state between points [n, d] with values [n].
+    """Mean and standard deviation of the limit state between points [n, d], `apart` [n, n] from each other, with values [n]."""
 
-    The correlation is the one of CORRELATIONS that makes the values likeliest.
-    """
+    def __init__(self, points: np.ndarray, apart: np.ndarray, values: np.ndarray, correlation: Correlation):
+        self.points, self.mean, self.correlation = points, float(np.mean(values)), correlation
+        rest = values - self.mean
+        self.factor = cho_factor(correlation(apart) + NUGGET * np.eye(len(values)), lower=True)
+        self.weights = cho_solve(self.factor, rest)
+        self.variance = max(float(rest @ self.weights) / len(values), 1e-12)
 
-    def __init__(self, points: np.ndarray, values: np.ndarray) -> None:
-        self.points, self.mean = points, float(np.mean(values))
-        apart = _distances(points, points)
-        fits = [_Fit(apart, values - self.mean, kind) for kind in CORRELATIONS]
-        self.fit = max(fits, key=lambda fit: fit.likelihood)
+    @property
+    def likelihood(self) -> float:
+        """Logarithm of the likelihood of the values, but for a constant."""
+        determinant = float(np.sum(np.log(np.diag(self.factor[0]))))
+        return -len(self.points) / 2 * math.log(self.variance) - determinant
 
     def __call__(self, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Mean [m] and standard deviation [m] at points [m, d]."""
-        near = self.fit.correlation(_distances(at, self.points))
-        known = solve_triangular(self.fit.factor[0], near.T, lower=True)
+        near = self.correlation(_distances(at, self.points))
+        known = solve_triangular(self.factor[0], near.T, lower=True)
         share = np.maximum(1.0 - np.sum(known**2, axis=0), 1e-9)
-        return self.mean + near @ self.fit.weights, np.sqrt(self.fit.variance * share)
-
-
-class _Fit:
-    """Weights and log likelihood for one correlation."""
-
-    def __init__(self, apart: np.ndarray, values: np.ndarray, correlation: Correlation) -> None:
-        self.correlation = correlation
-        self.factor = cho_factor(correlation(apart) + NUGGET * np.eye(len(values)), lower=True)
-        self.weights = cho_solve(self.factor, values)
-        self.variance = max(float(values @ self.weights) / len(values), 1e-12)
-        self.likelihood = -len(values) / 2 * math.log(self.variance) - float(
-            np.sum(np.log(np.diag(self.factor[0])))
-        )
+        return self.mean + near @ self.weights, np.sqrt(self.variance * share)
 
 
 def _distances(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -97,7 +88,9 @@ def krige(search: Search, outer: float, scale: float, random: np.random.Generato
         points, values = _known(search, scale)
         if len(values) < 3:
             return
-        kriging = Kriging(points, values)
+        apart = _distances(points, points)
+        fits = [Kriging(points, apart, values, kind) for kind in CORRELATIONS]
+        kriging = max(fits, key=lambda fit: fit.likelihood)
         reach = min(outer, search.nearest)
         candidates = _candidates(search, reach, random)
         chosen = _best(kriging, candidates, reach, min(BATCH, search.left))
@@ -135,6 +128,6 @@ def _best(kriging: Kriging, candidates: np.ndarray, reach: float, n: int) -> np.
     chosen: list[np.ndarray] = []
     while len(chosen) < n and gain.max() > HOPELESS * reach:
         chosen.append(candidates[int(np.argmax(gain))])
-        alike = kriging.fit.correlation(_distances(candidates, chosen[-1][None])[:, 0])
+        alike = kriging.correlation(_distances(candidates, chosen[-1][None])[:, 0])
         gain = gain * (1 - alike**2)
     return np.array(chosen).reshape(-1, candidates.shape[1])

@@ -1,15 +1,21 @@
-"""The user's limit state, asked in batches: checks what it returns, counts, and remembers the nearest failure."""
+"""The user's limit state: its arguments, and its values in batches, checked, counted, and with the nearest failure kept."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterable
+from typing import Any
 
 import numpy as np
 
 from testbed.inputs.problems import BadInput, Problem
+from testbed.reliability.results import FailureProbability, Level
 
 LimitState = Callable[[np.ndarray], np.ndarray]
 """Takes [n, d] standard normal coordinates and returns [n] values; a value at or below 0 is a failure."""
+
+_LEAST = {"dimensions": 1, "seed": 0, "budget": 10, "starts": 1}
+_CALLED = "a function of [n, d] standard normals that returns [n] values"
 
 
 class Asked:
@@ -33,29 +39,71 @@ class Asked:
         values = _checked(self.limit_state(points.copy()), len(points))
         self.evaluations += len(points)
         self.unknown += int(np.isnan(values).sum())
-        self._remember(points[values <= 0])
+        failure = nearest_of(points[values <= 0])
+        if failure is not None and (
+            self.nearest is None or np.linalg.norm(failure) < np.linalg.norm(self.nearest)
+        ):
+            self.nearest = failure.copy()
         return values
 
-    def _remember(self, failures: np.ndarray) -> None:
-        """Keep the failure nearest to the origin."""
-        if not len(failures):
-            return
-        nearest = failures[np.argmin(np.linalg.norm(failures, axis=1))]
-        if self.nearest is None or np.linalg.norm(nearest) < np.linalg.norm(self.nearest):
-            self.nearest = nearest.copy()
+    def answer(
+        self,
+        method: str,
+        probability: float,
+        cov: float,
+        interval: tuple[float, float],
+        levels: Iterable[Level],
+        converged: bool,
+        reason: str,
+    ) -> FailureProbability:
+        """The answer of a method, with what is known here: the evaluations, and the failure nearest to the origin."""
+        return FailureProbability(
+            probability, cov, interval, self.evaluations, method, tuple(levels), self.nearest, converged, reason
+        )  # fmt: skip
+
+
+def nearest_of(points: np.ndarray) -> np.ndarray | None:
+    """The one of points [n, d] that is nearest to the origin; None of none."""
+    return np.asarray(points[np.argmin(np.linalg.norm(points, axis=1))]) if len(points) else None
 
 
 def _checked(values: object, n: int) -> np.ndarray:
     """What a limit state returned, as numbers [n]."""
-    expected = f"{n} numbers, an array of shape [{n}]"
+    what = f"a {type(values).__name__}"
     try:
         numbers = np.asarray(values, dtype=float)
+        if numbers.shape == (n,):
+            return numbers
+        what = f"an array of shape {list(numbers.shape)}"
     except (TypeError, ValueError):
-        raise BadInput(
-            [Problem(f"returned a {type(values).__name__}", "limit_state", expected=expected)]
-        ) from None
-    if numbers.shape != (n,):
-        raise BadInput(
-            [Problem(f"returned an array of shape {list(numbers.shape)}", "limit_state", expected=expected)]
-        )
-    return numbers
+        pass
+    expected = f"{n} numbers, an array of shape [{n}]"
+    raise BadInput([Problem(f"returned {what}", "limit_state", expected=expected)])
+
+
+def check(limit_state: Any, most_dimensions: int, **given: Any) -> None:
+    """Raise BadInput with every problem of the arguments, before the limit state is called.
+
+    Those in _LEAST are whole numbers, the others numbers above 0.
+    """
+    problems = [] if callable(limit_state) else [Problem("cannot be called", "limit_state", expected=_CALLED)]
+    for name, value in given.items():
+        expected = _whole(name, value, most_dimensions) if name in _LEAST else _positive(value)
+        if expected:
+            problems.append(Problem(f"is {value!r}", name, expected=expected))
+    if problems:
+        raise BadInput(problems)
+
+
+def _whole(name: str, value: Any, most_dimensions: int) -> str:
+    """What is expected of a whole number, "" if the value is one."""
+    least, most = _LEAST[name], most_dimensions if name == "dimensions" else math.inf
+    if hasattr(value, "__index__") and not isinstance(value, bool) and least <= value <= most:
+        return ""
+    return f"a whole number from {least} " + ("on" if most == math.inf else f"to {most}")
+
+
+def _positive(value: Any) -> str:
+    """Empty if the value is a number above 0, else the words for what was expected."""
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    return "" if number and 0 < value < math.inf else "a number above 0"

@@ -25,29 +25,16 @@ def plain(
         values = asked(random.standard_normal((min(BATCH, asked.left), asked.dimensions)))
         failures += int((values <= 0).sum())
         n += len(values)
-    return _result(asked, failures, n, cov)
+    known, found = proportion(failures, n, method="exact"), _cov(failures, n)
+    high = proportion(failures + asked.unknown, n, method="exact").high
+    level = Level(0.0, known.estimate, found, n)
+    converged = found <= cov and not asked.unknown
+    reason = _reason(asked, failures, n, converged)
+    return asked.answer("plain", known.estimate, found, (known.low, high), [level], converged, reason)
 
 
 def _cov(failures: int, n: int) -> float:
     return math.sqrt((n - failures) / (failures * n)) if failures else math.inf
-
-
-def _result(asked: Asked, failures: int, n: int, cov: float) -> FailureProbability:
-    known = proportion(failures, n, method="exact")
-    high = proportion(failures + asked.unknown, n, method="exact").high
-    converged = _cov(failures, n) <= cov and not asked.unknown
-    level = Level(0.0, known.estimate, _cov(failures, n), n)
-    return FailureProbability(
-        probability=known.estimate,
-        cov=_cov(failures, n),
-        interval=(known.low, high),
-        evaluations=asked.evaluations,
-        method="plain",
-        levels=(level,),
-        design_point=asked.nearest,
-        converged=converged,
-        reason=_reason(asked, failures, n, converged),
-    )
 
 
 def _reason(asked: Asked, failures: int, n: int, converged: bool) -> str:

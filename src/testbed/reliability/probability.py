@@ -8,10 +8,9 @@ import numpy as np
 
 from testbed.common.random_streams import generator
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.reliability import arguments
 from testbed.reliability.adaptive import adaptive
 from testbed.reliability.importance import importance
-from testbed.reliability.limit_state import Asked, LimitState
+from testbed.reliability.limit_state import Asked, LimitState, check
 from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
 from testbed.reliability.subset import subset
@@ -49,7 +48,7 @@ def failure_probability(
 
     Raises BadInput for arguments that cannot be used, and for a limit state that returns anything but [n] numbers.
     """
-    arguments.check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, cov=cov, budget=budget)
+    check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, cov=cov, budget=budget)
     if method not in TABLE:
         expected, suggestion = guess(method, TABLE)
         raise BadInput(

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from html import escape
 
 import numpy as np
-
-from testbed.reliability.display import block, number
 
 
 @dataclass(frozen=True)
@@ -52,11 +52,11 @@ class FailureProbability:
         return math.inf if self.design_point is None else float(np.linalg.norm(self.design_point))
 
     def __repr__(self) -> str:
-        low, high = map(number, self.interval)
+        low, high = map(_number, self.interval)
         doubt = "" if self.converged else "not known well: "
         cov = f"{self.cov:.2f}" if math.isfinite(self.cov) else "unknown"
         return (
-            f"<FailureProbability {number(self.probability)} ({low} to {high}), c.o.v. {cov}, "
+            f"<FailureProbability {_number(self.probability)} ({low} to {high}), c.o.v. {cov}, "
             f"{self.evaluations} evaluations, {self.method}: {doubt}{self.reason}>"
         )
 
@@ -73,7 +73,7 @@ class FailureProbability:
             for level in self.levels
         ]
         head = ("at or below", "probability given the one before", "c.o.v.", "evaluations")
-        return block([repr(self).strip("<>"), plain], head, rows)
+        return _block([repr(self).strip("<>"), plain], head, rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,4 +112,17 @@ class SmallestFailure:
     def _repr_html_(self) -> str:
         """What a notebook shows: the line, and the last improvements."""
         rows = [(step.evaluations, f"{step.distance:.4g}") for step in self.path[-10:]]
-        return block([repr(self).strip("<>")], ("evaluations", "distance"), rows)
+        return _block([repr(self).strip("<>")], ("evaluations", "distance"), rows)
+
+
+def _number(value: float) -> str:
+    """Three digits, or that it is unknown."""
+    return "unknown" if math.isnan(value) else f"{value:.3g}"
+
+
+def _block(lines: Iterable[str], head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """HTML of some lines of text, those that are not empty, and a table."""
+    told = "".join(f"<p>{escape(line)}</p>" for line in lines if line)
+    cells = "".join(f"<th>{escape(cell)}</th>" for cell in head)
+    body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows)
+    return f"<div>{told}<table><tr>{cells}</tr>{body}</table></div>"

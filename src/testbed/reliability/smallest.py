@@ -11,10 +11,9 @@ from threadpoolctl import threadpool_limits
 from testbed.common.random_streams import generator
 from testbed.common.statistics import CONFIDENCE, proportion
 from testbed.inputs.problems import BadInput, Problem
-from testbed.reliability import arguments
 from testbed.reliability.evolution import evolve
-from testbed.reliability.exploration import Exploration
-from testbed.reliability.limit_state import Asked, LimitState
+from testbed.reliability.exploration import KRIGED, Exploration
+from testbed.reliability.limit_state import Asked, LimitState, check
 from testbed.reliability.results import SmallestFailure, Step
 from testbed.reliability.surface import Search, around, plane, section, toward_plane
 
@@ -54,10 +53,10 @@ def smallest_failure(
     Raises BadInput for arguments that cannot be used, for a limit state that returns anything but [n] numbers, and if it
     fails at the origin, or is not a number there: there is nothing to search.
     """
-    arguments.check(
-        limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, budget=budget, starts=starts
-    )
-    arguments.check_mirrored(mirrored, dimensions)
+    check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, budget=budget, starts=starts)
+    if wrong := [each for each in mirrored if each not in range(dimensions)]:
+        expected = f"coordinates from 0 to {dimensions - 1}"
+        raise BadInput([Problem(f"has {wrong[0]!r}", "mirrored", expected=expected)])
     search = Search(Asked(limit_state, int(dimensions), int(budget)), mirrored=tuple(mirrored))
     search.begin(search.asked.budget)
     scale = _at_origin(search)
@@ -74,7 +73,7 @@ def _all_starts(search: Search, starts: int, scale: float, random: np.random.Gen
     draws = random.standard_normal((min(max(8, int(share * asked.budget)), asked.left), asked.dimensions))
     values = search(draws)
     n, failures = len(draws), int(np.sum(values <= 0))
-    exploration.begin()
+    exploration.explore(KRIGED)
     for start, point in enumerate(_starts(draws, values, starts)):
         whole = (EXPLORED if search.path else SEARCHED) * asked.budget
         search.begin(int((whole - asked.evaluations) / (starts - start)))
@@ -85,7 +84,7 @@ def _all_starts(search: Search, starts: int, scale: float, random: np.random.Gen
     while search.nearest < before:
         _refine(search, scale, random)
         before = search.nearest
-        exploration.go_on()
+        exploration.explore()
     return n, failures
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from scipy import stats
@@ -60,8 +61,7 @@ def instead(
 ) -> FailureProbability:
     """Subset simulation with what is left of the budget, because of a doubt about importance sampling."""
     known = go_on(asked, random, cov, [run])
-    words = f"Not by importance sampling, as {doubt}. {known.reason}"
-    return FailureProbability(**{**vars(known), "reason": words})
+    return replace(known, reason=f"Not by importance sampling, as {doubt}. {known.reason}")
 
 
 def _next_size(asked: Asked, runs: Sequence[Run], cov: float) -> int:
@@ -98,38 +98,29 @@ def _cov(runs: Sequence[Run]) -> float:
     return math.sqrt(np.sum(_weights(runs) ** 2 * [run.variance for run in runs]))
 
 
-def _mean(runs: Sequence[Run]) -> float:
-    """Geometric mean, weighted by the points: the mean of log-normal estimates would be drawn upward by single runs."""
-    return float(np.exp(_weights(runs) @ np.log([run.probability for run in runs])))
-
-
 def log_normal(probability: float, cov: float, degrees: int, factor: float = 1.0) -> tuple[float, float]:
     """Interval of a positive estimate, whose logarithm has variance ln(1 + cov^2), known with so many degrees of freedom."""
     width = factor * stats.t.ppf((1 + CONFIDENCE) / 2, max(degrees, 1)) * math.sqrt(math.log1p(cov**2))
     return probability * math.exp(-width), min(1.0, probability * math.exp(min(width, 700.0)))
 
 
+def _interval(run: Run) -> tuple[float, float]:
+    """The interval of a single run."""
+    return log_normal(run.probability, math.sqrt(run.variance), run.ancestors - 1, ALLOWANCE)
+
+
 def _known(asked: Asked, runs: Sequence[Run], cov: float) -> FailureProbability:
-    probability, reached = _mean(runs), _cov(runs)
+    # Geometric mean, weighted by the points: the mean of log-normal estimates would be drawn upward by single runs.
+    probability = float(np.exp(_weights(runs) @ np.log([run.probability for run in runs])))
+    reached, agreed = _cov(runs), _agree(runs)
     low, high = log_normal(probability, reached, sum(run.ancestors for run in runs) - 1, ALLOWANCE)
-    agreed = _agree(runs)
     if not agreed:
-        each = [
-            log_normal(run.probability, math.sqrt(run.variance), run.ancestors - 1, ALLOWANCE) for run in runs
-        ]
-        low, high = min(low, *(one[0] for one in each)), max(high, *(one[1] for one in each))
+        ends = np.array(list(map(_interval, runs)))
+        low, high = min(low, *ends[:, 0].tolist()), max(high, *ends[:, 1].tolist())
     high = min(1.0, high + max(sum(run.unknown) for run in runs))
-    return FailureProbability(
-        probability=probability,
-        cov=reached,
-        interval=(low, high),
-        evaluations=asked.evaluations,
-        method="subset",
-        levels=tuple(runs[0].levels),
-        design_point=asked.nearest,
-        converged=agreed and reached <= cov and not asked.unknown,
-        reason=_reason(asked, runs, agreed, reached, cov),
-    )
+    converged = agreed and reached <= cov and not asked.unknown
+    reason = _reason(asked, runs, agreed, reached, cov)
+    return asked.answer("subset", probability, reached, (low, high), runs[0].levels, converged, reason)
 
 
 def _agree(runs: Sequence[Run]) -> bool:
@@ -155,23 +146,10 @@ def _unknown(asked: Asked, runs: Sequence[Run]) -> FailureProbability:
     last = run.levels[-1].probability if run.end != "stuck" else 1.0
     spread = math.sqrt(math.log1p(sum(level.cov**2 for level in run.levels[:-1])))
     ends = [run.above * _high(run, last) * math.exp(stats.norm.ppf(CONFIDENCE) * spread)]
-    ends += [
-        log_normal(one.probability, math.sqrt(one.variance), one.ancestors - 1, ALLOWANCE)[1]
-        for one in runs[:-1]
-    ]
+    ends += [_interval(one)[1] for one in runs[:-1]]
     high = min(1.0, max(ends) + max(sum(one.unknown) for one in runs))
-    failing = len(run.failures) / (run.size or 1)
-    return FailureProbability(
-        probability=run.above * failing if run.end != "stuck" else math.nan,
-        cov=math.inf,
-        interval=(0.0, high),
-        evaluations=asked.evaluations,
-        method="subset",
-        levels=tuple(run.levels),
-        design_point=asked.nearest,
-        converged=False,
-        reason=_why(run),
-    )
+    probability = math.nan if run.end == "stuck" else run.above * len(run.failures) / (run.size or 1)
+    return asked.answer("subset", probability, math.inf, (0.0, high), run.levels, False, _why(run))
 
 
 def _high(run: Run, last: float) -> float:
@@ -193,6 +171,4 @@ def _flat(asked: Asked, random: np.random.Generator, cov: float, run: Run) -> Fa
     """Plain sampling with what is left, where nothing shows the way down."""
     known = plain(asked, random, cov, failures=len(run.failures), n=run.size)
     words = f"The limit state is flat, so the points were drawn plainly: {known.reason}"
-    return FailureProbability(
-        **{**vars(known), "method": "subset", "reason": words, "converged": known.converged}
-    )
+    return replace(known, method="subset", reason=words)

@@ -2,6 +2,12 @@
 
 Au and Beck 2001, Probabilistic Engineering Mechanics 16:263. Each level is the tenth of the points with the lowest limit
 state; Markov chains from these fill the level, until the failures are common enough to be counted.
+
+A chain's candidate is rho u + s z with z standard normal and rho^2 + s^2 = 1, which leaves the standard normal distribution as
+it is; it is accepted if its limit state is at or below the threshold (Papaioannou, Betz, Zwirglmaier and Straub 2015,
+Probabilistic Engineering Mechanics 41:89, section 3.2). The spread s follows the share of candidates that are accepted
+(section 3.3), one spread for all coordinates: spreads of their own, from the seeds, were measured to be biased where few
+chains share the failures.
 """
 
 from __future__ import annotations
@@ -12,7 +18,6 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from testbed.common.statistics import proportion
-from testbed.reliability.conditional import Spread, run_chains
 from testbed.reliability.limit_state import Asked
 from testbed.reliability.results import Level
 
@@ -24,6 +29,8 @@ FLAT = 0.5
 """Share of a level with the same lowest value, from which on nothing shows the way down."""
 FEWEST = 5
 """Fewest points below a flat part from which chains are run."""
+ACCEPTED = 0.4
+"""Acceptance rate to be reached; the optimum is flat, and near 0.44."""
 STUCK = 0.1
 """Acceptance rate below which the points of a chain are mostly copies of each other."""
 
@@ -33,10 +40,12 @@ class Run:
     """Levels so far, and the failures [n, d] in the last one, each with the independent draw that it descends from.
 
     `populations` are the points of the last three levels, each inside the threshold of the level before it. `end` is
-    reached, budget, flat or stuck. `unknown` are the upper ends of the share of points without a number.
+    reached, budget, flat or stuck. `unknown` are the upper ends of the share of points without a number. `spread` is the standard
+    deviation s of the candidates, kept from level to level.
     """
 
     size: int
+    spread: float = 0.6
     levels: list[Level] = field(default_factory=list)
     unknown: list[float] = field(default_factory=list)
     end: str = ""
@@ -84,7 +93,7 @@ class Population:
 
 def run_levels(asked: Asked, size: int, random: np.random.Generator) -> Run:
     """Run subset simulation with `size` points a level, a multiple of LENGTH."""
-    run, spread = Run(size), Spread()
+    run = Run(size)
     population = _draw(asked, run, random)
     while not run.end:
         run.populations = [*run.populations[-2:], population.points]
@@ -93,7 +102,7 @@ def run_levels(asked: Asked, size: int, random: np.random.Generator) -> Run:
         run.levels.append(_level(population, inside, threshold))
         run.end = _end(run, inside, asked)
         if not run.end:
-            population = _next(asked, run, population, inside, spread, random)
+            population = _next(asked, run, population, inside, random)
     failing = population.values <= 0
     run.failures, run.draws = population.points[failing], population.draw[failing]
     shares = np.bincount(run.draws) / max(failing.sum(), 1)
@@ -146,34 +155,30 @@ def _end(run: Run, inside: np.ndarray, asked: Asked) -> str:
 
 
 def _next(
-    asked: Asked,
-    run: Run,
-    population: Population,
-    inside: np.ndarray,
-    spread: Spread,
-    random: np.random.Generator,
+    asked: Asked, run: Run, population: Population, inside: np.ndarray, random: np.random.Generator
 ) -> Population:
-    """The points of the next level, by chains from a tenth of the points that are inside it."""
+    """The points of the next level, by chains from a tenth of the points that are inside it, all in parallel."""
     seeds = random.permutation(np.flatnonzero(inside))[: run.size // LENGTH]
     chains = len(seeds)
     steps = min(run.size // chains - 1, asked.left // chains)
-    found = run_chains(
-        asked,
-        population.points[seeds],
-        population.values[seeds],
-        run.levels[-1].threshold,
-        steps,
-        spread,
-        random,
-    )
-    run.accepted = found.accepted
-    run.unknown.append(run.probability * _most_unknown(found.unknown, steps * chains))
-    repeated = steps + 1
+    points, values = [population.points[seeds]], [population.values[seeds]]
+    accepted, unknown = 0, 0
+    for step in range(1, steps + 1):
+        rho = math.sqrt(1 - run.spread**2)
+        candidates = rho * points[-1] + run.spread * random.standard_normal(points[-1].shape)
+        found = asked(candidates)
+        taken = found <= run.levels[-1].threshold  # False for NaN
+        points.append(np.where(taken[:, None], candidates, points[-1]))
+        values.append(np.where(taken, found, values[-1]))
+        run.spread = min(1.0, run.spread * math.exp((taken.mean() - ACCEPTED) / math.sqrt(step)))
+        accepted, unknown = accepted + int(taken.sum()), unknown + int(np.isnan(found).sum())
+    run.accepted = accepted / (steps * chains)
+    run.unknown.append(run.probability * _most_unknown(unknown, steps * chains))
     return Population(
-        points=found.points.reshape(-1, asked.dimensions),
-        values=found.values.ravel(),
-        chain=np.tile(np.arange(chains), repeated),
-        draw=np.tile(population.draw[seeds], repeated),
+        points=np.concatenate(points),
+        values=np.concatenate(values),
+        chain=np.tile(np.arange(chains), steps + 1),
+        draw=np.tile(population.draw[seeds], steps + 1),
         evaluations=steps * chains,
     )
 

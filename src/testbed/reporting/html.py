@@ -15,8 +15,9 @@ from pathlib import Path
 from typing import Any, TypeVar
 from urllib.parse import quote
 
-from testbed.common.files import plain, replacing
+from testbed.common.files import plain
 from testbed.common.text import printable
+from testbed.common.writing import write
 from testbed.reporting.numbers import number
 
 _ASSETS = Path(__file__).parent / "assets"
@@ -72,12 +73,19 @@ def asset(name: str) -> str:
 
 
 def write_page(
-    file: Path, title: str, parts: Part, script: str = "", data: Mapping[str, Any] | None = None
+    file: Path,
+    title: str,
+    parts: Part,
+    script: str = "",
+    data: Mapping[str, Any] | None = None,
+    within: Path | None = None,
 ) -> Path:
-    """Write a page, completely or not at all; returns its file. Arguments as of `page_text`. Raises OSError if it cannot be."""
-    with replacing(file) as partial:
-        text = page_text(title, parts, script, data)
-        partial.write_text(text, encoding="utf-8", errors="backslashreplace")
+    """Write a page, completely or not at all; returns its file. Raises OSError if it cannot be written.
+
+    Args:
+        within: the folder that was asked for (see `writing.replacing`); by default the file's own. Others as of `page_text`.
+    """
+    write(file, page_text(title, parts, script, data).encode(errors="backslashreplace"), within)
     return file
 
 

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.conventional_shape import conventional
+from testbed.common.angles import unwrapped_deg
+from testbed.common.signals import Belief
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
@@ -18,8 +20,8 @@ from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.panels import groups
-from testbed.reporting.page.phases import phases
-from testbed.reporting.panels import has_estimates, shown_log
+from testbed.reporting.page.phases import of_flight
+from testbed.reporting.panels import error_of, has_estimates, shown_log
 from testbed.reporting.words import describe
 
 _REPLAYED = ("north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg")
@@ -36,7 +38,12 @@ def write_report(folder: str | Path) -> Path:
 
 
 def write_page(
-    flight: Flight, file: Path, figures: Path | None = None, again: Html = sections.AGAIN, back: Part = None
+    flight: Flight,
+    file: Path,
+    figures: Path | None = None,
+    again: Html = sections.AGAIN,
+    back: Part = None,
+    within: Path | None = None,
 ) -> Path:
     """Write the page of a flight; returns its file. Raises OSError when it cannot be written.
 
@@ -44,15 +51,19 @@ def write_page(
         figures: folder of the static figures, if there are any.
         again: HTML that says how to fly it again.
         back: what stands above the title, such as a link to where the flight comes from.
+        within: the folder that was asked for; by default the file's own.
     """
     log = shown_log(flight)
     if len(log["time_s"]) < 2 or not all(name in log for name in _REPLAYED):
-        return html.write_page(file, flight.scenario.name, _parts(flight, None, figures, again, back))
+        parts = _parts(flight, None, figures, again, back)
+        return html.write_page(file, flight.scenario.name, parts, within=within)
+    turned = error_of("heading")
+    log |= {turned: unwrapped_deg(log[turned])} if turned in log else {}  # it goes on beyond a half turn
     told, columns = packed(log)
     shown = groups(flight, log)
     data = {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
     parts = _parts(flight, _moving(shown, log), figures, again, back)
-    return html.write_page(file, flight.scenario.name, parts, "flight.js", data)
+    return html.write_page(file, flight.scenario.name, parts, "flight.js", data, within)
 
 
 def _parts(flight: Flight, moving: Part, figures: Path | None, again: Html, back: Part) -> Iterator[Part]:
@@ -86,13 +97,14 @@ def _for_the_script(
     return {
         "data": told,
         "panels": shown,
-        "phases": phases(flight.events, flight.end_time_s, flight.scenario.duration_s),
+        "phases": of_flight(flight),
         "failures_s": failure_times_s(flight.events),
         "events": [
             {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
             for event in flight.events
         ],
         "actuators": flight.actuators,
+        "beliefs": {belief.value: belief.name for belief in Belief},
         "estimates": has_estimates(log, flight.actuators),
         "shape": (flight.shape or conventional()).model_dump(),
     }

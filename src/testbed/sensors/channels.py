@@ -38,6 +38,14 @@ CHANNELS = (
     Channel("position_east", "position", "east", "m"),
 )
 
+SENSED_ONLY = (
+    Channel("accelerometer_y", "accelerometer", "force_y", "m_s2"),
+    Channel("accelerometer_z", "accelerometer", "force_z", "m_s2"),
+    Channel("velocity_north", "climb_rate", "velocity_north", "m_s"),
+    Channel("velocity_east", "climb_rate", "velocity_east", "m_s"),
+)
+"""What only `signals.SENSED` has. The velocity over the ground has the errors of `climb_rate`, drawn for each axis."""
+
 SI = {"deg_s": math.radians(1.0), "deg": math.radians(1.0), "m_s2": 1.0, "m_s": 1.0, "m": 1.0}
 """Factor to SI of each unit."""
 

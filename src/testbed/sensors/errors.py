@@ -15,18 +15,20 @@ from testbed.sensors.measurement import HOLDS, READS, REPLACED
 from testbed.sensors.settings import SensorModel
 
 
-def drawn(index: int, model: SensorModel, steps: int, rate_hz: float, seed: int) -> tuple[float, np.ndarray]:
+def drawn(
+    channel: str, model: SensorModel, steps: int, rate_hz: float, seed: int
+) -> tuple[float, np.ndarray]:
     """Scale factor of one channel [1], and the sum of its bias, drift, wander and noise in each step ([steps], in SI).
 
     Each part has its own random stream, so a change of one leaves the numbers of the others as they were. The errors of a
     longer flight begin with those of a shorter one.
 
     Args:
-        index: of the channel in `CHANNELS`.
+        channel: its name, which names its random streams.
     """
 
     def normal(part: str, size: int) -> np.ndarray:
-        return generator(seed, f"sensors.{CHANNELS[index].name}.{part}").standard_normal(size)
+        return generator(seed, f"sensors.{channel}.{part}").standard_normal(size)
 
     scale, error = 1.0 + model.scale_error, np.full(steps, model.si("bias"))
     if model.scale_error_sigma:
@@ -69,21 +71,33 @@ def enter(
         offset: layer OFFSET [SI].
         state: layer FAULT.
     """
+    for channel in channels_of(fault.sensor):
+        stream = generator(seed, f"sensors.fault.{index}.{CHANNELS[channel].name}")
+        enter_one(fault, channel, rate_hz, stream, offset, state)
+
+
+def enter_one(
+    fault: SensorFault,
+    channel: int,
+    rate_hz: float,
+    stream: np.random.Generator,
+    offset: np.ndarray,
+    state: np.ndarray,
+) -> None:
+    """Enter a fault into one column of the two layers; the stream is of this channel alone."""
     start, end = fault.window(rate_hz)
     window = slice(int(start), int(min(end, len(offset))))
     count = max(window.stop - window.start, 0)
-    for channel in channels_of(fault.sensor):
-        stream = generator(seed, f"sensors.fault.{index}.{CHANNELS[channel].name}")
-        value = fault.value or 0.0
-        if isinstance(fault, Stuck):
-            state[window, channel] = HOLDS if fault.value is None else REPLACED
-            offset[window, channel] = value
-        elif isinstance(fault, Dropout):
-            lost = stream.random(count) < fault.fraction
-            state[window, channel] = np.where(lost, HOLDS if fault.reads == "last" else REPLACED, READS)
-        elif isinstance(fault, Bias):
-            offset[window, channel] += value
-        elif isinstance(fault, Drift):
-            offset[window, channel] += value * (np.arange(count) + start - fault.at_s * rate_hz) / rate_hz
-        elif isinstance(fault, Noise):
-            offset[window, channel] += value * math.sqrt(rate_hz / 2.0) * stream.standard_normal(count)
+    value = fault.value or 0.0
+    if isinstance(fault, Stuck):
+        state[window, channel] = HOLDS if fault.value is None else REPLACED
+        offset[window, channel] = value
+    elif isinstance(fault, Dropout):
+        lost = stream.random(count) < fault.fraction
+        state[window, channel] = np.where(lost, HOLDS if fault.reads == "last" else REPLACED, READS)
+    elif isinstance(fault, Bias):
+        offset[window, channel] += value
+    elif isinstance(fault, Drift):
+        offset[window, channel] += value * (np.arange(count) + start - fault.at_s * rate_hz) / rate_hz
+    elif isinstance(fault, Noise):
+        offset[window, channel] += value * math.sqrt(rate_hz / 2.0) * stream.standard_normal(count)

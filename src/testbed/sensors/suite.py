@@ -51,8 +51,10 @@ class RealSensors:
         self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
         for i, channel in enumerate(CHANNELS):
             model = self.settings.of(channel.sensor)
-            scale, self.table[ERROR, :, i] = drawn(i, model, steps, rate_hz, self._seed)
-            self._channels[i] = _parameters(i, model, scale, rate_hz)
+            scale, self.table[ERROR, :, i] = drawn(channel.name, model, steps, rate_hz, self._seed)
+            reads = channel.reads
+            source = STATE.index(reads) if reads in STATE else -1
+            self._channels[i] = parameters(source, model, scale, rate_hz, reads == "heading")
         for i, fault in enumerate(self.settings.faults):
             enter(fault, i, rate_hz, self._seed, self.table[OFFSET], self.table[FAULT])
         for layer in (SENSED, READING):
@@ -105,10 +107,10 @@ class RealSensors:
         return False
 
 
-def _parameters(i: int, model: SensorModel, scale: float, rate_hz: float) -> tuple[float, ...]:
-    """The constants of channel i, in the order of `measurement.PARAMETERS`."""
-    reads = CHANNELS[i].reads
-    source = STATE.index(reads) if reads in STATE else -1
+def parameters(
+    source: int, model: SensorModel, scale: float, rate_hz: float, circular: bool = False
+) -> tuple[float, ...]:
+    """The constants of a channel that reads this column of the truth, in the order of `measurement.PARAMETERS`."""
     lag = 1.0 - math.exp(-model.low_pass_rad_s / rate_hz) if model.low_pass_rad_s else 1.0
     delay = round(model.delay_s * rate_hz)
-    return source, lag, scale, delay, model.si("resolution"), reads == "heading"
+    return source, lag, scale, delay, model.si("resolution"), circular

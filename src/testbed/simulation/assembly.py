@@ -17,7 +17,7 @@ from testbed.aircraft.shape import Shape, load_shape
 from testbed.controllers import Controller
 from testbed.controllers.config import InformedSettings
 from testbed.controllers.make import make_controller
-from testbed.controllers.setup import Setup, setup_for
+from testbed.controllers.setup import FlightPlan, Setup, setup_for
 from testbed.controllers.user.loader import name_of
 from testbed.injection.injector import Injector
 from testbed.injection.truth import Truth
@@ -26,6 +26,7 @@ from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start
 from testbed.scenario.model import Scenario
 from testbed.scenario.references import references
+from testbed.sensors.sensed import Sensed
 from testbed.sensors.suite import RealSensors
 from testbed.simulation.check import check
 
@@ -36,8 +37,10 @@ class Assembly:
 
     Attributes:
         sensors: those with errors; None for ideal ones.
+        sensed: what an autopilot outside of the program is given; None if the controller does not ask for it.
         references: [steps, 6] rate-limited references by `signals.SETPOINT`.
         path_angle: of the steady flight in which the flight begins [rad].
+        plan: what the controller was told of the flight; its folder has the controller's own files.
         flown_by: name of the user's controller that flies in place of the scenario's, or empty.
     """
 
@@ -51,7 +54,9 @@ class Assembly:
     references: np.ndarray
     path_angle: float
     shape: Shape
+    plan: FlightPlan
     flown_by: str = ""
+    sensed: Sensed | None = None
 
 
 def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:
@@ -74,11 +79,16 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
     sensors = None
     if not scenario.sensors.is_ideal:
         sensors = RealSensors(scenario.sensors, plant, scenario.rate_hz, scenario.steps, scenario.seed)
+    plan = FlightPlan(scenario.seed, without_what_fails(scenario))
+    made = make_controller(replace(setup, plan=plan), controller)
+    sensed = None
+    if getattr(made, "senses", False):
+        sensed = Sensed(sensors, scenario.sensors, plant, scenario.rate_hz, scenario.seed)
     return Assembly(
         scenario=scenario,
         aircraft=aircraft,
         plant=plant,
-        controller=make_controller(setup, controller),
+        controller=made,
         injector=injector,
         weather=weather,
         sensors=sensors,
@@ -86,7 +96,17 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         path_angle=start.state["path_angle"],
         shape=load_shape(aircraft.folder) or drawn_by_effect(setup.model, plant.span_m),
         flown_by=name_of(controller) if controller else "",
+        sensed=sensed,
+        plan=plan,
     )
+
+
+def without_what_fails(scenario: Scenario) -> dict[str, Any]:
+    """A scenario as its file holds it, without what goes wrong in it: a controller is not told."""
+    said = scenario.model_dump(mode="json", exclude={"failures", "aircraft", "requirements"})
+    if isinstance(sensors := said.get("sensors"), dict):
+        sensors.pop("faults", None)
+    return said
 
 
 def _start(scenario: Scenario, aircraft: Aircraft) -> Trim:

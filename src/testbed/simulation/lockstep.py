@@ -45,6 +45,9 @@ class Lockstep:
         parts.controller.bind(as_records(measured, STATE), as_records(setpoints, SETPOINT), telemetry)
         if parts.sensors is not None:
             parts.sensors.bind(truth, measured)
+        if parts.sensed is not None:
+            parts.sensed.bind(truth, measured)
+            parts.controller.bind_sensed(parts.sensed.rows)  # type: ignore[attr-defined]
         parts.injector.observe(rows)
         limits = limits_of(parts.aircraft.envelope)
         self._channels = (parts.plant.raw, parts.plant.factors, limits, truth, measured)
@@ -78,7 +81,7 @@ class Lockstep:
         Raises BadInput when JSBSim cannot go on, or the user's controller.
         """
         plant, controller, injector = self.parts.plant, self.parts.controller, self.parts.injector
-        weather, sensors = self.parts.weather, self.parts.sensors
+        weather, sensors, sensed = self.parts.weather, self.parts.sensors, self.parts.sensed
         log_truth, channels, steps = self._log_truth, self._channels, self.steps
         k, ending = self.done, GOES_ON
         try:
@@ -92,6 +95,8 @@ class Lockstep:
                     ending = log_truth(k, channels)
                     if sensors is not None:
                         sensors.measure(k)
+                    if sensed is not None:
+                        sensed.read(k)
                     plant.command(controller.step(k))
                     for delay in injector.filters:
                         delay()

@@ -241,9 +241,11 @@ class Session:
         return conclude(self.parts, self.scenario, self.ended or Outcome.completed, self.loop.recorded)
 
     def close(self) -> None:
-        """Free the simulator; what was read and saved stays. Closing twice does nothing."""
+        """Free the simulator and end the controller; what was read and saved stays. Closing twice does nothing."""
         if not self._closed:
             self._closed = True
+            if callable(close := getattr(self.parts.controller, "close", None)):
+                close()
             del self.parts, self.loop.parts
 
     def __enter__(self) -> Self:

@@ -22,7 +22,7 @@ from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, TreePath, describe
 from testbed.scenario.missing import made
 from testbed.studies.drawing.builder import TYPE, Builder, Variant
-from testbed.studies.drawing.cases import read_cases
+from testbed.studies.drawing.cases import complete, read_cases
 from testbed.studies.model import MOST_FLIGHTS, MOST_LEVELS, Study, Sweep
 from testbed.studies.plan import Plan
 
@@ -49,6 +49,7 @@ def load_sweep(
         file = Path(source.file).parent / sweep.cases
         cases, text, places = read_cases(file, source.problem(("cases",), "there is no such file"))
         builder = replace(builder, places={**builder.places, **places})
+        complete(cases, builder.base.tree, places)
     runs = _runs(sweep, source, cases)
     return Plan(
         study=sweep.model_copy(update={"runs": runs}),
@@ -157,8 +158,8 @@ def _comparing(own: Mapping[str, OwnController], study: AnyStudy, source: Source
 
 
 def _split(reference: str) -> tuple[str, str]:
-    file, _, made_by = reference.rpartition(":")
-    return file, made_by
+    file, colon, made_by = reference.rpartition(":")
+    return (file, made_by) if colon else (reference, "")
 
 
 def _place(source: Source, path: TreePath) -> str:

@@ -47,7 +47,8 @@ class Study(Settings):
     compare: dict[str, Annotated[list[Any], Field(min_length=1)]] = {}  # noqa: RUF012
     """Variants that are flown with the same variations: a list of values for each dotted path; of several, all combinations."""
     controllers: dict[str, Text] = {}  # noqa: RUF012
-    """Controllers of one's own among those compared, each FILE.py:CLASS. `--controller` fills it in; a file runs no code."""
+    """Controllers of one's own among those compared, by what they were made of: FILE.py:CLASS, or a file's name. `--controller`
+    fills it in; a file runs no code."""
     time_limit_s: Positive = 300.0
     """Wall time [s] after which a flight counts as hung."""
 
@@ -67,8 +68,8 @@ class Study(Settings):
         if (variants := math.prod(map(len, self.compare.values()))) > MOST_FLIGHTS:
             raise refuse(f"compares {variants} variants", f"at most {MOST_FLIGHTS}")
         for name, reference in self.controllers.items():
-            if not reference.rpartition(":")[0]:
-                raise refuse(f"has {name}: {reference!r}", "FILE.py:CLASS")
+            if not reference:
+                raise refuse(f"has {name} without a file", "FILE.py:CLASS, or the name of a file")
         for one in self.vary:
             for other in [*self.compare, *self.vary]:
                 if f"{one}.".startswith(f"{other}.") and (one != other or other in self.compare):

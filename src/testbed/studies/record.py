@@ -17,6 +17,8 @@ NO_RESULT = ("invalid", "error", "timeout", "crashed")
 
 _Number = Annotated[int, Field(ge=0)]
 _Verdict = tuple[bool, float, float]
+_MOST = Field(max_length=500)
+"""More columns than that would take minutes to summarise and draw."""
 
 
 @dataclass(frozen=True)
@@ -36,8 +38,8 @@ class Record:
     reason: str = ""
     end_time_s: float = math.nan
     robustness: float = math.nan
-    metrics: dict[str, float] = field(default_factory=dict)
-    requirements: tuple[_Verdict, ...] = ()
+    metrics: Annotated[dict[str, float], _MOST] = field(default_factory=dict)
+    requirements: Annotated[tuple[_Verdict, ...], _MOST] = ()
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,9 @@ Draw = Callable[..., Figure | None]
 
 def draw_all(table: Mapping[str, Draw], folder: Path, *of: object) -> list[Path]:
     """Draw every figure of a table that shows something of these into folder/figures; returns the files."""
-    target = folder / "figures"
-    target.mkdir(exist_ok=True)
     with plain_text():
         drawn = ((name, draw(*of)) for name, draw in table.items())
-        return [save(figure, target / f"{name}.png") for name, figure in drawn if figure is not None]
+        return [save(figure, folder, name) for name, figure in drawn if figure is not None]
 
 
 def figure(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import pytest
 from sweep_files import SWEEP, fly_here, table, written
 
@@ -42,6 +41,16 @@ def test_plain_numbers_are_those_of_yaml(tmp_path: Path, cell: str) -> None:
         ("a,a\n1,2\n", "column a is there twice"),
         ("a,\n1,2\n", "column 2 has no name"),
         ("a\n1,2\n", "has 2 cells, expected 1, as the header"),
+        (
+            "sep=,\na,b\n1,2\n",
+            "table.csv:1: is 'sep=,', which only a spreadsheet reads, expected the header: remove this line",
+        ),
+        (
+            "a;b\n1;2\n",
+            "table.csv:1: has semicolons between its cells, expected commas: save it as CSV with commas",
+        ),
+        ("a\tb\n1\t2\n", "has tabs between its cells, expected commas"),
+        ("PK\x03\x04\x14", "is a spreadsheet or an archive, expected a CSV table, saved as text"),
         ("seed\n-1\n", "seed: is -1, expected a whole number, at least 0"),
     ],
 )
@@ -54,6 +63,14 @@ def test_a_table_that_cannot_be_read_is_refused(tmp_path: Path, text: str, words
         read_cases(tmp_path / "none.csv", Problem("missing"))
 
 
+def test_an_empty_cell_without_a_value_in_the_scenario_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text("failures.0.value,failures.0.until_s\n0.25,0.5\n0.75,\n")
+    text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\n"
+    words = "table.csv:1: failures.0.until_s: has empty cells, and the scenario has no value for them, expected a value"
+    with pytest.raises(BadInput, match=words):
+        load_sweep(written(tmp_path, text))
+
+
 def test_cases_are_flown_as_written(tmp_path: Path) -> None:
     (tmp_path / "table.csv").write_text(TABLE)
     text = SWEEP[: SWEEP.index("vary:")].replace("runs: 12\n", "") + "cases: table.csv\n"
@@ -61,7 +78,9 @@ def test_cases_are_flown_as_written(tmp_path: Path) -> None:
     frame = table(folder)
     assert list(frame["failures.0.value"]) == [0.25, 0.75, 1.0]
     assert list(frame["seed"][:2]) == [77, 78] and frame["seed"][2] > 1
-    assert np.isnan(frame["failures.0.at_s"][1])  # as the scenario has it
+    assert frame["failures.0.at_s"][1] == 0.3, (
+        "of an empty cell, the value that the scenario has and that is flown"
+    )
     again = load_sweep(folder / "sweep.yaml")  # the table is in the folder too
     assert [again.task(k) for k in range(3)] == [
         load_sweep(tmp_path / "small.yaml").task(k) for k in range(3)

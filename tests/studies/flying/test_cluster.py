@@ -6,6 +6,7 @@ import re
 import shutil
 import signal
 import socket
+import subprocess
 import threading
 import time
 from collections.abc import Iterator
@@ -14,7 +15,7 @@ from pathlib import Path
 import pytest
 from dask_cluster import Cluster
 from own_controllers import own_controller
-from sweep_files import SWEEP, finished, fly_here, same_rows, sorted_files, written
+from sweep_files import SWEEP, command, finished, fly_here, same_rows, sorted_files, written
 
 import testbed
 from testbed.aircraft.shipped import find_aircraft
@@ -55,8 +56,22 @@ def test_a_cluster_gives_the_same_bytes_though_a_worker_dies(cluster: Cluster, t
     assert len(there) == 60
     same_rows(tmp_path / "here", tmp_path / "there")
     assert sorted_files(tmp_path / "here") == sorted_files(tmp_path / "there")
-    unpacked = list(cluster._folder.glob("testbed-*-*/vtail/vtail.yaml"))
-    assert len(unpacked) == 1  # the aircraft had travelled
+    assert list(cluster._folder.glob("testbed-*/vtail/vtail.yaml"))  # the aircraft had travelled
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("flights", [0, 10])
+def test_a_killed_scheduler_is_one_line(cluster: Cluster, tmp_path: Path, flights: int) -> None:
+    """Before the first flight, or after some: Dask's own tracebacks are not shown, and what has finished is kept."""
+    arguments = ("sweep", written(tmp_path), "--runs", 300, "--out", "out", "--cluster", cluster.address)
+    process = subprocess.Popen(command(*arguments), cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    while finished(tmp_path / "out") < flights or not (tmp_path / "out").exists():
+        assert process.poll() is None
+        time.sleep(0.01)
+    cluster.processes[0].kill()
+    _, err = process.communicate()
+    assert process.returncode == 3 and err.startswith("out: ") and err.count("\n") == 1, err
+    assert finished(tmp_path / "out") >= flights
 
 
 @pytest.mark.nightly
@@ -64,7 +79,7 @@ def test_a_wrong_or_dead_address_is_refused_before_a_folder_is_made(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Text that is no address, a closed port, a port that never says a word."""
-    monkeypatch.setattr("testbed.studies.flying.cluster._CONNECT_S", 1)
+    monkeypatch.setattr("testbed.studies.flying.cluster._ANSWER_S", 1)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         listening = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
         for address in ("nonsense", "tcp://127.0.0.1:9", listening):

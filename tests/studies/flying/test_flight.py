@@ -33,6 +33,12 @@ def test_an_exception_is_a_record_with_its_reason_in_bounds(tmp_path: Path) -> N
     task = plan.task(3)
     for fly, outcome, reason in (
         ("sweep_flights:bad", "completed", ""),
+        (
+            "sweep_flights:hungry",
+            "error",
+            "MemoryError: Unable to allocate 8.00 PiB for an array with shape "
+            "(1125899906842624,) and data type float64",
+        ),
         ("sweep_flights:lost", "error", "ValueError: at 0x... " + "x" * 300),
     ):
         record = fly_task(Job(plan.builder, fly), task).record

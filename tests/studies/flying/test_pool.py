@@ -55,6 +55,25 @@ def test_workers_do_not_outlive_a_killed_parent(tmp_path: Path) -> None:
         time.sleep(0.01)  # hangs here, and so fails, if they stay
 
 
+def test_a_worker_whose_flight_hangs_ends_with_its_parent(tmp_path: Path) -> None:
+    """At once, not after the time limit of the flight, which is minutes."""
+    plan = f"testbed.studies.load.load_sweep({str(written(tmp_path))!r}, ['vary.failures.0.value={{choice: [0.2]}}'])"
+    code = (
+        f"import testbed.studies.load\nfrom testbed.studies.flying.worker import Child, Job\nplan = {plan}\n"
+    )
+    process = subprocess.Popen(
+        script(f"{code}Child(Job(plan.builder, 'sweep_flights:bad')).fly(plan.task(0))")
+    )
+    while not (workers := children(process.pid)):
+        assert process.poll() is None
+        time.sleep(0.01)
+    time.sleep(1.0)
+    process.kill()
+    process.wait()
+    while any(Path(f"/proc/{worker}").exists() and not zombie(worker) for worker in workers):
+        time.sleep(0.01)  # hangs here, and so fails, if they stay
+
+
 def zombie(pid: int) -> bool:
     try:
         return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z"

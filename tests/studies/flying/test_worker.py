@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
+import time
 from pathlib import Path
 
 import pytest
-from sweep_files import SWEEP, same_rows, written
+from sweep_files import SWEEP, finished, flown, same_rows, script, table, written
 from sweep_flights import bad
 
 import testbed
@@ -37,6 +41,22 @@ def test_what_goes_wrong_is_a_row_with_its_reason(tmp_path: Path) -> None:
             assert (row["outcome"], row["reason"], row["passed"]) == (outcome, reason, False)
         assert list(frame[frame["outcome"] == "completed"]["failures.0.value"]) == [0.6, 0.7, 0.8, 0.9, 1.0]
     same_rows(tmp_path / "1", tmp_path / "3")
+
+
+@pytest.mark.nightly
+def test_a_stopped_program_has_not_hung(tmp_path: Path) -> None:
+    """As by Ctrl-Z: ten seconds of it are nothing of a flight's two."""
+    sweep = written(tmp_path, SWEEP + "time_limit_s: 2\n")
+    code = flown(sweep, tmp_path / "out", "runs=100, jobs=2")
+    process = subprocess.Popen(script(code), start_new_session=True)
+    while finished(tmp_path / "out") < 10:
+        assert process.poll() is None
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGSTOP)
+    time.sleep(10.0)
+    os.killpg(process.pid, signal.SIGCONT)
+    assert process.wait() == 0
+    assert set(table(tmp_path / "out")["outcome"]) == {"completed"}
 
 
 @pytest.mark.nightly

@@ -61,6 +61,11 @@ def test_another_version_or_aircraft_is_said(tmp_path: Path) -> None:
     other = {**begun, "aircraft_sha256": "0", "versions": {**begun["versions"], "numpy": "0.1"}}
     with pytest.raises(BadInput) as refused:
         refuse_changed(other, begun, tmp_path)
+    elsewhere = {**begun, "arithmetic": {**begun["arithmetic"], "matrices": "0", "kernel": "Haswell"}}
+    with pytest.raises(
+        BadInput, match="other last digits of matrices, which depend on the BLAS kernel: Haswell, this"
+    ):
+        refuse_changed(elsewhere, begun, tmp_path)
     numpy = begun["versions"]["numpy"]
     assert [str(problem).partition(": ")[2] for problem in refused.value.problems] == [
         "was begun with other files of the aircraft, which have changed since",

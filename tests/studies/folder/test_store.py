@@ -49,10 +49,12 @@ def test_numbers_keep_every_digit() -> None:
     draw = random.Random(1)
     numbers = [draw.uniform(-1, 1) * 10 ** draw.randint(-300, 300) for _ in range(20_000)]
     record = replace(
-        RECORD, values={"x": numbers}, metrics=dict(zip(map(str, numbers), numbers, strict=True))
+        RECORD, values={"x": numbers}, metrics=dict(zip(map(str, numbers[:500]), numbers, strict=False))
     )
     again = CHECKED.validate_json(json.dumps(vars(record)), strict=True)
-    assert again.values["x"] == numbers and list(again.metrics.values()) == numbers
+    assert again.values["x"] == numbers and list(again.metrics.values()) == numbers[:500]
+    with pytest.raises(ValueError, match="at most 500"):
+        CHECKED.validate_json(json.dumps({**vars(record), "metrics": dict.fromkeys(map(str, numbers), 1.0)}))
 
 
 def new(folder: Path) -> store.Store:
@@ -313,3 +315,14 @@ def test_a_store_that_is_read_only_is_not_called_damaged(tmp_path: Path) -> None
         assert main(["report", str(tmp_path)]) == 2
     finally:
         tmp_path.chmod(0o755)
+
+
+def test_a_database_that_has_another_name_too_is_not_flown_into(tmp_path: Path) -> None:
+    """A hard link looks like a file; what is written into it is written into somebody's own."""
+    plan = load_sweep(written(tmp_path))
+    folder = fly_here(plan, tmp_path / "out")
+    (tmp_path / "mine.sqlite").hardlink_to(folder / store.NAME)
+    before = (tmp_path / "mine.sqlite").read_bytes()
+    with pytest.raises(PermissionError, match="has other names"):
+        store.opened(folder)
+    assert (tmp_path / "mine.sqlite").read_bytes() == before

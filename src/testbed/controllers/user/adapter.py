@@ -4,6 +4,9 @@
         def __init__(self, setup): ...                      # a `Setup`: design model, trim, stops, time step
         def update(self, time_s, state, reference): ...     # -> commands: servos in radians, motors as throttle 0 to 1
 
+`update` may have a fourth parameter, `sensed`: a `Sensed`, with what an autopilot's own sensors read. A method `close` is called
+when the flight is over. `setup.plan` has the flight's seed, its scenario and a folder for files.
+
 `state` is a `State`, as measured, and `reference` is a `Reference`; both are in SI units and radians. The commands are one
 number for each actuator, in the order of `setup.model.actuators`. The object may have the attributes `effectiveness` and
 `failed`, with one number for each actuator. They are logged, and judged by the metrics, as its estimates and its flags;
@@ -16,9 +19,10 @@ An error in the class is reported as bad input with the user's file and line, an
 
 from __future__ import annotations
 
+import inspect
 import math
 import warnings
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from time import perf_counter
 from typing import Any, NamedTuple
@@ -84,17 +88,57 @@ class Reference(NamedTuple):
     heading_rate: float
 
 
+class Sensed(NamedTuple):
+    """What an autopilot senses (`signals.SENSED`), in SI units and radians, each as the scenario's sensors read it.
+
+    The force [m/s2] is the specific force along the body axes, without gravity. The velocity [m/s] is over the ground. `pressure`
+    [Pa] is the static pressure, which shows the altitude that is read.
+    """
+
+    time: float
+    p: float
+    q: float
+    r: float
+    force_x: float
+    force_y: float
+    force_z: float
+    velocity_north: float
+    velocity_east: float
+    velocity_down: float
+    north: float
+    east: float
+    altitude: float
+    roll: float
+    pitch: float
+    heading: float
+    airspeed: float
+    alpha: float
+    beta: float
+    pressure: float
+    temperature: float
+
+
 class AsItIs:
     """A user's class with `bind` and `step`, and with `reasons` if it gives any."""
 
     def __init__(self, setup: Setup, flown: Any, name: str) -> None:
         self._dt, self._n, self._name = setup.dt_s, len(setup.actuators), name
         self._flown, self._step = flown, flown.step
+        self.senses = callable(getattr(flown, "bind_sensed", None))
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """See `Controller.bind`; raises BadInput when the user's code fails."""
         with in_words(self._name, "while being bound"):
             self._flown.bind(states, setpoints, telemetry)
+
+    def bind_sensed(self, sensed: np.ndarray) -> None:
+        """Take the rows of `signals.SENSED`, for a class that has this method."""
+        with in_words(self._name, "while being bound"):
+            self._flown.bind_sensed(sensed)
+
+    def close(self) -> None:
+        """Close the user's object when the flight is over, if it has a method for it."""
+        closed(self._flown, self._name)
 
     def step(self, step: int) -> np.ndarray:
         """See `Controller.step`; raises BadInput, with the time, when the user's code fails."""
@@ -117,7 +161,11 @@ class AsItIs:
 
 
 class CustomController:
-    """Flies a user's `update`: gives it state and reference, checks the commands that it returns, and logs them."""
+    """Flies a user's `update`: gives it state and reference, checks the commands that it returns, and logs them.
+
+    Attributes:
+        senses: whether `update` has a parameter `sensed`; then it is given a `Sensed` besides.
+    """
 
     reasons: Sequence[tuple[int, str]] = ()
 
@@ -125,24 +173,32 @@ class CustomController:
         n = len(setup.actuators)
         self._dt, self._n, self._names = setup.dt_s, n, setup.model.actuators
         self._flown, self._update, self._name = flown, flown.update, name
-        self._scale = setup.scale
-        self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
-        self._model, self._memory = model_record(setup)[0], trimmed_memory(setup)[0]
+        self.senses = "sensed" in parameters_of(flown.update)
+        self._log = CommandLog(setup)
         self._spent_s = 0.0
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `controllers.Controller`)."""
         self._states, self._setpoints, self._telemetry = states, setpoints, telemetry
 
+    def bind_sensed(self, sensed: np.ndarray) -> None:
+        """Take the rows of `signals.SENSED`, with one record for each control step."""
+        self._sensed = sensed
+
+    def close(self) -> None:
+        """Close the user's object when the flight is over, if it has a method for it."""
+        closed(self._flown, self._name)
+
     def step(self, step: int) -> np.ndarray:
         """Commands [n] for row `step`; raises BadInput, with the time, when the user's code fails."""
         time_s, begin = step * self._dt, perf_counter()
         state = State._make(self._states[step].tolist())
         reference = Reference._make(self._setpoints[step].tolist())
+        given = [Sensed._make(self._sensed[step].tolist())] if self.senses else []
         try:
-            answer = self._update(time_s, state, reference)
+            answer = self._update(time_s, state, reference, *given)
             kept = [getattr(self._flown, name, None) for name, _ in _KEPT]
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, BadInput):
             raise
         except BaseException as error:  # `sys.exit` too, which would end the command in silence
             raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
@@ -174,13 +230,41 @@ class CustomController:
         return values
 
     def _write_telemetry(self, step: int, commands: np.ndarray, kept: Sequence[Any], time_s: float) -> None:
-        """Log servos as commanded, and motors as the thrust of the modelled motor: the log's unit is newtons, not throttle."""
-        n, s, row = self._n, self._memory, self._telemetry[step]
-        s.command[:] = commands
-        advance_actuators(self._dt, axial_speed(self._states[step]), self._model, s)
-        row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
+        n, row = self._n, self._telemetry[step]
+        self._log.write(row, commands, self._states[step])
         for i, ((name, default), own) in enumerate(zip(_KEPT, kept, strict=True), 2):
             row[i * n : (i + 1) * n] = default if own is None else self._checked(own, name, time_s)
+
+
+class CommandLog:
+    """Logs servos as commanded, and motors as the thrust of the modelled motor: the log's unit is newtons, not throttle."""
+
+    def __init__(self, setup: Setup) -> None:
+        self._dt, self._scale = setup.dt_s, setup.scale
+        self._servo = np.array([kind == "servo" for kind in setup.model.kinds])
+        self._model, self._memory = model_record(setup)[0], trimmed_memory(setup)[0]
+
+    def write(self, row: np.ndarray, commands: np.ndarray, state: Any) -> None:
+        """Fill reference and command in a row of telemetry."""
+        n, s = len(commands), self._memory
+        s.command[:] = commands
+        advance_actuators(self._dt, axial_speed(state), self._model, s)
+        row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
+
+
+def closed(flown: Any, name: str) -> None:
+    """Call the method `close` of a user's object, if it has one."""
+    if callable(close := getattr(flown, "close", None)):
+        with in_words(name, "while being closed"):
+            close()
+
+
+def parameters_of(function: Any) -> Collection[str]:
+    """Names of a function's parameters; none where Python cannot tell."""
+    try:
+        return inspect.signature(function).parameters
+    except (TypeError, ValueError):
+        return ()
 
 
 def adapted(factory: Factory, setup: Setup) -> Controller:

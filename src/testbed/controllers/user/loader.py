@@ -32,6 +32,8 @@ _process_of: dict[str, int] = {}
 
 def name_of(factory: Factory) -> str:
     """`module:Class`, the same on every machine. For a class loaded from a file, `module` is the file's name without `.py`."""
+    if isinstance(named := getattr(factory, "controller_name", None), str):
+        return named
     module = getattr(factory, "__module__", "") or ""
     name = getattr(factory, "__qualname__", type(factory).__name__)
     return f"{module.removeprefix(_PREFIX)}:{name}"
@@ -46,6 +48,8 @@ def place_of(factory: Factory) -> str:
 def undeclared(factory: Factory, given: Mapping[str, Any]) -> list[Problem]:
     """A problem for each parameter given that the class does not declare in its attribute `parameters`."""
     declared = getattr(factory, "parameters", {})
+    if getattr(factory, "takes_any_parameters", False):
+        return []
     if not isinstance(declared, Mapping):
         what = f"the attribute `parameters` is {shown(declared)}"
         return [Problem(what, place_of(factory), expected="a mapping of names to defaults")]
@@ -62,10 +66,18 @@ def undeclared(factory: Factory, given: Mapping[str, Any]) -> list[Problem]:
 
 
 def load_controller(reference: str) -> Factory:
-    """The class that `my_file.py:MyController` names. The file is run; what goes wrong raises BadInput with file and line."""
+    """What makes the controller that a text names: a class, a C library or a command.
+
+    Of `my_file.py:MyController` the file is run; what goes wrong raises BadInput with file and line. For the others see
+    `external.reference`.
+    """
     file, colon, name = reference.rpartition(":")
     if not colon or not name.isidentifier() or not file.endswith(".py"):
-        raise BadInput([Problem(f"is {reference!r}", "--controller", expected="FILE.py:CLASS")])
+        if file.endswith(".py") or reference.endswith(".py"):
+            raise BadInput([Problem(f"is {reference!r}", "--controller", expected="FILE.py:CLASS")])
+        from testbed.controllers.external.reference import load
+
+        return load(reference)
     module = _module(Path(file))
     made = getattr(module, name, None)
     own = [key for key, value in vars(module).items() if getattr(value, "__module__", "") == module.__name__]

@@ -9,26 +9,29 @@ from __future__ import annotations
 
 import ast
 import hashlib
+import os
+import shlex
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
 from testbed.controllers.config import TABLE, ControllerSettings
+from testbed.controllers.external.reference import External
 from testbed.controllers.user.loader import Factory, load_controller
 from testbed.inputs.problems import BadInput, Problem
 
-EXPECTED = "NAME=FILE.py:CLASS"
+EXPECTED = "NAME=FILE.py:CLASS, or NAME= and a command or a C library"
 
 
 @dataclass(frozen=True)
 class OwnController:
-    """A controller class of the user's.
+    """A controller of the user's: a class in a file, a C library or a command.
 
     Attributes:
         name: by which the sweep calls it.
-        file: path of its file.
-        made_by: name of the class in that file.
+        file: path of its file, or the command with the whole paths of its files.
+        made_by: name of the class in that file; empty if it is no class.
         code: path and contents of the file and of those beside it that it imports; empty if the class has not been given.
     """
 
@@ -40,7 +43,9 @@ class OwnController:
     @property
     def reference(self) -> str:
         """`FILE.py:CLASS` without the folder: the same on every machine."""
-        return f"{Path(self.file).name}:{self.made_by}"
+        return (
+            f"{Path(self.file).name}:{self.made_by}" if self.made_by else Path(shlex.split(self.file)[0]).name
+        )
 
     @property
     def digest(self) -> str:
@@ -52,11 +57,16 @@ class OwnController:
 
     def load(self) -> Factory:
         """The class. Its file is run once in a process; raises BadInput with file and line when that fails."""
-        return _loaded(f"{self.file}:{self.made_by}")
+        return _loaded(f"{self.file}:{self.made_by}" if self.made_by else self.file)
 
     def unpacked(self, folder: Path) -> OwnController:
         """The same with its code in a folder, into which a worker has written `code`."""
-        return replace(self, file=str(folder / Path(self.file).name))
+        if self.made_by:
+            return replace(self, file=str(folder / Path(self.file).name))
+        there = {Path(name).name: str(folder / name) for name, _ in self.code}
+        for path in there.values():
+            os.chmod(path, 0o700)  # what was sent may have to be run
+        return replace(self, file=shlex.join(there.get(Path(w).name, w) for w in shlex.split(self.file)))
 
 
 def own_controllers(given: Iterable[str]) -> dict[str, OwnController]:
@@ -95,7 +105,10 @@ def _own(text: str, others: Mapping[str, OwnController]) -> OwnController:
     if name in TABLE or name in others:
         what = f"{name} is the name of a {'shipped controller' if name in TABLE else 'controller twice'}"
         raise BadInput([Problem(what, "--controller", expected="another name")])
-    load_controller(reference)
+    factory = load_controller(reference)
+    if isinstance(factory, External):
+        files = tuple((path.name, path.read_bytes()) for path in factory.files())
+        return OwnController(name, shlex.join(factory.words), "", files)
     file, _, made_by = reference.rpartition(":")
     return OwnController(name, str(Path(file).resolve()), made_by, tuple(_code(Path(file).resolve())))
 

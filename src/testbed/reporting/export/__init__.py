@@ -9,13 +9,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
+from typing import BinaryIO
 
 from testbed.flight.flight import Flight
 from testbed.inputs.output_file import refuse_unwritable, written
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.reporting.export.place import DEFAULT_ORIGIN, Origin
 
-Write = Callable[[Flight, Path, Origin], None]
+Write = Callable[[Flight, BinaryIO, Origin], None]
 
 
 @dataclass(frozen=True)
@@ -56,8 +57,8 @@ def export(flight: Flight, to: str, file: str | Path, origin: Origin = DEFAULT_O
     if missing := [name for name in needed if name not in flight.columns]:
         raise BadInput([Problem(f"the log has no column {name}", "--to " + to) for name in missing])
     write: Write = import_module(f"{__name__}.{to}").write
-    with written(file) as partial:
-        write(flight, partial, origin)
+    with written(file) as stream:
+        write(flight, stream, origin)
     return file
 
 

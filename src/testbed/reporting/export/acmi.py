@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -22,10 +23,10 @@ _HEAD = "FileType=text/acmi/tacview\nFileVersion=2.2\n0,ReferenceTime=2000-01-01
 _AIR = {"TAS": "airspeed_m_s", "AOA": "alpha_deg", "AOS": "beta_deg"}  # Tacview's own names
 
 
-def write(flight: Flight, file: Path, origin: Origin) -> None:
+def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
     """Write the flight at RATE_HZ, with wind and actuators as properties of the aircraft and events as bookmarks."""
     text = "".join(f"{line}\n" for line in _lines(flight, poses(flight, origin, RATE_HZ)))
-    file.write_text(_HEAD + text, encoding="utf-8-sig")
+    stream.write((_HEAD + text).encode("utf-8-sig"))
 
 
 def _lines(flight: Flight, track: Poses) -> Iterator[str]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 from html import escape
-from pathlib import Path
+from typing import BinaryIO
 from xml.etree import ElementTree as Xml
 
 import numpy as np
@@ -24,7 +24,7 @@ _KML, _GX = "http://www.opengis.net/kml/2.2", "http://www.google.com/kml/ext/2.2
 _SCHEMA = "air"
 
 
-def write(flight: Flight, file: Path, origin: Origin) -> None:
+def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
     """Write the flight's track at RATE_HZ with attitude, air data and wind, and a place for each event."""
     Xml.register_namespace("", _KML)
     Xml.register_namespace("gx", _GX)
@@ -39,7 +39,7 @@ def write(flight: Flight, file: Path, origin: Origin) -> None:
         _add(schema, "SimpleArrayField", gx=True, name=column, type="float")
     _track(_placemark(document, "flight"), flight, track, columns)
     _events(document, flight, track)
-    Xml.ElementTree(root).write(file, encoding="utf-8", xml_declaration=True)
+    Xml.ElementTree(root).write(stream, encoding="utf-8", xml_declaration=True)
 
 
 def _track(place: Xml.Element, flight: Flight, track: Poses, columns: list[str]) -> None:

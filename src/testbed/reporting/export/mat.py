@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -17,7 +17,7 @@ _LONGEST = 63  # characters of a name in MATLAB
 _HEADER = b"MATLAB 5.0 MAT-file, written by testbed".ljust(116)  # scipy's has the time of writing
 
 
-def write(flight: Flight, file: Path, _: Origin) -> None:
+def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:
     """Write the log in full precision, each column [rows, 1]."""
     from scipy.io import savemat
 
@@ -35,11 +35,9 @@ def write(flight: Flight, file: Path, _: Origin) -> None:
         },
         "events": _events(flight),
     }
-    savemat(
-        str(file), contents, appendmat=False, long_field_names=True, do_compression=True, oned_as="column"
-    )
-    with file.open("r+b") as stream:
-        stream.write(_HEADER)
+    savemat(stream, contents, appendmat=False, long_field_names=True, do_compression=True, oned_as="column")  # type: ignore[arg-type]
+    stream.seek(0)
+    stream.write(_HEADER)
 
 
 def names_of(columns: Iterable[str]) -> dict[str, str]:

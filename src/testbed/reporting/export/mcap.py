@@ -8,8 +8,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
 
@@ -44,7 +43,7 @@ class Message(NamedTuple):
     contents: dict[str, Any]
 
 
-def write(flight: Flight, file: Path, origin: Origin) -> None:
+def write(flight: Flight, stream: BinaryIO, origin: Origin) -> None:
     """Write frames, location and the log's signals at RATE_HZ, and the events; raises BadInput without the package mcap."""
     try:
         from mcap.writer import Writer
@@ -54,19 +53,18 @@ def write(flight: Flight, file: Path, origin: Origin) -> None:
     track, topics = poses(flight, origin, RATE_HZ), _topics(flight)
     said = [*_motion(track), *_signals(flight, topics), *_events(flight)]
     channels: dict[str, int] = {}
-    with file.open("wb") as stream:
-        writer = Writer(stream)
-        writer.start(profile="", library="testbed")
-        for sequence, message in enumerate(sorted(said, key=lambda m: m[:2])):
-            now = EPOCH_S * 10**9 + round(message.time_s * 1e9)
-            contents = {"timestamp": {"sec": now // 10**9, "nsec": now % 10**9}, **message.contents}
-            if message.topic not in channels:
-                schema = _schema({**contents, **dict.fromkeys(topics.get(message.topic, ()), 0.0)})
-                channels[message.topic] = _channel(writer, flight, message.topic, schema, topics)
-            data = json.dumps(contents, allow_nan=False).encode()
-            writer.add_message(channels[message.topic], now, data, now, sequence)
-        writer.add_metadata("flight", {"scenario": flight.scenario.name, "outcome": str(flight.outcome)})
-        writer.finish()
+    writer = Writer(stream)
+    writer.start(profile="", library="testbed")
+    for sequence, message in enumerate(sorted(said, key=lambda m: m[:2])):
+        now = EPOCH_S * 10**9 + round(message.time_s * 1e9)
+        contents = {"timestamp": {"sec": now // 10**9, "nsec": now % 10**9}, **message.contents}
+        if message.topic not in channels:
+            schema = _schema({**contents, **dict.fromkeys(topics.get(message.topic, ()), 0.0)})
+            channels[message.topic] = _channel(writer, flight, message.topic, schema, topics)
+        data = json.dumps(contents, allow_nan=False).encode()
+        writer.add_message(channels[message.topic], now, data, now, sequence)
+    writer.add_metadata("flight", {"scenario": flight.scenario.name, "outcome": str(flight.outcome)})
+    writer.finish()
 
 
 def _topics(flight: Flight) -> dict[str, dict[str, str]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
@@ -12,7 +12,7 @@ from testbed.reporting.export.place import Origin
 from testbed.reporting.export.units import units_of
 
 
-def write(flight: Flight, file: Path, _: Origin) -> None:
+def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:
     """Write the log in full precision."""
     import pyarrow as pa
     import pyarrow.parquet as pq
@@ -22,4 +22,4 @@ def write(flight: Flight, file: Path, _: Origin) -> None:
     summary = json.dumps(flight.summary, ensure_ascii=False, sort_keys=True)
     schema = pa.schema(fields, metadata={"testbed": summary})
     arrays = [pa.array(np.ascontiguousarray(column)) for column in np.asarray(flight.data, float).T]
-    pq.write_table(pa.Table.from_arrays(arrays, schema=schema), file, compression="zstd")
+    pq.write_table(pa.Table.from_arrays(arrays, schema=schema), stream, compression="zstd")

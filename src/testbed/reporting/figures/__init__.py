@@ -48,11 +48,10 @@ def draw(flight: Flight, folder: str | Path) -> list[Path]:
     """Write `folder/figures/<name>.png` for each of TABLE; returns the files in that order."""
     from testbed.reporting.figures.sheet import Sheet, plain_text, save
 
-    figures, sheet, shown = Path(folder) / "figures", Sheet(), _shown(flight)
-    figures.mkdir(parents=True, exist_ok=True)
+    sheet, shown = Sheet(), _shown(flight)
     with plain_text():
         return [
-            save(sheet.draw(shown, GROUPS[name].of(flight), what, height), figures / f"{name}.png")
+            save(sheet.draw(shown, GROUPS[name].of(flight), what, height), Path(folder), name)
             for name, (what, _, height) in TABLE.items()
         ]
 

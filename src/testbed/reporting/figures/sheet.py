@@ -19,7 +19,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image
 
-from testbed.common.files import replacing
+from testbed.common.writing import write
 from testbed.reporting.figures.events import Mark, rows_of
 from testbed.reporting.figures.lines import Shown, draw_panel
 from testbed.reporting.panels import Panel
@@ -204,8 +204,8 @@ def png(figure: Figure) -> bytes:
     return stream.getvalue()
 
 
-def save(figure: Figure, file: Path) -> Path:
-    """Write a PNG, completely or not at all; returns the file."""
-    with replacing(file) as partial:
-        partial.write_bytes(png(figure))
+def save(figure: Figure, folder: Path, name: str) -> Path:
+    """Write `folder/figures/NAME.png`, completely or not at all; returns the file."""
+    file = folder / "figures" / f"{name}.png"
+    write(file, png(figure), within=folder)
     return file

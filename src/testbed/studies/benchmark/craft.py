@@ -10,7 +10,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from testbed.adoption.entry import adopt
-from testbed.common.files import cache_home
+from testbed.common.private import cache_home
 from testbed.inputs.problems import BadInput
 from testbed.studies.benchmark.model import Craft
 

@@ -15,7 +15,8 @@ from typing import Any, NamedTuple
 
 from pydantic import Field
 
-from testbed.common.files import plain, write_whole
+from testbed.common import writing
+from testbed.common.files import plain
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.base import Number, Settings, Text, Whole
 from testbed.inputs.problems import BadInput, Problem
@@ -99,7 +100,7 @@ def write(file: Path, plan: Benchmark, store: Store, summary: Mapping[str, Any])
                for key in ("survived", "held", "inside")},
             "flights": " ".join(map(mark, marks)),
         }  # fmt: skip
-    write_whole(file, yamlfile.dump(said).encode())
+    writing.write(file, yamlfile.dump(said))
 
 
 def mark(flown: Flown) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import os
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -23,13 +24,14 @@ Cases = tuple[list[dict[str, Any]], str, dict[str, str]]
 
 
 def read_cases(file: Path, missing: Problem) -> Cases:
-    """Read a table of runs; an empty cell leaves the base scenario's value.
+    """Read a table of runs; an empty cell is left out of its case (see `complete`).
 
     Raises BadInput: with `missing` when there is no such file, else with every column and cell that cannot be used.
     """
     if not os.path.lexists(file):
         raise BadInput([missing])
     text = read_text(file, LARGEST_TABLE, "a CSV table")
+    _refuse_other(text, str(file))
     try:
         rows = list(csv.reader(text.splitlines(), strict=True))
     except csv.Error as error:
@@ -50,6 +52,39 @@ def read_cases(file: Path, missing: Problem) -> Cases:
     if problems:
         raise BadInput(problems)
     return cases, text, {name: str(file) for name in header}
+
+
+def complete(cases: list[dict[str, Any]], tree: Mapping[str, Any], places: Mapping[str, str]) -> None:
+    """Put what is flown into the empty cells of a table: the value that the scenario's tree has.
+
+    So a case says what its flight was flown with, whatever becomes of the scenario. Raises BadInput where the scenario has none.
+    """
+    problems = []
+    for path, file in places.items():
+        empty = [case for case in cases if path not in case and path != "seed"]
+        try:
+            value: Any = tree
+            for part in path.split(".") if empty else ():
+                value = value[int(part) if isinstance(value, list) else part]
+            for case in empty:
+                case[path] = value
+        except (KeyError, IndexError, TypeError, ValueError):
+            what, expected = "has empty cells, and the scenario has no value for them", "a value in each cell"
+            problems.append(Problem(what, file, 1, path, expected))
+    if problems:
+        raise BadInput(problems)
+
+
+def _refuse_other(text: str, file: str) -> None:
+    """Raise BadInput for a table as a spreadsheet writes it, with other separators than commas."""
+    first = text.partition("\n")[0]
+    if first.lower().startswith("sep="):
+        what, expected = f"is {first!r}, which only a spreadsheet reads", "the header: remove this line"
+        raise BadInput([Problem(what, file, 1, expected=expected)])
+    for character, name in ((";", "semicolons"), ("\t", "tabs")):
+        if character in first and "," not in first:
+            what, expected = f"has {name} between its cells", "commas: save it as CSV with commas"
+            raise BadInput([Problem(what, file, 1, expected=expected)])
 
 
 def _case(header: list[str], row: list[str], file: str, line: int, problems: list[Problem]) -> dict[str, Any]:

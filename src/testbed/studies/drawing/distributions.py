@@ -19,16 +19,18 @@ _OPEN = 2.0**-53
 """Probabilities are kept this far from 0 and 1, where the inverse of an unbounded distribution is infinite."""
 _LARGEST_WHOLE = 2**53
 """Whole numbers beyond it have no exact value as floating point numbers, by which they are drawn."""
+_KINDS = stats.rv_continuous | stats.rv_discrete
 
 _SLOW = ("ksone", "kstwo", "levy_stable", "studentized_range", "yulesimon", "zipf")
 """Distributions of scipy.stats whose inverse takes seconds to hours: integrals, many terms, or a search in steps of ten."""
 
 _OWN = {
-    "uniform": ("[low, high]", 2),
-    "normal": ("[mean, standard deviation]", 2),
-    "log_uniform": ("[low, high], both above 0", 2),
-    "integers": ("[first, last], both included", 2),
+    "uniform": "[low, high]",
+    "normal": "[mean, standard deviation]",
+    "log_uniform": "[low, high], both above 0",
+    "integers": "[first, last], both included",
 }
+"""What the two parameters of our own mean; all but those of `normal` are the ends of a range."""
 
 
 class Distribution(Settings):
@@ -60,7 +62,7 @@ class Distribution(Settings):
     def __get_pydantic_json_schema__(cls, _: Any, handler: Any) -> dict[str, Any]:
         """As it is written: one name with its parameters."""
         parameters = {"type": ["array", "object"]}
-        own = {name: {**parameters, "description": meaning} for name, (meaning, _) in _OWN.items()}
+        own = {name: {**parameters, "description": meaning} for name, meaning in _OWN.items()}
         choice = {
             "choice": {"type": "array", "minItems": 1},
             "weights": {"type": "array", "items": {"type": "number"}},
@@ -75,39 +77,30 @@ class Distribution(Settings):
     def _check(self) -> Distribution:
         if self.name == "choice":
             self._check_choice()
-        elif self.name in _OWN:
-            self._check_own()
-        else:
-            self._check_scipy()
-        self._check_ends()
-        return self
-
-    def _check_ends(self) -> None:
-        """Refuse parameters of which some draws would be infinite."""
+            return self
+        self._check_own() if self.name in _OWN else self._check_scipy()
         try:
             with np.errstate(all="ignore"):
-                ends = [] if self.name == "choice" else self.quantiles(np.array([_OPEN, 1.0 - _OPEN]))
+                ends = self.quantiles(np.array([_OPEN, 1.0 - _OPEN]))
         except (OverflowError, ValueError, TypeError):
             ends = [math.inf]
         if not all(map(_finite, ends)):
             raise refuse(f"{self.name} draws numbers that are not finite", "smaller parameters")
+        return self
 
     def quantiles(self, u: np.ndarray) -> list[Any]:
         """The n values at the probabilities `u` [n], as Python's own types."""
         if self.name == "choice":
-            steps = np.cumsum(self._weights)[:-1]
-            return [self.parameters[k] for k in np.searchsorted(steps / self._weights.sum(), u, side="right")]
+            return [self.parameters[k] for k in np.searchsorted(self._steps[1:-1], u, side="right")]
         if self.name == "integers":
             first, last = self.parameters
             return [min(first + int(p * (last - first + 1)), last) for p in u.tolist()]
-        if self.name == "uniform":
-            low, high = map(float, self.parameters)
-            return [low + p * (high - low) for p in u.tolist()]
-        u = np.clip(u, _OPEN, 1.0 - _OPEN)
+        if self.name != "uniform":
+            u = np.clip(u, _OPEN, 1.0 - _OPEN)
         values = self._frozen.ppf(u)
         if not np.isfinite(values).all():  # of halfnorm and others the inverse rounds to that of 1
             values = np.where(np.isfinite(values), values, self._frozen.isf(1.0 - u))
-        return [int(v) for v in values] if self._discrete else [float(v) for v in values]
+        return [self._number(value) for value in values]
 
     def at_normal(self, z: np.ndarray) -> list[Any]:
         """The n values that are as likely to be exceeded as the standard normals `z` [n], which may be infinite at a finite end.
@@ -117,7 +110,7 @@ class Distribution(Settings):
         if self.name == "normal":
             mean, deviation = map(float, self.parameters)
             return [mean + deviation * each for each in z.tolist()]
-        if self.name in ("choice", "integers", "uniform") or self._discrete:
+        if self.name in ("choice", "integers", "uniform") or self._number is int:
             return self.quantiles(special.ndtr(z))
         found = np.where(z < 0, self._frozen.ppf(special.ndtr(z)), self._frozen.isf(special.ndtr(-z)))
         return np.clip(found, *self.ends).tolist()
@@ -125,21 +118,16 @@ class Distribution(Settings):
     @property
     def ends(self) -> tuple[float, float]:
         """Lowest and highest value, infinite where there is none, of a distribution of numbers."""
-        if self.name in ("uniform", "integers", "log_uniform"):
-            return float(self.parameters[0]), float(self.parameters[1])
-        low, high = self._frozen.support()
+        ranged = self.name in _OWN and self.name != "normal"
+        low, high = self.parameters if ranged else self._frozen.support()
         return float(low), float(high)
 
     @property
     def bounds(self) -> list[Any]:
         """[lowest, highest] value, or every option of a choice; empty if the distribution is unbounded."""
-        if self.name == "choice":
+        if self.name == "choice" or (self.name in _OWN and self.name != "normal"):
             return list(self.parameters)
-        if self.name in ("uniform", "integers", "log_uniform"):
-            return list(self.parameters)
-        low, high = self._frozen.support()
-        kind = int if self._discrete else float
-        return [kind(low), kind(high)] if math.isfinite(low) and math.isfinite(high) else []
+        return [self._number(end) for end in self.ends] if all(map(math.isfinite, self.ends)) else []
 
     def grid(self, levels: int) -> np.ndarray:
         """Probabilities of a grid's levels: each option of `choice` or number of `integers` once, else `levels` of them.
@@ -147,38 +135,39 @@ class Distribution(Settings):
         The levels of a bounded range include both ends; those of an unbounded one are the middles of equally likely parts.
         """
         if self.name == "choice":
-            ends = np.concatenate([[0.0], np.cumsum(self._weights) / self._weights.sum()])
-            return (ends[:-1] + ends[1:]) / 2.0
-        if self.name == "integers":
-            levels = self.grid_size(levels)
-        elif self.bounds and not self._discrete:
+            return (self._steps[:-1] + self._steps[1:]) / 2.0
+        if self.bounds and self._number is float:
             return np.linspace(0.0, 1.0, levels)
+        levels = self.grid_size(levels)
         return (np.arange(levels) + 0.5) / levels
 
     def grid_size(self, levels: int) -> int:
         """Number of levels that `grid` gives, without making them."""
-        if self.name == "choice":
-            return len(self.parameters)
         if self.name == "integers":
             return int(self.parameters[1] - self.parameters[0] + 1)
-        return levels
+        return len(self.parameters) if self.name == "choice" else levels
 
-    @property
-    def _weights(self) -> np.ndarray:
-        return np.asarray(self.weights or [1.0] * len(self.parameters), dtype=float)
+    @cached_property
+    def _steps(self) -> np.ndarray:
+        """Probability [k + 1] of an option before each of a choice, and of any: from 0 to 1."""
+        weights = np.array(self.weights or [1.0] * len(self.parameters))
+        steps = np.concatenate([[0.0], np.cumsum(weights)])
+        return np.asarray(steps / weights.sum())
 
-    @property
-    def _discrete(self) -> bool:
-        return isinstance(getattr(stats, self.name, None), stats.rv_discrete)
+    @cached_property
+    def _number(self) -> type[int] | type[float]:
+        """The type of the numbers that are drawn."""
+        whole = self.name == "integers" or isinstance(getattr(stats, self.name, None), stats.rv_discrete)
+        return int if whole else float
 
     @cached_property
     def _frozen(self) -> Any:
-        if self.name == "normal":
-            return stats.norm(*map(float, self.parameters))
-        if self.name == "log_uniform":
-            return stats.loguniform(*map(float, self.parameters))
-        family = getattr(stats, self.name)
         given = self.parameters
+        if self.name in _OWN:
+            first, second = map(float, given)
+            own = {"uniform": stats.uniform(first, second - first), "normal": stats.norm(first, second)}
+            return own.get(self.name) or stats.loguniform(first, second)
+        family = getattr(stats, self.name)
         return family(**given) if isinstance(given, dict) else family(*given)
 
     def _check_choice(self) -> None:
@@ -196,30 +185,26 @@ class Distribution(Settings):
             raise refuse(f"weights are {list(self.weights)}", "none below 0, and one above")
 
     def _check_own(self) -> None:
-        meaning, count = _OWN[self.name]
-        given = self.parameters
-        if not _numbers(given, count):
+        given, meaning = self.parameters, _OWN[self.name]
+        if not _numbers(given) or len(given) != 2:
             raise refuse(f"{self.name} has {describe(given)}", meaning)
         low, high = given
-        if self.name == "integers" and not all(
-            isinstance(p, int) and abs(p) <= _LARGEST_WHOLE for p in given
-        ):
-            raise refuse(f"integers has {given}", f"{meaning}, whole, within +-2^53")
+        between = f"{self.name} is from {low} to {high}"
+        if self.name == "integers":
+            if not all(isinstance(end, int) and abs(end) <= _LARGEST_WHOLE for end in given):
+                raise refuse(f"integers has {given}", f"{meaning}, whole, within +-2^53")
+            high += 1
         if self.name == "normal":
             if high <= 0:
                 raise refuse(f"the standard deviation is {high}", "more than 0")
         elif not _finite(float(high) - float(low)):
-            raise refuse(f"{self.name} is from {low} to {high}", "a range that is a finite number")
-        elif (
-            low > high
-            or (low == high and self.name != "integers")
-            or (self.name == "log_uniform" and low <= 0)
-        ):
-            raise refuse(f"{self.name} is from {low} to {high}", meaning)
+            raise refuse(between, "a range that is a finite number")
+        elif low >= high or (self.name == "log_uniform" and low <= 0):
+            raise refuse(between, meaning)
 
     def _check_scipy(self) -> None:
         family = getattr(stats, self.name, None)
-        if not isinstance(family, stats.rv_continuous | stats.rv_discrete):
+        if not isinstance(family, _KINDS):
             close = did_you_mean(self.name, distribution_names())
             raise refuse(
                 f"unknown distribution {self.name!r}",
@@ -235,7 +220,7 @@ class Distribution(Settings):
         given = self.parameters
         words = f"{', '.join(wanted)}, by name or in this order"
         values = list(given.values()) if isinstance(given, dict) else given
-        if not isinstance(values, list) or not _numbers(values, len(values)) or len(values) > len(wanted):
+        if not _numbers(values) or len(values) > len(wanted):
             raise refuse(f"{self.name} has {describe(given)}", words)
         if isinstance(given, dict) and (wrong := [n for n in given if n not in wanted]):
             raise refuse(f"{self.name} has no parameter {wrong[0]!r}", words, did_you_mean(wrong[0], wanted))
@@ -249,13 +234,13 @@ class Distribution(Settings):
 
 def distribution_names() -> list[str]:
     """The names of all distributions that `vary` accepts."""
-    kinds = (stats.rv_continuous, stats.rv_discrete)
-    usable = [name for name in dir(stats) if isinstance(getattr(stats, name), kinds) and name not in _SLOW]
+    usable = [name for name in dir(stats) if isinstance(getattr(stats, name), _KINDS) and name not in _SLOW]
     return [*_OWN, "choice", *usable]
 
 
-def _numbers(values: Any, count: int) -> bool:
-    if not isinstance(values, list) or len(values) != count:
+def _numbers(values: Any) -> bool:
+    """Whether this is a list of finite numbers."""
+    if not isinstance(values, list):
         return False
     return all(isinstance(v, int | float) and not isinstance(v, bool) and _finite(v) for v in values)
 

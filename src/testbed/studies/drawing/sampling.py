@@ -51,8 +51,5 @@ def _independent(seed: int, name: str, index: int) -> np.ndarray:
 
 def grid_point(levels: Sequence[np.ndarray], index: int) -> np.ndarray:
     """[dimensions] point `index` of a grid, as probabilities; the last varied value changes fastest."""
-    point = []
-    for values in reversed(levels):
-        index, k = divmod(index, len(values))
-        point.append(values[k])
-    return np.array(point[::-1])
+    chosen = np.unravel_index(index, [len(values) for values in levels])
+    return np.array([values[k] for values, k in zip(levels, chosen, strict=True)])

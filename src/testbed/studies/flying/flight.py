@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import importlib
 import math
 import re
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pkgutil import resolve_name
 from typing import Any
 
-from testbed.controllers.user.own import OwnController
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.scenario.load import Scenario
@@ -53,7 +52,12 @@ def flight_of(job: Job, task: Task) -> Flight:
     """Fly one task; raises BadInput, or whatever the user's function or controller raises."""
     scenario = job.builder.scenario(task)
     own = job.builder.own_controller(task)
-    return _function(job.fly)(scenario) if own is None else _fly_own(scenario, own)
+    if own is None:
+        flight: Flight = resolve_name(job.fly)(scenario)
+        return flight
+    from testbed.simulation import fly
+
+    return fly(scenario, own.load())
 
 
 def fly_task(job: Job, task: Task) -> Flown:
@@ -64,13 +68,6 @@ def fly_task(job: Job, task: Task) -> Flown:
         return not_flown(task, "invalid", "; ".join(_place_free(p) for p in error.problems))
     except Exception as error:
         return not_flown(task, "error", f"{type(error).__name__}: {error}")
-
-
-def _fly_own(scenario: Scenario, own: OwnController) -> Flight:
-    """Fly a controller of the user's in place of the scenario's."""
-    from testbed.simulation import fly
-
-    return fly(scenario, own.load())
 
 
 def not_flown(task: Task, outcome: str, reason: str) -> Flown:
@@ -107,11 +104,3 @@ def _number(value: Any) -> float:
 def _place_free(problem: Problem) -> str:
     """A problem as text without file and line, which may differ from machine to machine."""
     return str(Problem(problem.what, "", None, problem.path, problem.expected, problem.suggestion))
-
-
-def _function(reference: str) -> Fly:
-    module, _, name = reference.partition(":")
-    function: Any = importlib.import_module(module)
-    for part in name.split("."):
-        function = getattr(function, part)
-    return function  # type: ignore[no-any-return]

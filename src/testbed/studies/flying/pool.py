@@ -9,9 +9,9 @@ from contextlib import AbstractContextManager, contextmanager
 from itertools import islice
 
 from testbed.studies.drawing.builder import Task
-from testbed.studies.flying.children import Children
 from testbed.studies.flying.cluster import Connection
 from testbed.studies.flying.flight import Job, fly_task
+from testbed.studies.flying.worker import Children
 from testbed.studies.record import Flown
 
 Done = tuple[Task, Flown]

@@ -1,8 +1,8 @@
-"""A worker process: it reads tasks from one pipe and writes results to another. It may crash or hang without harm to others.
+"""Worker processes: each reads tasks from a pipe and writes results to it. One may crash or hang without harm to others.
 
-`python -m testbed.studies.flying.worker READ WRITE` is the process, with the file descriptors of the two pipes; `Child` is
-its handle in the parent. multiprocessing's pool is not used, because it waits for ever if one of its processes is killed,
-and because a Dask worker may not start one.
+`python -m testbed.studies.flying.worker PIPE LIFELINE` is such a process, with the file descriptors of that pipe and of one that
+ends it with its parent; `Child` is its handle there, and `Children` are several. multiprocessing's pool is not used, because it
+waits for ever if one of its processes is killed, and because a Dask worker may not start one.
 """
 
 from __future__ import annotations
@@ -15,10 +15,11 @@ import subprocess
 import sys
 import tempfile
 import threading
+from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from typing import IO
 
-from testbed.common.child import command, environment, signal_name
+from testbed.common.child import command, end_with_parent, environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job, fly_task, not_flown
@@ -26,12 +27,14 @@ from testbed.studies.record import Flown
 
 _START_S = 300.0
 """Longest time a process may take to start [s]."""
-_GRACE_S = 10.0
-"""If its parent is gone, a process ends itself this long after the time limit of its flight [s]."""
+_SLICE_S = 1.0
+"""Longest single wait for a flight [s]: as much counts of a time in which the whole program was stopped."""
 _STARTS = 4
 """Attempts at starting a process that is killed while it starts."""
 _ATTEMPTS = 2
 """Attempts at a flight whose process dies. It may have died for another reason than the flight, such as a lack of memory."""
+_AHEAD = 2
+"""Tasks taken for each process, so that none waits while a flight is stored."""
 
 
 class Child:
@@ -72,66 +75,104 @@ class Child:
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(1.0)  # if the process is ending by itself, its own exit status says why
         process.kill()
-        self._to.close()
-        self._from.close()
+        self._pipe.close()
+        self._lifeline.close()
         return process.wait()
 
     def _attempt(self, task: Task) -> Flown | None:
-        limit = self._job.time_limit_s
+        left_s = self._job.time_limit_s
         try:
-            self._to.send(task)
-            if self._from.poll(limit):
-                flown: Flown = self._from.recv()
-                return flown
+            self._pipe.send(task)
+            while left_s > 0.0:
+                if self._pipe.poll(min(left_s, _SLICE_S)):
+                    flown: Flown = self._pipe.recv()
+                    return flown
+                left_s -= _SLICE_S
         except (EOFError, OSError):
             return None
         if self._process is not None:
             self._process.kill()
         self.kill()
-        return not_flown(task, "timeout", f"no result within {limit:g} s")
+        return not_flown(task, "timeout", f"no result within {self._job.time_limit_s:g} s")
 
     def _start(self) -> None:
         """Have a process that is ready; one that a signal ends while it starts is replaced. Raises as `fly` does."""
         if self._process is not None and self._process.poll() is None:
             return
-        status: int | None = 0
+        reason, status = "", -1
         for _ in range(_STARTS):
             self.kill()
-            status, words = self._started()
-            if status is None:
-                return
+            with _scratch_file() as words:
+                try:
+                    if self._started(words):
+                        return
+                    status = self.kill()
+                    reason = _last_line(words) or f"it was ended by {_cause(status)}"
+                except OSError as error:  # no further process or file is allowed
+                    reason, status = error.strerror or str(error), 0
             if self._closed.is_set():
                 raise InterruptedError("closed")
             if status >= 0:
                 break  # it ended by itself, and would do so again
-        lines = words.decode(errors="replace").strip().splitlines()
-        reason = lines[-1] if lines else f"it was ended by {_cause(status or 0)}"
         raise BadInput([Problem(f"a worker process does not start: {reason}")])
 
-    def _started(self) -> tuple[int | None, bytes]:
-        """Start a process. Returns (None, b"") when it is ready, else its exit status and what it wrote to stderr."""
-        if self._closed.is_set():
-            return 0, b""
-        theirs_in, ours_out = os.pipe()
-        ours_in, theirs_out = os.pipe()
-        self._to, self._from = Connection(ours_out, readable=False), Connection(ours_in, writable=False)
-        with _scratch_file() as words:
+    def _started(self, words: IO[bytes]) -> bool:
+        """Start a process that writes its words to this file; whether it got ready."""
+        self._pipe, theirs = Pipe()
+        held, self._lifeline = Pipe(duplex=False)
+        with theirs, held:
+            given = theirs.fileno(), held.fileno()
             self._process = subprocess.Popen(
-                command("testbed.studies.flying.worker", str(theirs_in), str(theirs_out)),
+                command("testbed.studies.flying.worker", *map(str, given)), pass_fds=given, env=environment(),
                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=words,
-                pass_fds=(theirs_in, theirs_out), env=environment(), close_fds=True,
             )  # fmt: skip
-            os.close(theirs_in)
-            os.close(theirs_out)
-            if self._closed.is_set():  # meanwhile
-                self._process.kill()
-            with contextlib.suppress(EOFError, OSError):
-                self._to.send_bytes(pickle.dumps(self._job))
-                if self._from.poll(_START_S) and self._from.recv():
-                    return None, b""
-            status = self.kill()
-            words.seek(0)
-            return status, words.read()
+        if self._closed.is_set():  # meanwhile
+            self._process.kill()
+        with contextlib.suppress(EOFError, OSError):
+            self._pipe.send_bytes(pickle.dumps(self._job))
+            return self._pipe.poll(_START_S) and bool(self._pipe.recv())
+        return False
+
+
+class Children:
+    """Worker processes for one job, `most` at a time: a flight gets one that is idle, or a new one. Used from several threads."""
+
+    def __init__(self, job: Job, most: int = 1) -> None:
+        self.job, self.most = job, most
+        self._all: list[Child] = []
+        self._idle: list[Child] = []
+        self._lock = threading.Lock()
+        self._closed = False
+
+    def room(self) -> int:
+        """How many flights to take before the first has finished."""
+        return _AHEAD * self.most
+
+    def fly(self, task: Task) -> Flown:
+        """Fly one task, as `Child.fly`."""
+        child = self._taken()
+        try:
+            return child.fly(task)
+        finally:
+            self._idle.append(child)
+
+    def close(self) -> None:
+        """End the processes at once: a flight that is running raises InterruptedError, and so does any that is begun afterwards."""
+        with self._lock:
+            self._closed = True
+        for child in self._all:
+            child.close()
+        for child in list(self._idle):
+            child.kill()
+
+    def _taken(self) -> Child:
+        with self._lock:
+            if self._closed:
+                raise InterruptedError("closed")
+            if not self._idle:
+                self._all.append(Child(self.job))
+                return self._all[-1]
+            return self._idle.pop()
 
 
 def _scratch_file() -> IO[bytes]:
@@ -142,6 +183,11 @@ def _scratch_file() -> IO[bytes]:
         return open(os.devnull, "w+b")
 
 
+def _last_line(words: IO[bytes]) -> str:
+    words.seek(0)
+    return next(reversed(words.read().decode(errors="replace").strip().splitlines()), "")
+
+
 def _cause(status: int) -> str:
     if status >= 0:
         return f"exit status {status}"
@@ -149,27 +195,19 @@ def _cause(status: int) -> str:
     return name if name == f"signal {-status}" else f"signal {-status} ({name})"
 
 
-def main(read: int, write: int) -> None:
-    """The worker process: fly one task after the other, until the pipe closes. `read` and `write` are file descriptors."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent handles Ctrl-C, and closes the pipe
-    tasks, answers = Connection(read, writable=False), Connection(write, readable=False)
-    job: Job = pickle.loads(tasks.recv_bytes())
+def main(pipe: int, lifeline: int) -> None:
+    """The worker process: fly one task after the other, until the pipes with these file descriptors close."""
+    end_with_parent(lifeline)
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_IGN)  # the parent handles them, and closes the pipe
+    parent = Connection(pipe)
+    job: Job = pickle.loads(parent.recv_bytes())
     sys.path += [entry for entry in job.search_path if entry not in sys.path]
-    answers.send(True)
-    while True:
-        try:
-            task = tasks.recv()
-        except EOFError:
-            return
-        # A timer of the operating system ends a hung process even if its parent is gone.
-        signal.setitimer(signal.ITIMER_REAL, job.time_limit_s + _GRACE_S)
-        flown = fly_task(job, task)
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        try:
-            answers.send(flown)
-        except BrokenPipeError:
-            return
+    parent.send(True)
+    with contextlib.suppress(EOFError, OSError):  # the parent is gone
+        while True:
+            parent.send(fly_task(job, parent.recv()))
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]), int(sys.argv[2]))
+    main(*map(int, sys.argv[1:]))

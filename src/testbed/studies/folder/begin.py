@@ -18,11 +18,13 @@ from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.description import load_aircraft
-from testbed.common.files import write_whole
+from testbed.common.arithmetic import arithmetic, differences
+from testbed.common.writing import write
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import refuse_links
 from testbed.inputs.yaml_source import Source, describe
 from testbed.studies.drawing.cases import LARGEST_TABLE
 from testbed.studies.folder import store
@@ -51,10 +53,12 @@ def begin(folder: Path, plan: Plan, fly: str, *, resume: bool) -> store.Store:
         stored = store.opened(folder)
         try:
             refuse_changed(stored.inputs, now, folder)
+            for _ in stored.records():  # each is checked before anything is flown
+                pass
             # Only now, when the folder is known to be of this study. The file is written again, as `runs` may have grown.
             if plan.cases_text is not None:
-                write_whole(folder / "cases.csv", plan.cases_text.encode())
-            write_whole(folder / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree).encode())
+                write(folder / "cases.csv", plan.cases_text)
+            write(folder / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
         except BaseException:
             stored.close()
             raise
@@ -97,6 +101,7 @@ def begun_with(plan: Plan, fly: str) -> dict[str, Any]:
         "fly": fly,
         "aircraft_sha256": _aircraft_digest(plan),
         "versions": {name: _version(name) for name in _VERSIONS},
+        "arithmetic": dict(arithmetic()),
         "controllers_sha256": {name: own.digest for name, own in plan.builder.own.items()},
     }
 
@@ -115,6 +120,7 @@ def refuse_other(folder: Path, plan: Plan, resume: bool) -> None:
     if not resume:
         what = "a new folder, or --resume to go on with this one"
         raise FolderExists([Problem("exists already", str(folder), expected=what)])
+    refuse_links(folder)
     word = plan.study.word
     file = folder / f"{word}.yaml"
     if not file.is_file():
@@ -194,6 +200,7 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
     for name, version in now["versions"].items():
         if (old := versions.get(name)) != version:
             yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
+    yield from differences(before.get("arithmetic"), now["arithmetic"])
 
 
 def _version(name: str) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 
 from testbed.common.units import unit as unit
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import refuse_links
 from testbed.studies.folder import store, table
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
@@ -53,6 +54,7 @@ def load_plan(folder: Path) -> Plan:
     file = folder / "sweep.yaml"
     if not file.is_file():
         raise BadInput([Problem("is missing from the sweep folder", str(file))])
+    refuse_links(folder)
     return load_sweep(file)
 
 

@@ -28,6 +28,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from testbed.common.writing import refuse_unsafe, write
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.record import CHECKED, Record
 
@@ -144,22 +145,17 @@ def _disk_errors() -> Iterator[None]:
 
 def create(folder: Path, inputs: Mapping[str, Any]) -> None:
     """Make an empty store of a study that is begun with these inputs, whole or not at all; one that is there stays."""
-    partial = folder / f".{NAME}.{os.getpid()}"
-    begun = "INSERT INTO begun VALUES (?)"
-    try:
-        with _disk_errors(), closing(sqlite3.connect(partial, isolation_level=None)) as database:
+    with tempfile.TemporaryDirectory() as scratch:
+        file = Path(scratch) / NAME
+        with _disk_errors(), closing(sqlite3.connect(file, isolation_level=None)) as database:
             for number, value in (("application_id", _APPLICATION), ("user_version", _VERSION)):
                 database.execute(f"PRAGMA {number} = {value}")
             for table in _TABLES:
                 database.execute(table)
-            database.execute(begun, (json.dumps(inputs),))
+            database.execute("INSERT INTO begun VALUES (?)", (json.dumps(inputs),))
             database.execute("PRAGMA locking_mode = EXCLUSIVE")
             database.execute("PRAGMA journal_mode = WAL")  # which the file keeps
-        with suppress(FileExistsError):  # of two processes that begin at once
-            os.link(partial, folder / NAME)
-    finally:
-        for file in folder.glob(f"{partial.name}*"):
-            file.unlink()
+        write(folder / NAME, file.read_bytes(), keep=True)  # of two processes that begin at once, the first's
 
 
 def exists(folder: Path) -> bool:
@@ -172,6 +168,9 @@ def opened(folder: Path) -> Store:
 
     Raises BadInput when another has it open, or when it is none of ours, and PermissionError when it cannot be written.
     """
+    _refuse_links(folder)
+    for file in (folder / NAME, _log(folder)):
+        refuse_unsafe(file)
     for file in (folder, folder / NAME):
         if not os.access(file, os.W_OK):  # SQLite would open it, and then take it for damaged
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(file))

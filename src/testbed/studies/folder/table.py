@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
 import itertools
 import json
@@ -11,8 +12,8 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
-from testbed.common.files import replacing
 from testbed.common.text import cell
+from testbed.common.writing import replacing
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record
 
@@ -73,8 +74,7 @@ def write(plan: Plan, records: Records, folder: Path) -> dict[str, type]:
     with ExitStack() as stack:
         text = stack.enter_context(replacing(folder / "results.csv"))
         parquet = stack.enter_context(replacing(folder / "results.parquet"))
-        stream = stack.enter_context(text.open("w", encoding="utf-8", newline=""))
-        writer = csv.writer(stream, lineterminator="\n")
+        writer = csv.writer(codecs.getwriter("utf-8")(text), lineterminator="\n")
         writer.writerow(map(cell, kinds))
         binary = stack.enter_context(pq.ParquetWriter(parquet, schema, compression="zstd"))
         table = ({name: _value(row.get(name), kind) for name, kind in kinds.items()}

@@ -1,0 +1,78 @@
+"""How this machine calculates, as far as the last digits of a flight depend on it.
+
+Measured with `mems_turbulence.yaml`: another kernel of OpenBLAS and another set of functions in the C library change the bytes of
+its log. Which ones are in use depends on the processor, on the libraries and on the environment (`OPENBLAS_CORETYPE`,
+`GLIBC_TUNABLES`). So instead of a list of reasons there are digests of what comes out: of matrix products and decompositions of the
+sizes that controllers use, and of the elementary functions.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import platform
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+_POINTS, _SIZES = 500, (2, 4, 8, 12, 24)
+_SAID = {"matrices": "kernel", "functions": "library"}
+"""Each digest, and what is said of it where it differs."""
+
+
+@cache
+def arithmetic() -> Mapping[str, str]:
+    """Digests of `matrices` and `functions`, and the names of what they come from: BLAS `kernel`, C `library`, `processor`."""
+    from threadpoolctl import threadpool_info
+
+    kernels = {pool["architecture"] for pool in threadpool_info() if "architecture" in pool}
+    return {
+        "matrices": _digest(_matrices()),
+        "functions": _digest(_functions()),
+        "kernel": " and ".join(sorted(kernels)) or "unknown",
+        "library": " ".join(platform.libc_ver()).strip() or "unknown",
+        "processor": platform.machine(),
+    }
+
+
+def differences(before: Any, now: Mapping[str, str]) -> Iterator[str]:
+    """What calculates otherwise than before, in words; nothing where it was not recorded."""
+    known = before if isinstance(before, dict) else {}
+    for digits, source in _SAID.items():
+        if known.get(digits, now[digits]) != now[digits]:
+            names = f"{known.get(source, 'unknown')}, this is {now[source]}"
+            what = "the BLAS kernel" if digits == "matrices" else "the C library or the processor"
+            yield f"other last digits of {digits}, which depend on {what}: {names}"
+
+
+def _digest(parts: Iterator[Any]) -> str:
+    found = hashlib.sha256()
+    for part in parts:
+        found.update(np.ascontiguousarray(part, dtype=complex).tobytes())
+    return found.hexdigest()[:16]
+
+
+def _matrices() -> Iterator[Any]:
+    from scipy import linalg
+
+    draws = np.random.default_rng(0)
+    for n in _SIZES:
+        a, b = draws.normal(size=(2, n, n))
+        yield a @ b
+        yield a @ b[0]
+        yield np.linalg.solve(a, b)
+        yield np.linalg.pinv(a[: n // 2 + 1])
+        yield np.linalg.eigvals(a)
+        yield linalg.solve_continuous_are(a, b, np.eye(n), np.eye(n))
+
+
+def _functions() -> Iterator[Any]:
+    values = np.random.default_rng(1).uniform(0.01, 3.0, _POINTS)
+    for one, all_ in ((math.sin, np.sin), (math.cos, np.cos), (math.tan, np.tan), (math.exp, np.exp), (math.log, np.log),
+                      (math.atan, np.arctan), (math.tanh, np.tanh)):  # fmt: skip
+        yield [one(value) for value in values.tolist()]
+        yield all_(values)
+    yield [math.pow(value, 0.37) for value in values.tolist()]
+    yield [math.atan2(value, 1.1) for value in values.tolist()]
