@@ -80,7 +80,6 @@ PAGES: tuple[Page, ...] = (
         "from the word and the law's digest",
         9000,
         (*_AFT, "adoption", "scenarios/suites"),
-        stamped=False,
     ),
     Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
     Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
