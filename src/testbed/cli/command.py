@@ -94,7 +94,7 @@ def add_many_flights(command: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=OWN",
-        help="compare a controller of your own too: FILE.py:CLASS, a command or a C library; may be given several times",
+        help="compare a controller of your own too: FILE.py:CLASS, a command, a C library or ardupilot:PATH; may be given several times",
     )
     add_flying(command)
 

@@ -33,6 +33,10 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("--no-plots", action="store_true", help="draw no figures")
     own = "fly a controller of your own: a Python class FILE.py:CLASS, a command in quotes, or a C library"
     command.add_argument("--controller", metavar="OWN", help=own)
+    autopilot = "fly ArduPilot, by its SITL executable; without PATH, the one that TESTBED_ARDUPILOT names"
+    command.add_argument("--autopilot", nargs="?", const="", metavar="PATH", help=autopilot)
+    parameters = "with --autopilot: parameters that override those written from the aircraft"
+    command.add_argument("--autopilot-parameters", type=Path, metavar="FILE", help=parameters)
     watched = "show the flight in FlightGear while it is flown, in real time"
     command.add_argument("--flightgear", metavar="HOST:PORT", help=watched)
     add_origin(command, "with --flightgear")
@@ -51,7 +55,7 @@ def _run(options: Namespace) -> int:
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
     stay = contextlib.chdir(".") if options.controller else contextlib.nullcontext()
     with stay:  # its file may lead to another folder
-        controller = collect(problems, lambda: _own_controller(options.controller))
+        controller = collect(problems, lambda: _own_controller(options))
     viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
         raise BadInput(problems)
@@ -89,13 +93,21 @@ def report(folder: Path) -> int:
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 
 
-def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
-    """The user's controller class, from `FILE.py:CLASS`; None for None."""
-    if reference is None:
+def _own_controller(options: Namespace) -> Callable[[Setup], object] | None:
+    """The user's controller or autopilot; None if the scenario's flies. Raises BadInput for options that do not go together."""
+    if options.autopilot is None and options.autopilot_parameters is not None:
+        raise BadInput([Problem("is for an autopilot", "--autopilot-parameters", expected="--autopilot")])
+    if options.autopilot is not None and options.controller is not None:
+        raise BadInput([Problem("flies alone", "--autopilot", expected="no --controller beside it")])
+    if options.autopilot is not None:
+        from testbed.controllers.external.reference import autopilot
+
+        return autopilot(options.autopilot, options.autopilot_parameters)
+    if options.controller is None:
         return None
     from testbed.controllers.user.loader import load_controller
 
-    return load_controller(reference)
+    return load_controller(options.controller)
 
 
 def _viewer(address: str | None, origin: str | None, scenario: Scenario | None) -> Viewer | None:
