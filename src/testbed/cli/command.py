@@ -80,6 +80,12 @@ def add_origin(command: ArgumentParser, when: str) -> None:
     command.add_argument("--origin", metavar="LAT,LON[,ALT]", help=meaning)
 
 
+def add_junit(command: ArgumentParser) -> None:
+    """`--junit`: the verdict for continuous integration."""
+    meaning = "write the verdict as JUnit XML, with the stories of flights that failed"
+    command.add_argument("--junit", type=Path, metavar="FILE", help=meaning)
+
+
 def add_set(command: ArgumentParser) -> None:
     """`--set`: changes of a scenario's settings."""
     meaning = "change a setting by its dotted path"
@@ -94,7 +100,7 @@ def add_many_flights(command: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=OWN",
-        help="compare a controller of your own too: FILE.py:CLASS, a command, a C library or ardupilot:PATH; may be given several times",
+        help="compare a controller of your own too: FILE.py:CLASS, a command, a C library, ardupilot:PATH; repeatable",
     )
     add_flying(command)
 

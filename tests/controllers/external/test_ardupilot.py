@@ -4,7 +4,9 @@ import hashlib
 import json
 import os
 import shutil
-from concurrent.futures import ThreadPoolExecutor
+import subprocess
+import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,9 +14,11 @@ import pytest
 from pymavlink.dialects.v20 import common
 
 import testbed
+from testbed.__main__ import main
 from testbed.controllers.external import mavlink
 from testbed.controllers.external.ardupilot_parameters import Outputs, merged
 from testbed.controllers.external.reference import load
+from testbed.controllers.user.own import own_controllers
 from testbed.inputs.problems import BadInput
 from testbed.scenario.load import load_scenario
 from testbed.simulation import start_and_setup
@@ -36,7 +40,7 @@ def refused(**changes):
 
 
 def setup_of(aircraft, airspeed):
-    changes = {**SHORT, "aircraft": aircraft, "initial.airspeed_m_s": airspeed, "controller": "pid"}
+    changes = {**SHORT, "aircraft": aircraft, "initial.airspeed_m_s": airspeed}
     return start_and_setup(load_scenario("left_tail_fail.yaml", changes))[1]
 
 
@@ -44,13 +48,39 @@ def digest(flight):
     return hashlib.sha256(flight.data.tobytes()).hexdigest()
 
 
-def test_it_flies_and_flies_the_same_again_and_two_at_once():
-    once = flown(duration_s=5.0)
-    with ThreadPoolExecutor(2) as pool:
-        both = list(pool.map(lambda _: flown(duration_s=5.0), range(2)))
-    assert once.outcome.value == "completed" and once.flown_by == "fake_ardupilot.py"
-    assert abs(once.column("altitude_m") - 300.0).max() < 3.0
-    assert {digest(once)} == {digest(flight) for flight in both}
+def test_it_flies_and_two_at_once_fly_the_same(tmp_path):
+    command = [
+        sys.executable,
+        "-m",
+        "testbed",
+        "run",
+        "left_tail_fail.yaml",
+        "--autopilot",
+        FAKE,
+        "--no-plots",
+    ]
+    changes = ["--set", "duration_s=5", "--set", "failures=[]", "--set", "requirements=[]"]
+    both = [subprocess.Popen([*command, *changes, "--out", tmp_path / name]) for name in "ab"]
+    assert [process.wait(120) for process in both] == [0, 0]
+    assert (tmp_path / "a/log.csv").read_bytes() == (tmp_path / "b/log.csv").read_bytes()
+    log = json.loads((tmp_path / "a/controller/00000001.BIN").read_text())
+    assert log == json.loads((tmp_path / "b/controller/00000001.BIN").read_text())
+
+
+def test_three_flights_are_the_same():
+    flights = [flown(duration_s=5.0) for _ in range(3)]
+    assert flights[0].outcome.value == "completed" and flights[0].flown_by == "fake_ardupilot.py"
+    assert abs(flights[0].column("altitude_m") - 300.0).max() < 3.0
+    assert len({digest(flight) for flight in flights}) == 1
+
+
+def test_options_that_do_not_go_together_are_refused(capsys):
+    for options, said in [
+        (["--autopilot-parameters", "x.parm"], "--autopilot-parameters: is for an autopilot"),
+        (["--autopilot", str(FAKE), "--controller", str(FAKE)], "--autopilot: flies alone"),
+    ]:
+        assert main(["run", "left_tail_fail.yaml", *options]) == 2
+        assert said in capsys.readouterr().err
 
 
 def test_real_sensors_reach_it():
@@ -154,8 +184,7 @@ def test_positive_demands_turn_the_aircraft_their_way():
 def test_later_parameters_count(tmp_path):
     file = tmp_path / "tuned.parm"
     file.write_text("PTCH_RATE_P 0.3 # mine\nSERVO1_FUNCTION,4\nSERVO6_FUNCTION 79\nRLL_RATE_P 0.2\n")
-    setup = setup_of("vtail", 18.0)
-    object.__setattr__(setup, "parameters", {"RLL_RATE_P": 0.1})
+    setup = replace(setup_of("vtail", 18.0), parameters={"RLL_RATE_P": 0.1})
     values = merged(setup, str(file))
     assert (values["PTCH_RATE_P"], values["RLL_RATE_P"]) == (0.3, 0.1)
     pulses = [1500] * 16
@@ -192,6 +221,22 @@ def test_executables_that_cannot_be_run_are_refused(tmp_path, monkeypatch):
             load(words)
     monkeypatch.setenv("TESTBED_ARDUPILOT", str(FAKE))
     assert load("ardupilot:").words == ("ardupilot:", str(FAKE))
+
+
+def test_a_sweep_and_its_workers_know_it_by_name(tmp_path):
+    (tmp_path / "tuned.parm").write_text("RLL_RATE_P 0.1\n")
+    own = own_controllers([f"ardu=ardupilot:{FAKE} {tmp_path / 'tuned.parm'}"])["ardu"]
+    assert own.load().words == ("ardupilot:", str(FAKE), str(tmp_path / "tuned.parm"))
+    assert [name for name, _ in own.code] == [FAKE.name, "tuned.parm"]
+    there = tmp_path / "worker"
+    there.mkdir()
+    for name, content in own.code:
+        (there / name).write_bytes(content)
+    assert own.unpacked(there).load().words == (
+        "ardupilot:",
+        str(there / FAKE.name),
+        str(there / "tuned.parm"),
+    )
 
 
 def test_a_program_of_another_kind_is_refused():

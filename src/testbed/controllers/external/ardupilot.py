@@ -178,8 +178,9 @@ class ArduPilot:
         while time.monotonic() < until_s:
             data = self._received()
             if data is None:
-                if how := how_it_ended(self._process, self._folder / _CONSOLE):
-                    raise self._problem(how)
+                with open(self._folder / _CONSOLE, "rb") as console:
+                    if how := how_it_ended(self._process, console):
+                        raise self._problem(how)
                 continue
             count, pulses = self._unpacked(data)
             if self._count < 0 or count == self._count + 1:
