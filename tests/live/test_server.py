@@ -144,6 +144,13 @@ def test_time_stands_still_while_nobody_looks(server: Server, page: Page) -> Non
     again.close()
 
 
+def test_a_page_that_comes_while_it_is_paused_sees_the_flight(server: Server, page: Page) -> None:
+    assert page.ask("pause", on=True)["note"] == "done"
+    second = Page(server[0])
+    assert second.see() > 0.0
+    second.close()
+
+
 def test_a_lost_aircraft_ends_the_flight_and_not_the_server(page: Page) -> None:
     page.ask("speed", times=16.0)
     for name in ("left_ruddervator", "right_ruddervator"):

@@ -103,7 +103,9 @@ class Pilot(threading.Thread):
                 answer.set_exception(error)
             else:
                 answer.set_result(None)
-            self._publish(True, monotonic())
+        self._publish(
+            True, monotonic()
+        )  # a page that has just come sees something, too, while time stands still
         return item is not None
 
     def _do(self, message: Any) -> None:
