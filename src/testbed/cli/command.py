@@ -100,7 +100,7 @@ def add_many_flights(command: ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME=OWN",
-        help="compare a controller of your own too: FILE.py:CLASS, a command or a C library; may be given several times",
+        help="compare a controller of your own too: FILE.py:CLASS, a command, a C library, ardupilot:PATH; repeatable",
     )
     add_flying(command)
 

@@ -33,6 +33,10 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("--no-plots", action="store_true", help="draw no figures")
     own = "fly a controller of your own: a Python class FILE.py:CLASS, a command in quotes, or a C library"
     command.add_argument("--controller", metavar="OWN", help=own)
+    autopilot = "fly ArduPilot, by its SITL executable; without PATH, the one that TESTBED_ARDUPILOT names"
+    command.add_argument("--autopilot", nargs="?", const="", metavar="PATH", help=autopilot)
+    parameters = "with --autopilot: parameters that override those written from the aircraft"
+    command.add_argument("--autopilot-parameters", type=Path, metavar="FILE", help=parameters)
     watched = "show the flight in FlightGear while it is flown, in real time"
     command.add_argument("--flightgear", metavar="HOST:PORT", help=watched)
     add_origin(command, "with --flightgear")
@@ -55,7 +59,7 @@ def _run(options: Namespace) -> int:
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
     stay = contextlib.chdir(".") if options.controller else contextlib.nullcontext()
     with stay:  # its file may lead to another folder
-        controller = collect(problems, lambda: own_controller(options.controller))
+        controller = collect(problems, lambda: _controller(options))
     viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
         raise BadInput(problems)
@@ -93,6 +97,20 @@ def report(folder: Path) -> int:
         shown = add_report(flight, folder)
     print_verdict(flight)
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
+
+
+def _controller(options: Namespace) -> Callable[[Setup], object] | None:
+    """The user's controller or autopilot; None if the scenario's flies. Raises BadInput for options that do not go together."""
+    if options.autopilot is None:
+        if options.autopilot_parameters is not None:
+            what = Problem("is for an autopilot", "--autopilot-parameters", expected="--autopilot")
+            raise BadInput([what])
+        return own_controller(options.controller)
+    if options.controller is not None:
+        raise BadInput([Problem("flies alone", "--autopilot", expected="no --controller beside it")])
+    from testbed.controllers.external.reference import autopilot
+
+    return autopilot(options.autopilot, options.autopilot_parameters)
 
 
 def own_controller(reference: str | None) -> Callable[[Setup], object] | None:

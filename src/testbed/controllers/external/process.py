@@ -43,7 +43,7 @@ class Process:
         self._name, self._time_s, self._step, self._rest = Path(words[0]).name, 0.0, -1, b""
         self._plan, self._errors = setup.plan, tempfile.TemporaryFile()  # noqa: SIM115, closed by `close`
         self._process = self._started(words, setup)
-        self._end = weakref.finalize(self, _ended, self._process)
+        self._end = weakref.finalize(self, ended, self._process)
         self._told: dict[str, Any] = {}
         try:
             self._answer({"testbed": PROTOCOL, **told(setup)}, START_S)
@@ -52,16 +52,13 @@ class Process:
             raise
 
     def _started(self, words: Sequence[str], setup: Setup) -> subprocess.Popen[bytes]:
-        # The kernel ends the process with this one where it can be asked to; elsewhere the end of its input tells it.
-        guard = [shutil.which("setpriv") or "", "--pdeathsig", "KILL"]
-        command = [*guard, *words] if guard[0] else list(words)
         pipes: dict[str, Any] = {
             "stdin": subprocess.PIPE,
             "stdout": subprocess.PIPE,
             "start_new_session": True,
         }
         try:
-            return subprocess.Popen(command, stderr=self._errors, **pipes)
+            return subprocess.Popen(guarded(words), stderr=self._errors, **pipes)
         except OSError as error:
             raise self._problem(f"cannot be started: {error.strerror}") from None
 
@@ -136,12 +133,7 @@ class Process:
     def _dead(self) -> NoReturn:
         with contextlib.suppress(subprocess.TimeoutExpired):
             self._process.wait(END_S)
-        status = self._process.returncode
-        if status is None:
-            raise self._problem("closed its output")
-        how = f"ended with status {status}" if status >= 0 else f"was ended by {signal_name(-status)}"
-        words = _last_words(self._errors)
-        raise self._problem(how + (f'; its last words: "{words}"' if words else ""))
+        raise self._problem(how_it_ended(self._process, self._errors) or "closed its output")
 
     def _problem(self, what: str, expected: str = "") -> BadInput:
         when = f"at {self._time_s:.3f} s " if self._step >= 0 else "before the flight "
@@ -174,7 +166,23 @@ def told(setup: Setup) -> dict[str, Any]:
     return said
 
 
-def _ended(process: subprocess.Popen[bytes]) -> None:
+def guarded(words: Sequence[str]) -> list[str]:
+    """The command, which the kernel ends with this process where it can be asked to; elsewhere the end of its input tells it."""
+    guard = shutil.which("setpriv")
+    return [guard, "--pdeathsig", "KILL", *words] if guard else list(words)
+
+
+def how_it_ended(process: subprocess.Popen[bytes], errors: IO[bytes]) -> str:
+    """How a process has ended, with the last line that it wrote to this file; empty while it goes on."""
+    status = process.poll()
+    if status is None:
+        return ""
+    how = f"ended with status {status}" if status >= 0 else f"was ended by {signal_name(-status)}"
+    words = _last_words(errors)
+    return how + (f'; its last words: "{words}"' if words else "")
+
+
+def ended(process: subprocess.Popen[bytes]) -> None:
     """End a process and those that it has started: tell it by the end of its input, wait, then end the whole group."""
     with contextlib.suppress(OSError):
         if process.stdin:

@@ -1,4 +1,7 @@
-"""What `--controller` names when it is no Python class: a C library or a command, told apart by the file's kind.
+"""What `--controller` names when it is no Python class: an autopilot, a C library or a command.
+
+`ardupilot:PATH` is an executable of ArduPilot, with its parameter file as a second word; without PATH, the environment names it.
+A library is told from a command by the kind of its file.
 
 Naming loads and starts nothing, and needs no numba: results name controllers too.
 """
@@ -17,15 +20,18 @@ from typing import Any
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 _LIBRARIES = (".so", ".dylib", ".dll")
-EXPECTED = "FILE.py:CLASS, a C library (.so, .dylib, .dll), or a command in quotes"
+EXPECTED = "FILE.py:CLASS, a C library (.so, .dylib, .dll), ardupilot:PATH, or a command in quotes"
+ARDUPILOT = "ardupilot:"
+"""Begins the name of an executable of ArduPilot; `External.words` has it as a word of its own."""
+_ENVIRONMENT = "TESTBED_ARDUPILOT"
 
 
 @dataclass(frozen=True)
 class External:
-    """A command or a C library; picklable, so that workers fly it too.
+    """A command, a C library or an autopilot; picklable, so that workers fly it too.
 
     Attributes:
-        words: the command or the library's path, with the file that is run or loaded found.
+        words: the command, the library's path, or `ARDUPILOT` with its files; the file that is run or loaded is found.
         controller_name: by which results call it.
     """
 
@@ -35,8 +41,14 @@ class External:
 
     def __call__(self, setup: Any) -> Any:
         """The controller of one flight with this `Setup`; raises BadInput when it cannot be started."""
-        module = "c_library" if self.words[0].endswith(_LIBRARIES) else "process"
-        return import_module(f"testbed.controllers.external.{module}").started(setup, self.words)
+        module = import_module(f"testbed.controllers.external.{self._kind}")
+        return module.started(setup, self.words)
+
+    @property
+    def _kind(self) -> str:
+        if self.words[0] == ARDUPILOT:
+            return "ardupilot"
+        return "c_library" if self.words[0].endswith(_LIBRARIES) else "process"
 
     def files(self) -> Iterator[Path]:
         """The files on which its commands depend, as far as the command names them; not what comes with the system."""
@@ -54,7 +66,26 @@ def load(reference: str) -> External:
         raise BadInput([Problem(f"is {reference!r}: {error}", "--controller", expected=EXPECTED)]) from None
     if not words:
         raise BadInput([Problem("is empty", "--controller", expected=EXPECTED)])
+    if words[0].startswith(ARDUPILOT):
+        return _autopilot(words)
     return External((_found(words[0]), *map(_absolute, words[1:])), Path(words[0]).name)
+
+
+def autopilot(path: str, parameters: Path | None) -> External:
+    """ArduPilot by its executable, or the one of the environment if the path is empty; raises BadInput as `load`."""
+    return load(shlex.join([ARDUPILOT, path, *([str(parameters)] if parameters else [])]))
+
+
+def _autopilot(words: list[str]) -> External:
+    first = words[0].removeprefix(ARDUPILOT)
+    path, *parameters = [first, *words[1:]] if first or not words[1:] else words[1:]
+    if not (path := path or os.environ.get(_ENVIRONMENT, "")):
+        what = f"names no executable, and {_ENVIRONMENT} is not set"
+        raise BadInput([Problem(what, ARDUPILOT, expected=EXPECTED)])
+    if len(parameters) > 1 or any(not os.path.isfile(file) for file in parameters):
+        what = f"{' '.join(parameters)}: there is no such file of parameters"
+        raise BadInput([Problem(what, ARDUPILOT, expected=f"{ARDUPILOT}PATH FILE")])
+    return External((ARDUPILOT, _found(path), *map(os.path.abspath, parameters)), Path(path).name)
 
 
 def _found(name: str) -> str:
