@@ -1,8 +1,9 @@
 """The page of benchmark results, from the folders that `testbed benchmark` flew and the entries of `leaderboard/`.
 
-    python benchmarks/benchmark_page.py runs/benchmark runs/healthy
+    python benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly
 
-The first folder is of the suite `open`, the second of `healthy`. An entry is a folder in `leaderboard/` with `entry.yaml`.
+The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
+An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
@@ -15,8 +16,10 @@ from typing import Any
 
 import yaml
 
+import testbed
 from testbed.study_reports.benchmark import page
 
+SUITES, HEALTHY = ("open", "healthy"), 100  # and flights of each controller in `healthy`
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "results" / "benchmark.md"
 ENTRIES = ROOT / "leaderboard"
@@ -41,7 +44,17 @@ def main(arguments: Sequence[str] | None = None) -> None:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("folders", nargs="+", type=Path, help="folders of testbed benchmark")
+    parser.add_argument(
+        "--fly", action="store_true", help="fly the suites into the folders, and go on with what is there"
+    )
+    parser.add_argument(
+        "--word", default="open 1", help="from which, with the law's digest, the seed is made"
+    )
+    parser.add_argument("--draws", type=int, default=1000, help="flights of each controller in `open`")
     options = parser.parse_args(arguments)
+    for folder, suite, draws in zip(options.folders, SUITES, (options.draws, HEALTHY), strict=False):
+        if options.fly:
+            testbed.benchmark(suite, word=options.word, draws=draws, out=folder, resume=folder.exists())
     summaries = [json.loads((folder / "summary.json").read_text()) for folder in options.folders]
     PAGE.write_text(text(summaries), encoding="utf-8")
 

@@ -74,6 +74,13 @@ PAGES: tuple[Page, ...] = (
         _AFT,
         ("results/missions.md", "explanation/when_adaptation_pays.md"),
     ),
+    Page(
+        "benchmark",
+        ("benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly",),
+        "from the word and the law's digest",
+        9000,
+        (*_AFT, "adoption", "scenarios/suites"),
+    ),
     Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
     Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
     Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),

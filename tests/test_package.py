@@ -30,6 +30,8 @@ def test_its_names_are_shown_and_there() -> None:
         "failure_probability",
         "fly",
         "load",
+        "matrix",
+        "merge",
         "search",
         "sweep",
     ]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the scripts and the style that the reports carry: flight.js, sweep.js, compare.js, uplot.css and LICENSES.txt.
+# Builds the scripts and the style that the reports carry: flight.js, live.js, sweep.js, compare.js, uplot.css and LICENSES.txt.
 # Writes them into src/testbed/reporting/assets, or into the folder that is given. The same sources give the same bytes:
 # package-lock.json has the version and the checksum of every library and of the bundler.
 set -euo pipefail
@@ -13,9 +13,10 @@ build() { # ENTRY OUT
 build main flight
 build sweep sweep
 build compare compare
+build live live
 cp node_modules/uplot/dist/uPlot.min.css "$out/uplot.css"
 {
-  echo "The scripts of the reports contain these libraries (flight.js all of them, compare.js all but three, sweep.js none), each under the MIT licence."
+  echo "The scripts of the reports contain these libraries (flight.js all of them, live.js all but fflate, compare.js all but three, sweep.js none), each under the MIT licence."
   for name in uplot three fflate; do
     printf '\n== %s %s\n\n' "$name" "$(node -p "require('./node_modules/$name/package.json').version")"
     cat "node_modules/$name/LICENSE"

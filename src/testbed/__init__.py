@@ -9,6 +9,8 @@ if TYPE_CHECKING:
     from testbed.adoption.entry import adopt as adopt
     from testbed.api.benchmark import benchmark as benchmark
     from testbed.api.load import load as load
+    from testbed.api.matrix import matrix as matrix
+    from testbed.api.merge import merge as merge
     from testbed.api.search import search as search
     from testbed.api.sweep import sweep as sweep
     from testbed.gains.design import design as design
@@ -32,6 +34,8 @@ _MODULES = {
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
     "load": "testbed.api.load",
+    "matrix": "testbed.api.matrix",
+    "merge": "testbed.api.merge",
     "search": "testbed.api.search",
     "sweep": "testbed.api.sweep",
 }

@@ -11,6 +11,7 @@ import pytest
 import testbed
 from testbed.api.load import STUDIES, kind_of
 from testbed.api.study import Kind
+from testbed.studies.matrix.model import Matrix
 from testbed.studies.model import Search, Study, Sweep
 
 FUNCTIONS = {name for name, _ in inspect.getmembers(Kind, inspect.isfunction) if not name.startswith("_")}
@@ -32,7 +33,7 @@ def test_the_protocol_is_not_empty() -> None:
     assert {"fly", "finish", "rebuild", "answer", "met"} == FUNCTIONS
 
 
-@pytest.mark.parametrize("model", [Sweep, Search])
+@pytest.mark.parametrize("model", [Sweep, Search, Matrix])
 def test_the_folder_of_a_kind_is_known_by_its_file(tmp_path: Path, model: type[Study]) -> None:
     (tmp_path / f"{model.word}.yaml").touch()
     assert kind_of(tmp_path) == model.word in STUDIES

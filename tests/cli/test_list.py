@@ -16,6 +16,7 @@ KNOWN = {
     "aircraft": ["vtail"],
     "controllers": list(CONTROLLERS),
     "failures": ["effectiveness", "stuck_at", "reversal", "property"],
+    "matrices": ["scenarios/matrices/every_failure.yaml"],
     "metrics": list(METRICS),
     "scenarios": ["scenarios/left_tail_fail.yaml", "scenarios/mems_turbulence.yaml"],
     "searches": ["scenarios/searches/rare_gust.yaml"],

@@ -18,6 +18,7 @@ from testbed.cli.schema import TABLE, model_of, schema_of
 
 FILES = {
     "aircraft": [ROOT / "aircraft" / name / f"{name}.yaml" for name in aircraft_names()],
+    "matrix": [*files_in("scenarios/matrices")],
     "scenario": [*files_in("scenarios"), TEMPLATES / "scenario.yaml"],
     "search": [*files_in("scenarios/searches")],
     "sweep": [*files_in("scenarios/sweeps"), TEMPLATES / "sweep.yaml"],

@@ -94,7 +94,7 @@ def test_a_page_runs_its_own_script_and_no_other(tmp_path: Path) -> None:
     assert any("script-src 'none'" in (a.get("content") or "") for a in Page(still).attributes)
 
 
-@pytest.mark.parametrize("name", ["flight.js", "sweep.js", "compare.js"])
+@pytest.mark.parametrize("name", ["flight.js", "live.js", "sweep.js", "compare.js"])
 def test_no_script_of_ours_ends_early(name: str) -> None:
     assert not re.search("</script|<!--", html.asset(name), re.IGNORECASE)
 

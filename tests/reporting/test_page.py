@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import math
 import zlib
 from typing import Any
 
@@ -11,9 +12,11 @@ import pytest
 from handmade import at, flight_of, injection, level_log, lost
 
 from testbed.flight.requirements import judge
+from testbed.reporting.noticing import noticed_s
 from testbed.reporting.page.columns import MOST_ROWS, packed
 from testbed.reporting.page.panels import groups
 from testbed.reporting.page.phases import phases
+from testbed.reporting.page.unmet import unmet
 from testbed.reporting.panels import error_columns
 from testbed.scenario.requirement import Requirement
 
@@ -63,7 +66,8 @@ NOTICED = {"time_s": 3.0, "kind": "detection", "actuator": "elevon", "delay_s": 
 
 
 def named(*events: dict[str, object], end_s: float = 10.0) -> list[tuple[str, float, float]]:
-    found = phases(sorted(events, key=lambda e: float(str(e["time_s"]))), end_s, 10.0)
+    noticed_s = [float(str(e["time_s"])) for e in events if e["kind"] == "detection"]
+    found = phases(sorted(events, key=lambda e: float(str(e["time_s"]))), end_s, 10.0, noticed_s)
     return [(p["name"], p["from_s"], p["until_s"]) for p in found]
 
 
@@ -77,12 +81,20 @@ def test_phases_of_a_failure_that_is_noticed_and_recovered_from() -> None:
     ]
 
 
-def test_recovered_only_once_it_is_flagged() -> None:
-    recovered = {"time_s": 2.0, "kind": "recovered", "after_s": 0.0}
-    assert named(injection(2.0), NOTICED, recovered)[-2:] == [
-        ("unnoticed", 2.0, 3.0),
-        ("recovered", 3.0, 10.0),
-    ]
+def test_what_never_left_its_limits_was_held_and_not_recovered() -> None:
+    held = {"time_s": 2.0, "kind": "recovered", "after_s": 0.0}
+    assert named(injection(2.0), NOTICED, held)[-2:] == [("unnoticed", 2.0, 3.0), ("held", 3.0, 10.0)]
+    assert named(injection(2.0), held) == [("healthy", 0.0, 2.0), ("unseen", 2.0, 10.0)]
+
+
+def test_a_loss_is_noticed_by_a_flag_or_by_half_of_it_in_the_estimate() -> None:
+    log = lost(2.0)
+    assert noticed_s(flight_of(log, [injection(2.0)])) == []
+    assert noticed_s(flight_of(log, [injection(2.0), NOTICED])) == [3.0]
+    log["elevon_effectiveness_estimate"][at(4) :] = 0.6
+    assert noticed_s(flight_of(log, [injection(2.0)])) == []
+    log["elevon_effectiveness_estimate"][at(5) :] = 0.5
+    assert noticed_s(flight_of(log, [injection(2.0)])) == [5.0]
 
 
 def test_a_lost_flight_is_lost_from_its_end_on() -> None:
@@ -126,6 +138,22 @@ def test_bands_of_requirements_and_the_stretches_that_miss_them() -> None:
     assert altitude["bands"] == [{"from_s": 4.0, "until_s": 8.0, "low": -1.0, "high": 1.0, "passed": False}]
     (missed,) = altitude["missed"]
     assert (missed["from_s"], missed["until_s"]) == pytest.approx((5.0, 5.99))
+
+
+def test_the_verdict_names_what_was_not_met_and_leads_to_its_worst_moment() -> None:
+    log = level_log()
+    log["altitude_m"][at(5) : at(6)], log["altitude_m"][at(5.5)] = 102.0, 103.0
+    asked = (
+        Requirement(name="level", signal="altitude_m", within=1.0, of="altitude_command_m"),
+        Requirement(name="found <b>", metric="detection_delay_s", at_most=1.0),
+        Requirement(name="straight", signal="heading_deg", within=1.0, of="heading_command_deg"),
+    )
+    flight = flight_of(log, requirements=judge(asked, log, {"detection_delay_s": math.nan}))
+    object.__setattr__(flight.scenario, "requirements", asked)
+    assert unmet(flight) == (
+        ' Not met: <a href="#requirements" data-go="5.500">level, worst at 5.5 s</a>; '
+        '<a href="#requirements">found &lt;b&gt;</a>.'
+    )
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@ export function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-export const PHASES = ["healthy", "unnoticed", "flagged", "recovered", "lost"];
+export const PHASES = ["healthy", "unnoticed", "unseen", "flagged", "held", "recovered", "lost"];
 
 export function onSchemeChange(redraw) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);

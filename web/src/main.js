@@ -22,6 +22,7 @@ function start() {
   }
   anyColumn(document.getElementById("any-column"), flight, panels);
   timeline(document.getElementById("timeline"), flight, clock);
+  moments(clock);
   onSchemeChange(() => {
     scene.recolour();
     panels.redraw();
@@ -30,6 +31,19 @@ function start() {
     window.flightReport = { flight, columns, clock, panels, drawn_ms: performance.now() - began, geometry: { attitude, deflection, fromBody, Quaternion, Vector3 } };
     document.body.dataset.drawn = "yes";
   });
+}
+
+// What was not met leads to its worst moment.
+function moments(clock) {
+  for (const link of document.querySelectorAll("[data-go]")) {
+    link.addEventListener("click", (e) => {
+      e.preventDefault();
+      const at = Number(link.dataset.go);
+      clock.show(at - 3, at + 3);
+      clock.go(at);
+      document.getElementById("timeline").scrollIntoView({ behavior: "smooth" });
+    });
+  }
 }
 
 // A panel of any column of the log, chosen by name.

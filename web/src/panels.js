@@ -1,6 +1,7 @@
 // Panels on one cursor and one range of time. Truth is a solid line, belief dashed, a command dotted; each has a colour of its own.
 import uPlot from "uplot";
 import { colour } from "./colours.js";
+import { rowAt } from "./data.js";
 
 const HEIGHT = 150;
 const STROKES = { truth: [], belief: [7, 4], command: [2, 3], second: [10, 3, 2, 3], third: [4, 2], v0: [], v1: [7, 4], v2: [2, 3], v3: [10, 3, 2, 3], v4: [12, 3], v5: [4, 2] };
@@ -63,6 +64,7 @@ function place(hand, plot, clock) {
   const x = plot.valToPos(clock.now, "x");
   hand.hidden = x < 0 || x > plot.over.clientWidth;
   hand.style.transform = `translateX(${x}px)`;
+  if (plot.cursor.left == null || plot.cursor.left < 0) plot.setLegend({ idx: rowAt(plot.data[0], clock.now) }); // no pointer there
 }
 
 function options(panel, width, clock) {
@@ -150,12 +152,27 @@ export class Panels {
     entry.seen.disconnect();
     const { box, panel } = entry;
     entry.plot?.destroy();
-    const data = [this.columns.time_s, ...panel.series.map(({ column }) => this.columns[column])];
-    entry.plot = new uPlot(options(panel, Math.max(box.clientWidth, 120), this.clock), data, box);
+    entry.plot = new uPlot(options(panel, Math.max(box.clientWidth, 120), this.clock), this.data(panel), box);
+    const canvas = box.querySelector("canvas");
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", panel.title);
     entry.hand = document.createElement("i");
     entry.hand.className = "hand";
     entry.plot.over.append(entry.hand);
     place(entry.hand, entry.plot, this.clock);
+  }
+
+  data(panel) {
+    return [this.columns.time_s, ...panel.series.map(({ column }) => this.columns[column])];
+  }
+
+  // Other rows, as of a flight that goes on.
+  renew(columns) {
+    this.columns = columns;
+    for (const { plot, panel, hand } of this.made.filter((entry) => entry.plot)) {
+      plot.setData(this.data(panel));
+      place(hand, plot, this.clock);
+    }
   }
 
   redraw() {

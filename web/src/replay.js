@@ -13,16 +13,33 @@ function picture(canvas, flight, columns) {
   return there ? new Scene(canvas, flight, columns) : new Flat(canvas, flight, columns);
 }
 
+const AXES = { p_dot: "roll", q_dot: "pitch", r_dot: "yaw", u_dot: "speed" };
+
+// What the controller takes for broken, flags and has given up in a row, each on a line of its own.
+function thought(flight, columns, row) {
+  const at = (name) => columns[name]?.[row];
+  const lines = Object.entries(flight.actuators).map(([name, { unit }]) => {
+    const held = at(`${name}_believed_position`);
+    const word = flight.beliefs[at(`${name}_belief`)] ?? "works";
+    const said = [at(`${name}_failed`) > 0 ? "flagged" : "", word === "works" ? "" : `believed ${word}${Number.isFinite(held) ? ` at ${held.toFixed(1)} ${unit}` : ""}`];
+    const words = said.filter(Boolean).join(", ");
+    return words && `${name.replaceAll("_", " ")}: ${words}`;
+  });
+  const given = Object.keys(AXES).filter((axis) => at(`${axis}_released`) > 0);
+  if (given.length) lines.push(`given up: ${given.map((axis) => AXES[axis]).join(", ")}`);
+  return lines.filter(Boolean).map((line) => `\n${line}`).join("");
+}
+
 export function replay(root, flight, columns, clock) {
   root.innerHTML = `
-    <div class="picture"><canvas aria-label="replay of the flight"></canvas><output></output></div>
+    <div class="picture"><canvas role="img" aria-label="replay of the flight"></canvas><output></output></div>
     <div class="buttons">
       <button type="button" data-do="play" title="space">Play</button>
       <label>speed <select>${SPEEDS.map((s) => `<option value="${s}"${s === 1 ? " selected" : ""}>${s} x</option>`).join("")}</select></label>
       ${VIEWS.map((v, i) => `<button type="button" data-view="${v}" title="key ${i + 1}">${v}</button>`).join("")}
       <input type="range" min="${clock.start}" max="${clock.end}" step="any" value="${clock.now}" aria-label="time">
     </div>
-    <p class="note">Surfaces and discs are coloured by what they truly do for their command, edges and thrust arrows by the controller's estimate.
+    <p class="note">Surfaces and discs are coloured by what they truly do for their command, edges and thrust arrows by the controller's belief; a thin outline is where a surface that does not follow is commanded to be.
     Keys: space plays, arrows step, 1 2 3 choose the view.</p>`;
   const scene = picture(root.querySelector("canvas"), flight, columns);
   const [output, play, slider] = ["output", "[data-do=play]", "input"].map((s) => root.querySelector(s));
@@ -56,9 +73,10 @@ export function replay(root, flight, columns, clock) {
     const row = rowAt(columns.time_s, clock.now);
     scene.show(row);
     slider.value = clock.now;
+    slider.setAttribute("aria-valuetext", `${clock.now.toFixed(2)} s`);
     play.textContent = clock.playing ? "Pause" : "Play";
     const { altitude_m, airspeed_m_s, roll_deg } = columns;
-    output.textContent = `${clock.now.toFixed(2)} s   ${altitude_m[row].toFixed(1)} m   ${airspeed_m_s[row].toFixed(1)} m/s   bank ${roll_deg[row].toFixed(1)} deg`;
+    output.textContent = `${clock.now.toFixed(2)} s   ${altitude_m[row].toFixed(1)} m   ${airspeed_m_s[row].toFixed(1)} m/s   bank ${roll_deg[row].toFixed(1)} deg${thought(flight, columns, row)}`;
   });
   look("chase");
   return scene;

@@ -57,8 +57,13 @@ export class Scene {
       const group = new Group();
       group.add(surface, edge);
       group.matrixAutoUpdate = !actuator;
+      const ghost = actuator ? new LineSegments(edge.geometry, new LineBasicMaterial()) : null;
+      if (ghost) {
+        ghost.matrixAutoUpdate = ghost.visible = false;
+        this.aircraft.add(ghost);
+      }
       this.aircraft.add(group);
-      this.parts.push({ kind: "panel", group, surface, edge, actuator, points, sense });
+      this.parts.push({ kind: "panel", group, surface, edge, ghost, actuator, points, sense });
     }
     for (const { start, end, radius_m } of this.flight.shape.bodies) {
       const [a, b] = [fromBody(start), fromBody(end)];
@@ -139,21 +144,34 @@ export class Scene {
     if (!part.actuator) return;
     const c = this.columns;
     const effect = c[`${part.actuator}_response`][row];
-    const believed = this.flight.estimates ? c[`${part.actuator}_effectiveness_estimate`][row] : effect;
+    const believed = this.believed(part.actuator, row, effect);
     part.surface.material.color.copy(shade(effect));
     if (part.kind === "panel") {
       const angle = c[`${part.actuator}_position`][row] * RADIAN;
       const [a, b, , trailing] = part.points;
       part.group.matrix.copy(deflection(a, b, trailing, angle, part.sense));
       part.edge.material.color.copy(shade(believed));
+      const commanded = c[`${part.actuator}_command`]?.[row] * RADIAN;
+      part.ghost.visible = !Number.isFinite(effect) && Number.isFinite(commanded);
+      if (!part.ghost.visible) return;
+      part.ghost.material.color.set(colour("command"));
+      part.ghost.matrix.copy(deflection(a, b, trailing, commanded, part.sense));
     } else {
       const thrust = c[`${part.actuator}_position`][row] * c[`${part.actuator}_effectiveness`][row];
       const [low, high] = this.flight.actuators[part.actuator].limits;
       const most = Math.max(Math.abs(low), Math.abs(high));
+      part.arrow.visible = Math.abs(thrust) > 0.005 * most;
       part.arrow.setDirection(new Vector3(Math.sign(thrust) || 1, 0, 0));
       part.arrow.setLength(Math.max((Math.abs(thrust) / most) * 1.6 * this.size, 1e-3), 0.08 * this.size, 0.05 * this.size);
       part.arrow.setColor(shade(believed));
     }
+  }
+
+  // What the controller thinks that an actuator does for its command: nothing where it takes it for broken, else its estimate.
+  believed(actuator, row, effect) {
+    const word = this.flight.beliefs?.[this.columns[`${actuator}_belief`]?.[row]];
+    if (["lost", "held", "reversed", "swings"].includes(word)) return 0;
+    return this.flight.estimates ? this.columns[`${actuator}_effectiveness_estimate`][row] : effect;
   }
 
   blow(row, at) {

@@ -3,8 +3,10 @@ import { PHASES } from "./colours.js";
 
 const TITLES = {
   healthy: "healthy",
-  unnoticed: "broken, unnoticed",
-  flagged: "flagged",
+  unnoticed: "broken, not noticed",
+  unseen: "held, not noticed",
+  flagged: "noticed",
+  held: "noticed and held",
   recovered: "recovered",
   lost: "lost",
 };

@@ -114,10 +114,10 @@ def find_suite(name: str | Path) -> Path:
 
 
 def shipped_files() -> list[Path]:
-    """Scenario, sweep and search files that come with the testbed."""
+    """Scenario files, and those of studies, that come with the testbed."""
     return [
         file
-        for folder in ("scenarios", "scenarios/sweeps", "scenarios/searches")
+        for folder in ("scenarios", "scenarios/sweeps", "scenarios/searches", "scenarios/matrices")
         for file in files_in(folder)
     ]
 

@@ -14,22 +14,25 @@ if TYPE_CHECKING:
 
     from testbed.reporting.flight import ReportedFlight
 
-STUDIES = ("sweep", "search", "benchmark")
+STUDIES = ("sweep", "search", "matrix", "benchmark")
 """The kinds of studies, each a module of this package. The folder of one has a file of this name, with .yaml."""
+
+KEEP_LOGS = ("sweep", "matrix")
+"""Those whose flights can be told one by one: logs are kept, and shards are merged."""
 
 
 def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
-    """Read a run folder as a Flight, or a sweep or search folder as a DataFrame with a row for each flight.
+    """Read a run folder as a Flight, or the folder of a study as a DataFrame with a row for each flight.
 
     A flight of a sweep whose log was kept is read as a Flight, too: `SWEEP/logs/run-000017-pid.parquet`, or `SWEEP/17` for
     short where only one variant's log was kept.
 
     A sweep's table has `plot(figure)`, which draws the sweep's figures: `probabilities`, `map`, ... Its `attrs` hold `name`,
     `folder`, `summary` (a sentence) and `units` (of each column). Needs neither the simulator nor, for a run folder, the
-    aircraft. Raises BadInput when the folder is none of these, or the search has not finished.
+    aircraft. Raises BadInput when the folder is none of these, or a search or matrix that has not finished.
     """
     kind = kind_of(folder)
-    if kind == "search":
+    if kind in ("search", "matrix"):
         import pandas as pd
 
         refuse_unfinished(folder)
@@ -68,7 +71,7 @@ def load_flight(path: str | Path) -> ReportedFlight:
 def kind_of(path: str | Path) -> str:
     """What a path names: `run`, `sweep`, `search`, or `log`, a flight whose log a sweep kept. Raises BadInput when it is none."""
     path = Path(path)
-    if path.suffix == ".parquet" or os.path.isfile(path.parent / "sweep.yaml"):
+    if path.suffix == ".parquet" or any(os.path.isfile(path.parent / f"{kind}.yaml") for kind in KEEP_LOGS):
         from testbed.studies.folder import logs  # only here, as most paths are folders of runs
 
         if logs.is_kept(path):
@@ -87,9 +90,10 @@ def kind_of(path: str | Path) -> str:
 
 
 def refuse_unfinished(folder: str | Path) -> None:
-    """Raise BadInput when a search has not finished."""
+    """Raise BadInput when a search or a matrix has not finished."""
     from testbed.studies.folder.reading import is_finished
 
     if not is_finished(Path(folder)):
-        expected = "`testbed search --resume` first"
-        raise BadInput([Problem("the search has not finished", str(folder), expected=expected)])
+        kind = kind_of(folder)
+        expected = f"`testbed {kind} --resume` first"
+        raise BadInput([Problem(f"the {kind} has not finished", str(folder), expected=expected)])

@@ -13,13 +13,14 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
+from testbed.reporting.junit import Test
 from testbed.reporting.numbers import interval, number
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, flight_of
 from testbed.studies.folder import logs, reading, store, table
 from testbed.studies.folder.begin import refuse_blocked, runs_of
-from testbed.studies.folder.names import flight_label, in_file_names, log_file
+from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT
@@ -27,6 +28,7 @@ from testbed.studies.run import Flights, Options
 from testbed.studies.sweep import fly_only, fly_sweep
 from testbed.study_reports.sweep.flight_page import write_kept_page
 from testbed.study_reports.sweep.report import write_sweep_report
+from testbed.study_reports.tests import tests_of_sweep
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -108,7 +110,7 @@ def prepare(
     return plan, folder
 
 
-fly = fly_sweep
+fly, plan_of = fly_sweep, reading.load_plan
 
 
 def finish(
@@ -125,6 +127,11 @@ def finish(
         attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
         attempt("the report", lambda: write_sweep_report(folder))
     return found
+
+
+def tests(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
+    """A test of each flight, for `--junit`."""
+    return tests_of_sweep(plan, reading.load(folder), folder)
 
 
 def _write_worst_pages(plan: Plan, found: dict[str, Any], folder: Path) -> None:
@@ -236,6 +243,10 @@ def report_run(path: Path) -> list[tuple[Flight, Path]]:
         flight = logs.read(log)
         made.append((flight, write_kept_page(flight, log)))
     sweep = made[0][1].parent.parent
-    if (sweep / "report.html").is_file() and (sweep / "summary.json").is_file():
+    if (
+        file_of(sweep).stem == "sweep"
+        and (sweep / "report.html").is_file()
+        and (sweep / "summary.json").is_file()
+    ):
         write_sweep_report(sweep)
     return made

@@ -80,6 +80,12 @@ def add_origin(command: ArgumentParser, when: str) -> None:
     command.add_argument("--origin", metavar="LAT,LON[,ALT]", help=meaning)
 
 
+def add_junit(command: ArgumentParser) -> None:
+    """`--junit`: the verdict for continuous integration."""
+    meaning = "write the verdict as JUnit XML, with the stories of flights that failed"
+    command.add_argument("--junit", type=Path, metavar="FILE", help=meaning)
+
+
 def add_set(command: ArgumentParser) -> None:
     """`--set`: changes of a scenario's settings."""
     meaning = "change a setting by its dotted path"

@@ -1,4 +1,4 @@
-"""`testbed compare`: flights that were flown already, side by side in one page."""
+"""`testbed compare`: flights that were flown already, side by side in one page; or two sweeps, flight by flight."""
 
 from __future__ import annotations
 
@@ -7,20 +7,23 @@ from pathlib import Path
 
 from testbed.cli.command import Command, add_out
 from testbed.cli.interrupts import tidily
-from testbed.cli.status import MET
+from testbed.cli.status import MET, NOT_MET
+from testbed.cli.working import working
 from testbed.inputs.output_file import refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem, collect
 
 
 def _arguments(command: ArgumentParser) -> None:
-    runs = "run folder, or a flight of a sweep: SWEEP/17"
+    runs = "run folder, or a flight of a sweep: SWEEP/17; or two sweep folders, the earlier one first"
     command.add_argument("runs", type=Path, nargs="+", metavar="RUN", help=runs)
     page = "page to write, or folder to write comparison.html into (default: %(default)s)"
     add_out(command, "FILE", page, default=Path("runs/comparison.html"))
 
 
 def _run(options: Namespace) -> int:
-    """Print what differs between flights, and write their page. Raises BadInput."""
+    """Print what differs between flights or two sweeps, and write their page. Raises BadInput."""
+    if len(options.runs) == 2 and all((folder / "sweep.yaml").is_file() for folder in options.runs):
+        return _sweeps(options.runs[0], options.runs[1], options.out)
     from testbed.api.load import load_flight
     from testbed.reporting.comparison.compare import MOST, Comparison
     from testbed.reporting.html import is_page
@@ -30,7 +33,7 @@ def _run(options: Namespace) -> int:
     if not 2 <= len(runs) <= MOST:
         what = f"is given {len(runs)} flight{'s' if len(runs) > 1 else ''}"
         problems.append(Problem(what, "compare", expected=f"from 2 to {MOST} flights"))
-    file = out if out.suffix == ".html" else out / "comparison.html"
+    file = _file(out)
     collect(problems, lambda: refuse_unwritable(file, is_page))
     flights = [collect(problems, lambda run=run: load_flight(run)) for run in runs]  # type: ignore[misc]
     if problems:
@@ -43,12 +46,34 @@ def _run(options: Namespace) -> int:
     return MET
 
 
+def _file(out: Path) -> Path:
+    return out if out.suffix == ".html" else out / "comparison.html"
+
+
+def _sweeps(first: Path, second: Path, out: Path) -> int:
+    """Compare two sweeps, and return the exit status: NOT_MET where the second passes less often, beyond chance."""
+    from testbed.reporting.html import is_page
+    from testbed.study_reports.sweep import comparison
+
+    file = _file(out)
+    refuse_unwritable(file, is_page)
+    with working("comparing"):
+        changes = comparison.compared(first, second)
+    with tidily():
+        comparison.write_page(changes, first, second, file)
+    for line in comparison.sentences(changes, second):
+        print(line)
+    print(f"wrote {file}")
+    return NOT_MET if any(change.is_worse for change in changes) else MET
+
+
 COMMAND = Command(
-    "flights side by side, in one page",
+    "flights side by side, or two sweeps with the same draws, in one page",
     _arguments,
     _run,
     (
         "testbed compare runs/adaptive runs/pid",
+        "testbed compare runs/yesterday runs/today",
         "testbed compare runs/my-sweep/17 runs/my-sweep/18 --out page.html",
     ),
 )

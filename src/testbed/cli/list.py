@@ -47,6 +47,7 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "aircraft": _aircraft,
     "controllers": partial(_table, "testbed.controllers.config"),
     "failures": partial(_table, "testbed.failures"),
+    "matrices": partial(_files, "scenarios/matrices"),
     "metrics": partial(_table, "testbed.metrics"),
     "scenarios": partial(_files, "scenarios"),
     "searches": partial(_files, "scenarios/searches"),

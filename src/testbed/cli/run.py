@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.cli.checked import checked
-from testbed.cli.command import Command, add_file, add_origin, add_out, add_set
+from testbed.cli.command import Command, add_file, add_junit, add_origin, add_out, add_set
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.status import ENDED_EARLY, MET, NOT_MET
 from testbed.cli.terminal import print_verdict_word
@@ -36,22 +36,26 @@ def _arguments(command: ArgumentParser) -> None:
     watched = "show the flight in FlightGear while it is flown, in real time"
     command.add_argument("--flightgear", metavar="HOST:PORT", help=watched)
     add_origin(command, "with --flightgear")
+    add_junit(command)
     add_set(command)
 
 
 def _run(options: Namespace) -> int:
     """Fly one scenario into a run folder; raises BadInput with every problem at once."""
     from testbed.flight.folder import refuse_existing, refuse_unwritable
+    from testbed.reporting import junit
     from testbed.reporting.attempt import add_report
 
     problems: list[Problem] = []
     if options.out is not None:  # before the flight, not after it
         collect(problems, lambda: refuse_existing(options.out))
+    if options.junit is not None:
+        collect(problems, lambda: junit.refuse(options.junit))
     with working("checking"):
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
     stay = contextlib.chdir(".") if options.controller else contextlib.nullcontext()
     with stay:  # its file may lead to another folder
-        controller = collect(problems, lambda: _own_controller(options.controller))
+        controller = collect(problems, lambda: own_controller(options.controller))
     viewer = collect(problems, lambda: _viewer(options.flightgear, options.origin, scenario))
     if scenario is None or problems:
         raise BadInput(problems)
@@ -66,6 +70,8 @@ def _run(options: Namespace) -> int:
         flight = fly(scenario, controller, watch=viewer)
     with working("drawing and writing"), tidily():
         folder = write(flight, options.out, partial(add_report, flight, figures=not options.no_plots))
+    if options.junit is not None:
+        junit.write(options.junit, flight.scenario.name, junit.tests_of(flight))
     print_verdict(flight, said=conditions.warnings(scenario))
     print(f"wrote {folder}")
     return MET if flight.passed else NOT_MET
@@ -89,7 +95,7 @@ def report(folder: Path) -> int:
     return (MET if flight.passed else NOT_MET) if shown else ENDED_EARLY
 
 
-def _own_controller(reference: str | None) -> Callable[[Setup], object] | None:
+def own_controller(reference: str | None) -> Callable[[Setup], object] | None:
     """The user's controller class, from `FILE.py:CLASS`; None for None."""
     if reference is None:
         return None
@@ -134,6 +140,7 @@ def _default_folder(scenario: Scenario, i: int) -> Path:
 
 def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
+    from testbed.reporting.page.unmet import told
     from testbed.reporting.story import diagnoses, story
 
     by = f", flown by {flight.flown_by}" if flight.flown_by else ""
@@ -145,7 +152,7 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         print("  ", end="")
         print_verdict_word("NOT MET", good=False)
-        print(f"  {requirement['name']}: {number(requirement['value'])}{reason}")
+        print(f"  {requirement['name']}: {number(requirement['value'])}{told(flight, requirement)}{reason}")
     total = len(flight.requirements)
     met = f": {total - len(missed)} of {total} requirements met" if total else ""
     print_verdict_word("passed" if flight.passed else "not passed", flight.passed)

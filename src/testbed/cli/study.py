@@ -14,6 +14,7 @@ from testbed.cli.working import working
 
 if TYPE_CHECKING:
     from testbed.api.study import Kind
+    from testbed.studies.plan import Plan
 
 
 def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", **own: Any) -> int:
@@ -23,35 +24,49 @@ def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", *
     """
     from testbed.studies.run import Options
 
+    junit = getattr(options, "junit", None)  # which kinds with a verdict take
+    if junit is not None:
+        from testbed.reporting.junit import refuse
+
+        refuse(junit)
     how = Options(options.jobs, options.cluster, save_logs)
     shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
     plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
     with tidily():
-        with _flying():
+        with flying():
             flights = kind.fly(plan, folder, how, resume=options.resume)
         with _writing(folder):
             summary = kind.finish(plan, folder, flights, figures=not options.no_plots)
-    status = _told(kind, summary)
+            if junit is not None:
+                _write_junit(kind, plan, folder, summary, junit)
+    status = told(kind, summary)
     print(flights)
     print(f"wrote {folder}")
     return status
+
+
+def _write_junit(kind: Any, plan: Plan, folder: Path, summary: dict[str, Any], file: Path) -> None:
+    from testbed.reporting import junit
+
+    junit.write(file, plan.name, kind.tests(plan, folder, summary))
 
 
 def report(kind: Kind, folder: Path) -> int:
     """Write what was found in a study's folder again; returns the exit status."""
     with working("drawing and writing"), tidily():
         summary = kind.rebuild(folder)
-    return _told(kind, summary)
+    return told(kind, summary)
 
 
-def _told(kind: Kind, summary: dict[str, Any]) -> int:
+def told(kind: Kind, summary: dict[str, Any]) -> int:
+    """Print the answer of a study; returns the exit status."""
     for line in kind.answer(summary):
         print(line)
     return MET if kind.met(summary) else NOT_MET
 
 
 @contextmanager
-def _flying() -> Iterator[None]:
+def flying() -> Iterator[None]:
     """For the block that flies: raises Ended when it stops before the last flight."""
     from testbed.studies.run import Stopped
 

@@ -1,4 +1,4 @@
-"""`testbed validate`: check scenarios, sweeps, searches and suites as before a flight, and fly nothing."""
+"""`testbed validate`: check scenarios, studies and suites as before a flight, and fly nothing."""
 
 from __future__ import annotations
 
@@ -30,15 +30,19 @@ def _run(options: Namespace) -> int:
 
 
 def valid(file: str) -> object:
-    """The scenario, the sweep, the search or the suite in a file, checked."""
+    """The scenario, the study or the suite in a file, checked."""
     from testbed.inputs import yaml_source
-    from testbed.inputs.kinds import is_search, is_sweep
+    from testbed.inputs.kinds import is_matrix, is_search, is_sweep
 
     tree = yaml_source.read(find_scenario(file)).tree
     if isinstance(tree, dict) and "suite" in tree:
         from testbed.api import benchmark
 
         return benchmark.prepare(file)
+    if is_matrix(tree):
+        from testbed.api import matrix
+
+        return matrix.prepare(file)
     if is_search(tree):
         from testbed.api import search
 

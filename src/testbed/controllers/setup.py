@@ -6,6 +6,7 @@ One controller is an exception: `informed_inversion` is told the truth about the
 from __future__ import annotations
 
 import math
+import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -26,6 +27,7 @@ from testbed.controllers.scaling import scaled
 
 S = TypeVar("S", bound=ControllerSettings)
 _MOST_KEPT = 100_000_000  # bytes of a controller's own files
+_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}")
 
 
 @dataclass(frozen=True)
@@ -81,17 +83,20 @@ class FlightPlan:
     def _made(self) -> tempfile.TemporaryDirectory[str]:
         return tempfile.TemporaryDirectory(prefix="testbed-controller-")
 
+    @property
+    def has_folder(self) -> bool:
+        """Whether the folder was asked for."""
+        return "_made" in self.__dict__
+
     def files(self) -> dict[str, bytes]:
-        """Name and contents of the files in the folder, of at most 100 MB in all; none if there is no folder."""
-        if "_made" not in self.__dict__:
-            return {}
+        """Name and contents of the files in the folder, as long as they are at most 100 MB in all; empty ones are left out."""
         found, left = {}, _MOST_KEPT
-        for path in sorted(
-            path for path in self.folder.iterdir() if path.is_file() and not path.is_symlink()
-        ):
+        for path in sorted(self.folder.iterdir()):
+            if path.is_symlink() or not path.is_file() or not _NAME.fullmatch(path.name):
+                continue
             left -= path.stat().st_size
-            if left >= 0:
-                found[path.name] = path.read_bytes()
+            if left >= 0 and (content := path.read_bytes()):
+                found[path.name] = content
         return found
 
 

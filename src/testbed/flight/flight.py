@@ -76,6 +76,8 @@ class Flight:
     """What the aircraft looks like, for the replay; None if its folder does not say."""
     flown_by: str = ""
     """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
+    files: Mapping[str, bytes] = field(default_factory=dict)
+    """Files of that controller's own, by name: its log, its parameters. A run folder has them in `controller/`."""
 
     def __repr__(self) -> str:
         """`<Flight 'left tail failure': completed at 60 s, passed (25 of 25 requirements), ...>`."""

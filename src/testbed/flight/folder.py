@@ -23,6 +23,7 @@ from testbed.inputs.received import read_json, refuse_links
 from testbed.scenario.load import Scenario, dump, load_scenario
 
 _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
+_OWN = "controller"  # folder of the files of a controller of one's own
 
 
 class FolderExists(BadInput):
@@ -143,6 +144,10 @@ def _write_files(flight: Flight, folder: Path) -> None:
     text = json.dumps(flight.summary, indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
     write(folder / _SUMMARY, text + "\n")
     _write_log(flight, folder / _LOG)
+    if flight.files:
+        (folder / _OWN).mkdir()
+    for name, content in flight.files.items():
+        write(folder / _OWN / name, content)
 
 
 def _write_log(flight: Flight, file: Path) -> None:

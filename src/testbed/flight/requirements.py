@@ -54,6 +54,17 @@ def judge(
     return [_judge(requirement, log, metrics, duration_s) for requirement in requirements]
 
 
+def worst_s(requirement: Requirement, log: Mapping[str, np.ndarray]) -> float | None:
+    """When a signal was furthest outside of its limits, or nearest to them [s]; None if no row of its window has a number."""
+    rows = _window(requirement, log["time_s"])
+    values = _values(requirement, log, rows)
+    known = np.flatnonzero(np.isfinite(values))
+    if not len(known):
+        return None
+    nearest = scaled(sides_of(requirement, values[known]))
+    return float(log["time_s"][rows][known[np.argmin(nearest)]])
+
+
 class _Verdict(NamedTuple):
     robustness: float
     margin: float = -math.inf

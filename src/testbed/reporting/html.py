@@ -26,7 +26,7 @@ _POLICY = "default-src 'none'; style-src 'unsafe-inline'; "
 """Where the policy of every page begins: a browser loads nothing for it."""
 _NOWHERE = "img-src data:; base-uri 'none'; form-action 'none'; script-src "
 """No address that relative links start from, no form that could be sent; then the scripts that may run, by their digests."""
-_VOID = ("img", "meta", "br")  # have no contents and no end
+_VOID = ("img", "meta", "br", "input")  # have no contents and no end
 
 
 class Html(str):
@@ -80,21 +80,39 @@ def write_page(
     data: Mapping[str, Any] | None = None,
     within: Path | None = None,
 ) -> Path:
-    """Write a page, completely or not at all; returns its file. Raises OSError when it cannot be written.
+    """Write a page, completely or not at all; returns its file. Raises OSError if it cannot be written.
+
+    Args:
+        within: the folder that was asked for (see `writing.replacing`); by default the file's own. Others as of `page_text`.
+    """
+    write(file, page_text(title, parts, script, data).encode(errors="backslashreplace"), within)
+    return file
+
+
+def page_text(
+    title: str,
+    parts: Part,
+    script: str = "",
+    data: Mapping[str, Any] | None = None,
+    style: str = "",
+    connects: str = "",
+) -> str:
+    """A page.
 
     Args:
         script: the asset that draws what moves.
         data: what the script reads, by id: texts, or values that become JSON.
-        within: the folder that was asked for (see `writing.replacing`); by default the file's own.
+        style: an asset after the style sheets of every page.
+        connects: the one address to which the script may connect; by default it has none.
     """
     body = joined([parts, *(_data(name, value) for name, value in (data or {}).items())], "\n")
     code = asset(script) if script else ""
     head = [
         tag("meta", charset="utf-8"),
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
-        tag("meta", http_equiv="Content-Security-Policy", content=_policy(code)),
+        tag("meta", http_equiv="Content-Security-Policy", content=_policy(code, connects)),
         tag("title", title),
-        tag("style", Html("\n".join(map(asset, _STYLES)))),
+        tag("style", Html("\n".join(map(asset, (*_STYLES, *filter(None, [style])))))),
     ]
     text = tag(
         "html",
@@ -103,14 +121,14 @@ def write_page(
         tag("body", body, tag("script", Html(code)) if code else None),
         lang="en",
     )
-    write(file, f"<!DOCTYPE html>\n{text}\n".encode(errors="backslashreplace"), within)
-    return file
+    return f"<!DOCTYPE html>\n{text}\n"
 
 
-def _policy(code: str) -> str:
-    """What a browser may do with a page: run this code, and show what is in it."""
+def _policy(code: str, connects: str) -> str:
+    """What a browser may do with a page: run this code, connect to this address, and show what is in it."""
     digest = base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
-    return f"{_POLICY}{_NOWHERE}" + (f"'sha256-{digest}'" if code else "'none'")
+    runs = f"'sha256-{digest}'" if code else "'none'"
+    return f"{_POLICY}{_NOWHERE}{runs}" + (f"; connect-src {connects}" if connects else "")
 
 
 def is_page(file: Path) -> bool:

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.conventional_shape import conventional
+from testbed.common.angles import unwrapped_deg
+from testbed.common.signals import Belief
 from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
@@ -18,8 +20,8 @@ from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.panels import groups
-from testbed.reporting.page.phases import phases
-from testbed.reporting.panels import has_estimates, shown_log
+from testbed.reporting.page.phases import of_flight
+from testbed.reporting.panels import error_of, has_estimates, shown_log
 from testbed.reporting.words import describe
 
 _REPLAYED = ("north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg")
@@ -55,6 +57,8 @@ def write_page(
     if len(log["time_s"]) < 2 or not all(name in log for name in _REPLAYED):
         parts = _parts(flight, None, figures, again, back)
         return html.write_page(file, flight.scenario.name, parts, within=within)
+    turned = error_of("heading")
+    log |= {turned: unwrapped_deg(log[turned])} if turned in log else {}  # it goes on beyond a half turn
     told, columns = packed(log)
     shown = groups(flight, log)
     data = {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
@@ -93,13 +97,14 @@ def _for_the_script(
     return {
         "data": told,
         "panels": shown,
-        "phases": phases(flight.events, flight.end_time_s, flight.scenario.duration_s),
+        "phases": of_flight(flight),
         "failures_s": failure_times_s(flight.events),
         "events": [
             {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
             for event in flight.events
         ],
         "actuators": flight.actuators,
+        "beliefs": {belief.value: belief.name for belief in Belief},
         "estimates": has_estimates(log, flight.actuators),
         "shape": (flight.shape or conventional()).model_dump(),
     }

@@ -18,6 +18,7 @@ from testbed.flight.flight import Flight, Outcome
 from testbed.flight.loss import LIMITS
 from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
+from testbed.reporting.noticing import noticed_s
 from testbed.reporting.panels import has_estimates
 from testbed.reporting.words import believed, broke, joined, title
 
@@ -223,7 +224,7 @@ def _speed(view: Readings, first: int) -> Iterator[str]:
 
 
 def _end(flight: Flight) -> Iterator[str]:
-    """Recovered, not recovered, or lost and why."""
+    """Recovered, held, held without noticing, not recovered, or lost and why."""
     for event in flight.events:
         if event["kind"] == "lost":
             yield from _lost(flight, event)
@@ -234,10 +235,14 @@ def _end(flight: Flight) -> Iterator[str]:
     last = [e for e in flight.events if e["kind"] == "recovered" and e["time_s"] >= times[-1]]
     if not last:
         yield _not_recovered(flight, times[-1])
-    elif last[0]["after_s"] > 0.0:
-        yield f"Recovered {last[0]['after_s']:.1f} s after the failure: within {limits} from then on."
+        return
+    unseen = not any(time >= times[-1] for time in noticed_s(flight))
+    if last[0]["after_s"] > 0.0:
+        after = f"{last[0]['after_s']:.1f} s after the failure{', which it did not notice' if unseen else ''}"
+        yield f"Recovered {after}: within {limits} from then on."
     else:
-        yield f"It held: {_STAYED} of their references."
+        held = "Held, not noticed" if unseen else "It held"
+        yield f"{held}: {_STAYED} of their references."
 
 
 def _not_recovered(flight: Flight, failed_s: float) -> str:

@@ -50,6 +50,12 @@ def believed(belief: Mapping[str, Any], actuators: Mapping[str, Mapping[str, Any
     return _TAKEN_FOR.get(word, word) + at
 
 
+def kind_of(event: Mapping[str, Any]) -> str:
+    """What kind of event it is, in words: what never left its limits was held."""
+    kind = str(event["kind"])
+    return "held" if kind == "recovered" and not event["after_s"] else title(kind)
+
+
 def describe(event: Mapping[str, Any], flight: Flight) -> str:
     """An event in words: `left tail kept 20 % of its effect`."""
     kind, who = event["kind"], title(str(event.get("actuator") or ""))

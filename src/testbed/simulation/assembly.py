@@ -54,9 +54,9 @@ class Assembly:
     references: np.ndarray
     path_angle: float
     shape: Shape
+    plan: FlightPlan
     flown_by: str = ""
     sensed: Sensed | None = None
-    plan: FlightPlan | None = None
 
 
 def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> Assembly:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -49,4 +50,5 @@ def fly(
             loop.advance(loop.steps if watch is None else loop.done + 1)
             if watch is not None:
                 watch((loop.done - 1) / loop.parts.scenario.rate_hz, loop.rows.truth[loop.done - 1])
-        return session.flight()
+        flight, plan = session.flight(), session.parts.plan
+    return replace(flight, files=plan.files()) if plan.has_folder else flight

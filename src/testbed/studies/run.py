@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -35,7 +36,7 @@ class Refused(BadInput):
 
 @dataclass(frozen=True)
 class Options:
-    """How to fly: number of processes or a cluster, logs to keep, function that flies, and what flies many flights.
+    """How to fly: number of processes or a cluster, logs to keep, what flies one flight and many, and which part of them.
 
     Only `fly` can change the results. Raises BadInput when one is out of range.
     """
@@ -45,6 +46,13 @@ class Options:
     save_logs: str = "failed"
     fly: Fly | None = None
     workers: Workers = workers
+    shard: str | None = None
+
+    @property
+    def part(self) -> tuple[int, int]:
+        """(k, n) of `shard` K/N: every n-th run is flown, from the k-th on, with k from 0. (0, 1) is all of them."""
+        found = re.fullmatch(r"([1-9]\d{0,5})/([1-9]\d{0,5})", self.shard or "1/1")
+        return (int(found[1]) - 1, int(found[2])) if found else (0, 0)
 
     def __post_init__(self) -> None:
         problems = []
@@ -53,6 +61,8 @@ class Options:
             problems.append(Problem(f"is {self.jobs}", "--jobs", expected=limit))
         if self.save_logs not in SAVE_LOGS:
             problems.append(Problem(f"is {self.save_logs!r}", "--save-logs", expected="none, failed or all"))
+        if self.part[0] >= self.part[1]:
+            problems.append(Problem(f"is {self.shard!r}", "--shard", expected="K/N, K from 1 to N"))
         if problems:
             raise BadInput(problems)
 

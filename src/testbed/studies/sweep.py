@@ -20,9 +20,24 @@ from testbed.studies.stopping import Stopping
 def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
     """Fly the flights of a plan that its folder does not have yet, and write its table; returns what was flown.
 
-    Raises BadInput and Stopped as `run.fly_into`.
+    With `options.shard` it flies every n-th run and writes no table: the folder is that of an unfinished sweep, which
+    `studies.merge` joins with the others. Raises BadInput and Stopped as `run.fly_into`.
     """
-    return fly_into(plan, folder, options, fly_missing, resume=resume)
+    if options.shard is None:
+        return fly_into(plan, folder, options, fly_missing, resume=resume)
+    if plan.stop_when is not None:
+        what = "cannot stop by itself, as each shard knows only its own flights"
+        raise BadInput([Problem(what, "--shard", expected="a sweep without stop_when")])
+    return fly_into(plan, folder, options, lambda flights: fly_shard(flights, *options.part), resume=resume)
+
+
+def fly_shard(flights: Flights, k: int, n: int) -> None:
+    """Fly every n-th run, from the k-th on."""
+    plan, passed = flights.plan, Passed(flights.plan)
+    flights.words = passed.words
+    tasks = (plan.task(number) for number in range(plan.size) if number // len(plan.variants) % n == k)
+    for task, record in flights.fly(tasks, plan.key):
+        passed.add(task.variant, record.passed)
 
 
 def fly_missing(flights: Flights) -> None:

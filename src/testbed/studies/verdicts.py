@@ -59,6 +59,24 @@ def missed(requirements: Sequence[Requirement], row: Mapping[Any, Any]) -> Misse
     return Missed(j, number, short, len(found) - 1)
 
 
+def said_of(plan: Plan, row: Mapping[Any, Any]) -> str:
+    """How a flight ended if early, and what it missed by most: `missed altitude_error_max_m at most 5 (12.3) and 1 more`.
+
+    Empty for a flight that was not lost and missed nothing.
+    """
+    if row["reason"]:
+        return str(row["reason"])
+    ended = "" if row["outcome"] == Outcome.completed else f"{row['outcome']} at {row['end_time_s']:.4g} s"
+    short = missed(requirements := requirements_of(plan), row)
+    if short is None:
+        return ended
+    more = f" and {short.others} more" if short.others else ""
+    return (
+        f"{ended}; ".removeprefix("; ")
+        + f"missed {requirements[short.number].title} ({short.value:.4g}){more}"
+    )
+
+
 def margin(requirement: Requirement, value: float) -> float:
     """Distance of a requirement's worst value from its limit, negative where it is missed; NaN without a value."""
     if requirement.longest_s is not None:

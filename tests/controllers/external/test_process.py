@@ -79,10 +79,15 @@ def test_it_is_told_what_is_flown_but_not_what_will_fail(process, tmp_path):
     assert 95_000 < step["sensed"]["pressure"] < 101_325
 
 
-def test_its_folder_goes_with_the_flight(process, tmp_path):
+def test_its_files_are_kept_in_the_run_folder(process, tmp_path):
     told = tmp_path / "told"
-    flown(process(f"open({str(told)!r}, 'w').write(setup['folder'])"))
+    own = "open(setup['folder'] + '/own.log', 'w').write(str(step)), print('a word', file=sys.stderr)"
+    flight = flown(process(f"open({str(told)!r}, 'w').write(setup['folder']), {own}"))
     assert not os.path.exists(told.read_text())
+    flight.save(tmp_path / "run")
+    kept = tmp_path / "run" / "controller"
+    assert (kept / "own.log").read_text() == "199"
+    assert (kept / "stderr.txt").read_text() == "a word\n" * 200
 
 
 @pytest.mark.parametrize(

@@ -13,13 +13,15 @@ import select
 import shutil
 import signal
 import subprocess
+import tempfile
 import time
 import weakref
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from testbed.common.child import signal_name
+from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -31,7 +33,7 @@ PROTOCOL = 1
 START_S, STEP_S, END_S = 60.0, 10.0, 2.0
 """How long the process may take to answer the first line and a step, and to end by itself [s]."""
 _LONGEST_LINE = 1_000_000
-_OUTPUT = "stderr.txt"
+_OUTPUT, _MOST_KEPT = "stderr.txt", 10_000_000
 
 
 class Process:
@@ -39,7 +41,7 @@ class Process:
 
     def __init__(self, setup: Setup, words: Sequence[str]) -> None:
         self._name, self._time_s, self._step, self._rest = Path(words[0]).name, 0.0, -1, b""
-        self._errors = setup.plan.folder / _OUTPUT if setup.plan else None
+        self._plan, self._errors = setup.plan, tempfile.TemporaryFile()  # noqa: SIM115, closed by `close`
         self._process = self._started(words, setup)
         self._end = weakref.finalize(self, _ended, self._process)
         self._told: dict[str, Any] = {}
@@ -59,8 +61,7 @@ class Process:
             "start_new_session": True,
         }
         try:
-            with open(self._errors or os.devnull, "wb") as errors:
-                return subprocess.Popen(command, stderr=errors, **pipes)
+            return subprocess.Popen(command, stderr=self._errors, **pipes)
         except OSError as error:
             raise self._problem(f"cannot be started: {error.strerror}") from None
 
@@ -85,8 +86,12 @@ class Process:
         return self._told.get("failed")
 
     def close(self) -> None:
-        """End the process: the end of its input tells it, then a signal."""
+        """End the process: the end of its input tells it, then a signal. What it wrote to its standard error is kept."""
         self._end()
+        if self._plan is not None:
+            self._errors.seek(0)
+            write(self._plan.folder / _OUTPUT, self._errors.read(_MOST_KEPT))
+        self._errors.close()
 
     def _answer(self, said: Mapping[str, Any], within_s: float) -> dict[str, Any]:
         """Send one line, and read one."""
@@ -135,7 +140,7 @@ class Process:
         if status is None:
             raise self._problem("closed its output")
         how = f"ended with status {status}" if status >= 0 else f"was ended by {signal_name(-status)}"
-        words = _last_words(self._errors) if self._errors else ""
+        words = _last_words(self._errors)
         raise self._problem(how + (f'; its last words: "{words}"' if words else ""))
 
     def _problem(self, what: str, expected: str = "") -> BadInput:
@@ -193,12 +198,8 @@ def _excerpt(line: bytes) -> str:
     return text if len(line) <= 80 else f"{text} ..."
 
 
-def _last_words(file: Path) -> str:
+def _last_words(errors: IO[bytes]) -> str:
     """The last line that a process wrote to its standard error, without what a terminal would act on."""
-    try:
-        with open(file, "rb") as errors:
-            errors.seek(max(0, os.path.getsize(file) - 400))
-            lines = errors.read().decode(errors="replace").strip().splitlines()
-    except OSError:
-        return ""
+    errors.seek(max(0, errors.seek(0, os.SEEK_END) - 400))
+    lines = errors.read().decode(errors="replace").strip().splitlines()
     return "".join(c if c.isprintable() else " " for c in lines[-1]) if lines else ""

@@ -14,7 +14,7 @@ from testbed.reporting.comparison.panels import columns_of, groups
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.numbers import rounded
 from testbed.reporting.page.columns import packed
-from testbed.reporting.page.phases import phases
+from testbed.reporting.page.phases import of_flight
 from testbed.reporting.page.sections import definition
 from testbed.reporting.story import story
 
@@ -54,7 +54,7 @@ def _flights(comparison: Compared) -> Iterator[dict[str, Any]]:
     for name, flight in zip(comparison.names, comparison.flights, strict=True):
         yield {
             "name": name,
-            "phases": phases(flight.events, flight.end_time_s, flight.scenario.duration_s),
+            "phases": of_flight(flight),
             "failures_s": failure_times_s(flight.events),
         }
 

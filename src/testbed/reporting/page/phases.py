@@ -1,4 +1,4 @@
-"""The phases of a flight: healthy, broken and unnoticed, flagged, recovered, lost."""
+"""The phases of a flight: healthy, broken and unnoticed, noticed, held, recovered, lost."""
 
 from __future__ import annotations
 
@@ -7,31 +7,44 @@ from itertools import pairwise
 from typing import Any
 
 from testbed.flight.breakage import ActiveFailure, failure_times_s, failures_of
+from testbed.flight.flight import Flight
+from testbed.reporting import noticing
 
 
-def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) -> list[dict[str, Any]]:
+def of_flight(flight: Flight) -> list[dict[str, Any]]:
+    """The phases of a flight."""
+    return phases(flight.events, flight.end_time_s, flight.scenario.duration_s, noticing.noticed_s(flight))
+
+
+def phases(
+    events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float, noticed_s: Sequence[float]
+) -> list[dict[str, Any]]:
     """{name, from_s, until_s} of each phase, in order, without gaps.
 
-    From a failure on the flight is `unnoticed` until an actuator is flagged, `flagged` from then on, and `recovered` once it has
-    recovered and, if anything is ever flagged for this failure, been flagged. Once a failure ends that was neither, the phase
-    is what is left of the earlier ones: `flagged` if what is broken is, `unnoticed` if not, `healthy` if nothing is broken.
+    From a failure on the flight is `unnoticed` until it is noticed, and `flagged` from then on. Once it has left the limits of a
+    recovery and come back to stay, it is `recovered`, not before it has noticed if it ever does. A flight that never left them is
+    `held` from where it noticed the failure, and `unseen` all the time if it never did: it held without noticing.
+    Once a failure ends that was none of these, the phase is what is left of the earlier ones: `flagged` if what is broken was
+    noticed, `unnoticed` if not, `healthy` if nothing is broken.
     A flight that ended early is `lost` from its end to where it should have ended.
 
     Args:
         end_s: when the flight ended [s].
         planned_s: how long it should have been [s].
+        noticed_s: when something broken was noticed, in order [s] (see `reporting.noticing`).
     """
     found: list[tuple[float, str]] = [(0.0, "healthy")]
     failures = failures_of(events)
     for begin, end in pairwise([*failure_times_s(events), end_s]):
-        flagged = _first(events, "detection", begin, end)
-        recovered = _first(events, "recovered", begin, end)
+        noticed = next((time for time in noticed_s if begin <= time < end), None)
+        back = next((e for e in events if e["kind"] == "recovered" and begin <= e["time_s"] < end), None)
         found.append((begin, "unnoticed"))
-        if flagged is not None:
-            found.append((flagged, "flagged"))
-        if recovered is not None:
-            found.append((max(recovered, flagged if flagged is not None else recovered), "recovered"))
-        if flagged is None and recovered is None:
+        if noticed is not None:
+            found.append((noticed, "flagged"))
+        if back is not None:
+            since = back["time_s"] if noticed is None else max(back["time_s"], noticed)
+            found.append((since, _back(bool(back["after_s"]), noticed is not None)))
+        if noticed is None and back is None:
             for time in sorted({failure.until_s for failure in failures if begin < failure.until_s < end}):
                 name = _phase_of([f for f in failures if f.from_s <= time < f.until_s], events, time)
                 found.extend([(time, name)] if name != "unnoticed" else [])
@@ -44,6 +57,13 @@ def phases(events: Sequence[Mapping[str, Any]], end_s: float, planned_s: float) 
     if any(event["kind"] == "lost" for event in events):
         made.append({"name": "lost", "from_s": end_s, "until_s": max(planned_s, end_s)})
     return made
+
+
+def _back(left: bool, noticed: bool) -> str:
+    """The phase of a flight within its limits to stay, which had left them or not."""
+    if left:
+        return "recovered"
+    return "held" if noticed else "unseen"
 
 
 def _phase_of(broken: Sequence[ActiveFailure], events: Sequence[Mapping[str, Any]], time_s: float) -> str:
@@ -60,8 +80,3 @@ def _noticed(events: Sequence[Mapping[str, Any]], failure: ActiveFailure, time_s
         and failure.from_s <= e["time_s"] <= time_s
         for e in events
     )  # fmt: skip
-
-
-def _first(events: Sequence[Mapping[str, Any]], kind: str, begin: float, end: float) -> float | None:
-    times = (e["time_s"] for e in events if e["kind"] == kind and begin <= e["time_s"] < end)
-    return next(times, None)

@@ -13,8 +13,9 @@ from testbed.metrics import TABLE as METRICS
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import rounded
+from testbed.reporting.page.unmet import unmet
 from testbed.reporting.story import diagnoses, story
-from testbed.reporting.words import describe, title
+from testbed.reporting.words import describe, kind_of
 from testbed.scenario.load import dump
 
 _THEMES = {
@@ -41,11 +42,13 @@ def head(flight: Flight) -> Iterator[Html]:
 
 
 def verdict(flight: Flight) -> Html:
-    """Whether it passed, how it ended, and how many requirements are met."""
+    """Whether it passed, how it ended, how many requirements are met, and which are not."""
     total, met = len(flight.requirements), sum(bool(r["passed"]) for r in flight.requirements)
     counted = f"{met} of {total} requirements met." if total else "the scenario has no requirements."
     word = tag("strong", "Passed." if flight.passed else "Not passed.")
-    return html.joined([word, f" It {flight.outcome.sentence} ({flight.end_time_s:g} s); {counted}"])
+    return html.joined(
+        [word, f" It {flight.outcome.sentence} ({flight.end_time_s:g} s); {counted}", unmet(flight)]
+    )
 
 
 def facts(flight: Flight) -> dict[str, str]:
@@ -84,7 +87,7 @@ def requirements(flight: Flight) -> Iterator[Html]:
         "robustness": lambda r: rounded(r.get("robustness")),
         "remark": lambda r: r.get("reason", ""),
     }
-    yield tag("h2", "Requirements")
+    yield tag("h2", "Requirements", id="requirements")
     yield html.listing(in_order(flight), columns, caption, lambda r: "met" if r["passed"] else "missed")
 
 
@@ -105,7 +108,7 @@ def events(flight: Flight) -> Iterator[Html]:
     """What happened, in order of time."""
     columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
         "time [s]": lambda event: f"{event['time_s']:.3f}",
-        "kind": lambda event: title(str(event["kind"])),
+        "kind": kind_of,
         "what": lambda event: describe(event, flight),
     }
     yield tag("h2", "Events")

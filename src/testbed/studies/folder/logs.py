@@ -21,6 +21,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import json_of
 from testbed.scenario.load import Scenario, dump, scenario_from
 from testbed.studies.folder.begin import runs_of
+from testbed.studies.folder.names import file_of
 
 _KEPT = "a log that a sweep kept"
 _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
@@ -73,7 +74,8 @@ def logs_of(path: str | Path) -> list[Path]:
         runs = runs_of(path.parent)
         if runs is not None and run >= runs:
             raise BadInput([Problem(f"there is no run {run}", str(path), expected=f"0 to {runs - 1}")])
-        command = f"testbed sweep {path.parent / 'sweep.yaml'} --only {run}"
+        file = file_of(path.parent)
+        command = f"testbed {file.stem} {file} --only {run}"
         expected = f"one of a flight whose log was kept; `{command}` flies it again"
         raise BadInput([Problem("no log of this run was kept", str(path), expected=expected)])
     return found
@@ -125,7 +127,7 @@ def label_of(file: Path) -> str:
 
 def _names_a_run(path: Path) -> bool:
     known = path.name.isdecimal() or _LABEL.fullmatch(path.name)
-    return bool(known) and not path.exists() and (path.parent / "sweep.yaml").is_file()
+    return bool(known) and not path.exists() and file_of(path.parent).is_file()
 
 
 def _run_and_label(name: str) -> tuple[int, str]:

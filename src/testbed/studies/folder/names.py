@@ -1,10 +1,16 @@
-"""How file names tell the flights of a sweep apart."""
+"""How file names tell the flights of a sweep or a matrix apart."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from testbed.studies.plan import Plan
+
+
+def file_of(folder: Path) -> Path:
+    """The file of the study in a folder that keeps logs: matrix.yaml of a matrix, else sweep.yaml."""
+    matrix = folder / "matrix.yaml"
+    return matrix if matrix.is_file() else folder / "sweep.yaml"
 
 
 def flight_label(plan: Plan, k: int) -> str:

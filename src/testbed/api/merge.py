@@ -1,0 +1,38 @@
+"""Shards of a sweep or a matrix joined into one folder."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+from testbed.api.load import KEEP_LOGS, kind_of
+from testbed.inputs.problems import BadInput, Problem
+from testbed.studies import merge as shards
+
+
+def merge(
+    folders: Sequence[str | Path], out: str | Path, *, figures: bool = True
+) -> tuple[dict[str, Any] | None, list[int]]:
+    """Join shards into a new folder, the same as if one machine had flown all runs; returns its summary, and the missing runs.
+
+    While runs are missing there is no summary: the folder is that of an unfinished study, and `--resume` flies them.
+
+    Args:
+        folders: those that `sweep --shard` or `matrix --shard` made, finished or not.
+        out: the folder to make.
+        figures: whether to draw figures and write the report.
+
+    Raises BadInput, and makes nothing, when the folders are not of one study, or contradict each other.
+    """
+    paths, out = [Path(folder) for folder in folders], Path(out)
+    words = [kind_of(path) for path in paths]
+    for word, path in zip(words, paths, strict=True):
+        if word not in KEEP_LOGS or word != words[0]:
+            what = f"is the folder of a {word}"
+            raise BadInput([Problem(what, str(path), expected="shards of one sweep, or of one matrix")])
+    kind = import_module(f"testbed.api.{words[0]}")
+    plan = kind.plan_of(paths[0])
+    missing = shards.merge(plan, paths, out)
+    return (None if missing else kind.finish(plan, out, figures=figures)), missing

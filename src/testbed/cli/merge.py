@@ -1,0 +1,46 @@
+"""`testbed merge`: shards of a sweep or a matrix joined into one folder."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from importlib import import_module
+from pathlib import Path
+
+from testbed.cli import study
+from testbed.cli.command import Command
+from testbed.cli.interrupts import tidily
+from testbed.cli.status import ENDED_EARLY, Ended
+from testbed.cli.working import working
+
+_SHOWN = 10
+
+
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument("folders", type=Path, nargs="+", metavar="FOLDER", help="folders of the shards")
+    command.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to make")
+    command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
+
+
+def _run(options: Namespace) -> int:
+    """Join the folders; raises BadInput when they do not belong together, and Ended, with what is missing, when runs are."""
+    from testbed.api.load import kind_of
+    from testbed.api.merge import merge
+
+    with working("merging"), tidily():
+        summary, missing = merge(options.folders, options.out, figures=not options.no_plots)
+    kind = kind_of(options.out)
+    if summary is None:
+        named = ", ".join(map(str, missing[:_SHOWN])) + (", ..." if len(missing) > _SHOWN else "")
+        how = f"`testbed {kind} {options.out / f'{kind}.yaml'} --out {options.out} --resume` flies them"
+        raise Ended(f"{options.out}: {len(missing)} runs are missing: {named}; {how}", ENDED_EARLY)
+    status = study.told(import_module(f"testbed.api.{kind}"), summary)
+    print(f"wrote {options.out}")
+    return status
+
+
+COMMAND = Command(
+    "join the shards of a sweep or a matrix into one folder",
+    _arguments,
+    _run,
+    ("testbed merge runs/shard-1 runs/shard-2 --out runs/whole",),
+)

@@ -1,0 +1,117 @@
+"""What a page is told of a flight: numbers of the present, often; and in words what is broken and what has happened."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from testbed.common.signals import Belief
+from testbed.failures import TABLE as FAILURES
+from testbed.failures import Failure
+from testbed.flight.breakage import failures_of, response
+from testbed.flight.columns import Recorded, columns, table
+from testbed.reporting.flight import ReportedFlight
+from testbed.reporting.panels import error_columns, response_of
+from testbed.reporting.story import diagnoses, story
+from testbed.reporting.words import describe, title
+from testbed.scenario.model import Scenario
+from testbed.simulation.assembly import Assembly
+from testbed.simulation.session import Session
+
+_WIND = ("wind_north_m_s", "wind_east_m_s", "wind_down_m_s")
+_MOST_EVENTS = 200
+"""Events that a page is shown, the last ones."""
+
+
+def numbers(session: Session) -> dict[str, np.ndarray]:
+    """The last control step by the names of the log's columns, and of those that reports add; each [1]."""
+    parts, loop = session.parts, session.loop
+    last = slice(loop.done - 1, loop.done)
+    rate_hz = parts.scenario.rate_hz
+    row = table(parts.aircraft, rate_hz, Recorded(*(rows[last] for rows in loop.rows)))
+    log = dict(zip(columns(parts.aircraft), row, strict=True))
+    log["time_s"] = np.array([last.start / rate_hz])
+    active, failures = failures_of(parts.injector.receipts), parts.injector.failures
+    for name in parts.aircraft.actuators:
+        log[response_of(name)] = response(log, name, active, failures)
+    wind = parts.weather.wind[last] if len(parts.weather.wind) else np.zeros((1, 3))
+    return log | error_columns(log) | dict(zip(_WIND, wind.T, strict=True))
+
+
+def frame(session: Session) -> bytes:
+    """The last control step as 32-bit numbers in the order of `columns` of `facts`."""
+    return np.concatenate(list(numbers(session).values())).astype("<f4").tobytes()
+
+
+def broken(session: Session) -> dict[str, list[str]]:
+    """What each actuator has now: {actuator: the failures in words}."""
+    found: dict[str, list[str]] = {}
+    for injection in session.parts.injector.active:
+        if injection.actuator is not None:
+            found.setdefault(injection.actuator, []).append(_words(injection.failure, session.parts))
+    return found
+
+
+def _words(failure: Failure, parts: Assembly) -> str:
+    if failure.actuator is None:
+        return failure.type
+    actuator = parts.aircraft.actuators[failure.actuator]
+    return failure.words(actuator.kind, actuator.unit if actuator.kind == "servo" else "of throttle")
+
+
+def told(flight: ReportedFlight) -> dict[str, Any]:
+    """The story of a flight so far, and its events in words."""
+    events = [
+        {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
+        for event in flight.events[-_MOST_EVENTS:]
+    ]
+    return {"story": [*story(flight), *diagnoses(flight)], "events": events}
+
+
+def facts(session: Session) -> dict[str, Any]:
+    """What a page has to know of a flight before its first frame."""
+    parts, scenario = session.parts, session.parts.scenario
+    actuators = {
+        name: {
+            **actuator.model_dump(include={"kind", "unit", "limits", "scale"}),
+            "title": title(name),
+            "failures": _failures(actuator.kind),
+        }
+        for name, actuator in parts.aircraft.actuators.items()
+    }
+    return {
+        "name": scenario.name,
+        "aircraft": str(scenario.aircraft),
+        "controller": parts.flown_by or scenario.controller.type,
+        "columns": list(numbers(session)),
+        "actuators": actuators,
+        "beliefs": {belief.value: belief.name for belief in Belief},
+        "limits": _limits(scenario),
+        "shape": parts.shape.model_dump(),
+        "estimates": True,
+    }
+
+
+def _failures(kind: str) -> list[dict[str, Any]]:
+    """The types of failure that an actuator of this kind can have, each with its settings as a JSON schema."""
+    base = set(Failure.model_fields)
+    found = []
+    for name, failure in FAILURES.items():
+        if kind not in failure.kinds or "actuator" not in failure.model_fields or name == "property":
+            continue
+        schema = failure.model_json_schema()
+        about = str(schema.get("description", "")).partition("\n")[0]
+        settings = {key: value for key, value in schema["properties"].items() if key not in base}
+        example = failure.examples.get("motor" if kind == "engine" else kind, {})
+        found.append({"type": name, "about": about, "settings": settings, "example": dict(example)})
+    return found
+
+
+def _limits(scenario: Scenario) -> dict[str, float]:
+    """The widest limit that a requirement sets on how far a quantity is from its reference, by the reference's column."""
+    found: dict[str, float] = {}
+    for requirement in scenario.requirements:
+        if requirement.within is not None and isinstance(requirement.of, str):
+            found[requirement.of] = max(requirement.within, found.get(requirement.of, 0.0))
+    return found

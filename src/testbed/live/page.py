@@ -1,0 +1,101 @@
+"""The page of a flight by hand: the places that `web/src/live.js` fills, with what it has to know."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from testbed.reporting import html
+from testbed.reporting.html import Html, tag
+from testbed.reporting.page.panels import group_of
+from testbed.reporting.panels import TRACKED, error_panel, reference_of
+
+_SPEEDS = (0.25, 0.5, 1, 2, 4, 8, 16)
+_ORDERS = {
+    "heading_deg": ("heading [deg]", 5),
+    "altitude_m": ("altitude [m]", 1),
+    "airspeed_m_s": ("airspeed [m/s]", 0.5),
+}
+_WIND = {"north": 0, "east": 0, "down": 0}
+_GUST = {"forward": 0, "right": 3, "down": 0, "rise [s]": 0.5, "hold [s]": 1}
+
+
+def page(facts: Mapping[str, Any], address: str) -> str:
+    """The page of a flight with these facts (see `frames.facts`), which connects to an address."""
+    panels = group_of("errors", "Errors against what was ordered", False, map(error_panel, TRACKED))
+    for panel, quantity in zip(panels["panels"], TRACKED, strict=True):
+        limit = facts["limits"].get(reference_of(quantity))
+        panel["limits"] = [] if limit is None else [-limit, limit]
+    parts = [
+        tag("h1", f"{facts['name']}, live"),
+        tag("ul", _chips(facts), class_="chips"),
+        tag("p", "connecting", id="status", role="status"),
+        tag("div", [_flight(), _beside()], class_="live"),
+        html.panels(panels),
+        _told(),
+    ]
+    data = {"live": {**facts, "panels": [panels]}}
+    return html.page_text(f"{facts['name']}, live", parts, "live.js", data, "live.css", address)
+
+
+def _chips(facts: Mapping[str, Any]) -> list[Html]:
+    return [tag("li", tag("b", what), facts[what]) for what in ("aircraft", "controller")]
+
+
+def _flight() -> Html:
+    """The picture and the time."""
+    speeds = [tag("option", f"{s:g} x", value=s, selected="selected" if s == 1 else "") for s in _SPEEDS]
+    views = [_button(view, view=view) for view in ("chase", "side", "top")]
+    times = [
+        _button("Pause", do="pause", title="space"), tag("label", "speed ", tag("select", speeds, id="speed")), *views,
+        _button("Save", do="save"), _button("Start again", do="restart"),
+    ]  # fmt: skip
+    back = [
+        tag("label", "go back to ", tag("output", id="back-to"), for_="back"),
+        tag("input", type="range", id="back", min=0, max=0, step=0.1, value=0),
+    ]
+    said = (
+        "Click on a surface or a propeller, or on its name, to break it. "
+        "Keys: space pauses, left and right turn, up and down climb."
+    )
+    canvas = tag("canvas", aria_label="the flight")
+    return tag(
+        "section", tag("div", canvas, tag("output"), class_="picture"), tag("div", times, class_="buttons"),
+        tag("div", back, class_="buttons"), html.note(said), tag("div", id="saved"), aria_label="flight",
+    )  # fmt: skip
+
+
+def _beside() -> Html:
+    """Actuators, modes, and what can be done."""
+    heads = [tag("th", text) for text in ("actuator", "truth", "belief", "")]
+    table = tag("table", tag("thead", tag("tr", heads)), tag("tbody", id="actuators"))
+    orders = [
+        tag("label", words, tag("input", type="number", step=step, name=name))
+        for name, (words, step) in _ORDERS.items()
+    ]
+    return tag(
+        "section", tag("div", table, class_="table"), tag("p", id="modes"),
+        tag("form", id="break", hidden="hidden"),
+        tag("form", orders, _button("Order", kind="submit"), id="order"),
+        _numbers("wind", "wind [m/s] towards", _WIND, "Change wind"),
+        _numbers("gust", "gust [m/s]", _GUST, "Blow"),
+        aria_label="actuators and orders",
+    )  # fmt: skip
+
+
+def _numbers(name: str, title: str, fields: Mapping[str, float], does: str) -> Html:
+    inputs = [
+        tag("label", field, tag("input", type="number", step="any", value=v)) for field, v in fields.items()
+    ]
+    return tag("form", tag("span", title), inputs, _button(does, kind="submit"), id=name)
+
+
+def _told() -> Html:
+    return tag(
+        "section", tag("h2", "Story so far"), tag("ul", id="story", class_="story"),
+        tag("h2", "Events"), tag("ul", id="events"), aria_label="story",
+    )  # fmt: skip
+
+
+def _button(words: str, kind: str = "button", do: str = "", view: str = "", title: str = "") -> Html:
+    return tag("button", words, type=kind, data_do=do, data_view=view, title=title)

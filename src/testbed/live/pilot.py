@@ -1,0 +1,193 @@
+"""The thread that flies: it keeps the time, does what is asked, and tells what comes of it. Nothing else touches the flight."""
+
+from __future__ import annotations
+
+import queue
+import threading
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+from testbed.inputs.problems import BadInput, Problem
+from testbed.live import frames
+from testbed.live.flight import LONGEST_S, LiveFlight
+from testbed.live.messages import Pause, Restart, Rewind, Save, Speed
+from testbed.reporting.flight import ReportedFlight
+
+FRAME_S = 1.0 / 60.0
+_MOST_BEHIND_S = 0.25  # what a slow machine has not flown in this time is not caught up with
+_STORY_S, _STORY_SHARE = 2.0, 0.04  # the story is told this often, and takes no more of the time than this
+_IDLE_S = 0.2
+
+Tell = Callable[[bytes | dict[str, Any]], object]
+"""Takes a frame, or a note in words, for all pages; called in the pilot's thread or in that which saves."""
+Keep = Callable[[ReportedFlight], tuple[Path, str]]
+"""Writes the run folder of a flight; returns it, and the command that flies it again."""
+
+
+class Pilot(threading.Thread):
+    """Flies a `LiveFlight` while somebody looks.
+
+    Attributes:
+        watched: whether a page is there; while none is, time stands still.
+    """
+
+    def __init__(self, flight: LiveFlight, tell: Tell, keep: Keep) -> None:
+        super().__init__(name="pilot", daemon=True)
+        self.flight, self.tell, self._keep = flight, tell, keep
+        self.watched = False
+        self._paused, self._times, self._error = False, 1.0, ""
+        self._stopping = False
+        self._inbox: queue.SimpleQueue[tuple[Any, Future[None]] | None] = queue.SimpleQueue()
+        self._saver = ThreadPoolExecutor(1, "saver")
+        self._saved: list[dict[str, str]] = []
+        self._told: dict[str, Any] = {"story": [], "events": []}
+        self._next_story_s = 0.0
+        self._state: dict[str, Any] = {}
+
+    def ask(self, message: Any) -> Future[None]:
+        """Have a message carried out; the result has BadInput if it cannot be."""
+        answer: Future[None] = Future()
+        self._inbox.put((message, answer))
+        return answer
+
+    @property
+    def state(self) -> dict[str, Any]:
+        """The last note of how things are, for a page that has just come."""
+        return {"note": "state", **self._state, **self._told}
+
+    def look(self, watched: bool) -> None:
+        """Say whether a page is there."""
+        self.watched = watched
+        self._inbox.put(None)
+
+    def end(self) -> None:
+        """Stop flying. What is being saved is finished first."""
+        self._stopping = True
+        self._inbox.put(None)
+        self.join()
+        self._saver.shutdown()
+        self.flight.close()
+
+    def run(self) -> None:
+        last, owed_s = monotonic(), 0.0
+        while not self._stopping:
+            flying = self.watched and not self._paused and not self._over
+            wait_s = max(FRAME_S - (monotonic() - last), 0.0) if flying else _IDLE_S
+            if self._take(wait_s):
+                continue
+            now = monotonic()
+            if flying:
+                owed_s = min(owed_s + now - last, _MOST_BEHIND_S)
+                owed_s -= self._advance(owed_s)
+            last = now
+            self._publish(flying, now)
+
+    @property
+    def _over(self) -> bool:
+        return bool(self._error) or self.flight.session.ended is not None
+
+    def _take(self, wait_s: float) -> bool:
+        """Carry out the next message, if one comes within this time; returns whether one came."""
+        try:
+            item = self._inbox.get(timeout=wait_s) if wait_s > 0.0 else self._inbox.get_nowait()
+        except queue.Empty:
+            return False
+        if item is not None:
+            message, answer = item
+            try:
+                self._do(message)
+            except Exception as error:
+                answer.set_exception(error)
+            else:
+                answer.set_result(None)
+        self._publish(
+            True, monotonic()
+        )  # a page that has just come sees something, too, while time stands still
+        return item is not None
+
+    def _do(self, message: Any) -> None:
+        match message:
+            case Pause():
+                self._paused = message.on
+                self._next_story_s = 0.0
+            case Speed():
+                self._times = message.times
+            case Save():
+                self._save()
+            case Rewind() | Restart():
+                self._rewind(message.time_s if isinstance(message, Rewind) else 0.0)
+            case act:
+                self._refuse_over()
+                self.flight.do(act)
+
+    def _refuse_over(self) -> None:
+        if self._over:
+            what = self._error or "the flight is over"
+            raise BadInput([Problem(what, expected="going back to an earlier time, or starting again")])
+
+    def _rewind(self, time_s: float) -> None:
+        self.flight.rewind(time_s, lambda: not self._stopping)
+        self._error, self._next_story_s = "", 0.0
+
+    def _advance(self, owed_s: float) -> float:
+        """Fly what is owed [s of this machine's time]; returns how much of it whole control steps were."""
+        per_s = self._times * self.flight.rate_hz
+        steps = int(owed_s * per_s)
+        try:
+            self.flight.fly(steps)
+        except Exception as error:  # of JSBSim, or of a controller of the user's; the past can be flown again
+            self._error = f"the flight cannot go on: {str(error) or type(error).__name__}"
+        return steps / per_s
+
+    def _save(self) -> None:
+        flight = self.flight.session.flight()
+        self._saver.submit(self._write, flight)
+
+    def _write(self, flight: ReportedFlight) -> None:
+        try:
+            folder, command = self._keep(flight)
+        except Exception as error:  # a full disk must not end the flight
+            self.tell({"note": "not saved", "why": str(error) or type(error).__name__})
+            return
+        self._saved.append({"folder": str(folder), "command": command})
+        self.tell({"note": "saved", "folder": str(folder), "command": command, "time_s": flight.end_time_s})
+
+    def _publish(self, flew: bool, now: float) -> None:
+        session = self.flight.session
+        if flew:
+            self.tell(frames.frame(session))
+        state = {
+            "paused": self._paused,
+            "speed": self._times,
+            "ended": self._ending(),
+            "broken": frames.broken(session),
+            "saved": self._saved[-5:],
+        }
+        if state != self._state:
+            self._state, self._next_story_s = state, min(self._next_story_s, now + FRAME_S)
+            self.tell({"note": "state", **state})
+        if now >= self._next_story_s:
+            self._tell_story(now)
+
+    def _ending(self) -> str:
+        """Why it does not go on; empty while it does."""
+        session = self.flight.session
+        if self._error or session.ended is None:
+            return self._error
+        if session.time_s >= LONGEST_S:
+            return "an hour has been flown, which is as long as a flight by hand can be"
+        return f"the aircraft {session.ended.sentence}, {session.time_s:.1f} s"
+
+    def _tell_story(self, now: float) -> None:
+        try:
+            told = frames.told(self.flight.session.flight())
+        except BadInput as error:
+            told = {**self._told, "story": [str(error)]}
+        took_s = monotonic() - now
+        self._next_story_s = now + max(_STORY_S, took_s / _STORY_SHARE)
+        if told != self._told:
+            self._told = told
+            self.tell({"note": "story", **told})

@@ -1,0 +1,53 @@
+"""When a controller noticed what was broken, for all that says so in words or colours.
+
+It has noticed a failure when it flagged an actuator, when its estimate has gone half of the way to the truth, or when it took the
+broken actuator for anything but one that works. What it does not notice it may still hold: that is no recovery.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from testbed.flight.breakage import ActiveFailure, failures_of
+from testbed.flight.columns import beliefs, row_at
+from testbed.flight.flight import Flight
+
+_LOSS = 0.1  # of effect, that an estimate is to find
+
+
+def noticed_s(flight: Flight) -> list[float]:
+    """Times at which it noticed something that was broken, in order [s]."""
+    log, failures = flight.signals, failures_of(flight.events)
+    flags = [event["time_s"] for event in flight.events if event["kind"] == "detection"]
+    taken = [b["time_s"] for b in beliefs(log, _broken(failures)) if _true(b, failures)]
+    return sorted([*flags, *taken, *_estimated(log, failures)])
+
+
+def _broken(failures: Sequence[ActiveFailure]) -> list[str]:
+    return list(dict.fromkeys(failure.actuator for failure in failures if failure.actuator))
+
+
+def _true(belief: Mapping[str, Any], failures: Sequence[ActiveFailure]) -> bool:
+    """Whether a belief is of something broken at that time."""
+    of = [f for f in failures if f.actuator == belief["actuator"]]
+    wrong = belief["belief"] not in ("works", "doubted")
+    return wrong and any(f.from_s <= belief["time_s"] < f.until_s for f in of)
+
+
+def _estimated(log: Mapping[str, np.ndarray], failures: Sequence[ActiveFailure]) -> Iterator[float]:
+    """When the estimate of each broken actuator was first half of the way from what it was to the truth."""
+    for failure in failures:
+        true, estimate = (
+            log.get(f"{failure.actuator}_{of}") for of in ("effectiveness", "effectiveness_estimate")
+        )
+        if true is None or estimate is None:
+            continue
+        first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
+        before = estimate[max(first - 1, 0)]
+        loss = np.abs(true[first:end] - before)
+        found = (loss > _LOSS) & (np.abs(estimate[first:end] - before) >= 0.5 * loss)
+        if found.any():
+            yield float(log["time_s"][first + int(found.argmax())])

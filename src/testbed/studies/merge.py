@@ -1,0 +1,88 @@
+"""Join the shards of one study, flown on many machines, into the folder that one machine would have left."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Sequence
+from pathlib import Path
+
+from testbed.common.writing import write
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.input_file import MEGABYTE, read_bytes
+from testbed.inputs.problems import BadInput, Problem, collect
+from testbed.studies.folder import store, table
+from testbed.studies.folder.begin import is_new, refuse_changed, refuse_other
+from testbed.studies.folder.reading import records
+from testbed.studies.folder.store import Store
+from testbed.studies.plan import Plan
+from testbed.studies.record import key_of
+
+_LARGEST_LOG = 1000 * MEGABYTE
+
+
+def merge(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
+    """Make the folder `out` with the flights of all the folders, and its table if none is missing; returns the missing runs.
+
+    Raises BadInput, and leaves nothing, when they are not of one study that was begun with the same inputs, or when two have
+    another result of the same flight.
+    """
+    if not is_new(out):
+        raise BadInput([Problem("exists already", str(out), expected="a new folder")])
+    _refuse_strangers(plan, folders)
+    out.mkdir(parents=True, exist_ok=True)
+    try:
+        return _joined(plan, folders, out)
+    except BaseException:
+        shutil.rmtree(out, ignore_errors=True)
+        raise
+
+
+def _refuse_strangers(plan: Plan, folders: Sequence[Path]) -> None:
+    problems: list[Problem] = []
+    with store.reading(folders[0]) as first:
+        inputs = first.inputs
+    for folder in folders[1:]:
+        with store.reading(folder) as other:
+            collect(problems, lambda f=folder: refuse_other(f, plan, resume=True))  # type: ignore[misc]
+            collect(problems, lambda f=folder, o=other: refuse_changed(o.inputs, inputs, f))  # type: ignore[misc]
+    if problems:
+        raise BadInput(problems)
+
+
+def _joined(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
+    with store.reading(folders[0]) as first:
+        store.create(out, first.inputs)
+    merged = store.opened(out)
+    try:
+        for folder in folders:
+            with store.reading(folder) as shard:
+                _add(merged, shard)
+            for log in sorted((folder / "logs").glob("*.parquet")):
+                write(out / "logs" / log.name, _contents(log), within=out)
+        if plan.cases_text is not None:
+            write(out / "cases.csv", plan.cases_text)
+        write(out / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
+        n = len(plan.variants)
+        missing = sorted({k // n for k in range(plan.size) if key_of(k) not in merged})
+        if not missing:
+            table.write(plan, lambda: records(plan, merged), out)
+        return missing
+    finally:
+        merged.close()
+
+
+def _contents(log: Path) -> bytes:
+    """A kept log; raises BadInput for a link, which may lead out of a folder."""
+    if log.is_symlink():
+        raise BadInput([Problem("is a link", str(log), expected="a log that a sweep kept")])
+    return read_bytes(log, _LARGEST_LOG, "a log that a sweep kept")
+
+
+def _add(merged: Store, shard: Store) -> None:
+    """Add the flights of a shard; one that is there already must be the same."""
+    for key, record in shard.records():
+        if key not in merged:
+            merged.add(key, record, shard.history(key))
+        elif repr(merged.record(key)) != repr(record):  # which compares NaN as equal
+            what = f"has another result of run {record.run} than a folder before it"
+            raise BadInput([Problem(what, str(shard.folder))])

@@ -1,0 +1,62 @@
+"""The flights of a sweep and the cells of a matrix as tests (see `reporting.junit`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from testbed.reporting.junit import Test
+from testbed.reporting.story import story
+from testbed.studies.folder import logs
+from testbed.studies.folder.names import in_file_names, log_file
+from testbed.studies.matrix.plan import MatrixPlan
+from testbed.studies.plan import Plan
+from testbed.studies.verdicts import said_of
+from testbed.study_reports.sweep.flight_page import only
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+def tests_of_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[Test]:
+    """A test of each flight, in the order of runs and variants."""
+    for k, row in enumerate(frame.to_dict("records")):
+        label = plan.variants[k % len(plan.variants)].label
+        name = f"run {row['run']}" + (f", {label}" if label else "")
+        failure = "" if row["passed"] else said_of(plan, row) or "not passed"
+        yield Test(name, failure, _text(plan, k, folder) if failure else "")
+
+
+def tests_of_matrix(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) -> Iterator[Test]:
+    """A test of each cell, which fails where it is worse or better than expected."""
+    for cell in summary["cells"]:
+        about = [
+            cell["actuator"],
+            cell["failure"],
+            f"{cell['severity']:g}",
+            cell["weather"],
+            cell["controller"],
+        ]
+        name = ", ".join(filter(None, about))
+        if cell["against"] != "as expected":
+            said = f"{cell['result']}, expected {cell['expected']}: {cell['why'] or 'better'}"
+            yield Test(name, said, "" if cell["run"] is None else _text(plan, _number(plan, cell), folder))
+        else:
+            yield Test(name, skipped=cell["why"] if cell["run"] is None else "")
+
+
+def _number(plan: MatrixPlan, cell: Mapping[str, Any]) -> int:
+    """The number of a cell's worst flight."""
+    return int(cell["run"]) * len(plan.variants) + plan.labels.index(cell["controller"])
+
+
+def _text(plan: Plan, k: int, folder: Path) -> str:
+    """The story of flight k, if its log was kept, and the command that flies it again."""
+    run, variant = divmod(k, len(plan.variants))
+    word = plan.study.word
+    again = only(run, in_file_names(plan.variants[variant].label), str(folder / f"{word}.yaml"))
+    log = log_file(folder, plan, k)
+    flight = logs.read(log) if log.is_file() else None
+    told = story(flight) if flight is not None and flight.actuators else []
+    return "\n".join([*told, again])

@@ -1,0 +1,110 @@
+"""A flight by hand goes on, is flown again up to any time, and is saved as a scenario that flies to the same bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from testbed.inputs.problems import BadInput
+from testbed.live import flight as flights
+from testbed.live import frames
+from testbed.live.flight import LiveFlight
+from testbed.live.messages import Blow, Break, Mend, Order
+from testbed.scenario.load import changed, load_scenario
+from testbed.simulation import fly
+
+STUCK = Break(id=1, do="break", failure={"type": "stuck", "actuator": "left_ruddervator"})
+MENDED = Mend(id=2, do="mend", actuator="left_ruddervator")
+TURN = Order(id=3, do="order", command={"heading_deg": 120.0})
+GUST = Blow(id=4, do="blow", air={"magnitude_m_s": [0.0, 3.0, 0.0], "duration_s": 0.5, "hold_s": 1.0})
+
+
+@pytest.fixture
+def live() -> Iterator[LiveFlight]:
+    scenario = load_scenario("scenarios/left_tail_fail.yaml")
+    made = LiveFlight(
+        changed(scenario, {"duration_s": 6.0, "failures": [], "requirements": [], "commands": []})
+    )
+    yield made
+    made.close()
+
+
+def log(live: LiveFlight) -> np.ndarray:
+    return live.session.flight().data
+
+
+def test_it_goes_on_and_what_is_saved_flies_to_the_same_bytes(live: LiveFlight) -> None:
+    for steps, act in ((400, STUCK), (300, TURN), (500, MENDED), (200, GUST)):
+        live.fly(steps)
+        live.do(act)
+    live.fly(2000)
+    assert live.session.ended is None and live.session.time_s > 16.0  # six seconds were planned
+    kept = live.session.flight()
+    again = fly(kept.scenario)
+    assert again.data.tobytes() == kept.data.tobytes()
+    assert again.summary == kept.summary
+    later = [{**each.model_dump(exclude_none=True)} for each in kept.scenario.failures]
+    later[0]["at_s"] += 1.0 / live.rate_hz
+    assert fly(changed(kept.scenario, {"failures": later})).data.tobytes() != kept.data.tobytes()
+
+
+def test_it_is_flown_again_up_to_a_time_and_goes_on_differently(live: LiveFlight) -> None:
+    live.fly(400)
+    live.do(STUCK)
+    live.fly(400)
+    before = log(live)
+    live.do(TURN)
+    live.fly(800)
+    live.rewind(801 / live.rate_hz)
+    assert [act for _, act in live.acts] == [STUCK]  # what was done at that time is gone too
+    assert log(live).tobytes() == before.tobytes()
+    live.do(MENDED)
+    live.fly(100)
+    assert not frames.broken(live.session)
+
+
+def test_what_is_refused_is_not_done_again(live: LiveFlight) -> None:
+    with pytest.raises(BadInput, match="no failure now"):
+        live.do(MENDED)
+    assert not live.acts
+
+
+def test_going_back_can_be_given_up(live: LiveFlight) -> None:
+    live.fly(600)
+    session = live.session
+    live.rewind(2.0, lambda: False)
+    assert live.session is session and session.time_s > 3.0
+
+
+def test_it_ends_where_memory_would(live: LiveFlight, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(flights, "LONGEST_S", 10.0)
+    for _ in range(5):
+        live.fly(700)
+    assert live.session.time_s == 10.0 and live.session.loop.steps == 10 * live.rate_hz
+
+
+def test_numbers_are_those_of_the_log(live: LiveFlight) -> None:
+    live.fly(399)
+    live.do(STUCK)
+    live.fly(200)
+    numbers, kept = frames.numbers(live.session), live.session.flight()
+    for name in kept.columns:
+        assert numbers[name][0] == pytest.approx(kept.column(name)[-1], nan_ok=True), name
+    assert np.isnan(numbers["left_ruddervator_response"][0])
+    told = np.frombuffer(frames.frame(live.session), "<f4")
+    assert len(told) == len(frames.facts(live.session)["columns"])
+
+
+def test_failures_are_those_that_fit(live: LiveFlight) -> None:
+    """Each type that a page offers can be sent as it is offered."""
+    for name, actuator in frames.facts(live.session)["actuators"].items():
+        for offered in actuator["failures"]:
+            live.rewind(0.0)
+            needed = {key for key, schema in offered["settings"].items() if "default" not in schema}
+            assert needed <= set(offered["example"])
+            failure = {"type": offered["type"], "actuator": name, **offered["example"]}
+            live.do(Break(id=1, do="break", failure=failure))
+            live.fly(2)
+            assert frames.broken(live.session).keys() == {name}

@@ -1,0 +1,154 @@
+"""The page of a flight by hand in a real browser: break, mend, order, go back, and save what flies to the same bytes."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from chromium import Window
+from live_server import serving
+
+import testbed
+
+pytestmark = pytest.mark.nightly
+FLIGHTS = {
+    "vtail": ("left_tail_fail.yaml", "left_ruddervator"),
+    "aerosonde": ("{scenario}", "elevator"),
+}
+SCENARIO = "name: by hand <b>&amp;\naircraft: aerosonde\nduration_s: 20\ninitial: {altitude_m: 300, airspeed_m_s: 23}\n"
+
+
+class LiveWindow(Window):
+    """A window that may ask its own server."""
+
+    def _asked(self, request: Any) -> None:
+        if not request.url.startswith("http://127.0.0.1:"):
+            super()._asked(request)
+
+    def value(self, expression: str) -> Any:
+        return self.page.evaluate(f"(() => {{ const live = window.flightLive; return {expression}; }})()")
+
+    def wait(self, met: Callable[[], bool]) -> None:
+        end = time.monotonic() + 30.0
+        while not met():
+            assert time.monotonic() < end, self.page.locator("#status").text_content()
+            time.sleep(0.05)
+
+    def text(self, selector: str) -> str:
+        return str(self.page.locator(selector).text_content())
+
+    def row(self, actuator: str) -> str:
+        return self.text(f"#actuators tr[data-actuator={actuator}]")
+
+
+@contextmanager
+def live(browser: Any, address: str, width: int = 1400, scheme: str = "light") -> Iterator[LiveWindow]:
+    window = LiveWindow(browser, width, scheme)
+    window.page.goto(address)
+    try:
+        window.wait(lambda: window.value("live ? live.frames : 0") > 0)
+        yield window
+    finally:
+        window.context.close()
+    assert not window.wrong
+
+
+@pytest.fixture(scope="module", params=FLIGHTS)
+def served(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[tuple[str, Path, str]]:
+    folder = tmp_path_factory.mktemp("live")
+    (folder / "mine.yaml").write_text(SCENARIO)
+    scenario, surface = FLIGHTS[request.param]
+    with serving(folder, scenario.format(scenario="mine.yaml"), "--set", "failures=[]") as (address, _):
+        yield address, folder, surface
+
+
+def test_break_mend_order_save_and_fly_again(
+    browser: Any, served: tuple[str, Path, str], tmp_path: Path
+) -> None:
+    address, folder, surface = served
+    with live(browser, address) as window:
+        page = window.page
+        page.locator(f"#actuators tr[data-actuator={surface}] button").first.click()
+        page.locator("#break select[name=type]").select_option("effectiveness")
+        page.locator("#break input[name=value]").fill("0.4")
+        page.locator("#break button", has_text="Break").click()
+        window.wait(lambda: "kept 40 % of its effect" in window.row(surface))
+        window.wait(lambda: "kept 40 %" in window.text("#story"))
+        page.locator("#order input[name=heading_deg]").fill("20")
+        page.locator("#order button").click()
+        window.wait(lambda: window.value("live.past.now.heading_command_deg[1]") not in (0, 90))
+        page.locator("#gust button").click()
+        page.locator(f"#actuators tr[data-actuator={surface}] button", has_text="Mend").click()
+        window.wait(lambda: "kept 40 %" not in window.row(surface))
+        page.locator("[data-do=save]").click()
+        page.wait_for_selector("#saved pre", timeout=60_000)
+        saved = folder / window.text("#saved pre").split()[-1]
+    kept = testbed.load(saved.parent)
+    assert len(kept.scenario.failures) == len(kept.scenario.atmosphere.gusts) == 1
+    again = testbed.fly(saved).save(tmp_path / "again", figures=False)
+    for name in ("log.csv", "summary.json", "scenario.yaml"):
+        assert (again / name).read_bytes() == (saved.parent / name).read_bytes()
+    moved = testbed.fly(saved, set={"failures.0.value": 0.41}).save(tmp_path / "moved", figures=False)
+    assert (moved / "log.csv").read_bytes() != (saved.parent / "log.csv").read_bytes()
+
+
+def test_go_back_pause_and_speed(browser: Any, served: tuple[str, Path, str]) -> None:
+    with live(browser, served[0]) as window:
+        window.page.locator("#speed").select_option("16")
+        window.wait(lambda: window.value("live.past.time") > 15.0)
+        window.page.locator("[data-do=pause]").click()
+        window.wait(lambda: window.text("#status") == "paused")
+        back = "const b = document.getElementById('back'); b.value = 4; b.dispatchEvent(new Event('change'));"
+        window.page.evaluate(f"(() => {{ {back} }})()")
+        window.wait(lambda: abs(window.value("live.past.time") - 4.0) < 0.02)
+        assert window.value("live.past.view().time_s.at(-1)") <= 4.02
+    with live(browser, served[0]) as window:  # that which comes while time stands still
+        assert abs(window.value("live.past.time") - 4.0) < 0.02
+        window.page.locator("#speed").select_option("1")
+        window.page.locator("[data-do=pause]").click()
+        window.wait(lambda: window.value("live.past.time") > 4.2)
+
+
+def test_a_click_in_the_picture_opens_what_it_hits(browser: Any, served: tuple[str, Path, str]) -> None:
+    with live(browser, served[0]) as window:
+        window.wait(lambda: window.value("live.scene.times.length") > 2)
+        window.page.locator("[data-do=pause]").click()  # so that what was found stays where it is
+        window.wait(lambda: window.text("#status") == "paused")
+        find = """(() => { const {scene} = live, found = {};
+            for (let x = 0; x < scene.canvas.clientWidth; x += 3) for (let y = 0; y < scene.canvas.clientHeight; y += 3) {
+                const name = scene.at(x, y); if (name) (found[name] ??= []).push([x, y]); }
+            return found; })()"""
+        found = window.value(find)
+        assert served[2] in found
+        for name, points in found.items():
+            x, y = points[len(points) // 2]
+            window.page.locator(".picture canvas").click(position={"x": x, "y": y})
+            assert window.text("#break strong") == f"Break the {name.replace('_', ' ')}"
+        window.page.locator("[data-do=pause]").click()
+        window.wait(lambda: window.text("#status") == "flying")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1400])
+def test_quiet_and_no_wider_than_the_window(
+    browser: Any, served: tuple[str, Path, str], width: int, scheme: str
+) -> None:
+    with live(browser, served[0], width, scheme) as window:
+        window.page.locator("#actuators button").first.click()
+        window.picture(f"live-{served[2]}-{width}-{scheme}", full_page=True)
+        wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
+        assert window.page.evaluate(wide) <= 0
+        assert window.page.locator("h1 b").count() == 0  # a name is text
+
+
+def test_a_page_whose_server_is_killed_says_so(browser: Any, tmp_path: Path) -> None:
+    with serving(tmp_path) as (address, process), live(browser, address) as window:
+        process.kill()
+        window.wait(lambda: "server has gone" in window.text("#status"))
+        assert window.page.locator("[data-do=save]").is_disabled()

@@ -1,0 +1,197 @@
+"""The server without a browser: who may connect, what it answers, and that nothing that comes to it stops the flight."""
+
+from __future__ import annotations
+
+import http.client
+import json
+import signal
+import socket
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import pytest
+from live_server import Page, serving
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+
+import testbed
+from testbed.cli.commands import main
+from testbed.live.server import listening
+
+SCENARIO = ("left_tail_fail.yaml", "--set", "failures=[]")
+Server = tuple[str, Path, "subprocess.Popen[str]"]
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    folder = tmp_path_factory.mktemp("live")
+    with serving(folder, *SCENARIO) as (address, process):
+        yield address, folder, process
+
+
+@pytest.fixture
+def page(server: Server) -> Iterator[Page]:
+    """The page that flies, at the beginning of the flight."""
+    made = Page(server[0])
+    made.until("role", flies=True)
+    assert made.ask("restart")["note"] == "done"
+    assert made.ask("pause", on=False)["note"] == "done"
+    yield made
+    made.close()
+
+
+def got(address: str, path: str, **headers: str) -> http.client.HTTPResponse:
+    connection = http.client.HTTPConnection(urlsplit(address).netloc, timeout=10)
+    connection.request("GET", path, headers=headers)
+    return connection.getresponse()
+
+
+def test_the_page_is_for_those_who_know_the_token(server: Server) -> None:
+    address = server[0]
+    at = urlsplit(address)
+    assert got(address, "/").status == 403
+    assert got(address, f"/?token={'x' * 32}").status == 403
+    assert got(address, f"/elsewhere?{at.query}").status == 404
+    assert got(address, f"/?{at.query}", Host="example.org").status == 421
+    answer = got(address, f"/?{at.query}")
+    text = answer.read().decode()
+    assert answer.status == 200 and "text/html" in answer.headers["Content-Type"]
+    assert f"connect-src ws://{at.netloc}" in text and "script-src &#x27;sha256-" in text
+    assert at.query.removeprefix("token=") not in text
+
+
+@pytest.mark.parametrize("origin", ["http://example.org", "null", "http://127.0.0.1:1"])
+def test_pages_from_elsewhere_are_refused(server: Server, origin: str) -> None:
+    with pytest.raises(InvalidStatus):
+        Page(server[0], origin)
+
+
+def test_no_token_no_flight(server: Server) -> None:
+    with pytest.raises(InvalidStatus):
+        Page(server[0].partition("?")[0])
+
+
+def test_it_flies_is_broken_saved_and_flown_again_to_the_same_bytes(
+    server: Server, page: Page, tmp_path: Path
+) -> None:
+    failure = {"type": "effectiveness", "actuator": "right_ruddervator", "value": 0.3}
+    assert page.ask("break", failure=failure)["note"] == "done"
+    broken = page.until("state", broken={"right_ruddervator": ["kept 30 % of its effect"]})
+    assert broken["ended"] == ""
+    assert page.ask("speed", times=4.0)["note"] == "done"
+    assert page.ask("order", command={"altitude_m": 305.0})["note"] == "done"
+    assert page.ask("blow", air={"wind_m_s": [3.0, 0.0, 0.0]})["note"] == "done"
+    assert page.ask("mend", actuator="right_ruddervator")["note"] == "done"
+    page.until("state", broken={})
+    assert page.ask("save")["note"] == "done"
+    saved = page.until("saved")
+    folder = server[1] / saved["folder"]
+    assert saved["command"] == f"testbed run {saved['folder']}/scenario.yaml"
+    assert (folder / "report.html").is_file()
+    again = testbed.fly(folder / "scenario.yaml").save(tmp_path / "again", figures=False)
+    for name in ("log.csv", "summary.json", "scenario.yaml"):
+        assert (again / name).read_bytes() == (folder / name).read_bytes()
+    later = {"failures.0.at_s": testbed.load(folder).scenario.failures[0].at_s + 0.005}
+    moved = testbed.fly(folder / "scenario.yaml", set=later).save(tmp_path / "moved", figures=False)
+    assert (moved / "log.csv").read_bytes() != (folder / "log.csv").read_bytes()
+
+
+def test_what_does_not_fit_is_refused_with_a_suggestion(page: Page) -> None:
+    answer = page.ask("break", failure={"type": "stuk", "actuator": "left_ruddervator"})
+    assert answer["note"] == "refused" and "did you mean stuck?" in answer["why"]
+    assert page.ask("mend", actuator="left_ruddervator")["note"] == "refused"
+    assert page.ask("order", command={})["note"] == "refused"
+
+
+def test_garbage_stops_nothing(page: Page) -> None:
+    for garbage in ("", "{", "[" * 1000, b"\x00\xff", json.dumps({"id": 1, "do": "exec"})):
+        page.socket.send(garbage)
+        page.until("refused", id=None)
+    before_s = page.see()
+    while page.see() < before_s + 0.2:
+        page.socket.send("{}")
+        page.until("refused")
+
+
+def test_too_long_a_message_ends_the_connection_and_not_the_flight(server: Server, page: Page) -> None:
+    page.socket.send("x" * 100_000)
+    with pytest.raises(ConnectionClosed):
+        while True:
+            page.hear()
+    with_another = Page(server[0])
+    with_another.until("role", flies=True)
+    with_another.close()
+
+
+def test_a_second_page_looks_on_until_the_first_has_gone(server: Server, page: Page) -> None:
+    second = Page(server[0])
+    second.until("role", flies=False)
+    assert "looks on" in second.ask("pause", on=True)["why"]
+    assert second.see() > 0.0
+    page.socket.socket.shutdown(socket.SHUT_RDWR)  # a browser that dies
+    second.until("role", flies=True)
+    assert second.ask("pause", on=True)["note"] == "done"
+    second.close()
+
+
+def test_time_stands_still_while_nobody_looks(server: Server, page: Page) -> None:
+    page.close()
+    time.sleep(1.0)
+    again = Page(server[0])
+    assert again.see() < 0.9
+    again.close()
+
+
+def test_a_page_that_comes_while_it_is_paused_sees_the_flight(server: Server, page: Page) -> None:
+    assert page.ask("pause", on=True)["note"] == "done"
+    second = Page(server[0])
+    assert second.see() > 0.0
+    second.close()
+
+
+def test_a_lost_aircraft_ends_the_flight_and_not_the_server(page: Page) -> None:
+    page.ask("speed", times=16.0)
+    for name in ("left_ruddervator", "right_ruddervator"):
+        assert (
+            page.ask("break", failure={"type": "hardover", "actuator": name, "to": "max"})["note"] == "done"
+        )
+    while not (ended := page.until("state")["ended"]):
+        pass
+    assert ended.startswith("the aircraft ")
+    assert "over" in page.ask("order", command={"altitude_m": 310.0})["why"]
+    assert page.ask("save")["note"] == "done"
+    page.until("saved")
+    assert page.ask("rewind", time_s=0.0)["note"] == "done"
+    page.until("state", ended="", broken={})
+
+
+def test_a_killed_server_leaves_what_was_saved(tmp_path: Path) -> None:
+    with serving(tmp_path, *SCENARIO) as (address, process):
+        page = Page(address)
+        page.until("role", flies=True)
+        page.ask("save")
+        saved = page.until("saved")
+        process.send_signal(signal.SIGKILL)
+        with pytest.raises(ConnectionClosed):
+            while True:
+                page.hear()
+    assert testbed.load(tmp_path / saved["folder"]).end_time_s > 0.0
+
+
+def test_ctrl_c_ends_it(tmp_path: Path) -> None:
+    with serving(tmp_path, *SCENARIO) as (address, process):
+        page = Page(address)
+        page.until("role", flies=True)
+        process.send_signal(signal.SIGINT)
+        assert process.wait(20) == 130
+        page.close()
+
+
+def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
+    with listening(0) as taken:
+        port = str(taken.getsockname()[1])
+        assert main(["live", "--no-browser", "--port", port, "--set", "nonsense=1"]) == 2
+    said = capsys.readouterr().err
+    assert f"--port: port {port} cannot be had" in said and "nonsense" in said

@@ -1,0 +1,81 @@
+"""JUnit XML of runs, sweeps and matrices: read back by another program, with the stories of what failed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from sweep_files import here, written
+
+import testbed
+from testbed.api import matrix, sweep
+from testbed.inputs.problems import BadInput
+from testbed.reporting import junit
+from testbed.reporting.story import story
+from testbed.studies.load import load_sweep
+from testbed.studies.matrix.load import load_matrix
+
+
+def read(file: Path) -> list[ElementTree.Element]:
+    """The test cases; the suite's counts are those of its cases."""
+    suite = ElementTree.parse(file).getroot()[0]
+    cases = list(suite)
+    for kind, tag in (("failures", "failure"), ("skipped", "skipped")):
+        assert int(suite.attrib[kind]) == sum(case.find(tag) is not None for case in cases)
+    assert int(suite.attrib["tests"]) == len(cases)
+    return cases
+
+
+def test_a_flight_has_a_test_for_each_requirement_with_its_story(tmp_path: Path) -> None:
+    limits = [{"metric": "altitude_error_max_m", "at_most": most} for most in (1e-9, 100.0)]
+    flight = testbed.fly("left_tail_fail.yaml", set={"duration_s": 6, "failures": [], "requirements": limits})
+    junit.write(tmp_path / "run.xml", flight.scenario.name, junit.tests_of(flight))
+    end, missed, met = read(tmp_path / "run.xml")
+    assert end.find("failure") is met.find("failure") is None
+    failure = missed.find("failure")
+    assert failure is not None and failure.text == "\n".join(story(flight))
+    assert missed.attrib["name"] in failure.attrib["message"]
+
+
+def test_a_sweep_has_a_test_for_each_flight(tmp_path: Path) -> None:
+    plan = load_sweep(written(tmp_path), ["runs=3"])
+    folder = tmp_path / "out"
+    summary = sweep.finish(plan, folder, sweep.fly(plan, folder, here(save_logs="all")), figures=False)
+    junit.write(tmp_path / "sweep.xml", plan.name, sweep.tests(plan, folder, summary))
+    cases, rows = read(tmp_path / "sweep.xml"), testbed.load(folder)
+    assert [case.find("failure") is None for case in cases] == list(rows["passed"])  # type: ignore[index]
+    failure = next(case for case in cases if case.find("failure") is not None)
+    assert f"--only {failure.attrib['name'].split()[1].rstrip(',')} --variant " in "".join(failure.itertext())
+
+
+def test_a_matrix_has_a_test_for_each_cell(tmp_path: Path) -> None:
+    weak = {
+        "type": "effectiveness",
+        "value": 0.2,
+    }  # made-up flights pass with more than 0.5, and know no other failure
+    baseline = [{"actuator": "left_propeller", "severity": 0.5, "result": "lost"}]
+    plan = load_matrix("vtail", keys={"failures": [weak, "prop_loss"], "baseline": baseline})
+    folder = tmp_path / "out"
+    summary = matrix.finish(plan, folder, matrix.fly(plan, folder, here()), figures=False)
+    junit.write(tmp_path / "matrix.xml", plan.name, matrix.tests(plan, folder, summary))
+    cases = {case.attrib["name"]: [part.tag for part in case] for case in read(tmp_path / "matrix.xml")}
+    cell = "{}, effectiveness value=0.2, {}, adaptive_inversion".format
+    assert len(cases) == 12
+    assert cases[cell("right_propeller", 0.5)] == [] and cases[cell("left_propeller", 0.5)] == ["failure"]
+    assert cases[cell("right_propeller", 1)] == ["failure"]
+    assert cases["left_ruddervator, prop_loss, 1, adaptive_inversion"] == ["skipped"]
+
+
+def test_names_of_strangers_stay_text(tmp_path: Path) -> None:
+    junit.write(tmp_path / "a.xml", 'a"><b>', [junit.Test("\x1b[2J]]>", "<x>&", "\x00 \ud800")])
+    (case,) = read(tmp_path / "a.xml")
+    assert case.attrib == {"classname": 'a"><b>', "name": r"\x1b[2J]]>"} and case[0].text == r"\x00 \ud800"
+
+
+def test_only_an_earlier_verdict_is_replaced(tmp_path: Path) -> None:
+    junit.write(tmp_path / "a.xml", "a", [])
+    junit.refuse(tmp_path / "a.xml")
+    (tmp_path / "b.xml").write_text("<mine/>")
+    with pytest.raises(BadInput, match="exists already"):
+        junit.refuse(tmp_path / "b.xml")

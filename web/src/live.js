@@ -1,0 +1,200 @@
+// The page of a flight that is flown now: what comes from the server is drawn, what is done on the page is asked of the server.
+import { Breaker } from "./live_break.js";
+import { Link } from "./live_link.js";
+import { LiveScene } from "./live_scene.js";
+import { Past } from "./live_past.js";
+import { Table } from "./live_table.js";
+import { Clock } from "./clock.js";
+import { onSchemeChange } from "./colours.js";
+import { Panels } from "./panels.js";
+
+const ORDERS = { heading_deg: 10, altitude_m: 5, airspeed_m_s: 1 }; // what a key adds
+const find = (id) => document.getElementById(id);
+
+function start() {
+  const facts = JSON.parse(find("live").textContent);
+  const past = new Past(facts.columns);
+  const clock = new Clock(0, 1);
+  const panels = new Panels(past.view(), clock);
+  for (const group of facts.panels) for (const panel of group.panels) panels.add(find(`panels-${group.name}`), panel);
+  const link = new Link();
+  const breaker = new Breaker(find("break"), facts, link);
+  const table = new Table(find("actuators"), find("modes"), facts, link, (name) => breaker.open(name));
+  const scene = picture(facts, past, breaker);
+  const page = { facts, past, link, scene, frames: 0, state: {} };
+  link.listen("frame", (values) => {
+    past.take(values);
+    page.frames += 1;
+    page.fresh = true;
+  });
+  link.listen("state", (state) => {
+    Object.assign(page.state, state);
+    showState(page);
+    table.broken = state.broken ?? table.broken;
+    if (scene) scene.broken = Object.keys(table.broken).length > 0;
+    page.fresh = true;
+  });
+  link.listen("story", showStory);
+  link.listen("role", ({ flies }) => {
+    page.flies = flies;
+    document.body.dataset.flies = flies;
+    showState(page);
+  });
+  link.listen("gone", () => showState(page));
+  link.listen("saved", showSaved);
+  link.listen("not saved", ({ why }) => link.say(why));
+  link.said = (text) => {
+    page.said = text;
+    showState(page);
+  };
+  controls(page);
+  forms(page);
+  keys(page);
+  onSchemeChange(() => {
+    scene?.recolour();
+    panels.redraw();
+  });
+  const draw = () => {
+    requestAnimationFrame(draw);
+    if (!page.fresh || !past.time) return;
+    page.fresh = false;
+    scene?.follow();
+    table.show(past.now);
+    readout(page);
+  };
+  setInterval(() => {
+    if (document.hidden || !past.time) return;
+    [clock.start, clock.end, clock.now] = [past.first, past.time, past.time];
+    clock.range = [Math.max(past.time - 60, past.first), Math.max(past.time, past.first + 1)];
+    panels.renew(past.view());
+  }, 200);
+  requestAnimationFrame(draw);
+  link.open();
+  window.flightLive = page;
+  document.body.dataset.drawn = "yes";
+}
+
+// The report's own scene; a click in it chooses what to break. Null where there is no WebGL.
+function picture(facts, past, breaker) {
+  const canvas = document.querySelector(".picture canvas");
+  if (!document.createElement("canvas").getContext("webgl2")) {
+    canvas.parentElement.hidden = true;
+    return null;
+  }
+  const scene = new LiveScene(canvas, facts, past.now);
+  canvas.addEventListener("click", (e) => {
+    const name = scene.at(e.offsetX, e.offsetY);
+    if (name) breaker.open(name);
+  });
+  const views = [...document.querySelectorAll("[data-view]")];
+  const look = (view) => {
+    scene.view = view;
+    for (const button of views) button.setAttribute("aria-pressed", button.dataset.view === view);
+    scene.draw();
+  };
+  for (const button of views) button.addEventListener("click", () => look(button.dataset.view));
+  look("chase");
+  return scene;
+}
+
+function showState({ link, state, flies, said }) {
+  const status = find("status");
+  const gone = !link.there && "The server has gone. What was saved is safe; start testbed live again for another flight.";
+  const words = gone || said || state.ended || (flies === false && "Another page flies, this one looks on.") || (state.paused ? "paused" : "flying");
+  status.textContent = words;
+  status.classList.toggle("wrong", Boolean(gone || said || state.ended));
+  document.querySelector("[data-do=pause]").textContent = state.paused ? "Go on" : "Pause";
+  if (state.speed && document.activeElement !== find("speed")) find("speed").value = String(state.speed);
+  for (const each of document.querySelectorAll("button:not([data-view]), form input, form select, #speed, #back")) each.disabled = Boolean(gone) || flies === false;
+}
+
+function showStory({ story, events }) {
+  const item = (text) => Object.assign(document.createElement("li"), { textContent: text });
+  find("story").replaceChildren(...story.map(item));
+  find("events").replaceChildren(...events.toReversed().map(({ time_s, text }) => item(`${time_s.toFixed(1)} s: ${text}`)));
+}
+
+function showSaved({ folder, command, time_s }) {
+  const said = document.createElement("p");
+  said.append(`The first ${time_s.toFixed(1)} s are saved in ${folder}, with report.html. They fly again to the same bytes by`);
+  find("saved").replaceChildren(said, Object.assign(document.createElement("pre"), { textContent: command }));
+}
+
+function readout({ past }) {
+  const now = (name) => past.now[name][1];
+  const [height, speed, turn] = [now("altitude_m"), now("airspeed_m_s"), now("heading_deg")];
+  document.querySelector(".picture output").textContent =
+    `${past.time.toFixed(1)} s   ${height.toFixed(1)} m   ${speed.toFixed(1)} m/s   heading ${turn.toFixed(0)} deg   bank ${now("roll_deg").toFixed(0)} deg`;
+  const back = find("back");
+  if (document.activeElement !== back) {
+    back.max = past.time.toFixed(1);
+    back.value = past.time;
+    find("back-to").textContent = `${past.time.toFixed(1)} s`;
+  }
+  for (const input of find("order").querySelectorAll("input")) {
+    const column = input.name.replace(/_([^_]+|m_s)$/, "_command_$1");
+    if (!input.dataset.touched) input.value = Number(now(column).toFixed(1));
+  }
+}
+
+function controls(page) {
+  const { link } = page;
+  const back = find("back");
+  const does = {
+    pause: () => link.ask("pause", { on: !page.state.paused }),
+    save: () => link.ask("save"),
+    restart: () => link.ask("restart"),
+  };
+  for (const [name, act] of Object.entries(does)) document.querySelector(`[data-do=${name}]`).addEventListener("click", act);
+  find("speed").addEventListener("change", (e) => {
+    link.ask("speed", { times: Number(e.target.value) });
+    e.target.blur();
+  });
+  back.addEventListener("input", () => (find("back-to").textContent = `${Number(back.value).toFixed(1)} s`));
+  back.addEventListener("change", () => {
+    link.ask("rewind", { time_s: Number(back.value) });
+    back.blur();
+  });
+}
+
+function forms({ link }) {
+  const on = (id, act) =>
+    find(id).addEventListener("submit", (e) => {
+      e.preventDefault();
+      const inputs = [...e.target.querySelectorAll("input")];
+      act(inputs.map((input) => input.valueAsNumber), inputs);
+    });
+  for (const input of find("order").querySelectorAll("input")) input.addEventListener("input", () => (input.dataset.touched = "yes"));
+  on("order", (_, inputs) => {
+    const touched = inputs.filter((input) => input.dataset.touched && input.value !== "");
+    link.ask("order", { command: Object.fromEntries(touched.map((input) => [input.name, input.valueAsNumber])) });
+    for (const input of inputs) delete input.dataset.touched;
+  });
+  on("wind", (wind_m_s) => link.ask("blow", { air: { wind_m_s, duration_s: 2 } }));
+  on("gust", ([u, v, w, duration_s, hold_s]) => link.ask("blow", { air: { magnitude_m_s: [u, v, w], duration_s, hold_s } }));
+}
+
+// Arrows turn and climb, space pauses.
+function keys(page) {
+  const turn = { ArrowLeft: ["heading_deg", -1], ArrowRight: ["heading_deg", 1], ArrowUp: ["altitude_m", 1], ArrowDown: ["altitude_m", -1] };
+  document.addEventListener("keydown", (e) => {
+    if (e.target.matches("input, select, textarea") || e.ctrlKey || e.metaKey || e.altKey || !page.flies) return;
+    if (e.key === " " && !e.target.matches("button, summary")) page.link.ask("pause", { on: !page.state.paused });
+    else if (turn[e.key]) order(page, ...turn[e.key]);
+    else return;
+    e.preventDefault();
+  });
+}
+
+// Keys that follow each other add up, while what was ordered is approached.
+function order(page, name, sign) {
+  const wanted = (page.wanted ??= {});
+  const present = page.past.now[name.replace(/_([^_]+|m_s)$/, "_command_$1")][1];
+  const recent = wanted[name] && performance.now() - wanted[name].at < 5000;
+  let value = (recent ? wanted[name].value : Math.round(present)) + sign * ORDERS[name];
+  if (name === "heading_deg") value = (value + 360) % 360;
+  wanted[name] = { value, at: performance.now() };
+  page.link.ask("order", { command: { [name]: value } });
+}
+
+start();

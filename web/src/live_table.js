@@ -1,0 +1,54 @@
+// The actuators: what is true of each and what the controller believes, side by side; and the axes that it has given up.
+import { short } from "./plot.js";
+
+const AXES = { p_dot: "roll", q_dot: "pitch", r_dot: "yaw", u_dot: "speed" };
+
+export class Table {
+  constructor(body, modes, facts, link, choose) {
+    Object.assign(this, { facts, modes, broken: {} });
+    this.rows = Object.entries(facts.actuators).map(([name, { title }]) => {
+      const row = body.insertRow();
+      row.dataset.actuator = name;
+      const [who, truth, belief, mend] = [0, 1, 2, 3].map(() => row.insertCell());
+      who.append(button(title, () => choose(name)));
+      const mends = button("Mend", () => link.ask("mend", { actuator: name }));
+      mend.append(mends);
+      return { name, row, truth, belief, mends };
+    });
+  }
+
+  show(now) {
+    for (const { name, row, truth, belief, mends } of this.rows) {
+      const value = (what) => now[`${name}_${what}`][1];
+      const broken = this.broken[name] ?? [];
+      const { unit } = this.facts.actuators[name];
+      put(truth, `${short(value("position"))} ${unit}, ${broken.length ? broken.join("; ") : effect(value("response"))}`);
+      put(belief, this.believed(value, unit));
+      row.classList.toggle("wrong", broken.length > 0 || !(value("response") > 0.99));
+      row.classList.toggle("flagged", value("failed") > 0);
+      mends.hidden = broken.length === 0;
+    }
+    const released = Object.entries(AXES).filter(([axis]) => now[`${axis}_released`][1] > 0);
+    put(this.modes, released.length ? `given up: ${released.map(([, words]) => words).join(", ")}` : "all axes are controlled");
+  }
+
+  believed(value, unit) {
+    const word = this.facts.beliefs[value("belief")] ?? "says nothing";
+    const held = Number.isFinite(value("believed_position")) ? ` at ${short(value("believed_position"))} ${unit}` : "";
+    const estimate = value("effectiveness_estimate");
+    return `${word}${held}${Number.isFinite(estimate) ? `, ${effect(estimate)}` : ""}${value("failed") > 0 ? ", flagged" : ""}`;
+  }
+}
+
+const effect = (share) => (Number.isFinite(share) ? `${(100 * share).toFixed(0)} %` : "does not follow");
+
+// Text that is the same is not written again: a screen reader and the layout have nothing to do then.
+function put(cell, text) {
+  if (cell.textContent !== text) cell.textContent = text;
+}
+
+function button(text, act) {
+  const made = Object.assign(document.createElement("button"), { type: "button", textContent: text });
+  made.addEventListener("click", act);
+  return made;
+}
