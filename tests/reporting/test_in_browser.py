@@ -91,7 +91,7 @@ def test_the_replay_plays(window: Window) -> None:
 
 
 def test_a_click_on_a_phase_moves_panels_and_replay(window: Window) -> None:
-    phase = value(window, "r.flight.phases.find(p => p.name === 'flagged' || p.name === 'recovered')")
+    phase = value(window, "r.flight.phases.find(p => ['flagged', 'noticed', 'held', 'recovered'].includes(p.name))")
     window.page.locator(f".phase[data-phase={phase['name']}]").first.click(position={"x": 1, "y": 5})
     assert value(window, "r.clock.now") == pytest.approx(phase["from_s"])
     first = window.page.locator(".panel").first
