@@ -13,6 +13,7 @@ import pytest
 from testbed.common import jit
 from testbed.common.private import cache_home, is_private
 from testbed.plant import model_cache
+from testbed.studies.benchmark.craft import hangar
 
 VICTIM, OTHER = 4_000_001, 4_000_002
 """Numbers of two users that the machine does not know."""
@@ -91,6 +92,22 @@ def test_compiled_code_is_kept_where_no_other_user_can_write(
         assert (folder.stat().st_uid, stat.S_IMODE(folder.stat().st_mode)) == (VICTIM, 0o700)
     assert set(shared.rglob("*")) - set(before) == {kept, kept.parent}, "nothing in what the other has made"
     assert by(VICTIM, jit._cache_folder) == str(kept), "the next process finds the code"
+
+
+@as_root
+def test_adopted_aircraft_are_those_of_this_user(shared: Path) -> None:
+    """Another user has put aircraft where a benchmark would look without a home folder."""
+    name = hangar().name
+    for root in (shared / "testbed", shared / f"testbed-{VICTIM}"):
+        by(OTHER, lambda root=root: (root / name / "c172p").mkdir(parents=True))  # type: ignore[misc]
+    kept = Path(by(VICTIM, hangar.__wrapped__))
+    assert kept.name == name and kept.stat().st_uid == VICTIM and not list(kept.iterdir())
+
+
+@as_root
+def test_without_a_private_place_no_aircraft_is_adopted(shared: Path) -> None:
+    shared.chmod(0o777)  # without the sticky bit
+    assert "no place for adopted aircraft" in by(VICTIM, hangar.__wrapped__)
 
 
 @as_root

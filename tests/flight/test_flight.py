@@ -28,7 +28,7 @@ def test_summary_is_the_contract(tmp_path: Path) -> None:
         "requirements": [
             {"name": "a", "passed": True, "value": 0.1, "limit": "at most 1", "robustness": 0.25}
         ],
-        "events": [{"time_s": 5.0, "kind": "injection", "verified": True}],
+        "events": [{"time_s": 5.0, "kind": "injection", "failure": 0, "verified": True}],
         "metrics": {"a": None, "b": 0.1},
         "warnings": [],
     }

@@ -23,10 +23,6 @@ RATE_HZ = 100.0
 _LEVEL = {"altitude": (100.0, "m"), "airspeed": (15.0, "m_s"), "heading": (350.0, "deg")}
 
 
-_STORYLESS = tuple(name for name in ALWAYS_KNOWN if name != "beta_deg")
-"""Known columns, but one that the story of a flight needs."""
-
-
 def level_log(seconds: float = 10.0, rate_hz: float = RATE_HZ) -> dict[str, np.ndarray]:
     """A log of flight exactly on its references, everything healthy, all estimates right."""
     time = np.arange(round(seconds * rate_hz)) / rate_hz
@@ -115,9 +111,11 @@ def make_flight(rows: int = 100, columns: int = 20, **changes: object) -> Report
         "scenario": load_scenario("scenarios/left_tail_fail.yaml"),
         "outcome": Outcome.completed,
         "end_time_s": 60.0,
-        "columns": (*_STORYLESS, *(f"c{i}_deg" for i in range(columns)))[:columns],
+        "columns": (*ALWAYS_KNOWN, *(f"c{i}_deg" for i in range(columns)))[:columns],
         "data": data,
-        "events": [{"time_s": np.float64(5.0), "kind": "injection", "verified": np.bool_(True)}],
+        "events": [
+            {"time_s": np.float64(5.0), "kind": "injection", "failure": 0, "verified": np.bool_(True)}
+        ],
         "metrics": {"b": np.float64(0.1), "a": math.nan},
         "requirements": [
             {"name": "a", "passed": True, "value": 0.1, "limit": "at most 1", "robustness": 0.25}

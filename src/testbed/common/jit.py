@@ -9,7 +9,6 @@ import contextlib
 import hashlib
 import os
 import shutil
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -21,7 +20,7 @@ import numpy as np
 from testbed.common.cache import Cache
 from testbed.common.jit_cache import CodeCache
 from testbed.common.jit_program import Function
-from testbed.common.private import cache_home, is_private
+from testbed.common.private import is_private, private_folder
 
 F = TypeVar("F", bound=Callable[..., Any])
 LONGEST_WAIT_S = 60.0
@@ -38,37 +37,12 @@ def _cache_folder() -> Path | None:
     package = Path(__file__).parents[1]
     for file in sorted(package.rglob("*.py")):
         text.update(file.read_bytes())
-    for root in _roots():
-        folder = root / f"numba-{numba.__version__}-{text.hexdigest()[:16]}"
-        with contextlib.suppress(OSError):
-            root.mkdir(mode=0o700, parents=True, exist_ok=True)
-            if is_private(root):
-                folder.mkdir(mode=0o700, exist_ok=True)
-                os.utime(folder)  # `prune` goes by the time of last use
-                # The code in the folder will be executed, so nobody else may have put it there.
-                if is_private(folder) and os.access(folder, os.W_OK):
-                    prune(root)
-                    return folder
-    return None
-
-
-def _roots() -> Iterator[Path]:
-    """Where compiled code may be kept, best first. There may be no home folder, and no temporary folder either.
-
-    In the temporary folder somebody else may have taken the usual name. Then it is one with a name that was free.
-    """
-    if home := cache_home():
-        yield (home / "testbed").resolve()
-    with contextlib.suppress(OSError):
-        scratch = Path(tempfile.gettempdir()).resolve()
-        usual = f"testbed-{os.getuid()}"
-        yield scratch / usual
-        yield from sorted(scratch.glob(f"{usual}-cache-*"))
-        new = Path(tempfile.mkdtemp(prefix=f"{usual}-cache-", dir=scratch))
-        if is_private(new):
-            yield new
-        else:
-            new.rmdir()
+    # The code in the folder will be executed, so nobody else may have put it there.
+    folder = private_folder(f"numba-{numba.__version__}-{text.hexdigest()[:16]}")
+    if folder is not None:
+        os.utime(folder)  # `prune` goes by the time of last use
+        prune(folder.parent)
+    return folder
 
 
 def _chosen_folder(folder: Path) -> Path | None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import grp
 import os
 import stat
+import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 
@@ -21,6 +24,38 @@ def cache_home() -> Path | None:
     except RuntimeError:
         return None
     return home / ".cache" if os.environ.get("HOME") != "" and home.is_absolute() else None
+
+
+def private_folder(name: str) -> Path | None:
+    """A folder of this name, made where it is missing, into which this user alone can write; None where there can be none."""
+    for root in _roots():
+        folder = root / name
+        with contextlib.suppress(OSError):
+            root.mkdir(mode=0o700, parents=True, exist_ok=True)
+            if is_private(root):
+                folder.mkdir(mode=0o700, exist_ok=True)
+                if is_private(folder) and os.access(folder, os.W_OK):
+                    return folder
+    return None
+
+
+def _roots() -> Iterator[Path]:
+    """Where such folders may be, best first; not each is private. There may be no home folder, and no temporary folder either.
+
+    In the temporary folder somebody else may have taken the usual name. Then it is one with a name that was free.
+    """
+    if home := cache_home():
+        yield (home / "testbed").resolve()
+    with contextlib.suppress(OSError):
+        scratch = Path(tempfile.gettempdir()).resolve()
+        usual = f"testbed-{os.getuid()}"
+        yield scratch / usual
+        yield from sorted(scratch.glob(f"{usual}-cache-*"))
+        new = Path(tempfile.mkdtemp(prefix=f"{usual}-cache-", dir=scratch))
+        if is_private(new):
+            yield new
+        else:
+            new.rmdir()
 
 
 def is_private(folder: Path) -> bool:

@@ -3,37 +3,69 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 
 import numpy as np
 
+from testbed.common.signals import TELEMETRY
 from testbed.flight.columns import ALWAYS_KNOWN
 from testbed.flight.flight import Flight, Outcome
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, one_of
+from testbed.inputs.yaml_source import describe
 
 _NEEDED = (
     "time_s", "altitude_m", "altitude_command_m", "airspeed_m_s", "airspeed_command_m_s", "heading_deg", "heading_command_deg",
+    "roll_deg", "pitch_deg", "beta_deg",
 )  # fmt: skip
-"""Columns that every comparison and verdict rests on."""
+"""Columns that every comparison, verdict and story rests on."""
+_OF_AN_ACTUATOR = ("position", "effectiveness", *TELEMETRY)
+_OF_ACTUATORS = ("detection", "false_alarm")
+"""Kinds of events that are always of an actuator."""
 _SHOWN = 3
 """Problems that are named: a damaged file has one in each cell."""
 
 
 def refuse_damaged(flight: Flight, file: str) -> None:
-    """Raise BadInput if the log read from `file` has no rows, lacks a column of _NEEDED, or has no number in one of
+    """Raise BadInput if the log read from `file` has no rows, lacks a column of `_needed`, or has no number in one of
     ALWAYS_KNOWN.
 
     The state of a flight that diverged may be no number. Times must increase.
     """
-    problems = [problem for _, problem in zip(range(_SHOWN), _problems(flight, file), strict=False)]
-    if problems:
-        raise BadInput(problems)
+    _refuse(_problems(flight, file))
+
+
+def refuse_other_events(flight: Flight, file: str) -> None:
+    """Raise BadInput if the events read from `file` are of failures, actuators or axes that the flight has not."""
+    _refuse(_other_events(flight, file))
+
+
+def _refuse(problems: Iterator[Problem]) -> None:
+    if shown := list(islice(problems, _SHOWN)):
+        raise BadInput(shown)
+
+
+def _other_events(flight: Flight, file: str) -> Iterator[Problem]:
+    failures = len(flight.scenario.failures)
+    for i, event in enumerate(flight.events):
+        if event["kind"] == "injection" and event.get("failure", 0) >= failures:
+            yield Problem(f"is not in the scenario, which has {failures}", file, None, f"events.{i}.failure")
+        if event["kind"] in _OF_ACTUATORS and event["actuator"] not in flight.actuators:
+            what, known = (
+                f"is no actuator of this flight: {describe(event['actuator'])}",
+                one_of(flight.actuators),
+            )
+            yield Problem(what, file, None, f"events.{i}.actuator", known)
+        if event["kind"] == "release" and f"{event['axis']}_released" not in flight.columns:
+            yield Problem(
+                f"is {event['axis']}, of which the log says nothing", file, None, f"events.{i}.axis"
+            )
 
 
 def _problems(flight: Flight, file: str) -> Iterator[Problem]:
     if not len(flight.data):
         yield Problem("has no rows", file, expected="the log of a flight")
         return
-    missing = [name for name in _NEEDED if name not in flight.columns]
+    missing = [name for name in _needed(flight) if name not in flight.columns]
     yield from (Problem(f"has no column {name}", file, 1) for name in missing)
     if flight.outcome is not Outcome.diverged:
         for name in ALWAYS_KNOWN:
@@ -42,6 +74,13 @@ def _problems(flight: Flight, file: str) -> Iterator[Problem]:
         time_s = flight.column("time_s")
         for row in np.flatnonzero(~(np.diff(time_s) > 0.0)):
             yield Problem(f"is {time_s[row + 1]:g}", file, int(row) + 3, "time_s", "times that increase")
+
+
+def _needed(flight: Flight) -> Iterator[str]:
+    """The columns that comparisons, verdicts and stories of a flight with these actuators rest on."""
+    yield from _NEEDED
+    for name in flight.actuators:
+        yield from (f"{name}_{of}" for of in _OF_AN_ACTUATOR)
 
 
 def _not_numbers(flight: Flight, file: str, name: str) -> Iterator[Problem]:

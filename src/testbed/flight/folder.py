@@ -7,30 +7,23 @@ import math
 import os
 import shutil
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
-from types import NoneType
 from typing import Any
 
 import numpy as np
 
-from testbed.aircraft.shape import Shape
 from testbed.common.text import cell, text_of
 from testbed.common.writing import replacing, write
-from testbed.flight.damage import refuse_damaged
-from testbed.flight.flight import Flight, Outcome
+from testbed.flight.damage import refuse_damaged, refuse_other_events
+from testbed.flight.flight import Flight
+from testbed.flight.summary import checked
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import read_json, refuse_links
-from testbed.inputs.yaml_source import describe
 from testbed.scenario.load import Scenario, dump, load_scenario
 
 _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
 _OWN = "controller"  # folder of the files of a controller of one's own
-_KINDS: dict[str, tuple[type, ...]] = {
-    "end_time_s": (float,), "events": (list, dict), "requirements": (list, dict), "actuators": (list, dict),
-    "warnings": (list, str), "metrics": (dict, int, float, NoneType), "flown_by": (str,),
-}  # fmt: skip
-"""Kind of each value of a summary, and of the values in it."""
 
 
 class FolderExists(BadInput):
@@ -103,58 +96,47 @@ def load(folder: str | Path) -> Flight:
     summary = read_json(summary_file, "the summary of a run")
     try:
         columns, data = _read_log(log_file)
-        scenario = load_scenario(scenario_file, with_aircraft=False)
-        flight = flight_from(scenario, summary, columns, data)
-    except (
-        ValueError,
-        KeyError,
-        TypeError,
-        RecursionError,
-    ) as error:  # pyarrow's and json's errors are ValueErrors
+    except (ValueError, KeyError, TypeError) as error:  # pyarrow's errors are ValueErrors
         raise BadInput(
             [Problem(f"cannot be read: {error!r}", str(folder), expected="a run folder")]
         ) from None
-    refuse_damaged(flight, str(log_file))
-    return flight
+    scenario = load_scenario(scenario_file, with_aircraft=False)
+    return flight_from(scenario, summary, columns, data, summary_file, log_file)
 
 
 def flight_from(
-    scenario: Scenario, summary: Mapping[str, Any], columns: tuple[str, ...], data: np.ndarray
+    scenario: Scenario,
+    contents: Any,
+    columns: tuple[str, ...],
+    data: np.ndarray,
+    summary_file: Path,
+    log_file: Path,
 ) -> Flight:
     """The flight of a scenario, the contents of its summary.json, and its log [rows, columns].
 
-    Raises ValueError, KeyError or TypeError when the summary is not one.
+    Raises BadInput, with the file in which it is, for what a flight has not.
     """
-    for key, kinds in _KINDS.items():
-        if key in summary and not _is_of(summary[key], kinds):
-            raise ValueError(f"{key} of {_SUMMARY} is {describe(summary[key])}")
+    said = checked(contents, str(summary_file))
     actuators = {
-        facts["name"]: {k: v for k, v in facts.items() if k != "name"} for facts in summary["actuators"]
+        facts["name"]: {k: v for k, v in facts.items() if k != "name"} for facts in contents["actuators"]
     }
-    metrics = {name: math.nan if value is None else value for name, value in summary["metrics"].items()}
-    return Flight(
+    flight = Flight(
         scenario=scenario,
-        outcome=Outcome(summary["outcome"]),
-        end_time_s=summary["end_time_s"],
+        outcome=said.outcome,
+        end_time_s=contents["end_time_s"],
         columns=columns,
         data=data,
-        events=summary["events"],
-        metrics=metrics,
-        requirements=summary["requirements"],
+        events=contents["events"],
+        metrics={name: math.nan if value is None else value for name, value in contents["metrics"].items()},
+        requirements=contents["requirements"],
         actuators=actuators,
-        warnings=summary.get("warnings", ()),
-        shape=Shape.model_validate(summary["shape"]) if "shape" in summary else None,
-        flown_by=summary.get("flown_by", ""),
+        warnings=contents.get("warnings", ()),
+        shape=said.shape,
+        flown_by=said.flown_by,
     )
-
-
-def _is_of(value: object, kinds: tuple[type, ...]) -> bool:
-    """Whether a value is of the first kind, and each value in it, if it holds any, of one of the others."""
-    outer, *inner = kinds
-    if isinstance(value, bool) or not isinstance(value, (int, outer) if outer is float else outer):
-        return False
-    inside = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
-    return all(isinstance(each, tuple(inner)) for each in inside)
+    refuse_other_events(flight, str(summary_file))
+    refuse_damaged(flight, str(log_file))
+    return flight
 
 
 def _write_files(flight: Flight, folder: Path) -> None:

@@ -46,7 +46,11 @@ def read_json(file: Path, expected: str) -> Any:
 
     Raises BadInput for a file that is too large or no JSON, for a key that stands twice, and for text that UTF-8 cannot hold.
     """
-    text = read_text(file, _LARGEST_JSON, expected)
+    return json_of(read_text(file, _LARGEST_JSON, expected), file, expected)
+
+
+def json_of(text: str, file: Path, expected: str) -> Any:
+    """As `read_json`, of text that was read from a file already."""
     try:
         value = json.loads(text, object_pairs_hook=_once)
         json.dumps(value, ensure_ascii=False).encode()

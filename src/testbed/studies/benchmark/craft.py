@@ -10,8 +10,8 @@ from importlib.metadata import version
 from pathlib import Path
 
 from testbed.adoption.entry import adopt
-from testbed.common.private import cache_home
-from testbed.inputs.problems import BadInput
+from testbed.common.private import private_folder
+from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.benchmark.model import Craft
 
 _PACKAGE = Path(__file__).parents[2]
@@ -21,12 +21,16 @@ _MADE_BY = ("adoption", "plant", "aircraft")
 
 @cache
 def hangar() -> Path:
-    """The folder of the adopted aircraft, for this version of JSBSim and of the program."""
+    """The folder of the adopted aircraft, for this version of JSBSim and of the program; raises BadInput for no place."""
     digest = hashlib.sha256(version("jsbsim").encode())
     for file in sorted(file for name in _MADE_BY for file in (_PACKAGE / name).rglob("*.py")):
         digest.update(file.read_bytes())
-    root = cache_home() or Path(tempfile.gettempdir())
-    return root / "testbed" / f"adopted-{digest.hexdigest()[:16]}"
+    # What is in there is flown as it is, so nobody else may have put it there.
+    folder = private_folder(f"adopted-{digest.hexdigest()[:16]}")
+    if folder is None:
+        what = "there is no place for adopted aircraft that this user alone can write to"
+        raise BadInput([Problem(what, expected="a home folder, or XDG_CACHE_HOME")])
+    return folder
 
 
 def beside() -> str:
@@ -48,7 +52,6 @@ def provide(models: Iterable[str]) -> None:
 
 
 def _adopt(model: str, folder: Path) -> None:
-    folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".") as partial:
         made = adopt(model, Path(partial) / model).folder
         try:

@@ -18,10 +18,12 @@ from testbed.flight.flight import Flight
 from testbed.flight.folder import flight_from
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import json_of
 from testbed.scenario.load import Scenario, dump, scenario_from
 from testbed.studies.folder.begin import runs_of
 from testbed.studies.folder.names import file_of
 
+_KEPT = "a log that a sweep kept"
 _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"
 _LABEL = re.compile(r"run-(\d{6,})(?:-(.+))?")
 """The name of a kept log: its run, and the label of its variant where variants are compared."""
@@ -101,14 +103,15 @@ def read(file: Path) -> Flight:
         source = yamlfile.parsed(about[_SCENARIO].decode(), str(file))
         scenario = scenario_from(source, with_aircraft=False)
         data = np.column_stack([np.asarray(column, dtype=float) for column in table.columns])
-        return flight_from(scenario, json.loads(about[_SUMMARY]), tuple(table.column_names), data)
+        contents = json_of(about[_SUMMARY].decode(), file, _KEPT)
+        return flight_from(scenario, contents, tuple(table.column_names), data, file, file)
     except (
         OSError,
         ValueError,
         KeyError,
         TypeError,
     ) as error:  # pyarrow's errors are ValueErrors and OSErrors
-        problem = Problem(f"cannot be read: {error}", str(file), expected="a log that a sweep kept")
+        problem = Problem(f"cannot be read: {error}", str(file), expected=_KEPT)
         raise BadInput([problem]) from None
 
 

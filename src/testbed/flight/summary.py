@@ -1,0 +1,168 @@
+"""What summary.json of a flight must hold to be believed: it may come from anybody.
+
+Each part is a model of the keys that are read; further keys are kept as they are. Folders of earlier versions lack some keys, which
+have a value here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+
+from testbed.aircraft.shape import Shape
+from testbed.common.signals import RATES
+from testbed.flight.flight import Outcome
+from testbed.flight.loss import LIMITS
+from testbed.inputs.base import NonNegative, Number, Positive, Whole
+from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source
+
+_Flag = Annotated[bool, Field(strict=True)]
+_Word = Annotated[str, Field(strict=True)]
+_Known = Number | None
+"""A number, or None where it was not finite."""
+
+
+class _Part(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="allow", hide_input_in_errors=True)
+
+
+class Event(_Part):
+    """What every event has."""
+
+    time_s: NonNegative
+    kind: _Word
+    actuator: _Word | None = None
+
+
+class Injection(Event):
+    """A failure begins or ends."""
+
+    kind: Literal["injection"]
+    failure: Whole = 0
+    type: _Word = ""
+    active: _Flag = True
+    verified: _Flag | None = True
+
+
+class Detection(Event):
+    """An actuator that is broken was flagged."""
+
+    kind: Literal["detection"]
+    actuator: _Word
+    delay_s: Number
+
+
+class FalseAlarm(Event):
+    """An actuator was flagged that is not broken."""
+
+    kind: Literal["false_alarm"]
+    actuator: _Word
+
+
+class Release(Event):
+    """A controlled rate was given up."""
+
+    kind: Literal["release"]
+    axis: Literal[RATES]  # type: ignore[valid-type]
+
+
+class Recovered(Event):
+    """The aircraft recovered from a failure."""
+
+    kind: Literal["recovered"]
+    after_s: Number
+
+
+class Diagnosis(Event):
+    """What the controller said."""
+
+    kind: Literal["diagnosis"]
+    text: _Word
+
+
+class _Passed(_Part):
+    limit: Literal[tuple(LIMITS)]  # type: ignore[valid-type]
+    value: Number
+    allowed: Number
+    unit: _Word
+
+
+class _AtStop(_Part):
+    actuator: _Word
+    stop: _Word
+
+
+class Lost(Event):
+    """The aircraft was lost."""
+
+    kind: Literal["lost"]
+    limits: tuple[_Passed, ...]
+    at_stop: tuple[_AtStop, ...]
+
+
+class Other(Event):
+    """An event that is shown by its kind alone."""
+
+
+_BY_KIND: dict[str, type[Event]] = {
+    "injection": Injection, "detection": Detection, "false_alarm": FalseAlarm, "release": Release,
+    "recovered": Recovered, "diagnosis": Diagnosis, "lost": Lost, "other": Other,
+}  # fmt: skip
+
+
+def _kind(event: Any) -> str:
+    kind = event.get("kind") if isinstance(event, Mapping) else None
+    return kind if isinstance(kind, str) and kind in _BY_KIND else "other"
+
+
+if TYPE_CHECKING:
+    AnyEvent = Event
+else:
+    AnyEvent = Annotated[
+        Union[tuple(Annotated[model, Tag(kind)] for kind, model in _BY_KIND.items())],  # noqa: UP007
+        Discriminator(_kind),
+    ]
+
+
+class Verdict(_Part):
+    """What was found of a requirement."""
+
+    name: _Word
+    passed: _Flag
+    value: _Known
+    limit: _Word = ""
+    margin: _Known = None
+    robustness: _Known = None
+    reason: _Word = ""
+
+
+class Facts(_Part):
+    """What is said of an actuator."""
+
+    name: _Word
+    kind: _Word
+    unit: _Word
+    limits: tuple[Number, Number]
+    scale: Positive
+
+
+class Summary(_Part):
+    """The whole file."""
+
+    outcome: Outcome
+    end_time_s: NonNegative
+    events: tuple[AnyEvent, ...]
+    requirements: tuple[Verdict, ...]
+    metrics: Annotated[dict[str, _Known], Field(max_length=500)]
+    actuators: Annotated[tuple[Facts, ...], Field(max_length=100)]
+    warnings: tuple[_Word, ...] = ()
+    shape: Shape | None = None
+    flown_by: _Word = ""
+
+
+def checked(contents: Any, file: str) -> Summary:
+    """The contents of a summary, checked; raises BadInput with the place of what is wrong in the file."""
+    return validated(Summary, Source(file, contents))
