@@ -46,6 +46,19 @@ NAMES: dict[str, set[str]] = {
 """The states that are right for each type."""
 
 
+_ABOUT = """# Our own flights, from their logs
+
+<!-- Written by python benchmarks/diagnose_own_flights.py: change that, not this. -->
+
+This page shows what [`testbed diagnose`](../reference/diagnose.md) says of flights of the v-tail whose truth is known.
+
+A flight of {end_s:g} s turns, climbs and changes speed; one actuator fails at {at_s:g} s with the values of the catalogue.
+Seeds {first} to {last}. MEMS is with such sensors, and turbulence of W20 5 m/s. *Named* counts the state of the longest finding.
+The error is that of the effectiveness in windows of 10 s, where there is one.
+*Aboard* is the delay of the flag of the controller that flew.
+"""
+
+
 class Row(NamedTuple):
     """What came of one flight; NaN and empty where there is nothing to say."""
 
@@ -107,7 +120,8 @@ def judged(name: str, kind: str, flight: Flight, found: Diagnosis) -> Row:
     own = [f for f in found.findings if f.actuator == actuator and f.until_s > AT_S]
     others = [f for f in found.findings if f.actuator != actuator]
     longest = max(own, key=lambda f: f.until_s - f.from_s, default=None)
-    aboard = next((e["time_s"] - AT_S for e in flight.events if e["kind"] == "detection" and e["actuator"] == actuator), np.nan)  # fmt: skip
+    flags = [e["time_s"] for e in flight.events if e["kind"] == "detection" and e["actuator"] == actuator]
+    aboard = flags[0] - AT_S if flags else np.nan
     return Row(
         name, kind, bool(own), longest is not None and longest.state in NAMES[name],
         longest.state if longest else "-", own[0].from_s - AT_S if own else np.nan,
@@ -127,28 +141,29 @@ def _error(found: Diagnosis, actuator: str) -> float:
 
 def page(rows: Mapping[str, Sequence[Row]], healthy: Mapping[str, Sequence[int]], seeds: range) -> str:
     """The page in Markdown."""
-    lines = [
-        "# Our own flights, from their logs", "",
-        "<!-- Written by python benchmarks/diagnose_own_flights.py: change that, not this. -->", "",
-        f"This page shows what [`testbed diagnose`](../reference/diagnose.md) says of flights of the v-tail whose truth is known. A flight "
-        f"of {END_S:g} s turns, climbs and changes speed; one actuator fails at {AT_S:g} s with the values of the catalogue. Seeds {seeds[0]} to "
-        f"{seeds[-1]}. MEMS is with such sensors and W20 5 m/s. *Named* counts the state of the longest finding. The error is that of the "
-        "effectiveness in windows of 10 s, where there is one. *Aboard* is the delay of the flag of the controller that flew.", "",
-        "| | flights | found | named | others flagged | flagged early | median delay, s | aboard, s |",
-        "| --- | --- | --- | --- | --- | --- | --- | --- |",
-    ]  # fmt: skip
+    about = _ABOUT.format(end_s=END_S, at_s=AT_S, first=seeds[0], last=seeds[-1])
+    heads = "| | flights | found | named | others flagged | flagged early | median delay, s | aboard, s |"
+    lines = [about, heads, "| --- " * 8 + "|"]
     for weather, all_rows in rows.items():
         early, others = (sum(getattr(r, what) > 0 for r in all_rows) for what in ("early", "others"))
         delays = [np.nanmedian([getattr(r, what) for r in all_rows]) for what in ("delay_s", "aboard_s")]
-        lines.append(
-            f"| {weather} | {len(all_rows)} | {sum(r.found for r in all_rows)} | {sum(r.named for r in all_rows)} | {others} | {early} | "
-            f"{delays[0]:.2f} | {delays[1]:.2f} |"
+        counts = (
+            len(all_rows),
+            sum(r.found for r in all_rows),
+            sum(r.named for r in all_rows),
+            others,
+            early,
         )
+        cells = [*map(str, counts), *(f"{delay:.2f}" for delay in delays)]
+        lines.append(f"| {weather} | {' | '.join(cells)} |")
     counted = "; ".join(
         f"{weather} {sum(map(bool, each))} of {len(each)}" for weather, each in healthy.items()
     )
-    lines += ["", f"Healthy flights in which something was found: {counted}.", "",
-              "| failure | | weather | said | delay, s | effectiveness error | aboard, s |", "| --- | --- | --- | --- | --- | --- | --- |"]  # fmt: skip
+    lines += ["", f"Healthy flights in which something was found: {counted}.", ""]
+    lines += [
+        "| failure | | weather | said | delay, s | effectiveness error | aboard, s |",
+        "| --- " * 7 + "|",
+    ]
     for name in TABLE:
         for kind in ACTUATORS:
             for weather, all_rows in rows.items():

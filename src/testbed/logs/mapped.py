@@ -16,6 +16,7 @@ from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
+from testbed.logs import dataflash
 from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, FlightLog, even, shown
 
 LARGEST = 2000 * MEGABYTE
@@ -104,7 +105,8 @@ def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
         **mapping.signals,
         **{f"actuators.{k}": v for k, v in mapping.actuators.items()},
     }
-    columns = _columns(file, {column.column for column in wanted.values()}, source)
+    wanted_names = {column.column for column in wanted.values()}
+    columns = _columns(file, wanted_names, source, mapping.time.column)
     values = {name: _value(columns, column) for name, column in wanted.items()}
     names = list(aircraft.actuators)
     commands = {name: values[f"actuators.{name}"] for name in names}
@@ -139,7 +141,7 @@ def _value(columns: Mapping[str, np.ndarray], column: Column) -> np.ndarray:
     return (columns[column.column] - column.zero) * column.scale * _UNITS[column.unit]
 
 
-def _columns(file: Path, names: set[str], source: Source) -> dict[str, np.ndarray]:
+def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str, np.ndarray]:
     """The columns of these names, as numbers; what is no number is NaN."""
     import pyarrow as pa
     import pyarrow.csv
@@ -148,6 +150,8 @@ def _columns(file: Path, names: set[str], source: Source) -> dict[str, np.ndarra
     content = read_bytes(file, LARGEST, "a CSV or Parquet log")
     if not content.strip():
         raise BadInput([Problem("is empty", str(file), expected="a CSV or Parquet log")])
+    if content.startswith(dataflash.MAGIC):
+        return dataflash.columns(file, names, time)
     try:
         if content[:4] == b"PAR1":
             parquet = pq.ParquetFile(io.BytesIO(content))
