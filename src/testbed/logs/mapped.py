@@ -1,4 +1,4 @@
-"""CSV and Parquet logs of any program, by a mapping file: which column is what, in which unit, and with which sign."""
+"""CSV, Parquet and DataFlash logs, by a mapping file: which column is what, in which unit, and with which sign."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ def _with_units(
 
 
 def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
-    """The log of a CSV or Parquet file. Raises BadInput for what is none, lacks a column, or cannot be a flight."""
+    """The log of a file. Raises BadInput for what is none, lacks a column, or cannot be a flight."""
     source, mapping = read_mapping(mapping_file, aircraft)
     wanted = {
         "time": mapping.time,
