@@ -126,11 +126,6 @@ def family(mission: str) -> str:
     return next(kind for kind, words in FAMILIES.items() if set(words) & set(mission.split("_")))
 
 
-def share(rows: Sequence[Row]) -> str:
-    """Share held; empty without flights."""
-    return f"{sum(row.held for row in rows) / len(rows):.3f}" if rows else ""
-
-
 def cell(rows: Sequence[Row]) -> str:
     """`held/survived/flights`; the number that survived is left out where it is all of them."""
     held, survived, n = sum(r.held for r in rows), sum(r.survived for r in rows), len(rows)
@@ -145,12 +140,6 @@ def by_mission(rows: Sequence[Row]) -> list[str]:
         of = [[r for r in rows if (r.mission, r.controller) == (mission, name)] for name in controllers]
         lines.append(f"| {mission} | {' | '.join(map(cell, of))} |")
     return lines
-
-
-def errors(rows: Sequence[Row]) -> str:
-    """Errors of the worst flight, in metres and degrees; how it ended if it was lost."""
-    worst = max(rows, key=lambda row: max(row.altitude_m / ALTITUDE_M, row.heading_deg / HEADING_DEG))
-    return f"{worst.altitude_m:.1f} m, {worst.heading_deg:.0f} deg" if worst.survived else worst.outcome
 
 
 def totals(rows: Sequence[Row], reference: str) -> list[str]:

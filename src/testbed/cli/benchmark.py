@@ -6,7 +6,7 @@ from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 from testbed.cli import study
-from testbed.cli.command import Command, add_flying, add_out, whole_number
+from testbed.cli.command import Command, add_flying, add_junit, add_out, whole_number
 from testbed.cli.interrupts import tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
@@ -33,6 +33,7 @@ def _arguments(command: ArgumentParser) -> None:
     verify = "fly a part of an entry again, and compare; needs --controller for those of its author"
     command.add_argument("--verify", type=Path, metavar="FILE", help=verify)
     add_flying(command)
+    add_junit(command)
     command.set_defaults(set=[])
 
 
