@@ -154,8 +154,8 @@ def answer(summary: Mapping[str, Any]) -> Sequence[str]:
 def _shares(summary: Mapping[str, Any]) -> Iterator[str]:
     for variant in summary["variants"]:
         total = variant["all_requirements"]
-        if total["estimate"] is not None:
-            yield f"{variant['label'] or summary['sweep']}: {total['n']} runs"
+        if flown := total["n"] + total.get("not_judged", 0):
+            yield f"{variant['label'] or summary['sweep']}: {flown} runs"
             yield f"  {interval(total)}  all requirements"
             yield from (f"  {interval(each)}  {each['name']}" for each in variant["requirements"])
 
@@ -170,7 +170,7 @@ def _differences(summary: Mapping[str, Any]) -> Iterator[str]:
 def met(summary: Mapping[str, Any]) -> bool:
     """As `Kind.met`: whether every flight passed."""
     shares = [variant["all_requirements"] for variant in summary["variants"]]
-    return all(share["successes"] == share["n"] for share in shares)
+    return all(share["successes"] == share["n"] and not share.get("not_judged") for share in shares)
 
 
 def rebuild(folder: Path) -> dict[str, Any]:

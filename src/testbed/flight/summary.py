@@ -131,7 +131,7 @@ class Verdict(_Part):
     """What was found of a requirement."""
 
     name: _Word
-    passed: _Flag
+    passed: _Flag | None
     value: _Known
     limit: _Word = ""
     margin: _Known = None

@@ -108,12 +108,19 @@ def _noticed(summary: Summary) -> Iterator[str]:
     head = ("controller", "rightly flagged", "a loss never flagged", "wrongly flagged", "delay, median [s]", "90 % [s]",
             "healthy hours", "false alarms in them", "effort [1/s]", "at a stop [s]")  # fmt: skip
     rows = [
-        [f"`{name}`", *(_interval(score[key]) for key in ("noticed", "missed", "named_wrongly")),
+        [f"`{name}`", *(_flags(score[key]) for key in ("noticed", "missed", "named_wrongly")),
          *(_number(score["delay_s"][key]) for key in ("p50", "p90")), _number(score["healthy_hours"]),
-         str(score["healthy_false_alarms"]), _number(score["effort_per_s"]), _number(score["saturated_s"])]
+         _flags(score["healthy_false_alarms"]), _number(score["effort_per_s"]), _number(score["saturated_s"])]
         for name in summary["order"] if name in summary["controllers"] and (score := summary["scores"][name])
     ]  # fmt: skip
     yield from _table(head, rows)
+
+
+def _flags(known: Summary | int | None) -> str:
+    """A share or a count of flags; those of a controller that says nothing of failures are not judged."""
+    if known is None or isinstance(known, int):
+        return "not judged" if known is None else str(known)
+    return _interval(known) if known["n"] else "not judged"
 
 
 def _groups(summary: Summary) -> Iterator[str]:
