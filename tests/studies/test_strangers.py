@@ -18,6 +18,7 @@ import testbed
 from testbed.api import search
 from testbed.controllers.config import SAYS, TABLE, says
 from testbed.controllers.user.loader import load_controller
+from testbed.controllers.user.own import own_controllers
 from testbed.inputs.problems import BadInput
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -84,12 +85,51 @@ def test_four_kinds_fly_the_same_draws(tmp_path: Path) -> None:
         (2, 2, None), (0, 0, 2), (0, 0, 2),
     ]  # fmt: skip
     assert "not_judged" not in json.dumps(of["adaptive_inversion"])
+    assert sorted(summary["controllers_sha256"]) == ["c", "perl", "python"]
     page = run(tmp_path, "report", "out")
     assert page.returncode == 0, page.stderr
     assert (
         "Not judged in flights of perl: 2 of 3 requirements."
         in (tmp_path / "out" / "report.html").read_text()
     )
+
+
+def test_an_argument_and_a_file_are_part_of_what_flies(tmp_path: Path) -> None:
+    file = tmp_path / "pilot.pl"
+    shutil.copy(EXAMPLES / "pilot.pl", file)
+    short = {"duration_s": 0.1, "failures": [], "requirements": []}
+
+    def digest(*words: str) -> str:
+        flight = testbed.fly("left_tail_fail.yaml", load_controller(" ".join([str(file), *words])), set=short)
+        assert flight.summary["flown_by_sha256"] == flight.flown_by_sha256
+        own = own_controllers([f"pilot={file} {' '.join(words)}"])["pilot"]
+        assert own.digest == flight.flown_by_sha256
+        return flight.flown_by_sha256
+
+    alone, slow = digest(), digest("--gain", "2")
+    file.write_text(file.read_text() + "# changed\n")
+    assert len({alone, slow, digest()}) == 3
+    own = testbed.fly(
+        "left_tail_fail.yaml", load_controller(f"{EXAMPLES / 'my_controller.py'}:MyController"), set=short
+    )
+    own.save(tmp_path / "mine", figures=False)
+    assert testbed.load(tmp_path / "mine").flown_by_sha256 == own.flown_by_sha256 != ""  # type: ignore[union-attr]
+    page = run(tmp_path, "report", "mine")
+    assert (
+        page.returncode == 0 and own.flown_by_sha256[:12] in (tmp_path / "mine" / "report.html").read_text()
+    )
+
+
+def test_a_sweep_is_not_resumed_with_other_arguments(tmp_path: Path) -> None:
+    file = written(tmp_path, ON_HEIGHT)
+
+    def swept(words: str, **more: object) -> object:
+        own = [f"mine={EXAMPLES / 'pilot.pl'} {words}"]
+        return testbed.sweep(file, tmp_path / "out", controllers=own, jobs=1, figures=False, **more)
+
+    swept("--gain 2")
+    with pytest.raises(BadInput, match="other code of mine"):
+        swept("--gain 3", resume=True, runs=3)
 
 
 def test_a_flight_in_which_nothing_can_be_judged_has_not_passed(tmp_path: Path) -> None:

@@ -118,7 +118,7 @@ def finish(
 ) -> dict[str, Any]:
     """As `Kind.finish`, from the folder's table."""
     frame = reading.load(folder)
-    found = summary.summarize(plan, frame)
+    found = summary.summarize(plan, frame) | _controllers(folder)
     write_summary(found, folder)
     if figures and len(frame):
         from testbed.study_reports.sweep.figures import draw_sweep  # with matplotlib
@@ -127,6 +127,16 @@ def finish(
         attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
         attempt("the report", lambda: write_sweep_report(folder))
     return found
+
+
+def _controllers(folder: Path) -> dict[str, Any]:
+    """The digests of the controllers of one's own with which a folder was begun, if there are any."""
+    if not store.exists(folder):
+        return {}
+    with store.reading(folder) as stored:
+        digests = stored.inputs.get("controllers_sha256")
+    known = digests if isinstance(digests, Mapping) else {}
+    return {"controllers_sha256": {name: str(digest) for name, digest in known.items()}} if known else {}
 
 
 def tests(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:

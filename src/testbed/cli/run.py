@@ -164,8 +164,10 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
     from testbed.reporting.page.unmet import told
     from testbed.reporting.story import diagnoses, story
+    from testbed.reporting.words import DIGITS
 
-    by = f", flown by {flight.flown_by}" if flight.flown_by else ""
+    code = f" ({flight.flown_by_sha256[:DIGITS]})" if flight.flown_by_sha256 else ""
+    by = f", flown by {flight.flown_by}{code}" if flight.flown_by else ""
     print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s{by}")
     for line in [*story(flight), *diagnoses(flight)]:
         print(f"  {line}")

@@ -77,6 +77,8 @@ class Flight:
     """What the aircraft looks like, for the replay; None if its folder does not say."""
     flown_by: str = ""
     """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
+    flown_by_sha256: str = ""
+    """Digest of that controller's files and arguments; empty where it is in no file."""
     files: Mapping[str, bytes] = field(default_factory=dict)
     """Files of that controller's own, by name: its log, its parameters. A run folder has them in `controller/`."""
 
@@ -174,5 +176,7 @@ class Flight:
             summary["shape"] = self.shape.model_dump(exclude_none=True)
         if self.flown_by:
             summary["flown_by"] = self.flown_by
+        if self.flown_by_sha256:
+            summary["flown_by_sha256"] = self.flown_by_sha256
         contents: dict[str, Any] = plain(summary)
         return contents

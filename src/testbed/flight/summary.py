@@ -161,6 +161,7 @@ class Summary(_Part):
     warnings: tuple[_Word, ...] = ()
     shape: Shape | None = None
     flown_by: _Word = ""
+    flown_by_sha256: _Word = ""
 
 
 def checked(contents: Any, file: str) -> Summary:

@@ -57,6 +57,7 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
         warnings=warnings,
         shape=parts.shape,
         flown_by=parts.flown_by,
+        flown_by_sha256=parts.flown_by_sha256,
     )
 
 

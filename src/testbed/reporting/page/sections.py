@@ -15,7 +15,7 @@ from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import rounded
 from testbed.reporting.page.unmet import unmet
 from testbed.reporting.story import diagnoses, story
-from testbed.reporting.words import VERDICTS, describe, kind_of
+from testbed.reporting.words import DIGITS, VERDICTS, describe, kind_of
 from testbed.scenario.load import dump
 
 _THEMES = {
@@ -56,9 +56,11 @@ def facts(flight: Flight) -> dict[str, str]:
     scenario = flight.scenario
     air = scenario.atmosphere
     w20 = air.turbulence_w20_m_s
+    code = {"its code": flight.flown_by_sha256[:DIGITS]} if flight.flown_by_sha256 else {}
     return {
         "aircraft": str(scenario.aircraft),
         "controller": flight.controller,
+        **code,
         "air": "calm" if air.is_calm else f"turbulence, W20 {w20:.3g} m/s" if w20 else "wind",
         "sensors": "ideal" if scenario.sensors.is_ideal else "with errors",
         "seed": str(scenario.seed),

@@ -9,7 +9,7 @@ from typing import Any
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import title
+from testbed.reporting.words import DIGITS, title
 from testbed.study_reports.sweep.answer import answer, ranked
 from testbed.study_reports.sweep.flight_page import only
 
@@ -36,7 +36,10 @@ def _facts(summary: Summary) -> dict[str, str]:
     }
     if len(summary["variants"]) > 1:
         facts["compared"] = ", ".join(variant["label"] for variant in summary["variants"])
-    return facts | {"varied": ", ".join(summary["varied"])}
+    code = {
+        f"code of {name}": digest[:DIGITS] for name, digest in summary.get("controllers_sha256", {}).items()
+    }
+    return facts | {"varied": ", ".join(summary["varied"])} | code
 
 
 def probabilities(summary: Summary) -> Iterator[Html]:
