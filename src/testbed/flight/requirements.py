@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,6 +24,7 @@ from testbed.scenario.requirement import Requirement
 
 _ENDED = "the flight ended before this window did"
 _NO_NUMBER = "not a number in this flight"
+_UNSAID = "not judged: the controller does not say it"
 _NOT_SETTLED = "it was outside at the end of the window"
 
 
@@ -32,6 +33,7 @@ def judge(
     log: Mapping[str, np.ndarray],
     metrics: Mapping[str, float],
     duration_s: float = math.inf,
+    unjudged: Collection[str] = (),
 ) -> list[dict[str, Any]]:
     """{name, passed, value, limit, margin, robustness, reason} of each requirement, in their order.
 
@@ -48,10 +50,36 @@ def judge(
     happen), or the signal has not settled. Its robustness is that of the rows there are, at most 0, minus the share
     of the time to the window's end that was not flown, or of the rows without a number.
 
+    A requirement on what the controller does not say is neither met nor missed: `passed` is None, and the numbers are NaN.
+
     Args:
         duration_s: how long the flight was to be [s].
+        unjudged: metrics and signals of which the controller said nothing.
     """
-    return [_judge(requirement, log, metrics, duration_s) for requirement in requirements]
+    return [
+        _not_judged(requirement)
+        if not about(requirement).isdisjoint(unjudged)
+        else _judge(requirement, log, metrics, duration_s)
+        for requirement in requirements
+    ]
+
+
+def about(requirement: Requirement) -> set[str]:
+    """The metric or the signals that it limits."""
+    return {
+        name for name in (requirement.metric, requirement.signal, requirement.of) if isinstance(name, str)
+    }
+
+
+def _not_judged(requirement: Requirement) -> dict[str, Any]:
+    numbers = dict.fromkeys(("value", "margin", "robustness"), math.nan)
+    return {
+        "name": requirement.title,
+        "passed": None,
+        "limit": requirement.limit,
+        **numbers,
+        "reason": _UNSAID,
+    }
 
 
 def worst_s(requirement: Requirement, log: Mapping[str, np.ndarray]) -> float | None:

@@ -86,7 +86,8 @@ class Panel:
 def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bool:
     """Whether the controller estimated effectiveness: some estimate was not 1 all the time.
 
-    A controller without estimates has exactly 1; in calm air those of an estimator differ from it by 1e-5 or less.
+    A controller without estimates has NaN, or exactly 1 in older logs; in calm air those of an estimator differ from 1 by 1e-5 or
+    less.
     """
     columns = (log.get(f"{name}_effectiveness_estimate") for name in actuators)
     return any(c is not None and bool(np.any(np.abs(c - 1.0) > 0.0)) for c in columns)
@@ -215,8 +216,9 @@ def rates(flight: Flight) -> Iterator[Panel]:
         ending = next((ending for ending in _LEAST_RATE if f"{axis}_{ending}" in flight.columns), "deg_s2")
         measured = Series(f"{axis}_{ending}", "measured", "truth")
         desired = Series(f"{axis}_desired_{ending}", "desired", "reference", spikes=True)
+        series = (measured,) if np.isnan(flight.column(desired.column)).all() else (measured, desired)
         unit = unit_of(measured.column)
-        yield Panel(axis, unit, (measured, desired), _LEAST_RATE[ending], None, None, flag, "axis released")
+        yield Panel(axis, unit, series, _LEAST_RATE[ending], None, None, flag, "axis released")
 
 
 class Group(NamedTuple):

@@ -14,6 +14,14 @@ _REMARKS = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
 """Whether a failure did what it should, if not."""
 
 
+VERDICTS = {False: "NOT MET", None: "not judged", True: "met"}
+"""Words for whether a requirement was met, in the order in which tables have them."""
+
+
+DIGITS = 12
+"""Digits that are shown of a SHA-256."""
+
+
 def title(name: str) -> str:
     """The name of an actuator, or of a way in which a flight ended, in words."""
     return name.replace("_", " ")

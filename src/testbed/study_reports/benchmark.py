@@ -161,13 +161,15 @@ def _noticed(summary: Summary) -> Iterator[Section]:
     for name in _shown(summary)[:-1]:
         score = summary["scores"][name]
         alarms, per_h = score["healthy_false_alarms"], score["healthy_false_alarms_per_h"]
+        if alarms is None:  # it says nothing of failures
+            continue
         said = [*(_interval(score[key]) for key in ("noticed", "missed", "named_wrongly")),
                 *(_number(score["delay_s"][key]) for key in ("p50", "p90"))]  # fmt: skip
         if score["noticed"]["successes"] or score["named_wrongly"]["successes"] or alarms or not broken:
             rows.append([_named(summary, name), *(said if broken else ()), _number(score["healthy_hours"]), str(alarms),
                          _interval(per_h, form=".2f")])  # fmt: skip
     if rows:
-        words = "Those that never flag are left out." if broken else ""
+        words = "Those that never flag, or say nothing of failures, are left out." if broken else ""
         yield Section(
             "What was noticed",
             words,

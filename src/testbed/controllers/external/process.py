@@ -66,20 +66,21 @@ class Process:
         """The commands that the process answers with."""
         self._time_s, self._step = time_s, self._step + 1
         said = {"step": self._step, "sensed": sensed._asdict(), "reference": reference._asdict()}
-        self._told = self._answer(said, STEP_S)
-        if "commands" not in self._told:
+        answer = self._answer(said, STEP_S)
+        if "commands" not in answer:
             raise self._problem("answered without commands", expected='{"commands": [...]}')
-        commands: Sequence[float] = self._told["commands"]
+        self._told |= answer
+        commands: Sequence[float] = answer["commands"]
         return commands
 
     @property
     def effectiveness(self) -> Sequence[float] | None:
-        """What the process takes each actuator's effectiveness for, if it says so."""
+        """What the process took each actuator's effectiveness for when it said so last; None if it never did."""
         return self._told.get("effectiveness")
 
     @property
     def failed(self) -> Sequence[float] | None:
-        """What the process takes for failed, if it says so."""
+        """What the process took for failed when it said so last; None if it never did."""
         return self._told.get("failed")
 
     def close(self) -> None:

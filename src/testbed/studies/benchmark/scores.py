@@ -64,7 +64,7 @@ def _row(plan: Benchmark, record: Record, history: bytes, limits: Sequence[float
         **{factor: plan.groups(record.run)[factor] for factor in FACTORS},
         "outcome": record.outcome,
         "survived": record.outcome == Outcome.completed,
-        "held": record.passed,
+        "held": bool(record.passed),
         "inside": _inside(history, limits),
         "end_time_s": record.end_time_s,
         **{name: record.metrics.get(name, math.nan) for name in _METRICS},
@@ -159,14 +159,17 @@ def _noticed(rows: pd.DataFrame) -> Summary:
     """What was flagged, how soon, and what control cost, of the flights of one controller."""
     healthy, broken = (rows[(rows["failures"] == "none") == flag] for flag in (True, False))
     hours = float(healthy["end_time_s"].sum() / 3600.0)
+    flags = bool(rows["false_alarms"].notna().any())
+    broken = broken if flags else broken[:0]  # one that says nothing of failures is not judged by them
+    alarms = int(healthy["false_alarms"].sum()) if flags else None
     return {
         "noticed": _share(broken["detection_delay_s"].notna()),
         "missed": _share(broken["missed_detections"] > 0),
         "named_wrongly": _share(broken["false_alarms"] > 0),
         "delay_s": {f"p{100 * q:g}": rows["detection_delay_s"].quantile(q) for q in (0.5, 0.9)},
         "healthy_hours": hours,
-        "healthy_false_alarms": int(healthy["false_alarms"].sum()),
-        "healthy_false_alarms_per_h": rate(int(healthy["false_alarms"].sum()), hours).plain,
+        "healthy_false_alarms": alarms,
+        "healthy_false_alarms_per_h": None if alarms is None else rate(alarms, hours).plain,
         "effort_per_s": rows["control_effort_per_s"].median(),
         "saturated_s": rows["saturated_time_s"].mean(),
         "without_result": rows[rows["outcome"].isin(NO_RESULT)]["reason"].value_counts().to_dict(),

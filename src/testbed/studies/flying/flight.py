@@ -84,16 +84,15 @@ def _flown(job: Job, task: Task, flight: Flight) -> Flown:
         task.seed,
         dict(task.values),
         str(flight.outcome),
-        bool(flight.passed),
+        flight.passed,
         end_time_s=float(flight.end_time_s),
         robustness=float(flight.robustness),
         metrics={name: float(value) for name, value in flight.metrics.items()},
         requirements=tuple(
-            (bool(r["passed"]), _number(r["value"]), _number(r.get("robustness")))
-            for r in flight.requirements
+            (r["passed"], _number(r["value"]), _number(r.get("robustness"))) for r in flight.requirements
         ),
     )
-    wanted = job.save_logs == "all" or (job.save_logs == "failed" and not flight.passed)
+    wanted = job.save_logs == "all" or (job.save_logs == "failed" and flight.passed is False)
     return Flown(record, history(flight), logs.encode(flight) if wanted else b"")
 
 
