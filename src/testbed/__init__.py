@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from testbed.api.sweep import sweep as sweep
     from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
+    from testbed.parts import use as use
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison.compare import compare as compare
     from testbed.simulation import Session as Session
@@ -38,6 +39,7 @@ _MODULES = {
     "merge": "testbed.api.merge",
     "search": "testbed.api.search",
     "sweep": "testbed.api.sweep",
+    "use": "testbed.parts",
 }
 
 __all__ = ["__version__", *_MODULES]

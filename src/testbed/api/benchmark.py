@@ -10,6 +10,7 @@ from testbed.api.study import folder_of, write_summary
 from testbed.common.writing import write
 from testbed.controllers.user.own import not_given
 from testbed.inputs.problems import BadInput, Problem
+from testbed.parts import digests
 from testbed.studies.benchmark.law import seed_of
 from testbed.studies.benchmark.load import chosen, load_suite, read_back
 from testbed.studies.benchmark.plan import Benchmark, benchmark_of
@@ -76,6 +77,9 @@ def prepare(
     """Read and check a suite; returns what is to be flown and the folder. Raises BadInput with every problem found."""
     if draws is not None and draws < 1:
         raise BadInput([Problem(f"is {draws}", "--draws", expected="at least 1")])
+    if entry is not None and digests():
+        what = "would need parts of your own, with which nobody else can check it"
+        raise BadInput([Problem(what, "--entry", expected="no --with")])
     if seed is not None and word is not None:
         raise BadInput([Problem("makes a seed, and one is given", "--word", expected="--word or --seed")])
     if seed is None:

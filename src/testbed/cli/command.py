@@ -92,6 +92,12 @@ def add_set(command: ArgumentParser) -> None:
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=meaning)
 
 
+def add_parts(command: ArgumentParser) -> None:
+    """`--with`: parts of the user's own."""
+    meaning = "use the failures, sensors, metrics, panels and references of your own in this file; repeatable"
+    command.add_argument("--with", dest="parts", type=Path, action="append", metavar="FILE.py", help=meaning)
+
+
 def add_many_flights(command: ArgumentParser) -> None:
     """What a sweep and a search share: seed, controllers, where and how the flights are flown, figures."""
     command.add_argument("--seed", type=whole_number, metavar="S", help="seed of everything random")

@@ -76,6 +76,8 @@ class Flight:
     """What the aircraft looks like, for the replay; None if its folder does not say."""
     flown_by: str = ""
     """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
+    parts: Mapping[str, str] = field(default_factory=dict)
+    """SHA-256 of each file of parts of the user's own that was used, by its name."""
     files: Mapping[str, bytes] = field(default_factory=dict)
     """Files of that controller's own, by name: its log, its parameters. A run folder has them in `controller/`."""
 
@@ -155,5 +157,7 @@ class Flight:
             summary["shape"] = self.shape.model_dump(exclude_none=True)
         if self.flown_by:
             summary["flown_by"] = self.flown_by
+        if self.parts:
+            summary["parts_sha256"] = dict(self.parts)
         contents: dict[str, Any] = plain(summary)
         return contents

@@ -161,6 +161,7 @@ class Summary(_Part):
     warnings: tuple[_Word, ...] = ()
     shape: Shape | None = None
     flown_by: _Word = ""
+    parts_sha256: dict[str, _Word] = Field(default_factory=dict, max_length=100)
 
 
 def checked(contents: Any, file: str) -> Summary:

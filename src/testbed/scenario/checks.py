@@ -11,6 +11,7 @@ from testbed.common.signals import GROUND_M, first_step_at
 from testbed.common.text import with_article
 from testbed.failures import Failure, overlaps, same_property
 from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
+from testbed.scenario import references
 from testbed.scenario.model import Scenario
 
 MAX_STEPS = 20_000_000
@@ -30,6 +31,8 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
         yield from _coefficients(scenario, aircraft)
         yield from _noise(scenario)
         yield from _failures(scenario, aircraft)
+        if scenario.reference is not None:
+            yield from _known(scenario.reference, list(references.TABLE), "reference", ("reference",))
 
 
 def unknown_names(
@@ -119,7 +122,7 @@ def _names(
 
 def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[Issue]:
     if word not in known:
-        yield unknown(path, f"unknown {kind} {word!r}", word, known)
+        yield unknown(path, f"unknown {kind} {word!r}", word, known, own=kind in ("metric", "reference"))
 
 
 def _times(scenario: Scenario) -> Iterator[Issue]:

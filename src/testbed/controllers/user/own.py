@@ -50,10 +50,7 @@ class OwnController:
     @property
     def digest(self) -> str:
         """SHA-256 of its code."""
-        digest = hashlib.sha256()
-        for name, content in self.code:
-            digest.update(f"{name}\0".encode() + content + b"\0")
-        return digest.hexdigest()
+        return digest_of(self.code)
 
     def load(self) -> Factory:
         """The class. Its file is run once in a process; raises BadInput with file and line when that fails."""
@@ -110,10 +107,18 @@ def _own(text: str, others: Mapping[str, OwnController]) -> OwnController:
         files = tuple((path.name, path.read_bytes()) for path in factory.files())
         return OwnController(name, shlex.join(factory.words), "", files)
     file, _, made_by = reference.rpartition(":")
-    return OwnController(name, str(Path(file).resolve()), made_by, tuple(_code(Path(file).resolve())))
+    return OwnController(name, str(Path(file).resolve()), made_by, tuple(code_of(Path(file).resolve())))
 
 
-def _code(file: Path) -> Iterator[tuple[str, bytes]]:
+def digest_of(code: Iterable[tuple[str, bytes]]) -> str:
+    """SHA-256 of code as `code_of` gives it."""
+    digest = hashlib.sha256()
+    for name, content in code:
+        digest.update(f"{name}\0".encode() + content + b"\0")
+    return digest.hexdigest()
+
+
+def code_of(file: Path) -> Iterator[tuple[str, bytes]]:
     """(path from its folder, contents) of a file and of the modules and packages beside it that it imports, in order."""
     folder, found, waiting = file.parent, set[Path](), [file]
     while waiting:

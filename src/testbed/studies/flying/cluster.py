@@ -38,6 +38,8 @@ _TRIES = 5
 """How often a flight is sent at most if its Dask workers die."""
 _OWN = "own controllers"
 """Folder of the users' controllers among the unpacked files, with a folder for each."""
+_PARTS = "own parts"
+"""The same of the users' parts."""
 
 
 def pack(job: Job) -> bytes:
@@ -47,6 +49,9 @@ def pack(job: Job) -> bytes:
     files = sorted(f for f in folder.rglob("*") if f.is_file() and "__pycache__" not in f.parts)
     contents = {
         str(Path(_OWN, name, file)): code for name, own in job.builder.own.items() for file, code in own.code
+    }
+    contents |= {
+        str(Path(_PARTS, parts.name, file)): code for parts in job.parts for file, code in parts.code
     }
     contents |= {str(file.relative_to(folder.parent)): file.read_bytes() for file in files}
     return zlib.compress(pickle.dumps((job, folder.name, contents)))
@@ -158,4 +163,5 @@ def _children(packed: bytes) -> tuple[Children, tempfile.TemporaryDirectory[str]
         write(Path(folder.name, file), content, within=Path(folder.name))
     own = {name: each.unpacked(Path(folder.name, _OWN, name)) for name, each in job.builder.own.items()}
     builder = job.builder.with_aircraft(str(Path(folder.name, name))).with_own(own)
-    return Children(replace(job, builder=builder, search_path=())), folder
+    parts = tuple(each.sent(Path(folder.name, _PARTS, each.name)) for each in job.parts)
+    return Children(replace(job, builder=builder, parts=parts, search_path=())), folder
