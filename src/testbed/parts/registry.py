@@ -26,6 +26,16 @@ class Used:
     def __init__(self, parts: list[Parts]) -> None:
         self.parts = parts
 
+    def end(self) -> None:
+        """Use them no longer."""
+        for parts in self.parts:
+            del _used[parts.name]
+            for table, own in parts.tables.items():
+                for name in own:
+                    del KINDS[table].table[name]
+        self.parts = []
+        take_parts()
+
     def __enter__(self) -> Self:
         return self
 
@@ -33,12 +43,7 @@ class Used:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         problem = _blamed(error) if isinstance(error, Exception) else None
-        for parts in self.parts:
-            del _used[parts.name]
-            for table, own in parts.tables.items():
-                for name in own:
-                    del KINDS[table].table[name]
-        take_parts()
+        self.end()
         if problem is not None:
             raise BadInput([problem]) from error
 
