@@ -29,6 +29,7 @@ def test_its_names_are_shown_and_there() -> None:
         "design",
         "failure_probability",
         "fly",
+        "linearise",
         "load",
         "matrix",
         "merge",
