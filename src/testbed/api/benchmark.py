@@ -119,10 +119,14 @@ def finish(
 
 def rebuild(folder: Path) -> dict[str, Any]:
     """As `Kind.rebuild`; of an unfinished benchmark, of the draws that every controller has flown."""
+    return finish(plan_of(folder), folder)
+
+
+def plan_of(folder: Path) -> Benchmark:
+    """The benchmark of a folder, as its file has it; of the user's controllers without their code."""
     suite, compared, tree = read_back(folder)
     known = {key: tree[key] for key in ("draws", "seed", "file")}
-    plan = benchmark_of(suite, tree["suite"], compared, **known, word=tree.get("word", ""))
-    return finish(plan, folder)
+    return benchmark_of(suite, tree["suite"], compared, **known, word=tree.get("word", ""))
 
 
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:

@@ -57,26 +57,31 @@ def pack(job: Job) -> bytes:
     return zlib.compress(pickle.dumps((job, folder.name, contents)))
 
 
-def refuse_dead(address: str) -> None:
-    """Raise BadInput when no Dask cluster answers at an address; before anything is written, and within _ANSWER_S."""
+def refuse_dead(address: str, within_s: float | None = None) -> None:
+    """Raise BadInput when no Dask cluster answers at an address; before anything is written.
+
+    Args:
+        within_s: how long to wait for an answer [s], as for a cluster that starts; by default _ANSWER_S.
+    """
+    wait_s = _ANSWER_S if within_s is None else within_s
     try:
         from distributed import rpc
     except ImportError:
         raise BadInput([_NO_DASK]) from None
 
     async def answer() -> None:
-        async with rpc(address, timeout=_ANSWER_S) as scheduler:
-            await asyncio.wait_for(scheduler.identity(), _ANSWER_S)
+        async with rpc(address, timeout=wait_s) as scheduler:
+            await asyncio.wait_for(scheduler.identity(), wait_s)
 
     try:
         with ThreadPoolExecutor(1) as beside:  # a notebook has a loop of its own in this thread
             beside.submit(asyncio.run, answer()).result()
     except (OSError, ValueError) as error:
-        raise _dead(address, error) from None
+        raise _dead(address, error, wait_s) from None
 
 
-def _dead(address: str, error: Exception) -> BadInput:
-    what = f"no cluster answers at {address}: {str(error) or f'no answer within {_ANSWER_S} s'}"
+def _dead(address: str, error: Exception, wait_s: float) -> BadInput:
+    what = f"no cluster answers at {address}: {str(error) or f'no answer within {wait_s:g} s'}"
     expected = "the address that `dask scheduler` prints, as tcp://host:8786"
     return BadInput([Problem(what, "--cluster", expected=expected)])
 
@@ -99,7 +104,7 @@ class Connection:
             self._client = Client(address, timeout=_ANSWER_S, set_as_default=False)
         except (OSError, ValueError) as error:
             self._quiet.close()
-            raise _dead(address, error) from None
+            raise _dead(address, error, _ANSWER_S) from None
 
     def room(self) -> int:
         """How many flights to send before the first has returned."""
