@@ -118,6 +118,9 @@ def _names(
             yield from _known(requirement.signal, signals, "signal", (*here, "signal"))
         if isinstance(requirement.of, str):
             yield from _known(requirement.of, signals, "signal", (*here, "of"))
+        if requirement.formula is not None:
+            for name in dict.fromkeys(requirement.parsed.columns()):
+                yield from _known(name, signals, "signal", (*here, "formula"))
 
 
 def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[Issue]:
@@ -153,6 +156,14 @@ def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
         yield ("atmosphere", "noise", "from_s"), air.noise.from_s
     keys = ("from_s", "settles_by_s", "never_for_longer_than_s")
     yield from _given(("requirements",), scenario.requirements, *keys)
+    yield from _horizons(scenario)
+
+
+def _horizons(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
+    """Path and length [s] of what formulas look ahead; none of them may be as long as the flight."""
+    for i, requirement in enumerate(scenario.requirements):
+        if requirement.formula is not None:
+            yield ("requirements", i, "formula"), requirement.parsed.horizon_s
 
 
 def _ends(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
