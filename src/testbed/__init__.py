@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from testbed.api.sweep import sweep as sweep
     from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
+    from testbed.parts import use as use
+    from testbed.plant.linear import linearise as linearise
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison.compare import compare as compare
     from testbed.simulation import Session as Session
@@ -33,11 +35,13 @@ _MODULES = {
     "design": "testbed.gains.design",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
+    "linearise": "testbed.plant.linear",
     "load": "testbed.api.load",
     "matrix": "testbed.api.matrix",
     "merge": "testbed.api.merge",
     "search": "testbed.api.search",
     "sweep": "testbed.api.sweep",
+    "use": "testbed.parts",
 }
 
 __all__ = ["__version__", *_MODULES]

@@ -10,6 +10,7 @@ from testbed.api.study import folder_of, write_summary
 from testbed.common.writing import write
 from testbed.controllers.user.own import not_given
 from testbed.inputs.problems import BadInput, Problem
+from testbed.parts import digests
 from testbed.reporting.attempt import attempt
 from testbed.reporting.junit import Test
 from testbed.studies.benchmark.law import law_sha256, seed_of
@@ -78,6 +79,9 @@ def prepare(
     """Read and check a suite; returns what is to be flown and the folder. Raises BadInput with every problem found."""
     if draws is not None and draws < 1:
         raise BadInput([Problem(f"is {draws}", "--draws", expected="at least 1")])
+    if entry is not None and digests():
+        what = "would need parts of your own, with which nobody else can check it"
+        raise BadInput([Problem(what, "--entry", expected="no --with")])
     if seed is not None and word is not None:
         raise BadInput([Problem("makes a seed, and one is given", "--word", expected="--word or --seed")])
     if seed is None:
@@ -125,7 +129,7 @@ def rebuild(folder: Path) -> dict[str, Any]:
 
 
 def plan_of(folder: Path) -> Benchmark:
-    """The plan of a benchmark's folder, as its file has it; raises BadInput."""
+    """The plan of a benchmark's folder, as its file has it, and of the user's controllers without their code; raises BadInput."""
     suite, compared, tree = read_back(folder)
     known = {key: tree[key] for key in ("draws", "seed", "file")}
     said = {key: tree.get(name, "") for key, name in (("law", "law_sha256"), ("word", "word"))}

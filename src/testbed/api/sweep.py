@@ -19,7 +19,7 @@ from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, flight_of
 from testbed.studies.folder import logs, reading, store, table
-from testbed.studies.folder.begin import refuse_blocked, runs_of
+from testbed.studies.folder.begin import refuse_blocked, refuse_other_parts, runs_of
 from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
@@ -208,6 +208,9 @@ def fly_run(
     With `variant`, the label of one of those compared, only that is flown, and the new folder itself is its run folder.
     Returns whether every flight passed, and those flights that have a result. Raises BadInput when there is no such run.
     """
+    begun = Path(plan.builder.base.file).parent
+    if store.exists(begun):
+        refuse_other_parts(begun)
     done = fly_only(plan, run, how, None if variant is None else _numbered(plan, variant))
     records = [flown.record for _, flown in done]
     # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.

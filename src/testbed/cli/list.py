@@ -30,6 +30,17 @@ def _table(module: str) -> Entries:
     return [(name, first_line(entry)) for name, entry in table.items()]
 
 
+def _own() -> Entries:
+    """The parts of the user's own that were given."""
+    from testbed.parts.files import KINDS
+    from testbed.parts.registry import tables_in_use
+
+    return [
+        (name, f"{KINDS[kind].word}: {'' if isinstance(part, Mapping) else first_line(part)}".rstrip(": "))
+        for kind, name, part in tables_in_use()
+    ]
+
+
 def _files(folder: str) -> Entries:
     """Shipped files by the path that commands take, each with the first paragraph of its comment or, without one, its name."""
     return [(str(file.relative_to(shipped.data_root())), _about(file)) for file in shipped.files_in(folder)]
@@ -49,8 +60,10 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "failures": partial(_table, "testbed.failures"),
     "matrices": partial(_files, "scenarios/matrices"),
     "metrics": partial(_table, "testbed.metrics"),
+    "own": _own,
     "scenarios": partial(_files, "scenarios"),
     "searches": partial(_files, "scenarios/searches"),
+    "sensor_faults": partial(_table, "testbed.sensors.faults"),
     "suites": partial(_files, "scenarios/suites"),
     "sweeps": partial(_files, "scenarios/sweeps"),
 }
@@ -63,8 +76,10 @@ def _arguments(command: ArgumentParser) -> None:
 
 def _run(options: Namespace) -> int:
     for what in [options.what] if options.what else TABLE:
-        print(what)
         entries = TABLE[what]()
+        if not entries:  # parts of the user's own, where none are given
+            continue
+        print(what)
         width = max((len(name) for name, _ in entries), default=0) + 2
         for name, meaning in entries:
             print(f"  {name:<{width}}{meaning}")
@@ -75,5 +90,5 @@ COMMAND = Command(
     "list the names that scenarios and commands can use, with their meanings",
     _arguments,
     _run,
-    ("testbed list", "testbed list failures"),
+    ("testbed list", "testbed list failures", "testbed list own --with my_parts.py"),
 )

@@ -79,6 +79,8 @@ class Flight:
     """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
     flown_by_sha256: str = ""
     """Digest of that controller's files and arguments; empty where it is in no file."""
+    parts: Mapping[str, str] = field(default_factory=dict)
+    """SHA-256 of each file of parts of the user's own that was used, by its name."""
     files: Mapping[str, bytes] = field(default_factory=dict)
     """Files of that controller's own, by name: its log, its parameters. A run folder has them in `controller/`."""
 
@@ -178,5 +180,7 @@ class Flight:
             summary["flown_by"] = self.flown_by
         if self.flown_by_sha256:
             summary["flown_by_sha256"] = self.flown_by_sha256
+        if self.parts:
+            summary["parts_sha256"] = dict(self.parts)
         contents: dict[str, Any] = plain(summary)
         return contents

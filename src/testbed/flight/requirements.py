@@ -20,6 +20,7 @@ from testbed.flight.robustness import (
     scaled,
     sides_of,
 )
+from testbed.flight.temporal import robustness
 from testbed.scenario.requirement import Requirement
 
 _ENDED = "the flight ended before this window did"
@@ -83,7 +84,9 @@ def _not_judged(requirement: Requirement) -> dict[str, Any]:
 
 
 def worst_s(requirement: Requirement, log: Mapping[str, np.ndarray]) -> float | None:
-    """When a signal was furthest outside of its limits, or nearest to them [s]; None if no row of its window has a number."""
+    """When a signal was furthest outside of its limits, or nearest to them [s]; None for a formula, and if no row has a number."""
+    if requirement.formula is not None:
+        return None
     rows = _window(requirement, log["time_s"])
     values = _values(requirement, log, rows)
     known = np.flatnonzero(np.isfinite(values))
@@ -105,6 +108,8 @@ def _judge(
 ) -> dict[str, Any]:
     if requirement.metric is not None:
         found = _of_metric(requirement, float(metrics[requirement.metric]))
+    elif requirement.formula is not None:
+        found = _of_formula(requirement, log, duration_s)
     else:
         found = _of_signal(requirement, log, duration_s)
     return {
@@ -123,6 +128,18 @@ def _of_metric(requirement: Requirement, metric: float) -> _Verdict:
         return _Verdict(-1.0, reason=_NO_NUMBER)
     sides = sides_of(requirement, np.array([metric]))
     return _Verdict(always(scaled(sides)), *extreme(sides))
+
+
+def _of_formula(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:
+    """Of the first row: the formula's robustness is the value and, divided by `scale`, the requirement's."""
+    node, time = requirement.parsed, log["time_s"]
+    found = robustness(node, log, 1.0 / (row_spacing_s(time) or math.inf)) if len(time) else time
+    if not len(found):
+        return _Verdict(-_not_flown(requirement, time, duration_s), reason=_ENDED)
+    value = float(found[0])
+    if not math.isfinite(value):
+        return _Verdict(-1.0, reason=_NO_NUMBER)
+    return _Verdict(value / (requirement.scale or 1.0), value, value)
 
 
 def _of_signal(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:

@@ -162,6 +162,7 @@ class Summary(_Part):
     shape: Shape | None = None
     flown_by: _Word = ""
     flown_by_sha256: _Word = ""
+    parts_sha256: dict[str, _Word] = Field(default_factory=dict, max_length=100)
 
 
 def checked(contents: Any, file: str) -> Summary:

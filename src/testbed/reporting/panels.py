@@ -6,7 +6,7 @@ To show another signal, add a line to TRACKED or STATES, or a panel to a functio
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -225,7 +225,7 @@ class Group(NamedTuple):
     """Panels that stand together, made by `panels`; a `folded` group is opened by a click."""
 
     title: str
-    panels: tuple[Callable[[Flight], Iterator[Panel]], ...]
+    panels: Collection[Callable[[Flight], Iterable[Panel]]]
     folded: bool = False
 
     def of(self, flight: Flight) -> list[Panel]:
@@ -235,12 +235,16 @@ class Group(NamedTuple):
         return [panel for panel in made if all(series.column in known for series in panel.series)]
 
 
+OWN: dict[str, Callable[[Flight], Iterable[Panel]]] = {}
+"""Panels of the user's own, by name."""
+
 GROUPS = {
     "errors": Group("Errors against the references", (errors,)),
     "effectiveness": Group("Effectiveness, true and believed", (effectiveness,)),
     "actuators": Group("Actuators", (actuators,)),
     "attitude": Group("Attitude and air", (states, air)),
     "rates": Group("Controlled rates", (rates,), folded=True),
+    "own": Group("Panels of your own", OWN.values()),
     "states": Group("States against their references", (tracked, states)),
 }
 """By the name of the group. Figures and pages say which of them they draw."""

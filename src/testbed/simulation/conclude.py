@@ -13,6 +13,7 @@ from testbed.flight.loss import loss_event
 from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
 from testbed.metrics import Readings, adaptation_rates, measure, unjudged
+from testbed.parts import digests
 from testbed.reporting.flight import ReportedFlight
 from testbed.scenario import conditions
 from testbed.scenario.model import Scenario
@@ -58,6 +59,7 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
         shape=parts.shape,
         flown_by=parts.flown_by,
         flown_by_sha256=parts.flown_by_sha256,
+        parts=digests(),
     )
 
 

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pandas as pd
 import pytest
+from command_line import in_this_process
 from suite_files import BAD, flown, same_results, tree, written
 from sweep_files import command, finished, run
 
@@ -165,3 +166,17 @@ def test_what_the_summary_says(folder: Path) -> None:
     assert math.isclose(summary["scores"]["default"]["against_reference"]["inside"]["estimate"], 0.0)
     for groups in summary["by"].values():
         assert sum(group["draws"] for group in groups.values()) == 4
+
+
+def test_merged_shards_have_the_bytes_of_all(suite: Path, folder: Path, tmp_path: Path) -> None:
+    shard = ("benchmark", str(suite), "--draws", "4", "--seed", "5", "--jobs", "1", "--shard")
+    for k in "12":
+        assert in_this_process(tmp_path, *shard, f"{k}/2", "--out", k).returncode == 0
+    part = in_this_process(tmp_path, "merge", "1", "--out", "part")
+    assert part.returncode == 3 and "2 runs are missing: 1, 3" in part.stderr
+    assert in_this_process(tmp_path, "merge", "1", "2", "--out", "both").returncode == 0
+    for name in ("results.csv", "summary.json", "benchmark.yaml"):
+        assert (tmp_path / "both" / name).read_bytes() == (folder / name).read_bytes(), name
+    flown(suite, tmp_path / "more", draws=5)
+    other = in_this_process(tmp_path, "merge", "1", "more", "--out", "other")
+    assert other.returncode == 2 and "more: has another number of draws" in other.stderr

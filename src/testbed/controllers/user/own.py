@@ -51,7 +51,7 @@ class OwnController:
     @property
     def digest(self) -> str:
         """SHA-256 of its code, and of a command's arguments."""
-        return _sha256(self.code, () if self.made_by else shlex.split(self.file))
+        return sha256_of(self.code, () if self.made_by else shlex.split(self.file))
 
     def load(self) -> Factory:
         """The class. Its file is run once in a process; raises BadInput with file and line when that fails."""
@@ -85,12 +85,12 @@ def own_controllers(given: Iterable[str]) -> dict[str, OwnController]:
 def digest_of(factory: Factory) -> str:
     """SHA-256 of what makes a flight's controller, as `OwnController.digest`; empty of a class that is in no file."""
     if isinstance(factory, External):
-        return _sha256(_contents(factory), factory.words)
+        return sha256_of(_contents(factory), factory.words)
     file = getattr(sys.modules.get(getattr(factory, "__module__", "")), "__file__", None) or ""
-    return _sha256(_code(Path(file).resolve())) if file.endswith(".py") and os.path.isfile(file) else ""
+    return sha256_of(code_of(Path(file).resolve())) if file.endswith(".py") and os.path.isfile(file) else ""
 
 
-def _sha256(code: Iterable[tuple[str, bytes]], words: Iterable[str] = ()) -> str:
+def sha256_of(code: Iterable[tuple[str, bytes]], words: Iterable[str] = ()) -> str:
     """Of files, and of the words of a command, in which the folders of files do not count."""
     digest = hashlib.sha256()
     for name, content in code:
@@ -129,10 +129,10 @@ def _own(text: str, others: Mapping[str, OwnController]) -> OwnController:
     if isinstance(factory, External):
         return OwnController(name, shlex.join(factory.words), "", _contents(factory))
     file, _, made_by = reference.rpartition(":")
-    return OwnController(name, str(Path(file).resolve()), made_by, tuple(_code(Path(file).resolve())))
+    return OwnController(name, str(Path(file).resolve()), made_by, tuple(code_of(Path(file).resolve())))
 
 
-def _code(file: Path) -> Iterator[tuple[str, bytes]]:
+def code_of(file: Path) -> Iterator[tuple[str, bytes]]:
     """(path from its folder, contents) of a file and of the modules and packages beside it that it imports, in order."""
     folder, found, waiting = file.parent, set[Path](), [file]
     while waiting:

@@ -12,6 +12,7 @@ from typing import Any
 
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
+from testbed.parts import Parts, in_use
 from testbed.scenario.load import Scenario
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.folder import logs
@@ -34,6 +35,7 @@ class Job:
     """Function that flies, as `module:name`."""
     save_logs: str = "failed"
     time_limit_s: float = 300.0
+    parts: tuple[Parts, ...] = field(default_factory=in_use)
     search_path: tuple[str, ...] = field(default_factory=lambda: tuple(sys.path))
 
 
