@@ -27,6 +27,7 @@ def test_its_names_are_shown_and_there() -> None:
         "benchmark",
         "compare",
         "design",
+        "diagnose",
         "failure_probability",
         "fly",
         "linearise",

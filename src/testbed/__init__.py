@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from testbed.api.sweep import sweep as sweep
     from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
+    from testbed.logs.entry import diagnose as diagnose
     from testbed.parts import use as use
     from testbed.plant.linear import linearise as linearise
     from testbed.reliability.probability import failure_probability as failure_probability
@@ -33,6 +34,7 @@ _MODULES = {
     "benchmark": "testbed.api.benchmark",
     "compare": "testbed.reporting.comparison.compare",
     "design": "testbed.gains.design",
+    "diagnose": "testbed.logs.entry",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
     "linearise": "testbed.plant.linear",

@@ -13,7 +13,7 @@ from testbed.inputs.problems import did_you_mean, guess
 
 _COMMANDS = (
     "run", "live", "sweep", "search", "matrix", "benchmark", "merge", "report", "compare", "export", "validate", "identify",
-    "design", "adopt", "certify", "list", "schema", "check", "init", "completion",
+    "diagnose", "design", "adopt", "certify", "list", "schema", "check", "init", "completion",
 )  # fmt: skip
 TABLE: dict[str, Command] = {name: import_module(f"testbed.cli.{name}").COMMAND for name in _COMMANDS}
 """The commands by their names, in the order of `--help`."""
