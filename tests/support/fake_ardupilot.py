@@ -104,6 +104,8 @@ def packet():
 
 def misbehave():
     """What a fault does instead of an answer."""
+    if FAULT == "slow":
+        time.sleep(0.01)
     if count == AT and FAULT == "stalls":
         time.sleep(600)
     if count == AT and FAULT == "dies":
