@@ -13,6 +13,7 @@ from testbed.aircraft import shipped
 from testbed.cli.command import Command
 from testbed.cli.status import MET
 from testbed.common.docstrings import first_line
+from testbed.inputs.problems import BadInput, Problem
 
 Entries = list[tuple[str, str]]
 """(name, meaning) of each entry."""
@@ -68,15 +69,33 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "sweeps": partial(_files, "scenarios/sweeps"),
 }
 """The lists that `testbed list` can show."""
+_FMU, _FMU_EXPECTED = "fmu", "testbed list fmu FILE [MAPPING]"
+
+
+def _fmu(options: Namespace) -> Entries:
+    """The inputs and outputs of an FMU, each with what it takes or commands; raises BadInput as a flight with it."""
+    from testbed.aircraft.description import load_aircraft
+    from testbed.controllers.external.fmu import shown
+
+    if len(options.files) not in (1, 2):
+        raise BadInput([Problem("names no FMU, or too many files", "list", expected=_FMU_EXPECTED)])
+    file, mapping = [*options.files, None][:2]
+    return shown(file, mapping, tuple(load_aircraft(options.aircraft).actuators))
 
 
 def _arguments(command: ArgumentParser) -> None:
-    command.add_argument("what", nargs="?", choices=TABLE, help="default: everything")
+    command.add_argument("what", nargs="?", choices=[*TABLE, _FMU], help="default: everything, but for fmu")
+    command.add_argument("files", nargs="*", metavar="FILE", help="of fmu: the FMU, and a mapping for it")
+    command.add_argument(
+        "--aircraft", default="vtail", metavar="NAME", help="of fmu: whose actuators it is to command"
+    )
 
 
 def _run(options: Namespace) -> int:
+    if options.files and options.what != _FMU:
+        raise BadInput([Problem("takes no file", f"list {options.what}", expected=_FMU_EXPECTED)])
     for what in [options.what] if options.what else TABLE:
-        entries = TABLE[what]()
+        entries = TABLE[what]() if what in TABLE else _fmu(options)
         if not entries:  # parts of the user's own, where none are given
             continue
         print(what)
@@ -90,5 +109,10 @@ COMMAND = Command(
     "list the names that scenarios and commands can use, with their meanings",
     _arguments,
     _run,
-    ("testbed list", "testbed list failures", "testbed list own --with my_parts.py"),
+    (
+        "testbed list",
+        "testbed list failures",
+        "testbed list fmu pilot.fmu",
+        "testbed list own --with my_parts.py",
+    ),
 )
