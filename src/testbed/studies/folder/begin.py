@@ -19,7 +19,7 @@ from typing import Any
 
 from testbed.aircraft.description import load_aircraft
 from testbed.common.arithmetic import arithmetic, differences
-from testbed.common.writing import write
+from testbed.common.writing import remove_partial, write
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import read_text
@@ -56,6 +56,7 @@ def begin(folder: Path, plan: Plan, fly: str, *, resume: bool) -> store.Store:
             refuse_changed(stored.inputs, now, folder)
             for _ in stored.records():  # each is checked before anything is flown
                 pass
+            remove_partial(folder)  # while no other process flies into it
             # Only now, when the folder is known to be of this study. The file is written again, as `runs` may have grown.
             if plan.cases_text is not None:
                 write(folder / "cases.csv", plan.cases_text)
