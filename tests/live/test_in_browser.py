@@ -117,7 +117,7 @@ def test_go_back_pause_and_speed(browser: Any, served: tuple[str, Path, str]) ->
 
 def test_a_click_in_the_picture_opens_what_it_hits(browser: Any, served: tuple[str, Path, str]) -> None:
     with live(browser, served[0]) as window:
-        window.wait(lambda: window.value("live.scene.times.length") > 2)
+        window.wait(lambda: window.value("live.scene.seen[0].times.length") > 2)
         window.page.locator("[data-do=pause]").click()  # so that what was found stays where it is
         window.wait(lambda: window.text("#status") == "paused")
         find = """(() => { const {scene} = live, found = {};

@@ -83,14 +83,14 @@ function picture(facts, past, breaker) {
   }
   const scene = new LiveScene(canvas, facts, past.now);
   canvas.addEventListener("click", (e) => {
+    if (scene.orbit.moved > 6) return; // the camera was turned
     const name = scene.at(e.offsetX, e.offsetY);
     if (name) breaker.open(name);
   });
   const views = [...document.querySelectorAll("[data-view]")];
   const look = (view) => {
-    scene.view = view;
+    scene.look(view);
     for (const button of views) button.setAttribute("aria-pressed", button.dataset.view === view);
-    scene.draw();
   };
   for (const button of views) button.addEventListener("click", () => look(button.dataset.view));
   look("chase");

@@ -28,7 +28,7 @@ function start() {
     panels.redraw();
   });
   requestAnimationFrame(() => {
-    window.flightReport = { flight, columns, clock, panels, drawn_ms: performance.now() - began, geometry: { attitude, deflection, fromBody, Quaternion, Vector3 } };
+    window.flightReport = { flight, columns, clock, panels, scene, drawn_ms: performance.now() - began, geometry: { attitude, deflection, fromBody, Quaternion, Vector3 } };
     document.body.dataset.drawn = "yes";
   });
 }

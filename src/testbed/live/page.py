@@ -45,7 +45,7 @@ def _chips(facts: Mapping[str, Any]) -> list[Html]:
 def _flight() -> Html:
     """The picture and the time."""
     speeds = [tag("option", f"{s:g} x", value=s, selected="selected" if s == 1 else "") for s in _SPEEDS]
-    views = [_button(view, view=view) for view in ("chase", "side", "top")]
+    views = [_button(view, view=view) for view in ("chase", "side", "top", "whole")]
     times = [
         _button("Pause", do="pause", title="space"), tag("label", "speed ", tag("select", speeds, id="speed")), *views,
         _button("Save", do="save"), _button("Start again", do="restart"),
@@ -58,7 +58,7 @@ def _flight() -> Html:
         "Click on a surface or a propeller, or on its name, to break it. "
         "Keys: space pauses, left and right turn, up and down climb."
     )
-    canvas = tag("canvas", aria_label="the flight")
+    canvas = tag("canvas", role="img", tabindex=0, aria_label="the flight")
     return tag(
         "section", tag("div", canvas, tag("output"), class_="picture"), tag("div", times, class_="buttons"),
         tag("div", back, class_="buttons"), html.note(said), tag("div", id="saved"), aria_label="flight",
