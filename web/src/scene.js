@@ -3,6 +3,7 @@ import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene as Three, Vect
 import { Orbit } from "./camera.js";
 import { colour, PHASES } from "./colours.js";
 import { Craft } from "./craft.js";
+import { lastOf } from "./data.js";
 import { FAR_M, Ground } from "./ground.js";
 import { Trail } from "./trail.js";
 
@@ -159,11 +160,4 @@ export class Scene {
       label.style.transform = `translate(${((at.x + 1) / 2) * width}px, ${((1 - at.y) / 2) * height}px)`;
     }
   }
-}
-
-// The last row in which a flight still is.
-function lastOf(values) {
-  let k = values.length - 1;
-  while (k > 0 && !Number.isFinite(values[k])) k -= 1;
-  return k;
 }
