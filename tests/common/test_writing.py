@@ -28,6 +28,8 @@ SAVED = {
     ("env/flight.py", "save"): "a method of a flight, which goes through `writing`",
     ("studies/flying/worker.py", "open"): "the null device",
     ("common/jit.py", "open"): "a lock in a private folder",
+    ("controllers/external/ardupilot.py", "open"): "a file that `write_new` made, for a process to write to",
+    ("controllers/external/ardupilot.py", "connect"): "a socket",
     ("adoption/adopt.py", "save"): "a method of the design model, which goes through `writing`",
     ("reporting/figures/__init__.py", "save"): "goes through `writing`",
     ("reporting/figures/sheet.py", "save"): "into memory",

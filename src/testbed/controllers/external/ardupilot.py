@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from testbed.common.units import GRAVITY_M_S2
+from testbed.common.writing import write_new
 from testbed.controllers.external import mavlink
 from testbed.controllers.external.ardupilot_parameters import Outputs, density_ratio, merged, text
 from testbed.controllers.external.process import ended, guarded, how_it_ended
@@ -62,7 +63,7 @@ class ArduPilot:
         self._folder = setup.plan.folder
         values = merged(setup, parameters)
         self._outputs = Outputs(setup, values)
-        (self._folder / _PARAMETERS).write_text(text(values))
+        write_new(self._folder / _PARAMETERS, text(values))
         self._states, self._link = _bound(), _bound()
         self._link_address: tuple[str, int] | None = None
         try:
@@ -81,8 +82,9 @@ class ArduPilot:
         command = [path, "--model", "JSON", "--sim-port-out", str(_port(self._states))]
         command += ["--home", f"{_HOME},0,0", "--defaults", _PARAMETERS]
         command += ["--serial0", f"udpclient:127.0.0.1:{_port(self._link)}"]
+        write_new(self._folder / _CONSOLE)
         try:
-            with open(self._folder / _CONSOLE, "wb") as console:
+            with open(self._folder / _CONSOLE, "r+b") as console:
                 return subprocess.Popen(
                     guarded(command),
                     cwd=self._folder,
