@@ -164,8 +164,13 @@ class _Plane:
         name: str | None = None, sense: Sense = 1,
     ) -> Panel:  # fmt: skip
         """A part of one half, from shares of the half span and of the chord."""
-        a, b, c, d = ((i, j) for j in along for i in across)
-        points = tuple(self._at(i, j, side, z) for i, j in (a, b, d, c))
+        (inner, outer), (front, back) = across, along
+        points = (
+            self._at(inner, front, side, z),
+            self._at(outer, front, side, z),
+            self._at(outer, back, side, z),
+            self._at(inner, back, side, z),
+        )
         return Panel(points=points, actuator=name, sense=sense)
 
     def halves(self, z: float, moving: Callable[[float], tuple[str | None, Sense]]) -> Iterator[Panel]:

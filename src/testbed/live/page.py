@@ -56,7 +56,8 @@ def _flight() -> Html:
     ]
     said = (
         "Click on a surface or a propeller, or on its name, to break it. "
-        "Keys: space pauses, left and right turn, up and down climb."
+        "Keys: space pauses, left and right turn, up and down climb; so does a gamepad's stick. "
+        "Drag to turn the camera; wheel, two fingers, + and - zoom."
     )
     canvas = tag("canvas", role="img", tabindex=0, aria_label="the flight")
     return tag(
