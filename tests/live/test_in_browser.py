@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Window
+from chromium import Window, unreadable
 from live_server import serving
 
 import testbed
@@ -177,3 +177,8 @@ def test_a_gamepad_turns_climbs_and_pauses(browser: Any, served: tuple[str, Path
         window.page.evaluate("window.pad.buttons[0].pressed = false")
         window.page.locator("[data-do=pause]").click()
         window.wait(lambda: window.text("#status") == "flying")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, served: tuple[str, Path, str], scheme: str) -> None:
+    assert unreadable(browser, served[0], scheme) == []

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from chromium import Window, drawn
+from chromium import Window, drawn, unreadable
 
 from testbed.flight.folder import write_run_folder
 from testbed.reporting.run_report import write_report
@@ -242,3 +242,16 @@ def test_what_was_ordered_is_drawn_as_far_as_it_was_flown(window: Window) -> Non
         2 * ten, rel=0.02
     )
     assert value(window, "r.scene.ground.plane.position.y + r.scene.origin.y") == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, report: Path, scheme: str) -> None:
+    assert unreadable(browser, report.as_uri(), scheme) == []
+
+
+def test_axe_would_find_what_cannot_be_read(browser: Any, tmp_path: Path) -> None:
+    """Negative control."""
+    page = tmp_path / "bad.html"
+    page.write_text("<html><body data-drawn=yes><img src='data:,'><p style='color:#ddd'>pale")
+    found = {each.partition(":")[0] for each in unreadable(browser, page.as_uri(), "light")}
+    assert {"image-alt", "color-contrast", "html-has-lang"} <= found

@@ -68,7 +68,7 @@ def _flight() -> Html:
 
 def _beside() -> Html:
     """Actuators, modes, and what can be done."""
-    heads = [tag("th", text) for text in ("actuator", "truth", "belief", "")]
+    heads = [*(tag("th", text) for text in ("actuator", "truth", "belief")), tag("td")]
     table = tag("table", tag("thead", tag("tr", heads)), tag("tbody", id="actuators"))
     orders = [
         tag("label", words, tag("input", type="number", step=step, name=name))

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Window, drawn
+from chromium import Window, drawn, unreadable
 
 import testbed
 
@@ -69,3 +69,8 @@ def test_another_is_followed_and_one_that_is_lost_stays_where_it_ended(window: W
 def test_all_bars_have_the_same_axis_of_time(window: Window) -> None:
     ends = window.page.locator("#timelines .times span:last-child").all_inner_texts()
     assert ends == ["60 s", "60 s"]
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, page: Path, scheme: str) -> None:
+    assert unreadable(browser, page.as_uri(), scheme) == []
