@@ -60,19 +60,19 @@ PAGES: tuple[Page, ...] = (
     Page("performance", ("benchmarks/performance.py",), "1", 60),
     Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 300, _SWEPT),
     Page(
-        "missions",
+        "when_adaptation_pays",
         (
             _MISSIONS,
             f"{_MISSIONS} --controllers default,ablations --seeds 1",
             f"{_MISSIONS} --w20 0",
             f"{_MISSIONS} --model-error 0.2",
             f"{_MISSIONS} --aircraft vtail_aft",
-            "benchmarks/mission_report.py runs/reporting.csv --trims",
+            "benchmarks/when_adaptation_pays.py runs/reporting.csv --trims",
         ),
         "93001 to 93020",
         9000,
         _AFT,
-        ("results/missions.md", "explanation/when_adaptation_pays.md"),
+        ("explanation/when_adaptation_pays.md",),
     ),
     Page(
         "benchmark",

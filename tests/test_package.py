@@ -30,11 +30,13 @@ def test_its_names_are_shown_and_there() -> None:
         "diagnose",
         "failure_probability",
         "fly",
+        "linearise",
         "load",
         "matrix",
         "merge",
         "search",
         "sweep",
+        "use",
     ]
     assert dir(testbed) == ["BadInput", "Session", "Stopped", "__version__", *called]
     assert all(callable(getattr(testbed, name)) for name in called)

@@ -3,6 +3,7 @@ import { Breaker } from "./live_break.js";
 import { Link } from "./live_link.js";
 import { LiveScene } from "./live_scene.js";
 import { Past } from "./live_past.js";
+import { gamepad } from "./live_gamepad.js";
 import { Table } from "./live_table.js";
 import { Clock } from "./clock.js";
 import { onSchemeChange } from "./colours.js";
@@ -50,6 +51,7 @@ function start() {
   controls(page);
   forms(page);
   keys(page);
+  gamepad((name, sign) => order(page, name, sign), () => page.link.ask("pause", { on: !page.state.paused }), page);
   onSchemeChange(() => {
     scene?.recolour();
     panels.redraw();
@@ -83,14 +85,14 @@ function picture(facts, past, breaker) {
   }
   const scene = new LiveScene(canvas, facts, past.now);
   canvas.addEventListener("click", (e) => {
+    if (scene.orbit.moved > 6) return; // the camera was turned
     const name = scene.at(e.offsetX, e.offsetY);
     if (name) breaker.open(name);
   });
   const views = [...document.querySelectorAll("[data-view]")];
   const look = (view) => {
-    scene.view = view;
+    scene.look(view);
     for (const button of views) button.setAttribute("aria-pressed", button.dataset.view === view);
-    scene.draw();
   };
   for (const button of views) button.addEventListener("click", () => look(button.dataset.view));
   look("chase");
@@ -117,7 +119,9 @@ function showStory({ story, events }) {
 function showSaved({ folder, command, time_s }) {
   const said = document.createElement("p");
   said.append(`The first ${time_s.toFixed(1)} s are saved in ${folder}, with report.html. They fly again to the same bytes by`);
-  find("saved").replaceChildren(said, Object.assign(document.createElement("pre"), { textContent: command }));
+  const share = Object.assign(document.createElement("a"), { href: `/report.html${location.search}`, textContent: "Share: one file that replays it" });
+  share.download = "";
+  find("saved").replaceChildren(said, Object.assign(document.createElement("pre"), { textContent: command }), share);
 }
 
 function readout({ past }) {
@@ -181,6 +185,7 @@ function keys(page) {
     if (e.target.matches("input, select, textarea") || e.ctrlKey || e.metaKey || e.altKey || !page.flies) return;
     if (e.key === " " && !e.target.matches("button, summary")) page.link.ask("pause", { on: !page.state.paused });
     else if (turn[e.key]) order(page, ...turn[e.key]);
+    else if ("+-".includes(e.key)) page.scene?.orbit.zoom(e.key === "+" ? 0.8 : 1.25);
     else return;
     e.preventDefault();
   });

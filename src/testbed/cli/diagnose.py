@@ -12,7 +12,9 @@ from testbed.cli.working import working
 
 
 def _arguments(command: ArgumentParser) -> None:
-    command.add_argument("log", type=Path, help="run folder; or, with --columns, a CSV or Parquet file or ArduPilot's .BIN")
+    command.add_argument(
+        "log", type=Path, help="run folder; or, with --columns, a CSV or Parquet file or ArduPilot's .BIN"
+    )
     model = "aircraft, by name or folder (default: that of the run folder)"
     command.add_argument("--model", metavar="MODEL", help=model)
     columns = "YAML file that says which column is what, in which unit"

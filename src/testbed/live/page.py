@@ -45,7 +45,7 @@ def _chips(facts: Mapping[str, Any]) -> list[Html]:
 def _flight() -> Html:
     """The picture and the time."""
     speeds = [tag("option", f"{s:g} x", value=s, selected="selected" if s == 1 else "") for s in _SPEEDS]
-    views = [_button(view, view=view) for view in ("chase", "side", "top")]
+    views = [_button(view, view=view) for view in ("chase", "side", "top", "whole")]
     times = [
         _button("Pause", do="pause", title="space"), tag("label", "speed ", tag("select", speeds, id="speed")), *views,
         _button("Save", do="save"), _button("Start again", do="restart"),
@@ -56,9 +56,10 @@ def _flight() -> Html:
     ]
     said = (
         "Click on a surface or a propeller, or on its name, to break it. "
-        "Keys: space pauses, left and right turn, up and down climb."
+        "Keys: space pauses, left and right turn, up and down climb; so does a gamepad's stick. "
+        "Drag to turn the camera; wheel, two fingers, + and - zoom."
     )
-    canvas = tag("canvas", aria_label="the flight")
+    canvas = tag("canvas", role="img", tabindex=0, aria_label="the flight")
     return tag(
         "section", tag("div", canvas, tag("output"), class_="picture"), tag("div", times, class_="buttons"),
         tag("div", back, class_="buttons"), html.note(said), tag("div", id="saved"), aria_label="flight",
@@ -67,7 +68,7 @@ def _flight() -> Html:
 
 def _beside() -> Html:
     """Actuators, modes, and what can be done."""
-    heads = [tag("th", text) for text in ("actuator", "truth", "belief", "")]
+    heads = [*(tag("th", text) for text in ("actuator", "truth", "belief")), tag("td")]
     table = tag("table", tag("thead", tag("tr", heads)), tag("tbody", id="actuators"))
     orders = [
         tag("label", words, tag("input", type="number", step=step, name=name))

@@ -32,12 +32,14 @@ class Pilot(threading.Thread):
 
     Attributes:
         watched: whether a page is there; while none is, time stands still.
+        last_saved: the run folder that was written last; None if none was.
     """
 
     def __init__(self, flight: LiveFlight, tell: Tell, keep: Keep) -> None:
         super().__init__(name="pilot", daemon=True)
         self.flight, self.tell, self._keep = flight, tell, keep
         self.watched = False
+        self.last_saved: Path | None = None
         self._paused, self._times, self._error = False, 1.0, ""
         self._stopping = False
         self._inbox: queue.SimpleQueue[tuple[Any, Future[None]] | None] = queue.SimpleQueue()
@@ -152,6 +154,7 @@ class Pilot(threading.Thread):
         except Exception as error:  # a full disk must not end the flight
             self.tell({"note": "not saved", "why": str(error) or type(error).__name__})
             return
+        self.last_saved = folder
         self._saved.append({"folder": str(folder), "command": command})
         self.tell({"note": "saved", "folder": str(folder), "command": command, "time_s": flight.end_time_s})
 

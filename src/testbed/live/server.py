@@ -12,7 +12,7 @@ from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager
 from http import HTTPStatus
 from typing import Any
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qs, quote, urlsplit
 
 from websockets.asyncio.server import Server, ServerConnection, broadcast, serve
 from websockets.datastructures import Headers
@@ -109,9 +109,24 @@ class LiveServer:
             return _response(HTTPStatus.FORBIDDEN, "open the address that testbed live has printed\n")
         if address.path == "/":
             return _response(HTTPStatus.OK, self._pages[hosts[0]], "text/html")
+        if address.path == "/report.html":
+            return self._report()
         return (
             None if address.path == "/flight" else _response(HTTPStatus.NOT_FOUND, "there is nothing here\n")
         )
+
+    def _report(self) -> Response:
+        """The report of what was saved last, as a file to keep: it replays the flight, and needs no other."""
+        saved = self._pilot.last_saved if self._pilot is not None else None
+        try:
+            data = (saved / "report.html").read_bytes() if saved is not None else b""
+        except OSError:
+            data = b""
+        if saved is None or not data:
+            return _response(HTTPStatus.NOT_FOUND, "no report has been saved\n")
+        answer = _response(HTTPStatus.OK, data, "text/html")
+        answer.headers["Content-Disposition"] = f'attachment; filename="{quote(saved.name)}.html"'
+        return answer
 
     # Pages ----------------------------------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from testbed.studies.folder import store, table
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record, key_of
+from testbed.studies.verdicts import counted
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -60,10 +61,7 @@ def load_plan(folder: Path) -> Plan:
 
 def _sentence(plan: Plan, frame: pd.DataFrame) -> str:
     """`small: 12 of 12 runs flown; passed: adaptive_inversion 11 of 12, pid 3 of 12`."""
-    shares = ", ".join(
-        f"{label} {int(np.count_nonzero(rows['passed']))} of {len(rows)}".strip()
-        for label, rows in groups_of(plan, frame)
-    )
+    shares = ", ".join(f"{label} {counted(rows['passed'])}".strip() for label, rows in groups_of(plan, frame))
     return f"{plan.name}: {frame['run'].nunique()} of {plan.runs} runs flown; passed: {shares}"
 
 
