@@ -66,7 +66,8 @@ checks its digests.
 
 - **The method.** White errors, a hidden Markov model over the nine classes, and a smoother, all three from `testbed.logs`. The
   law's own regression cannot be used: these logs have no airspeed and no attitude, so `testbed diagnose` refuses them. The model
-  error of {std:g} rad/s, the factor {temper:g} on likelihoods, and the cost of a change {change:g} are the best of {tried} on 21 July.
+  error of {std:g} rad/s, the factor {temper:g} on likelihoods, and the cost of a change {change:g} are the best of {tried} on
+  21 July.
 - **What is common to a flight**, the gain of both elevons and constant errors of roll and pitch, is found in each flight from its
   own data, without labels: the airspeed and the trim differ. The gains are {gains}. With
   the gain of 21 July the others are up to 20 % wrong. That this is needed was seen on 13 and 17 July.
