@@ -36,7 +36,7 @@ def run(folder: Path, *arguments: str, more: str = "") -> str:
         (folder / "scenarios" / f"{name}.yaml").write_text(SCENARIO.format(name=name, most=most))
     (folder / "test_flights.py").write_text(TESTS)
     (folder / "pytest.ini").write_text(INI.format(more=more))
-    plugins = ("-p", "testbed.pytest_plugin", "-p", "no:cacheprovider", "-o", "addopts=")
+    plugins = ("-p", "no:cacheprovider", "-o", "addopts=")
     command = [sys.executable, "-m", "pytest", *plugins, *arguments]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False).stdout
 

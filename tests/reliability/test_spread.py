@@ -6,7 +6,7 @@ import dataclasses
 from typing import Any
 
 import pytest
-from limit_states import ends, linear
+from spread_limit_states import ends, linear
 
 from testbed.inputs.problems import BadInput
 from testbed.reliability import failure_probability

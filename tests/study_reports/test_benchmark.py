@@ -31,10 +31,9 @@ def lost(draw: int) -> dict:
 
 
 def test_the_first_section_is_where_the_reference_loses(summary: dict) -> None:
-    summary = summary | {"lost": {"default": [lost(3), lost(1)], "fixed": []}}
-    summary["by"]["weather"] = {
-        "storm": {"draws": 40, "held": {"default": 10, "fixed": 30, "best of all": 31}}
-    }
+    storm = {"draws": 40, "held": {"default": 10, "fixed": 30, "best of all": 31}}
+    by = summary["by"] | {"weather": {"storm": storm}}
+    summary = summary | {"lost": {"default": [lost(3), lost(1)], "fixed": []}, "by": by}
     lines = markdown(summary)
     assert lines[0] == "## Where `default` loses"
     assert "| storm | 40 | 0.250 | 0.750 | `fixed` |" in lines
@@ -86,4 +85,4 @@ def test_the_page_has_the_tables_and_no_markup_of_strangers(summary: dict, tmp_p
     page = Page(write_benchmark_page(summary, tmp_path).read_text())
     assert "img" not in page.tags and bad in page.text
     rules = [line for line in markdown(summary) if line.startswith("| --- |")]
-    assert page.tags.count("table") == len(rules) >= 4
+    assert page.tags.count("table") == len(rules) == 3

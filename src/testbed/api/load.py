@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.received import believed, refuse_links
+from testbed.inputs.received import refuse_links
+from testbed.inputs.received_table import read_frame
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -35,15 +36,13 @@ def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
     """
     kind = kind_of(folder)
     if kind in ("search", "matrix"):
-        import pandas as pd
-
         refuse_unfinished(folder)
         refuse_links(Path(folder))
-        with believed(Path(folder) / "results.parquet", "the table of a search"):
-            return pd.read_parquet(Path(folder) / "results.parquet")
+        return read_frame(Path(folder) / "results.parquet", ("run", "outcome"), f"the table of a {kind}")
     if kind == "benchmark":
         from testbed.api import benchmark
 
+        refuse_links(Path(folder))
         return benchmark.table(folder)
     if kind == "sweep":
         from testbed.studies.folder import reading

@@ -261,5 +261,5 @@ def report_run(path: Path) -> list[tuple[Flight, Path]]:
         and (sweep / "report.html").is_file()
         and (sweep / "summary.json").is_file()
     ):
-        write_sweep_report(sweep)
+        attempt("the report", lambda: write_sweep_report(sweep))
     return made

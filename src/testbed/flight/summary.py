@@ -114,7 +114,7 @@ _BY_KIND: dict[str, type[Event]] = {
 
 
 def _kind(event: Any) -> str:
-    kind = event.get("kind") if isinstance(event, Mapping) else None
+    kind = event.get("kind") if isinstance(event, Mapping) else getattr(event, "kind", None)
     return kind if isinstance(kind, str) and kind in _BY_KIND else "other"
 
 

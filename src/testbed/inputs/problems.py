@@ -75,9 +75,9 @@ def did_you_mean(word: object, candidates: Iterable[str]) -> str:
 
 
 def one_of(candidates: Iterable[str]) -> str:
-    """'one of a, b, c'; "" when there are none or more than 20."""
+    """'one of a, b, c'; "" when there are none or more than 25."""
     names = list(candidates)
-    return "one of " + ", ".join(names) if 0 < len(names) <= 20 else ""
+    return "one of " + ", ".join(names) if 0 < len(names) <= 25 else ""
 
 
 def guess(word: object, known: Iterable[str]) -> tuple[str, str]:

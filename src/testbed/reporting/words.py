@@ -98,8 +98,9 @@ def describe(event: Mapping[str, Any], flight: Flight) -> str:
         case "false_alarm":
             return f"FALSE ALARM: {who}"
         case "injection" if event.get("active", True):
-            said = broke(flight, event["failure"]).removeprefix("the ")
+            said = broke(flight, event.get("failure", 0)).removeprefix("the ")
             return said + _REMARKS[event.get("verified", True)]
         case "injection":
-            return f"{who}: {event['type']} ends" if who else f"{event['type']} ends"
+            what = f"{event.get('type', 'failure')} ends"
+            return f"{who}: {what}" if who else what
     return f"{kind} {who}".strip()
