@@ -36,7 +36,7 @@ def diagnose(
     """What each actuator did in a flight, from its log: commands and what sensors read, and nothing else.
 
     Args:
-        log: a run folder, a CSV or Parquet file, or a DataFlash log of ArduPilot.
+        log: a run folder, a CSV or Parquet file, or a log of ArduPilot (DataFlash) or PX4 (ULog).
         model: the aircraft, by name or folder, whose design model is used; by default that of the run folder's scenario.
         columns: the mapping file of a log that is no run folder: which column is what.
         out: folder to write `diagnosis.csv`, `summary.json` and `report.html` into, which must not exist; None for none.
