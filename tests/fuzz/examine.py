@@ -28,6 +28,7 @@ import time
 import traceback
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -215,6 +216,24 @@ def _here(job: Job, jobs: int | None, cluster: str | None) -> Iterator[FlyAll]:
     yield fly_all
 
 
+def _matrix(fly: bool, begin: Callable[[str], None]) -> str:
+    from testbed.api import matrix
+
+    begin("checking")
+    matrix.prepare("matrix.yaml")
+    return "valid"
+
+
+def _suite(fly: bool, begin: Callable[[str], None]) -> str:
+    from testbed.api import benchmark
+
+    begin("checking")
+    plan, _folder = benchmark.prepare("benchmark.yaml", "out", draws=1)
+    for number in range(len(plan.labels)):
+        plan.builder.scenario(plan.task(number))
+    return "valid"
+
+
 def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.aircraft.description import load_aircraft
     from testbed.aircraft.model_files.check import model_problems
@@ -256,14 +275,6 @@ def _run_folder(fly: bool, begin: Callable[[str], None]) -> str:
     return "valid"
 
 
-def _sweep_folder(fly: bool, begin: Callable[[str], None]) -> str:
-    return _study_folder("sweep", fly, begin)
-
-
-def _search_folder(fly: bool, begin: Callable[[str], None]) -> str:
-    return _study_folder("search", fly, begin)
-
-
 def _study_folder(kind: str, fly: bool, begin: Callable[[str], None]) -> str:
     """Read, report on and, with `fly`, resume the folder of a study, by the commands that users give."""
     import testbed
@@ -277,7 +288,8 @@ def _study_folder(kind: str, fly: bool, begin: Callable[[str], None]) -> str:
     _called("report", received.FOLDER)
     if fly:
         begin("resuming")
-        _called(kind, study, "--out", received.FOLDER, "--resume", "--jobs", "1")
+        size = ("--draws", "2", "--seed", "5") if kind == "benchmark" else ()
+        _called(kind, study, "--out", received.FOLDER, "--resume", "--jobs", "1", *size)
     assert _outside() == before, "wrote outside of the folder"
     return "valid"
 
@@ -313,7 +325,9 @@ def _endless(fly: bool, begin: Callable[[str], None]) -> str:
 
 TABLE: dict[str, Callable[[bool, Callable[[str], None]], str]] = {
     "scenario": _scenario, "sweep": _sweep, "search": _search, "aircraft": _aircraft, "xml": _aircraft,
-    "run folder": _run_folder, "sweep folder": _sweep_folder, "search folder": _search_folder,
+    "design model": _aircraft, "matrix": _matrix, "suite": _suite,
+    "run folder": _run_folder,
+    **{f"{kind} folder": partial(_study_folder, kind) for kind in ("sweep", "search", "matrix", "benchmark")},
     "endless": _endless,
 }  # fmt: skip
 

@@ -7,6 +7,7 @@ mutants are changed as trees of values, so that they get past the parser; the ot
 from __future__ import annotations
 
 import copy
+import json
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
@@ -167,6 +168,12 @@ def _aircraft_yaml() -> st.SearchStrategy[Mutant]:
     return _yaml_files("vtail/vtail.yaml", [yaml.safe_load(text)])
 
 
+def _design_models() -> st.SearchStrategy[Mutant]:
+    text = (ROOT / "aircraft" / "vtail" / "design_model.json").read_text(encoding="utf-8")
+    texts = mutated_trees([json.loads(text)]).map(json.dumps) | mutated_text([text])
+    return texts.map(lambda text: {"vtail/design_model.json": text})
+
+
 MODEL_FILES = ("vtail.xml", "Engines/vtail_motor.xml", "Engines/vtail_prop.xml")
 _TEXTS = [
     "",
@@ -238,9 +245,12 @@ KINDS: dict[str, st.SearchStrategy[Mutant]] = {
     "search": _yaml_files("search.yaml", search_bases()),
     "aircraft": _aircraft_yaml(),
     "xml": mutated_model() | _xml_text(),
+    "design model": _design_models(),
+    "matrix": _yaml_files("matrix.yaml", [received.MATRIX]),
+    "suite": _yaml_files("benchmark.yaml", [received.STUDIES["benchmark.yaml"]]),
     **{
         kind: received.mutants_of(kind, mutated_trees, mutated_text)
-        for kind in ("run folder", "sweep folder", "search folder")
+        for kind in ("run folder", "sweep folder", "search folder", "matrix folder", "benchmark folder")
     },
 }
 """The kinds of mutants, by the file that is mutated."""

@@ -1,4 +1,4 @@
-"""Folders that somebody sent: those of a run, a sweep and a search, with one of their files changed.
+"""Folders that somebody sent: those of a run, a sweep, a search, a matrix and a benchmark, with one of their files changed.
 
 A mutant is {name: text} of a whole folder `received`; the contents of a binary file are in base64. A table is changed as bytes or
 in what its metadata say; a database as bytes, in its records, or by what is added to its tables.
@@ -10,6 +10,7 @@ import base64
 import io
 import json
 import sqlite3
+import sys
 import tempfile
 from collections.abc import Callable
 from functools import cache
@@ -19,6 +20,9 @@ from typing import Any
 import pyarrow.parquet as pq
 import yaml
 from hypothesis import strategies as st
+
+sys.path.append(str(Path(__file__).parents[1] / "support"))
+import suite_files
 
 Mutant = dict[str, str]
 Change = Callable[[bytes], st.SearchStrategy[bytes]]
@@ -40,7 +44,16 @@ _SEARCH = {
     "set": {"atmosphere": {"wind_m_s": [0, 0, 0]}},
     "vary": {"atmosphere.wind_m_s.0": {"normal": [0, 4]}, "atmosphere.wind_m_s.1": {"normal": [0, 4]}},
 }  # fmt: skip
-STUDIES = {"sweep.yaml": _SWEEP, "search.yaml": _SEARCH}
+MATRIX = {
+    "name": "sent", "scenario": _SCENARIO, "at_s": 0.3, "severities": [1.0],
+    "failures": [{"type": "effectiveness", "value": 0.2}],
+}  # fmt: skip
+STUDIES = {
+    "sweep.yaml": _SWEEP,
+    "search.yaml": _SEARCH,
+    "matrix.yaml": MATRIX,
+    "benchmark.yaml": suite_files.tree(),
+}
 """What the folders of studies were flown from."""
 
 
@@ -56,6 +69,10 @@ def files_of(kind: str) -> dict[str, bytes]:
             testbed.fly(source).save(folder, figures=False)
         elif kind == "sweep folder":
             testbed.sweep(source, folder, jobs=1, save_logs="all", figures=False)
+        elif kind == "matrix folder":
+            testbed.matrix(source, folder, jobs=1, save_logs="all", figures=False)
+        elif kind == "benchmark folder":
+            testbed.benchmark(source, folder, draws=2, seed=5, jobs=1)
         else:
             testbed.search(source, folder, jobs=1, figures=False)
         files = (file for file in sorted(folder.rglob("*")) if file.is_file() and file.suffix != ".html")

@@ -41,7 +41,6 @@ def test_any_number_of_workers_gives_the_same_bytes(tmp_path: Path) -> None:
     assert (one / "summary.json").read_bytes() == (tmp_path / "out/summary.json").read_bytes()
 
 
-@pytest.mark.xfail(strict=False, reason="open: failed on a busy machine, not understood yet")
 @pytest.mark.nightly
 def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
     sweep = written(tmp_path)
@@ -64,6 +63,19 @@ def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     same_rows(whole, tmp_path / "out")
     assert not list((tmp_path / "out").rglob(".*partial"))
+
+
+def test_what_a_killed_process_had_begun_to_write_is_removed(tmp_path: Path) -> None:
+    """Killed in the very moment in which the table was written, or a flight's folder."""
+    sweep, out = written(tmp_path), tmp_path / "out"
+    testbed.sweep(sweep, out, runs=2, jobs=1, fly=quick, figures=False)
+    (out / ".0123456789abcdef.partial").write_text("run,see")
+    (out / "logs").mkdir(exist_ok=True)
+    (out / "logs/.0123456789abcdef.partial").write_text("PAR1")
+    (out / ".found.x.partial").mkdir()
+    (out / ".found.x.partial/log.csv").write_text("time_s")
+    testbed.sweep(sweep, out, runs=2, jobs=1, resume=True, fly=quick, figures=False)
+    assert not list(out.rglob(".*"))
 
 
 def test_resuming_flies_only_the_rest(tmp_path: Path) -> None:

@@ -28,10 +28,12 @@ from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import read_json
 
 ROWS = ("p_dot", "q_dot", "r_dot", "u_dot", "v_dot", "w_dot")
 DESIGN_MODEL = "design_model.json"
 """Where the model is stored, in the aircraft's folder."""
+_EXPECTED = "what `testbed identify` writes"
 COLUMNS = ("alpha", "beta", "p", "q", "r")
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
 
@@ -157,10 +159,10 @@ class DesignModel:
 def load_design_model(path: Path) -> DesignModel:
     """Read a file that `DesignModel.save` wrote; raises BadInput when it is anything else."""
     try:
-        return _from_tree(json.loads(path.read_text(encoding="utf-8")))
+        return _from_tree(read_json(path, _EXPECTED))
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         what = f"is no design model: {_words(error)}"
-        raise BadInput([Problem(what, str(path), expected="what `testbed identify` writes")]) from None
+        raise BadInput([Problem(what, str(path), expected=_EXPECTED)]) from None
 
 
 def _words(error: Exception) -> str:

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from testbed.inputs.problems import BadInput, Problem
-from testbed.inputs.received import believed, refuse_links
+from testbed.inputs.received import refuse_links
+from testbed.inputs.received_table import read_frame
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -18,7 +19,9 @@ STUDIES = ("sweep", "search", "matrix", "benchmark")
 """The kinds of studies, each a module of this package. The folder of one has a file of this name, with .yaml."""
 
 KEEP_LOGS = ("sweep", "matrix")
-"""Those whose flights can be told one by one: logs are kept, and shards are merged."""
+"""Those whose flights can be told one by one: logs are kept, in order of runs, as is a table."""
+SHARDED = (*KEEP_LOGS, "benchmark")
+"""Those whose flights are known before they are flown, so that shards of them can be merged."""
 
 
 def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
@@ -33,15 +36,13 @@ def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:
     """
     kind = kind_of(folder)
     if kind in ("search", "matrix"):
-        import pandas as pd
-
         refuse_unfinished(folder)
         refuse_links(Path(folder))
-        with believed(Path(folder) / "results.parquet", "the table of a search"):
-            return pd.read_parquet(Path(folder) / "results.parquet")
+        return read_frame(Path(folder) / "results.parquet", ("run", "outcome"), f"the table of a {kind}")
     if kind == "benchmark":
         from testbed.api import benchmark
 
+        refuse_links(Path(folder))
         return benchmark.table(folder)
     if kind == "sweep":
         from testbed.studies.folder import reading

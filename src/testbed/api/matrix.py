@@ -12,6 +12,7 @@ from testbed.common.text import cell
 from testbed.common.writing import write
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.controllers.user.own import own_controllers
+from testbed.inputs.received import believed, refuse_links
 from testbed.reporting.attempt import attempt
 from testbed.reporting.junit import Test
 from testbed.reporting.words import count
@@ -21,6 +22,8 @@ from testbed.studies.flying.flight import Fly
 from testbed.studies.folder import logs
 from testbed.studies.folder.begin import refuse_blocked
 from testbed.studies.folder.names import log_file
+from testbed.studies.folder.reading import TABLE as FLIGHTS
+from testbed.studies.folder.reading import finished
 from testbed.studies.matrix.load import load_matrix, read_baseline
 from testbed.studies.matrix.plan import MatrixPlan
 from testbed.studies.matrix.summary import summarize
@@ -126,7 +129,8 @@ def finish(
     """As `Kind.finish`; also writes matrix.csv, and the page of each cell's worst flight whose log was kept."""
     import pandas as pd
 
-    found = summarize(plan, pd.read_parquet(folder / "results.parquet"))
+    with believed(folder / FLIGHTS, "the table of a matrix"):
+        found = summarize(plan, finished(plan, folder))
     cells = pd.DataFrame(found["cells"]).astype({"run": "Int64"})
     cells = cells.map(lambda value: cell(value) if isinstance(value, str) else value)
     write(folder / TABLE, cells.to_csv(index=False, lineterminator="\n"))
@@ -156,6 +160,7 @@ def rebuild(folder: Path) -> dict[str, Any]:
     """As `Kind.rebuild`."""
     refuse_blocked(folder)
     refuse_unfinished(folder)
+    refuse_links(folder)
     return finish(plan_of(folder), folder)
 
 

@@ -19,6 +19,7 @@ from testbed.controllers.user.own import own_controllers
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import believed, read_json, refuse_links
+from testbed.inputs.received_table import read_frame
 from testbed.reporting.attempt import add_report, attempt
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
@@ -65,9 +66,7 @@ class SearchResult:
     @property
     def table(self) -> pd.DataFrame:
         """Every flight that was made, in the order in which the search asked for it."""
-        import pandas as pd
-
-        return pd.read_parquet(self.folder / "results.parquet")
+        return read_frame(self.folder / "results.parquet", ("run", "outcome"), "the table of a search")
 
     def __repr__(self) -> str:
         return printable("\n".join(sentences(self.summary)))

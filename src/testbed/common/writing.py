@@ -11,6 +11,7 @@ from __future__ import annotations
 import errno
 import os
 import secrets
+import shutil
 import stat
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -67,6 +68,20 @@ def write_new(file: Path, content: str | bytes = b"") -> None:
     """
     with os.fdopen(os.open(file, _NEW, 0o666), "wb") as stream:
         stream.write(content.encode() if isinstance(content, str) else content)
+
+
+def remove_partial(folder: Path) -> None:
+    """Remove what a process that was killed had begun to write at any depth of a folder, which nobody else writes into now.
+
+    Links are neither followed nor removed.
+    """
+    for found in list(folder.rglob(".*.partial")):
+        if found.is_symlink():
+            continue
+        if found.is_dir():
+            shutil.rmtree(found, ignore_errors=True)
+        else:
+            found.unlink(missing_ok=True)
 
 
 def refuse_unsafe(file: Path) -> None:

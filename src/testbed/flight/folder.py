@@ -117,22 +117,23 @@ def flight_from(
     Raises BadInput, with the file in which it is, for what a flight has not.
     """
     said = checked(contents, str(summary_file))
-    actuators = {
-        facts["name"]: {k: v for k, v in facts.items() if k != "name"} for facts in contents["actuators"]
-    }
+    plain = said.model_dump(mode="json", exclude_unset=True, exclude={"shape"})
+    actuators = {facts.pop("name"): facts for facts in plain["actuators"]}
     flight = Flight(
         scenario=scenario,
         outcome=said.outcome,
-        end_time_s=contents["end_time_s"],
+        end_time_s=said.end_time_s,
         columns=columns,
         data=data,
-        events=contents["events"],
-        metrics={name: math.nan if value is None else value for name, value in contents["metrics"].items()},
-        requirements=contents["requirements"],
+        events=plain["events"],
+        metrics={name: math.nan if value is None else value for name, value in said.metrics.items()},
+        requirements=plain["requirements"],
         actuators=actuators,
-        warnings=contents.get("warnings", ()),
+        warnings=plain.get("warnings", ()),
         shape=said.shape,
         flown_by=said.flown_by,
+        flown_by_sha256=said.flown_by_sha256,
+        parts=said.parts_sha256,
     )
     refuse_other_events(flight, str(summary_file))
     refuse_damaged(flight, str(log_file))

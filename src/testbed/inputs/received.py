@@ -44,7 +44,8 @@ def _links(folder: Path) -> Iterator[Problem]:
 def read_json(file: Path, expected: str) -> Any:
     """The contents of a JSON file of a received folder.
 
-    Raises BadInput for a file that is too large or no JSON, for a key that stands twice, and for text that UTF-8 cannot hold.
+    Raises BadInput for a file that is too large or no JSON, for a key that stands twice, for NaN and Infinity, which JSON has not,
+    and for text that UTF-8 cannot hold.
     """
     return json_of(read_text(file, _LARGEST_JSON, expected), file, expected)
 
@@ -52,7 +53,7 @@ def read_json(file: Path, expected: str) -> Any:
 def json_of(text: str, file: Path, expected: str) -> Any:
     """As `read_json`, of text that was read from a file already."""
     try:
-        value = json.loads(text, object_pairs_hook=_once)
+        value = json.loads(text, object_pairs_hook=_once, parse_constant=_no_number)
         json.dumps(value, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as error:
         words = "is nested too deeply" if isinstance(error, RecursionError) else f"cannot be read: {error}"
@@ -78,6 +79,10 @@ def believed(file: Path, expected: str) -> Iterator[None]:
             f"does not hold what it should: {type(error).__name__}: {error}", str(file), expected=expected
         )
         raise BadInput([problem]) from None
+
+
+def _no_number(word: str) -> None:
+    raise ValueError(f"{word} is no number")
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -15,6 +15,14 @@ _REMARKS = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
 """Whether a failure did what it should, if not."""
 
 
+VERDICTS = {False: "NOT MET", None: "not judged", True: "met"}
+"""Words for whether a requirement was met, in the order in which tables have them."""
+
+
+DIGITS = 12
+"""Digits that are shown of a SHA-256."""
+
+
 def title(name: str) -> str:
     """The name of an actuator, or of a way in which a flight ended, in words."""
     return name.replace("_", " ")
@@ -90,8 +98,9 @@ def describe(event: Mapping[str, Any], flight: Flight) -> str:
         case "false_alarm":
             return f"FALSE ALARM: {who}"
         case "injection" if event.get("active", True):
-            said = broke(flight, event["failure"]).removeprefix("the ")
+            said = broke(flight, event.get("failure", 0)).removeprefix("the ")
             return said + _REMARKS[event.get("verified", True)]
         case "injection":
-            return f"{who}: {event['type']} ends" if who else f"{event['type']} ends"
+            what = f"{event.get('type', 'failure')} ends"
+            return f"{who}: {what}" if who else what
     return f"{kind} {who}".strip()

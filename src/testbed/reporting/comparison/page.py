@@ -16,7 +16,7 @@ from testbed.reporting.page.columns import packed
 from testbed.reporting.page.drawn import drawn
 from testbed.reporting.page.sections import definition
 from testbed.reporting.story import story
-from testbed.reporting.words import setting
+from testbed.reporting.words import VERDICTS, setting
 
 _MOST_COLUMNS = 4  # named where logs differ first
 
@@ -88,7 +88,6 @@ def _paths(comparison: Compared) -> list[str]:
 
 def _ended(i: int, comparison: Compared) -> str:
     flight = comparison.flights[i]
-    met = sum(bool(r["passed"]) for r in flight.requirements)
     worst = ", ".join(
         f"{flight.metrics[name]:.3g} {unit}"
         for name, unit in (
@@ -98,9 +97,8 @@ def _ended(i: int, comparison: Compared) -> str:
         if name in flight.metrics and math.isfinite(flight.metrics[name])
     )
     errors = f"; at worst {worst}" if worst else ""
-    verdict = "passed" if flight.passed else "not passed"
-    requirements = f"; {met} of {len(flight.requirements)} requirements met" if flight.requirements else ""
-    return f"{comparison.names[i]}: {verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
+    requirements = f"; {flight.counted}" if flight.requirements else ""
+    return f"{comparison.names[i]}: {flight.verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
 
 
 def summary(comparison: Compared) -> Html:
@@ -121,10 +119,12 @@ def _requirements(comparison: Compared) -> Iterator[Html]:
     for name in dict.fromkeys(name for one in verdicts for name in one):
         found = [one.get(name) for one in verdicts]
         cells = [
-            "" if r is None else f"{'met' if r['passed'] else 'NOT MET'} ({rounded(r['value'])})"
+            ""
+            if r is None
+            else VERDICTS[r["passed"]] + ("" if r["passed"] is None else f" ({rounded(r['value'])})")
             for r in found
         ]
-        missed = any(r is not None and not r["passed"] for r in found)
+        missed = any(r is not None and r["passed"] is False for r in found)
         rows.append((not missed, html.row([name, *cells], "missed" if missed else "")))
     if rows:
         yield tag("h2", "Requirements")

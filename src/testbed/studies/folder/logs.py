@@ -19,6 +19,7 @@ from testbed.flight.folder import flight_from
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import json_of
+from testbed.inputs.received_table import read_table
 from testbed.scenario.load import Scenario, dump, scenario_from
 from testbed.studies.folder.begin import runs_of
 from testbed.studies.folder.names import file_of
@@ -92,10 +93,8 @@ def load(path: str | Path) -> Flight:
 
 def read(file: Path) -> Flight:
     """The flight of one file; raises BadInput when it cannot be read."""
-    import pyarrow.parquet as pq
-
     try:
-        table = pq.read_table(file)
+        table = read_table(file, ("time_s",), _KEPT)
         about = table.schema.metadata or {}
         if _SUMMARY not in about:
             expected = "a log kept by a sweep of this version; `sweep --only` flies the run again"
@@ -105,12 +104,7 @@ def read(file: Path) -> Flight:
         data = np.column_stack([np.asarray(column, dtype=float) for column in table.columns])
         contents = json_of(about[_SUMMARY].decode(), file, _KEPT)
         return flight_from(scenario, contents, tuple(table.column_names), data, file, file)
-    except (
-        OSError,
-        ValueError,
-        KeyError,
-        TypeError,
-    ) as error:  # pyarrow's errors are ValueErrors and OSErrors
+    except (ValueError, KeyError, TypeError) as error:
         problem = Problem(f"cannot be read: {error}", str(file), expected=_KEPT)
         raise BadInput([problem]) from None
 

@@ -12,15 +12,18 @@ import numpy as np
 from testbed.common.units import unit as unit
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import refuse_links
+from testbed.inputs.received_table import read_frame
 from testbed.studies.folder import store, table
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record, key_of
+from testbed.studies.verdicts import counted
 
 if TYPE_CHECKING:
     import pandas as pd
 
 TABLE = "results.parquet"
+_ALWAYS = ("run", "seed", "outcome", "passed", "end_time_s")
 
 
 def load(folder: str | Path) -> pd.DataFrame:
@@ -29,13 +32,12 @@ def load(folder: str | Path) -> pd.DataFrame:
     Its `attrs` have the sweep's `name`, its `folder`, a `summary` in one sentence, and `units` {column: unit}.
     Raises BadInput when the folder is not a sweep folder.
     """
-    import pandas as pd
 
     folder = Path(folder)
     plan = load_plan(folder)
     try:
-        frame = pd.read_parquet(folder / TABLE) if is_finished(folder) else _unfinished(plan, folder)
-    except (OSError, ValueError) as error:  # pyarrow's errors are ValueErrors
+        frame = finished(plan, folder) if is_finished(folder) else _unfinished(plan, folder)
+    except (OSError, ValueError) as error:
         problem = Problem(f"cannot be read: {error}", str(folder), expected="a sweep folder")
         raise BadInput([problem]) from None
     for name in ["outcome", *plan.study.compare]:
@@ -49,6 +51,29 @@ def load(folder: str | Path) -> pd.DataFrame:
     return frame
 
 
+def finished(plan: Plan, folder: Path) -> pd.DataFrame:
+    """The table of a folder of which every flight is flown; raises BadInput when it is not one of this study."""
+    file, expected = folder / TABLE, f"the table of a {plan.study.word}"
+    needed = (*_ALWAYS, *plan.study.compare, *plan.paths)
+    frame = read_frame(file, needed, expected)
+    if problem := _wrong(plan, frame):
+        raise BadInput([Problem(problem, str(file), expected=expected)])
+    return frame
+
+
+def _wrong(plan: Plan, frame: pd.DataFrame) -> str:
+    """What rows have that no flight of this study has; "" if nothing."""
+    run = frame["run"]
+    if len(frame) > plan.size:
+        return f"has {len(frame)} rows for {plan.size} flights"
+    if len(frame) and not (run.dtype == "int64" and run.between(0, plan.runs - 1).all()):
+        return f"has runs other than 0 to {plan.runs - 1}"
+    passed = frame["passed"].dropna()  # a flight of which nothing can be judged has none
+    if not passed.map(lambda value: isinstance(value, bool)).all():
+        return "does not say of each flight whether it passed"
+    return ""
+
+
 def load_plan(folder: Path) -> Plan:
     """The sweep of a folder; raises BadInput when there is none."""
     file = folder / "sweep.yaml"
@@ -60,10 +85,7 @@ def load_plan(folder: Path) -> Plan:
 
 def _sentence(plan: Plan, frame: pd.DataFrame) -> str:
     """`small: 12 of 12 runs flown; passed: adaptive_inversion 11 of 12, pid 3 of 12`."""
-    shares = ", ".join(
-        f"{label} {int(np.count_nonzero(rows['passed']))} of {len(rows)}".strip()
-        for label, rows in groups_of(plan, frame)
-    )
+    shares = ", ".join(f"{label} {counted(rows['passed'])}".strip() for label, rows in groups_of(plan, frame))
     return f"{plan.name}: {frame['run'].nunique()} of {plan.runs} runs flown; passed: {shares}"
 
 

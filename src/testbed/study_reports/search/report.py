@@ -5,12 +5,12 @@ Everything is read from the folder.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from testbed.flight import folder as run_folder
+from testbed.inputs.received import read_json
 from testbed.reporting import html
 from testbed.reporting.comparison.compare import Comparison
 from testbed.reporting.comparison.figure import picture
@@ -27,7 +27,7 @@ def write_search_page(folder: str | Path) -> Path:
     Beside it, comparison*.html has each flight found and the one at the origin. Raises OSError when it cannot be written.
     """
     folder = Path(folder).resolve()
-    summary: Summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    summary: Summary = read_json(folder / "summary.json", "the summary that testbed wrote")
     draw_search(summary, folder)
     return html.write_page(folder / "report.html", summary["search"], _parts(summary, folder))
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from testbed.inputs.received import read_json
 from testbed.reporting import html
 from testbed.reporting.html import Html, Part, tag
 from testbed.studies.folder import reading
@@ -40,7 +40,7 @@ def write_sweep_report(folder: str | Path) -> Path:
     summary.json is missing or the report cannot be written.
     """
     folder = Path(folder).resolve()
-    summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+    summary = read_json(folder / "summary.json", "the summary that testbed wrote")
     file, name = folder / "report.html", summary["sweep"]
     if not (folder / "sweep.yaml").is_file():
         return html.write_page(file, name, parts(summary, folder))
