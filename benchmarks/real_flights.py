@@ -44,8 +44,8 @@ _PAGE = """# Real flights: a flying wing with weak elevons
 
 <!-- Written by python benchmarks/real_flights.py: change that, not this. -->
 
-ENAC flew a small flying wing in July 2020 while a program made one elevon at a time weaker: its deflection was multiplied by 0.3 to
-0.9. This page shows what can be read from the logs of these flights about which elevon, when, and how much.
+This page shows what can be read from the logs of real flights about which elevon was weak, when, and how much. ENAC flew a small
+flying wing in July 2020 while a program made one elevon at a time weaker: its deflection was multiplied by 0.3 to 0.9.
 
 The model (next roll and pitch rate from the rates and four past deflections, by least squares) and every setting are of 21 July.
 Every other flight is read with them. Nothing of it is in the project: `benchmarks/real_flights.py` says where the data is, and
