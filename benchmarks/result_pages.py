@@ -83,6 +83,7 @@ PAGES: tuple[Page, ...] = (
     ),
     Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
     Page("own_logs", ("benchmarks/diagnose_own_flights.py",), "96001 to 96002", 300, (*FLOWN, "logs")),
+    Page("real_flights", ("benchmarks/real_flights.py runs/fault_detection",), "none", 25, ("logs",)),
     Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
     Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),
     Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 600, _THEORY),
