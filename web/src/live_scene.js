@@ -42,19 +42,24 @@ export class LiveScene extends Scene {
     this.recolour();
   }
 
+  // One more point of the trail, if it is time for one; nothing is sent to the graphics hardware else.
   grow(one) {
-    const { craft, times, trail, tint } = one;
+    const { craft, times, trail } = one;
     const time = craft.columns.time_s[PRESENT];
     while (times.length && times[times.length - 1] > time) times.pop(); // gone back
+    const back = trail.count > times.length;
     trail.count = times.length;
-    const last = times[times.length - 1];
-    if (last !== undefined && time < last + one.every) return trail.changed();
-    const at = this.place(craft.columns, PRESENT);
-    if (!Number.isFinite(at.x)) return undefined;
-    if (times.length === POINTS) this.thin(one);
+    if (!(times.length && time < times[times.length - 1] + one.every)) this.extend(one, time);
+    else if (back) trail.changed();
+  }
+
+  extend(one, time) {
+    const at = this.place(one.craft.columns, PRESENT);
+    if (!Number.isFinite(at.x)) return;
+    if (one.times.length === POINTS) this.thin(one);
     one.times.push(time);
-    trail.add(at, this.ordered(craft.columns, PRESENT), tint === "body" ? this.phase(craft) : colour(tint));
-    return trail.changed();
+    one.trail.add(at, this.ordered(one.craft.columns, PRESENT), one.tint === "body" ? this.phase(one.craft) : colour(one.tint));
+    one.trail.changed();
   }
 
   phase({ flight, columns }) {

@@ -15,7 +15,7 @@ export class Scene {
   // `flights` is [{flight, columns}], and if there are several, the `name` of each; the first is followed.
   constructor(canvas, flights) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.three = new Three();
     this.camera = new PerspectiveCamera(OPENING_DEG, 1, 0.05, FAR_M);
@@ -26,7 +26,7 @@ export class Scene {
     this.three.add(sun);
     const { north_m, altitude_m, east_m } = flights[0].columns;
     this.origin = new Vector3(north_m[0], altitude_m[0], east_m[0]);
-    this.ground = new Ground(this.three, -this.origin.y, this.renderer.capabilities.getMaxAnisotropy());
+    this.ground = new Ground(this.three, -this.origin.y);
     this.seen = flights.map((each, i) => this.add(each, flights.length > 1 ? `v${i % 6}` : "body"));
     this.follows(0);
     this.recolour();
