@@ -1,8 +1,8 @@
 """Which elevon of a real flying wing was weak, when and how much, from its logs. Writes docs/results/real_flights.md.
 
-    git clone https://github.com/mrtbrnz/fault_detection ~/fault_detection
-    git -C ~/fault_detection checkout 45e0ece
-    python benchmarks/real_flights.py ~/fault_detection
+    git clone https://github.com/mrtbrnz/fault_detection ../fault_detection
+    git -C ../fault_detection checkout 45e0ece
+    python benchmarks/real_flights.py ../fault_detection
 
 The model and every setting are of 21 July. The other flights are then read with them.
 """

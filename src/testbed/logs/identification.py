@@ -181,8 +181,10 @@ def _factor(
 ) -> Factor:
     told = np.convolve(white[:, i] ** 2, np.ones(round(WINDOW_S / BIN_S)), "valid")
     best = int(np.argmax(told)) if len(told) else 0
-    numbers = (float(each[i]) for each in (found.value, found.std, found.inflation))
-    return Factor(names[i], *numbers, bool(found.known[i]), int(which[best]), float(time_s[best]))
+    value, std, inflation = float(found.value[i]), float(found.std[i]), float(found.inflation[i])
+    return Factor(
+        names[i], value, std, inflation, bool(found.known[i]), int(which[best]), float(time_s[best])
+    )
 
 
 def _validated(rate: str, row: _Row, change: np.ndarray, kept: np.ndarray) -> Validation:

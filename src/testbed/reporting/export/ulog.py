@@ -32,8 +32,8 @@ def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:
     stream.write(_MAGIC + struct.pack("<Q", int(time_us[0]) if len(time_us) else 0))
     stream.write(_message(b"B", bytes(40)))
     for key, value in {"sys_name": "testbed", "ver_hw": flight.scenario.slug}.items():
-        name = f"char[{len(value)}] {key}".encode()
-        stream.write(_message(b"I", bytes([len(name)]) + name + value.encode()))
+        declared = f"char[{len(value)}] {key}".encode()
+        stream.write(_message(b"I", bytes([len(declared)]) + declared + value.encode()))
     for name, fields in topics.items():
         stream.write(_message(b"F", f"{name}:uint64_t timestamp;{_declared(fields)}".encode()))
     for number, name in enumerate(topics):
