@@ -1,5 +1,6 @@
 // The page of a flight that is flown now: what comes from the server is drawn, what is done on the page is asked of the server.
 import { Breaker } from "./live_break.js";
+import { Ghosts } from "./live_ghosts.js";
 import { Link } from "./live_link.js";
 import { LiveScene } from "./live_scene.js";
 import { Past } from "./live_past.js";
@@ -23,14 +24,18 @@ function start() {
   const table = new Table(find("actuators"), find("modes"), facts, link, (name) => breaker.open(name));
   const scene = picture(facts, past, breaker);
   const page = { facts, past, link, scene, frames: 0, state: {} };
+  const ghosts = new Ghosts(find("ghosts"), facts, link, scene);
   link.listen("frame", (values) => {
+    if (page.leaving) return;
     past.take(values);
+    ghosts.take(values);
     page.frames += 1;
     page.fresh = true;
   });
   link.listen("state", (state) => {
     Object.assign(page.state, state);
     showState(page);
+    ghosts.show(state.ghosts);
     table.broken = state.broken ?? table.broken;
     if (scene) scene.broken = Object.keys(table.broken).length > 0;
     page.fresh = true;
@@ -40,6 +45,10 @@ function start() {
     page.flies = flies;
     document.body.dataset.flies = flies;
     showState(page);
+  });
+  link.listen("other", () => {
+    page.leaving = true; // who flies comes back first, and goes on flying
+    setTimeout(() => location.reload(), page.flies ? 0 : 1500);
   });
   link.listen("gone", () => showState(page));
   link.listen("saved", showSaved);
@@ -107,7 +116,7 @@ function showState({ link, state, flies, said }) {
   status.classList.toggle("wrong", Boolean(gone || said || state.ended));
   document.querySelector("[data-do=pause]").textContent = state.paused ? "Go on" : "Pause";
   if (state.speed && document.activeElement !== find("speed")) find("speed").value = String(state.speed);
-  for (const each of document.querySelectorAll("button:not([data-view]), form input, form select, #speed, #back")) each.disabled = Boolean(gone) || flies === false;
+  for (const each of document.querySelectorAll("button:not([data-view]), form input, form select, #ghosts input, #speed, #back")) each.disabled = Boolean(gone) || flies === false;
 }
 
 function showStory({ story, events }) {
@@ -169,6 +178,10 @@ function forms({ link }) {
       act(inputs.map((input) => input.valueAsNumber), inputs);
     });
   for (const input of find("order").querySelectorAll("input")) input.addEventListener("input", () => (input.dataset.touched = "yes"));
+  find("choose").addEventListener("submit", (e) => {
+    e.preventDefault();
+    link.ask("choose", Object.fromEntries(new FormData(e.target)));
+  });
   on("order", (_, inputs) => {
     const touched = inputs.filter((input) => input.dataset.touched && input.value !== "");
     link.ask("order", { command: Object.fromEntries(touched.map((input) => [input.name, input.valueAsNumber])) });

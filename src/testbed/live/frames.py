@@ -39,9 +39,10 @@ def numbers(session: Session) -> dict[str, np.ndarray]:
     return log | error_columns(log) | dict(zip(_WIND, wind.T, strict=True))
 
 
-def frame(session: Session) -> bytes:
-    """The last control step as 32-bit numbers in the order of `columns` of `facts`."""
-    return np.concatenate(list(numbers(session).values())).astype("<f4").tobytes()
+def frame(*sessions: Session) -> bytes:
+    """The last control step of each flight as 32-bit numbers in the order of `columns` of `facts`, one flight after the other."""
+    rows = [np.concatenate(list(numbers(session).values())) for session in sessions]
+    return np.concatenate(rows).astype("<f4").tobytes()
 
 
 def broken(session: Session) -> dict[str, list[str]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from testbed.reporting import html
@@ -29,6 +29,7 @@ def page(facts: Mapping[str, Any], address: str) -> str:
     parts = [
         tag("h1", f"{facts['name']}, live"),
         tag("ul", _chips(facts), class_="chips"),
+        _choice(facts["choices"]),
         tag("p", "connecting", id="status", role="status"),
         tag("div", [_flight(), _beside()], class_="live"),
         html.panels(panels),
@@ -40,6 +41,34 @@ def page(facts: Mapping[str, Any], address: str) -> str:
 
 def _chips(facts: Mapping[str, Any]) -> list[Html]:
     return [tag("li", tag("b", what), facts[what]) for what in ("aircraft", "controller")]
+
+
+def _choice(names: Mapping[str, list[str]]) -> Html:
+    """What can be flown in place of this, and what can fly beside it."""
+    groups = [
+        tag("optgroup", _options(names[kind]), label=label)
+        for kind, label in (("scenarios", "scenario"), ("aircraft", "level flight of"))
+    ]
+    choose = tag(
+        "form", tag("label", "flight", tag("select", groups, name="flight")),
+        tag("label", "controller", tag("select", _options(names["controllers"]), name="controller")),
+        _button("Fly this", kind="submit"), id="choose",
+    )  # fmt: skip
+    boxes = [
+        tag("label", tag("input", type="checkbox", value=name), name, tag("span"))
+        for name in names["controllers"][1:]
+    ]
+    beside = tag(
+        "fieldset",
+        tag("legend", "Fly the same beside it, by other controllers (at most 3)"),
+        boxes,
+        id="ghosts",
+    )
+    return tag("details", tag("summary", "Choose what flies"), choose, beside, class_="choose")
+
+
+def _options(names: Iterable[str]) -> list[Html]:
+    return [tag("option", name, value=name) for name in names]
 
 
 def _flight() -> Html:

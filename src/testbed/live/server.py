@@ -53,12 +53,12 @@ def listening(port: int) -> socket.socket:
 class LiveServer:
     """Gives browsers the page, the pilot's frames to all of them, and the messages of the first of them to the pilot."""
 
-    def __init__(self, listener: socket.socket, page: Callable[[str], str]) -> None:
-        """`page` makes the page, given the address to which it connects."""
+    def __init__(self, listener: socket.socket, page: Callable[[dict[str, Any], str], str]) -> None:
+        """`page` makes the page, given the pilot's facts and the address to which it connects."""
         self._listener, self._token = listener, secrets.token_urlsafe(24)
         port = listener.getsockname()[1]
         self._hosts = [f"{_HOST}:{port}", f"localhost:{port}"]
-        self._pages = {host: page(f"ws://{host}").encode() for host in self._hosts}
+        self._page = page
         self.address = f"http://{self._hosts[0]}/?token={self._token}"
         self._here: list[ServerConnection] = []
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -108,7 +108,9 @@ class LiveServer:
         if not hmac.compare_digest(given.encode(), self._token.encode()):
             return _response(HTTPStatus.FORBIDDEN, "open the address that testbed live has printed\n")
         if address.path == "/":
-            return _response(HTTPStatus.OK, self._pages[hosts[0]], "text/html")
+            assert self._pilot is not None
+            text = self._page(self._pilot.facts, f"ws://{hosts[0]}")
+            return _response(HTTPStatus.OK, text, "text/html")
         if address.path == "/report.html":
             return self._report()
         return (
