@@ -1,9 +1,11 @@
 """The page of benchmark results, from the folders that `testbed benchmark` flew and the entries of `leaderboard/`.
 
     python benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly
+    python benchmarks/benchmark_page.py runs/benchmark runs/healthy --commit 97ad5e2
 
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
-An entry is a folder in `leaderboard/` with `entry.yaml`.
+Else a folder may be unfinished: the draws that every controller has flown count. With `--commit` the page is stamped with the
+commit that flew them, in place of the one that is checked out. An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
@@ -14,12 +16,15 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
+import pages
 import yaml
 
 import testbed
-from testbed.study_reports.benchmark import page
+from testbed.api import benchmark
+from testbed.studies.benchmark import scores
+from testbed.study_reports.benchmark_page import markdown
 
-SUITES, HEALTHY = ("open", "healthy"), 100  # and flights of each controller in `healthy`
+SUITES, HEALTHY = ("open", "healthy"), 20  # and flights of each controller in `healthy`
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "results" / "benchmark.md"
 ENTRIES = ROOT / "leaderboard"
@@ -34,8 +39,14 @@ from a digest of the controllers' code and a word that was said after it was fro
 
 **Held** means flown to the end, and never farther from the references of altitude and heading than the suite's limits, which
 grow with the aircraft's span and speed. **Inside** is the share of the time within them. Intervals are of 95 %: Wilson's of
-a share, Newcombe's of a difference of shares by pairs, the bootstrap's of a mean. *Best of all* is the best controller in each
-draw, those that are told the truth among them: no controller can hold more than what is possible, and this is a part of it.
+a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a mean or a rank. *Best of all* is
+the best controller in each draw, those that are told the truth among them: no controller can hold more than what is possible, and
+this is a part of it. Of those that are told, the best is shown.
+"""
+HEALTHY_HEAD = """\
+# Healthy flights
+
+Suite `healthy`: flights of 900 s in which nothing fails, by the same limits, so that any flag is a false alarm.
 """
 
 
@@ -51,19 +62,29 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--word", default="open 1", help="from which, with the law's digest, the seed is made"
     )
     parser.add_argument("--draws", type=int, default=1000, help="flights of each controller in `open`")
+    parser.add_argument("--commit", help="that flew the folders, for the page's stamp")
     options = parser.parse_args(arguments)
     for folder, suite, draws in zip(options.folders, SUITES, (options.draws, HEALTHY), strict=False):
         if options.fly:
             testbed.benchmark(suite, word=options.word, draws=draws, out=folder, resume=folder.exists())
-    summaries = [json.loads((folder / "summary.json").read_text()) for folder in options.folders]
-    PAGE.write_text(text(summaries), encoding="utf-8")
+    PAGE.write_text(text([summary_of(folder) for folder in options.folders]), encoding="utf-8")
+    if options.commit:
+        pages.main(["--known", "benchmark", options.commit])
+
+
+def summary_of(folder: Path) -> dict[str, Any]:
+    """What a folder's table says, with the law's digest as the folder has it: its flights need not be of this commit."""
+    if not (folder / "results.csv").is_file():
+        return benchmark.rebuild(folder)
+    law = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["law_sha256"]
+    return scores.summarize(benchmark.plan_of(folder), benchmark.table(folder)) | {"law_sha256": law}
 
 
 def text(summaries: Sequence[dict[str, Any]]) -> str:
     """The page's Markdown."""
-    lines = [HEAD, *page(summaries[0])]
+    lines = [HEAD, *markdown(summaries[0])]
     for summary in summaries[1:]:
-        lines += ["", f"# Suite `{summary['suite']}`", "", *page(summary)]
+        lines += ["", f"#{HEALTHY_HEAD}", *markdown(summary, "###")]
     return "\n".join([*lines, "", *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
 
 
@@ -83,11 +104,11 @@ def leaderboard(files: Sequence[Path]) -> Iterator[str]:
     for file in files:
         said = yaml.safe_load(file.read_text(encoding="utf-8"))
         for name, one in said["controllers"].items():
-            scores = " | ".join(
+            numbers = " | ".join(
                 "{estimate:.3f} ({low:.3f} to {high:.3f})".format(**one[key])
                 for key in ("survived", "held", "inside")
             )
-            yield f"| {file.parent.name} | {said['suite']} {said['version']} | {said['draws']} | `{name}` | {scores} |"
+            yield f"| {file.parent.name} | {said['suite']} {said['version']} | {said['draws']} | `{name}` | {numbers} |"
 
 
 if __name__ == "__main__":

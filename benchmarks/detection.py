@@ -97,7 +97,7 @@ def page(plan: Sequence[tuple[Condition, Mission, int]], records: Sequence[Recor
             "This page shows how soon the default controller flags a lost actuator as failed,",
             "beside how soon the loss could be known.",
             "",
-            "Each [mission](missions.md) with one lost actuator is flown in four conditions with MEMS sensors,",
+            "Each mission of `benchmarks/missions.py` with one lost actuator is flown in four conditions with MEMS sensors,",
             f"seeds {seeds[0]} to {seeds[-1]}, on which nothing was chosen.",
             "The missions are told apart in the first condition only.",
             "Each cell has two times: the median, and what 95 % of the flights do not exceed. *Missed* is never flagged.",
@@ -116,7 +116,7 @@ def page(plan: Sequence[tuple[Condition, Mission, int]], records: Sequence[Recor
             "",
             *_table(rows),
             "",
-            "False alarms are counted in [Missions](missions.md#all-flights).",
+            "False alarms are counted in the [benchmark](benchmark.md).",
             "",
         ]
     )

@@ -25,6 +25,7 @@ CODE: Mapping[str, tuple[str, ...]] = {
     "sweeps": ("sweeps", "monte_carlo", "studies"),
     "theory": ("theory", "gains", "margins", "../../benchmarks/paper"),
     "adoption": ("adoption",),
+    "logs": ("logs",),
 }
 """Parts of the program: packages and modules, from src/testbed; those of earlier versions too, where it was flown with them."""
 PROVABLE = ("law", "plant", "simulation", "sweeps")

@@ -33,8 +33,8 @@ class Row:
     altitude_m: float
     heading_deg: float
     detection_delay_s: float
-    missed: int
-    false_alarms: int
+    missed: float
+    false_alarms: float
 
     @classmethod
     def of(cls, controller: str, mission: Mission, condition: Condition, record: Record) -> Row:
@@ -55,8 +55,8 @@ class Row:
             altitude_m=altitude,
             heading_deg=heading,
             detection_delay_s=metrics["detection_delay_s"],
-            missed=int(metrics["missed_detections"]),
-            false_alarms=int(metrics["false_alarms"]),
+            missed=metrics["missed_detections"],
+            false_alarms=metrics["false_alarms"],
         )
 
     @property
@@ -126,11 +126,6 @@ def family(mission: str) -> str:
     return next(kind for kind, words in FAMILIES.items() if set(words) & set(mission.split("_")))
 
 
-def share(rows: Sequence[Row]) -> str:
-    """Share held; empty without flights."""
-    return f"{sum(row.held for row in rows) / len(rows):.3f}" if rows else ""
-
-
 def cell(rows: Sequence[Row]) -> str:
     """`held/survived/flights`; the number that survived is left out where it is all of them."""
     held, survived, n = sum(r.held for r in rows), sum(r.survived for r in rows), len(rows)
@@ -145,12 +140,6 @@ def by_mission(rows: Sequence[Row]) -> list[str]:
         of = [[r for r in rows if (r.mission, r.controller) == (mission, name)] for name in controllers]
         lines.append(f"| {mission} | {' | '.join(map(cell, of))} |")
     return lines
-
-
-def errors(rows: Sequence[Row]) -> str:
-    """Errors of the worst flight, in metres and degrees; how it ended if it was lost."""
-    worst = max(rows, key=lambda row: max(row.altitude_m / ALTITUDE_M, row.heading_deg / HEADING_DEG))
-    return f"{worst.altitude_m:.1f} m, {worst.heading_deg:.0f} deg" if worst.survived else worst.outcome
 
 
 def totals(rows: Sequence[Row], reference: str) -> list[str]:
@@ -169,12 +158,18 @@ def totals(rows: Sequence[Row], reference: str) -> list[str]:
             words = [f"{d.difference:+.3f} ({d.low:+.3f} to {d.high:+.3f})", str(d.only_first), str(d.only_second)]  # fmt: skip
         flown = [row for row in own if row.survived] or own
         worst = f"{median(r.altitude_m for r in flown):.1f} m, {median(r.heading_deg for r in flown):.1f} deg"
-        missed, alarms = sum(r.missed for r in own), sum(r.false_alarms for r in own)
+        missed, alarms = (_sum(getattr(r, of) for r in own) for of in ("missed", "false_alarms"))
         shares = f"{sum(r.survived for r in own) / len(own):.3f} | {sum(r.held for r in own) / len(own):.3f}"
         lines.append(
             f"| {name} | {shares} | {' | '.join(words)} | {worst} | {delays(own)} | {missed} | {alarms} |"
         )
     return lines
+
+
+def _sum(counts: Iterable[float]) -> str:
+    """How many in all; a controller that says nothing of failures is not judged."""
+    total = math.fsum(counts)
+    return "not judged" if math.isnan(total) else f"{total:.0f}"
 
 
 def held_more(first: Sequence[Row], second: Sequence[Row]) -> Paired | None:

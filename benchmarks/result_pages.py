@@ -22,7 +22,8 @@ class Page:
         cost_s: processor time of the commands [s], as it was when they were last run.
         on: the parts of the program and of the data that it depends on.
         files: below docs/; `results/NAME.md` if none are named.
-        stamped: whether its files carry a stamp; the README does not, because a test flies its numbers again.
+        stamped: whether its files carry a stamp. The README does not, because a test flies its numbers again; nor does a page on
+            flights of others, whose data has a digest instead.
     """
 
     name: str
@@ -60,19 +61,19 @@ PAGES: tuple[Page, ...] = (
     Page("performance", ("benchmarks/performance.py",), "1", 60),
     Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 300, _SWEPT),
     Page(
-        "missions",
+        "when_adaptation_pays",
         (
             _MISSIONS,
             f"{_MISSIONS} --controllers default,ablations --seeds 1",
             f"{_MISSIONS} --w20 0",
             f"{_MISSIONS} --model-error 0.2",
             f"{_MISSIONS} --aircraft vtail_aft",
-            "benchmarks/mission_report.py runs/reporting.csv --trims",
+            "benchmarks/when_adaptation_pays.py runs/reporting.csv --trims",
         ),
         "93001 to 93020",
         9000,
         _AFT,
-        ("results/missions.md", "explanation/when_adaptation_pays.md"),
+        ("explanation/when_adaptation_pays.md",),
     ),
     Page(
         "benchmark",
@@ -82,6 +83,8 @@ PAGES: tuple[Page, ...] = (
         (*_AFT, "adoption", "scenarios/suites"),
     ),
     Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
+    Page("own_logs", ("benchmarks/diagnose_own_flights.py",), "96001 to 96002", 300, (*FLOWN, "logs")),
+    Page("real_flights", ("benchmarks/real_flights.py ../fault_detection",), "none", 60, ("logs",), stamped=False),
     Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
     Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),
     Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 600, _THEORY),

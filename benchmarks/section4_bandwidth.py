@@ -16,6 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from aside import aside_in
 from bandwidth_ideal import (
     REMAINS,
     WITHIN,
@@ -39,7 +40,7 @@ from bandwidth_limits import (
     slow,
     withstood,
 )
-from bandwidth_page import Row, draw, page
+from bandwidth_page import HEADS, Row, draw, page
 from flights import Record, fly_all
 from paper.replay import Behind, replay
 
@@ -238,6 +239,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = parser.parse_args(arguments)
     rows = measured(options.jobs)
     text = page(rows, list(limits()), withstood(options.jobs))
+    for group in ("limited", "lag", "late", "mixed"):
+        heading = HEADS[group].splitlines()[0]
+        text = aside_in(text, heading, options.docs / "results" / f"section4_bandwidth_{group}.csv")
     (options.docs / "results" / "section4_bandwidth.md").write_text(text, encoding="utf-8")
     draw(rows, options.docs / "figures" / "section4_bandwidth.png")
     print(text)

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from aside import aside_in
 from input_matrix_plants import PHASES, Found, draw, fly_one, study
 from linear_loop import LinearLoop, Slipstream
 from paper.matrix_classes import is_p_matrix
@@ -35,6 +36,8 @@ from testbed.scenario.load import Scenario, scenario_from
 from testbed.simulation import fly, start_and_setup
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "section4_input_matrix.md"
+ASIDE = {"inside": "## How far the v-tail's matrix lies inside", "bias": "## Bias of the estimates in flight"}
+"""Sections whose table stands beside the page."""
 BASE = """\
 name: section 4.3
 aircraft: vtail
@@ -441,7 +444,10 @@ def main() -> None:
     if options.parse_args().quick:
         print(page(100, 2))
     else:
-        PAGE.write_text(page(10_000, 12), encoding="utf-8")
+        text = page(10_000, 12)
+        for name, heading in ASIDE.items():
+            text = aside_in(text, heading, PAGE.with_name(f"{PAGE.stem}_{name}.csv"))
+        PAGE.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ import argparse
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+from aside import aside
 from section4_bias import bias_rows, remarks, transients
 from section4_design import design_rows
 from section4_deviation import alarm_rows, draw_noise, noise_points, noise_table, summary
@@ -47,6 +48,10 @@ SECTIONS: dict[str, Section] = {
 }
 
 
+ASIDE = ("noise", "bias", "design")
+"""Sections whose first table stands beside the page."""
+
+
 def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__)
     arguments.add_argument("--quick", action="store_true")
@@ -66,6 +71,9 @@ def main() -> None:
         text = "\n".join(SECTIONS[name](options))
         (options.parts / f"{name}.md").write_text(text)
     parts = {name: (options.parts / f"{name}.md").read_text() for name in SECTIONS}
+    for name in ASIDE:
+        file = options.out.with_name(f"{options.out.stem}_{name}.csv")
+        parts[name] = "\n".join(aside(parts[name].splitlines(), file))
     options.out.write_text(PAGE.read_text().format(seeds=options.seeds, **parts))
     print(f"wrote {options.out}")
 

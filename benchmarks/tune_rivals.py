@@ -1,11 +1,12 @@
-"""Settings of the rivals, by one procedure with one budget: each candidate flies the same draws of tuning seeds, on every aircraft.
+"""Settings of all controllers, by one procedure with one budget: each candidate flies the same tuning draws on every aircraft.
 
     python benchmarks/tune_rivals.py                                     # every rival as it is, and those that are told the truth
     python benchmarks/tune_rivals.py --candidates                        # what was tried for each, and what each holds
     python benchmarks/tune_rivals.py --aircraft ./c172p ./A320 --draws 60
 
 What belongs to an aircraft follows from its design model (`controllers.scaling`, `controllers.pid_design`). What is left are a few
-numbers that are the same for all aircraft: at most `BUDGET` candidates for each rival. A draw is 80 s with real sensors, a turn and
+numbers that are the same for all aircraft: `BUDGET` candidates for each controller, the default law among them; what has
+fewer numbers to choose has fewer. A draw is 80 s with real sensors, a turn and
 a climb, weather, and none, one or two failures. It is held if it is flown to the end with altitude and heading within limits by the
 aircraft's speed. The best candidate holds most, or of equal ones is within the limits longest. No seed from 50000 on is flown here.
 """
@@ -35,8 +36,10 @@ TUNING_SEEDS = range(40000, 50000)
 BUDGET = 6
 DURATION_S, BROKEN_S = 80.0, 15.0
 CANDIDATES: Mapping[str, Sequence[Mapping[str, Any]]] = {
+    "adaptive_inversion": [{}, *({"threshold": x} for x in (0.04, 0.09)), *({"filter_rad_s": x} for x in (10.0, 30.0)),
+                           {"persistence_s": 0.2}],
     "fixed_inversion": [{}, {"released": []}],
-    "pid": [{}, {"released": []}],
+    "pid": [{}, {"released": []}, *({"roll_max_deg": x} for x in (20.0, 40.0)), {"heading_ki": 0.0}, {"altitude_ki": 0.0}],
     "indi": [{}, {"released": []}, *({"filter_rad_s": x} for x in (10.0, 15.0, 30.0, 40.0))],
     "adaptive_indi": [{"mu_s": mu, "factor_max": most} for mu, most in product((0.03, 0.1, 0.3), (2.0, 10.0))],
     "mrac": [{"adaptation": x, "authority_max": most} for x, most in product((0.1, 0.25, 0.5), (1.0, 3.0))],
@@ -44,7 +47,7 @@ CANDIDATES: Mapping[str, Sequence[Mapping[str, Any]]] = {
     "rls_inversion": [{"forgetting_s": x, "lambda_min": y} for x, y in product((1.0, 2.0, 5.0), (0.1, 0.3))],
     "imm_inversion": [{"probability": x, "persistence_s": y} for x, y in product((0.9, 0.99), (0.1, 0.2, 0.5))],
 }  # fmt: skip
-"""What is tried for each rival: settings beside its type."""
+"""What is tried for each: settings beside its type."""
 
 
 def draw(seed: int, aircraft: str) -> dict[str, Any]:
@@ -137,13 +140,26 @@ def main(arguments: Sequence[str] | None = None) -> None:
     aircraft = [str(Path(a).resolve()) if "/" in a else a for a in options.aircraft]
     plan = list(tasks(options.draws, aircraft))
     best = np.zeros((len(plan), 3))
-    print("| controller | survived | held | share of time within limits |\n| --- | --- | --- | --- |")
+    heads = [
+        "controller",
+        "survived",
+        "held",
+        "share of time within limits",
+        *(f"held: {Path(a).name}" for a in aircraft),
+    ]
+    print(f"| {' | '.join(heads)} |\n|{' --- |' * len(heads)}")
     with ProcessPoolExecutor(options.jobs) as pool:
         for name, controller in wanted.items():
             results = np.array(list(pool.map(flown, [(*task, controller) for task in plan])))
             best = np.maximum(best, results)
-            print(f"| {name} | " + " | ".join(f"{x:.3f}" for x in results.mean(axis=0)) + " |", flush=True)
-    print("| best of all | " + " | ".join(f"{x:.3f}" for x in best.mean(axis=0)) + " |")
+            print(_row(name, results, len(aircraft)), flush=True)
+    print(_row("best of all", best, len(aircraft)))
+
+
+def _row(name: str, results: np.ndarray, aircraft: int) -> str:
+    """A row of the table: the means of all draws, and the share held on each aircraft, which take turns."""
+    own = [results[i::aircraft, 1].mean() for i in range(aircraft)]
+    return f"| {name} | " + " | ".join(f"{x:.3f}" for x in [*results.mean(axis=0), *own]) + " |"
 
 
 if __name__ == "__main__":

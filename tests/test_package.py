@@ -27,13 +27,16 @@ def test_its_names_are_shown_and_there() -> None:
         "benchmark",
         "compare",
         "design",
+        "diagnose",
         "failure_probability",
         "fly",
+        "linearise",
         "load",
         "matrix",
         "merge",
         "search",
         "sweep",
+        "use",
     ]
     assert dir(testbed) == ["BadInput", "Session", "Stopped", "__version__", *called]
     assert all(callable(getattr(testbed, name)) for name in called)

@@ -16,7 +16,7 @@ build compare compare
 build live live
 cp node_modules/uplot/dist/uPlot.min.css "$out/uplot.css"
 {
-  echo "The scripts of the reports contain these libraries (flight.js all of them, live.js all but fflate, compare.js all but three, sweep.js none), each under the MIT licence."
+  echo "The scripts of the reports contain these libraries (flight.js and compare.js all of them, live.js all but fflate, sweep.js none), each under the MIT licence."
   for name in uplot three fflate; do
     printf '\n== %s %s\n\n' "$name" "$(node -p "require('./node_modules/$name/package.json').version")"
     cat "node_modules/$name/LICENSE"

@@ -24,7 +24,7 @@ from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
 from testbed.sensors.channels import CHANNELS
 from testbed.sensors.mems import MEMS
-from testbed.sensors.settings import SensorSettings
+from testbed.sensors.settings import Sensors
 
 _ROOT = Path(__file__).parents[2]
 
@@ -152,7 +152,7 @@ def sensor_channels() -> str:
 
 def sensor_faults() -> str:
     """Each type of sensor fault."""
-    faults = model_tables.alternatives(SensorSettings, "faults")
+    faults = model_tables.alternatives(Sensors, "faults")
     return markdown(
         ("type", "what it does"), ((f"`{name}`", first_line(kind)) for name, kind in faults.items())
     )

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from testbed.api.sweep import sweep as sweep
     from testbed.gains.design import design as design
     from testbed.inputs.problems import BadInput as BadInput
+    from testbed.logs.entry import diagnose as diagnose
+    from testbed.parts import use as use
+    from testbed.plant.linear import linearise as linearise
     from testbed.reliability.probability import failure_probability as failure_probability
     from testbed.reporting.comparison.compare import compare as compare
     from testbed.simulation import Session as Session
@@ -31,13 +34,16 @@ _MODULES = {
     "benchmark": "testbed.api.benchmark",
     "compare": "testbed.reporting.comparison.compare",
     "design": "testbed.gains.design",
+    "diagnose": "testbed.logs.entry",
     "failure_probability": "testbed.reliability.probability",
     "fly": "testbed.simulation",
+    "linearise": "testbed.plant.linear",
     "load": "testbed.api.load",
     "matrix": "testbed.api.matrix",
     "merge": "testbed.api.merge",
     "search": "testbed.api.search",
     "sweep": "testbed.api.sweep",
+    "use": "testbed.parts",
 }
 
 __all__ = ["__version__", *_MODULES]

@@ -50,7 +50,7 @@ def completed(program: Path, line: str) -> list[str]:
     ("line", "offered"),
     [
         ("testbed re", ["report"]),
-        ("testbed list f", ["failures"]),
+        ("testbed list f", ["failures", "fmu"]),
         ("testbed sweep --sa", ["--save-logs"]),
         ("testbed run scenarios/left_t", ["scenarios/left_tail_fail.yaml"]),
         ("testbed sweep scenarios/sweeps/l", ["scenarios/sweeps/left_tail_monte_carlo.yaml"]),

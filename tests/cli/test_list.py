@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from command_line import Called
 
-from testbed.aircraft.shipped import files_in, find_scenario
+from testbed.aircraft.shipped import data_root, files_in, find_scenario
 from testbed.cli.list import TABLE
 from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.metrics import TABLE as METRICS
@@ -20,6 +20,7 @@ KNOWN = {
     "metrics": list(METRICS),
     "scenarios": ["scenarios/left_tail_fail.yaml", "scenarios/mems_turbulence.yaml"],
     "searches": ["scenarios/searches/rare_gust.yaml"],
+    "sensor_faults": ["stuck", "drift"],
     "suites": ["scenarios/suites/open.yaml"],
     "sweeps": ["scenarios/sweeps/left_tail_monte_carlo.yaml"],
 }
@@ -31,11 +32,19 @@ def listed(text: str) -> dict[str, str]:
     return {name: meaning for name, meaning in entries}  # fails where there is no meaning
 
 
-@pytest.mark.parametrize("what", TABLE)
+@pytest.mark.parametrize("what", KNOWN)
 def test_names_and_meanings(here: Path, called: Called, what: str) -> None:
     status, out, _ = called("list", what)
     assert status == 0 and out.splitlines()[0] == what
     assert set(KNOWN[what]) <= set(listed(out))
+
+
+def test_parts_of_ones_own_are_listed_where_they_are_given(here: Path, called: Called) -> None:
+    assert set(TABLE) == {*KNOWN, "own"} and called("list", "own")[1] == ""
+    own = str(data_root() / "examples" / "my_parts.py")
+    assert listed(called("list", "own", "--with", own)[1])["sticky"].startswith("failure: The servo sticks")
+    assert "sticky" in listed(called("list", "failures", "--with", own)[1])
+    assert "sticky" not in listed(called("list", "failures")[1])
 
 
 def test_without_a_name_everything_is_listed(here: Path, called: Called) -> None:

@@ -14,7 +14,10 @@ from command_line import Called
         (["runn"], "argument COMMAND: 'runn' is not known, did you mean run?"),
         (["fly"], "argument COMMAND: 'fly' is not known, expected one of run, live, sweep,"),
         (["list", "controler"], "'controler' is not known, did you mean controllers?"),
-        (["schema", "all"], "'all' is not known, expected one of aircraft, matrix, scenario, search, sweep"),
+        (
+            ["schema", "all"],
+            "'all' is not known, expected one of aircraft, matrix, scenario, search, suite, sweep",
+        ),
         (["search", "a", "--budget", "1e3"], "argument --budget: is '1e3', expected a whole number"),
         (["certify", "a", "--error", "10%"], "argument --error: is '10%', expected a number"),
         (["sweep", "a", "--rnus", "3"], "not known: --rnus 3, did you mean --runs?"),

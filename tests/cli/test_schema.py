@@ -21,6 +21,7 @@ FILES = {
     "matrix": [*files_in("scenarios/matrices")],
     "scenario": [*files_in("scenarios"), TEMPLATES / "scenario.yaml"],
     "search": [*files_in("scenarios/searches")],
+    "suite": [*files_in("scenarios/suites")],
     "sweep": [*files_in("scenarios/sweeps"), TEMPLATES / "sweep.yaml"],
 }
 MINIMAL = {"name": "a", "aircraft": "vtail", "duration_s": 10}

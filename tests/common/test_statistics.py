@@ -11,6 +11,7 @@ from scipy import stats
 from testbed.common.statistics import (
     paired,
     proportion,
+    rate,
     runs_for_half_width,
     runs_for_tolerance,
     runs_needed,
@@ -103,3 +104,15 @@ def test_runs_for_a_half_width() -> None:
         ]
         assert widths[0] <= half_width < widths[1]
     assert abs(runs_for_half_width(0.5, 0.01) - 9604) < 10
+
+
+def test_a_rate_has_garwoods_interval() -> None:
+    """Chi-square limits of a Poisson mean, as tabled by Garwood (1936): 0 and 10 events."""
+    assert (rate(0, 2.0).low, rate(0, 2.0).high) == (0.0, pytest.approx(3.689 / 2.0, abs=5e-4))
+    ten = rate(10, 4.0)
+    assert (ten.estimate, ten.low, ten.high) == (
+        2.5,
+        pytest.approx(4.795 / 4.0, abs=5e-4),
+        pytest.approx(18.39 / 4.0, abs=2e-3),
+    )
+    assert math.isnan(rate(0, 0.0).estimate)

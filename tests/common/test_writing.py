@@ -25,6 +25,7 @@ SAVED = {
     ("cli/identify.py", "save"): "a method of the design model, which goes through `writing`",
     ("cli/terminal.py", "open"): "the null device",
     ("cli/live.py", "open"): "a browser",
+    ("pytest_plugin.py", "save"): "a method of a flight, which goes through `writing`",
     ("env/flight.py", "save"): "a method of a flight, which goes through `writing`",
     ("studies/flying/worker.py", "open"): "the null device",
     ("common/jit.py", "open"): "a lock in a private folder",

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from vtail_setup import WEATHER, axial, records_of, vtail_setup
 
-from testbed.common.signals import RATES, TELEMETRY, Belief, telemetry_rows, telemetry_width
+from testbed.common.signals import RATES, TELEMETRY, Belief, telemetry_rows
 from testbed.controllers.actuator_model import throttle_for
-from testbed.controllers.commands import command_actuators, write_beliefs, write_telemetry
+from testbed.controllers.commands import command_actuators, write_diagnosis, write_telemetry
 
 
 def test_servos_get_angles_and_motors_the_throttle_for_their_thrust() -> None:
@@ -25,9 +25,11 @@ def test_the_row_has_the_order_of_the_signals() -> None:
     s = records_of(vtail_setup()).s
     s.r[:], s.u[:], s.lambda_hat[:] = [1, 2, 3, 4], [5, 6, 7, 8], [0.1, 0.2, 0.3, 0.4]
     s.failed[:], s.x_dc_dot[:] = [0, 1, 0, 0], [10, 20, 30, 40]
-    row = np.full(telemetry_width(4), np.nan)
+    _, c, *_ = records_of(vtail_setup(WEATHER))
+    (row,) = telemetry_rows(1, 4)
     write_telemetry(row, np.array([0, 0, 1, 0], np.int8), s)
-    assert np.isnan(row[-8:]).all()
+    assert np.isnan(row[8:16]).all() and np.isnan(row[-8:]).all()  # what not every law says
+    write_diagnosis(row, c, s)
     of = {name: row[4 * i : 4 * i + 4].tolist() for i, name in enumerate(TELEMETRY)}
     assert of["reference"] == [1, 2, 3, 4] and of["command"] == [5, 6, 7, 8]
     assert of["effectiveness_estimate"] == [0.1, 0.2, 0.3, 0.4] and of["failed"] == [0, 1, 0, 0]
@@ -38,10 +40,10 @@ def test_the_row_has_the_order_of_the_signals() -> None:
 
 def test_a_jammed_actuator_has_no_effectiveness() -> None:
     """What is estimated of it is its position, which is no effectiveness to be logged."""
-    s = records_of(vtail_setup()).s
+    _, c, _, s, _ = records_of(vtail_setup(WEATHER))
     s.lambda_hat[1], s.jammed[1] = 2.5, 1
-    row = np.zeros(telemetry_width(4))
-    write_telemetry(row, np.zeros(4, np.int8), s)
+    (row,) = telemetry_rows(1, 4)
+    write_diagnosis(row, c, s)
     assert row[8:12].tolist() == [1.0, 0.0, 1.0, 1.0]
 
 
@@ -66,7 +68,7 @@ def test_what_the_memory_says_of_an_actuator_is_logged(memory: dict[str, float],
     for name, value in memory.items():
         s[name][1] = value
     (row,) = telemetry_rows(1, 4)
-    write_beliefs(row, c, s)
+    write_diagnosis(row, c, s)
     assert row[-8:-4].tolist() == [Belief.works, belief, Belief.works, Belief.works]
     held = memory["lambda_hat"] if belief is Belief.held else np.nan
     assert np.array_equal(row[-4:], [np.nan, held, np.nan, np.nan], equal_nan=True)
@@ -74,7 +76,7 @@ def test_what_the_memory_says_of_an_actuator_is_logged(memory: dict[str, float],
 
 def test_a_law_that_diagnoses_nothing_says_nothing() -> None:
     _, c, _, s, _ = records_of(vtail_setup(WEATHER))
-    c.monitors, c.tests_jams = False, False
+    c.estimates, c.monitors, c.tests_jams = False, False, False
     (row,) = telemetry_rows(1, 4)
-    write_beliefs(row, c, s)
-    assert np.isnan(row[-8:]).all()
+    write_diagnosis(row, c, s)
+    assert np.isnan(row).all()

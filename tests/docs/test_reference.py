@@ -20,7 +20,7 @@ from testbed.failures import TABLE as FAILURES
 from testbed.inputs.base import Number, Positive, Settings
 from testbed.metrics import TABLE as METRICS
 from testbed.scenario.model import Scenario
-from testbed.sensors.settings import SENSORS, SensorSettings
+from testbed.sensors.settings import SENSORS, Sensors
 from testbed.studies.model import Search, Sweep
 
 DOCS = ROOT / "docs"
@@ -79,7 +79,7 @@ def test_an_options_default_is_said_once() -> None:
 
 
 def test_what_a_table_has_of_a_docstring_is_a_whole_sentence() -> None:
-    faults = model_tables.alternatives(SensorSettings, "faults")
+    faults = model_tables.alternatives(Sensors, "faults")
     first = {
         name: reference_tables.first_line(it)
         for name, it in [*FAILURES.items(), *METRICS.items(), *faults.items()]

@@ -21,6 +21,7 @@ from testbed.flight.columns import (
     stays_from,
     stretches,
     table,
+    unsaid,
 )
 from testbed.scenario.load import load_scenario
 from testbed.sensors.channels import log_columns as sensor_columns
@@ -82,6 +83,15 @@ NAMES = [
 @pytest.mark.parametrize("name", NAMES)
 def test_a_column_is_what_its_name_says(name: str) -> None:
     assert LOG[name] == pytest.approx(expected(name), rel=1e-14)
+
+
+def test_what_is_said_of_nothing_is_unsaid() -> None:
+    nothing, known = np.full(3, np.nan), np.zeros(3)
+    log = {"a_failed": nothing, "b_failed": known, "a_belief": known, "a_believed_position": nothing,
+           "b_belief": nothing, "b_believed_position": nothing, "altitude_m": nothing, "p_dot_released": nothing}  # fmt: skip
+    # Where a is held is not unsaid: nothing is held. The altitude is not the controller's to say.
+    assert unsaid(log) == {"a_failed", "b_belief", "b_believed_position", "p_dot_released"}
+    assert unsaid({"a_failed": np.array([np.nan, 1.0])}) == set()
 
 
 def test_columns_are_the_contract() -> None:

@@ -60,10 +60,23 @@ def a_flight(**changes: object) -> Flight:
 def test_repr_is_one_short_line() -> None:
     said = repr(a_flight(requirements=[MET, MISSED], name="two rows"))
     assert said == (
-        "<Flight 'two rows': completed at 10 s, not passed (1 of 2 requirements), 1000 rows x 29 columns, 1 event>"
+        "<Flight 'two rows': completed at 10 s, not passed (1 of 2 requirements met), 1000 rows x 29 columns, 1 event>"
     )
-    assert "passed (0 of 0 requirements)" in repr(a_flight(outcome=Outcome.completed))
+    assert "passed (no requirements)" in repr(a_flight(outcome=Outcome.completed))
     assert "ground_contact at 10 s, not passed" in repr(a_flight(outcome=Outcome.ground_contact))
+
+
+def test_a_requirement_that_is_not_judged_is_neither_met_nor_missed() -> None:
+    silent = {**MET, "passed": None, "value": math.nan, "margin": math.nan, "robustness": math.nan}
+    judged = {**MET, "robustness": 0.5}
+    flight = a_flight(requirements=[judged, silent])
+    assert flight.passed is True and flight.verdict == "passed" and flight.robustness == 0.5
+    assert flight.counted == "1 of 2 requirements met, 1 not judged"
+    none = a_flight(requirements=[silent])
+    assert none.passed is None and none.verdict == "not judged" and math.isnan(none.robustness)
+    assert none.summary["passed"] is None and none.summary["requirements"][0]["value"] is None
+    assert a_flight(requirements=[silent], outcome=Outcome.ground_contact).passed is False
+    assert a_flight(requirements=[MISSED, silent]).passed is False
 
 
 def test_html_shows_what_was_missed_first() -> None:

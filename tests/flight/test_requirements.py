@@ -22,6 +22,18 @@ def verdict(
     return judge([Requirement(**requirement)], log, metrics or {})[0]
 
 
+@pytest.mark.parametrize("of", [{"signal": "a_failed"}, {"metric": "false_alarms"},
+                                {"signal": "altitude_m", "within": 1, "of": "a_failed"}])  # fmt: skip
+def test_what_the_controller_does_not_say_is_not_judged(of: dict[str, Any]) -> None:
+    log = level_log() | {"a_failed": np.full(1000, math.nan)}
+    asked = Requirement(**({"at_most": 1} if "within" not in of else {}), **of)
+    (found,) = judge([asked], log, {"false_alarms": math.nan}, unjudged={"a_failed", "false_alarms"})
+    assert found["passed"] is None and "does not say" in found["reason"]
+    assert all(math.isnan(found[name]) for name in ("value", "margin", "robustness"))
+    (missed,) = judge([asked], log, {"false_alarms": math.nan})  # said, and no number
+    assert missed["passed"] is False
+
+
 @pytest.mark.parametrize(
     ("limits", "value", "margin"),
     [

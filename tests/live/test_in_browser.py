@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Window
+from chromium import Window, unreadable
 from live_server import serving
 
 import testbed
@@ -89,6 +89,10 @@ def test_break_mend_order_save_and_fly_again(
         page.locator("[data-do=save]").click()
         page.wait_for_selector("#saved pre", timeout=60_000)
         saved = folder / window.text("#saved pre").split()[-1]
+        with page.expect_download() as shared:
+            page.get_by_text("Share").click()
+        shared.value.save_as(tmp_path / "shared.html")
+    assert (tmp_path / "shared.html").read_bytes() == (saved.parent / "report.html").read_bytes()
     kept = testbed.load(saved.parent)
     assert len(kept.scenario.failures) == len(kept.scenario.atmosphere.gusts) == 1
     again = testbed.fly(saved).save(tmp_path / "again", figures=False)
@@ -117,7 +121,7 @@ def test_go_back_pause_and_speed(browser: Any, served: tuple[str, Path, str]) ->
 
 def test_a_click_in_the_picture_opens_what_it_hits(browser: Any, served: tuple[str, Path, str]) -> None:
     with live(browser, served[0]) as window:
-        window.wait(lambda: window.value("live.scene.times.length") > 2)
+        window.wait(lambda: window.value("live.scene.seen[0].times.length") > 2)
         window.page.locator("[data-do=pause]").click()  # so that what was found stays where it is
         window.wait(lambda: window.text("#status") == "paused")
         find = """(() => { const {scene} = live, found = {};
@@ -152,3 +156,29 @@ def test_a_page_whose_server_is_killed_says_so(browser: Any, tmp_path: Path) -> 
         process.kill()
         window.wait(lambda: "server has gone" in window.text("#status"))
         assert window.page.locator("[data-do=save]").is_disabled()
+
+
+PAD = """() => { window.pad = {connected: true, axes: [0, 0, 0, 0], buttons: [{pressed: false}]};
+    navigator.getGamepads = () => [null, window.pad]; }"""
+
+
+def test_a_gamepad_turns_climbs_and_pauses(browser: Any, served: tuple[str, Path, str]) -> None:
+    """A fake of the hardware alone, by the Gamepad API: axes from -1, up and left, to 1."""
+    with live(browser, served[0]) as window:
+        ordered = "[live.past.now.heading_command_deg[1], live.past.now.altitude_command_m[1]]"
+        heading, height = window.value(ordered)
+        window.page.evaluate(PAD)
+        window.page.evaluate("window.pad.axes = [1, -1, 0, 0]")
+        window.wait(lambda: window.value(ordered)[1] > height + 1.0)
+        window.page.evaluate("window.pad.axes = [0, 0, 0, 0]")
+        assert 0.0 < (window.value(ordered)[0] - heading) % 360.0 < 180.0
+        window.page.evaluate("window.pad.buttons[0].pressed = true")
+        window.wait(lambda: window.text("#status") == "paused")
+        window.page.evaluate("window.pad.buttons[0].pressed = false")
+        window.page.locator("[data-do=pause]").click()
+        window.wait(lambda: window.text("#status") == "flying")
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, served: tuple[str, Path, str], scheme: str) -> None:
+    assert unreadable(browser, served[0], scheme) == []

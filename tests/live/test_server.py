@@ -52,6 +52,7 @@ def test_the_page_is_for_those_who_know_the_token(server: Server) -> None:
     address = server[0]
     at = urlsplit(address)
     assert got(address, "/").status == 403
+    assert got(address, f"/report.html?{at.query}").status == 404  # nothing has been saved
     assert got(address, f"/?token={'x' * 32}").status == 403
     assert got(address, f"/elsewhere?{at.query}").status == 404
     assert got(address, f"/?{at.query}", Host="example.org").status == 421
@@ -89,7 +90,10 @@ def test_it_flies_is_broken_saved_and_flown_again_to_the_same_bytes(
     saved = page.until("saved")
     folder = server[1] / saved["folder"]
     assert saved["command"] == f"testbed run {saved['folder']}/scenario.yaml"
-    assert (folder / "report.html").is_file()
+    report = got(server[0], f"/report.html?{urlsplit(server[0]).query}")
+    assert report.status == 200 and "attachment" in report.headers["Content-Disposition"]
+    assert report.read() == (folder / "report.html").read_bytes()
+    assert got(server[0], "/report.html").status == 403
     again = testbed.fly(folder / "scenario.yaml").save(tmp_path / "again", figures=False)
     for name in ("log.csv", "summary.json", "scenario.yaml"):
         assert (again / name).read_bytes() == (folder / name).read_bytes()

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import pytest
 from handmade import at, injection, level_log, lost, readings_of
 
-from testbed.metrics import TABLE, measure
+from testbed.metrics import TABLE, measure, unjudged
 
 
 def detection(time_s: float, delay_s: float, actuator: str = "elevon") -> dict[str, object]:
@@ -29,6 +32,26 @@ def test_missed_detections() -> None:
 def test_detection_delay_is_the_longest_of_first_flags() -> None:
     events = [detection(5.3, 0.3), detection(8.0, 3.0), detection(7.5, 0.5, "fan")]  # at 8 s: flagged again
     assert TABLE["detection_delay_s"](readings_of(level_log(), *events)) == 0.5
+
+
+@pytest.mark.parametrize(
+    ("column", "silent"),
+    [
+        ("failed", {"detection_delay_s", "missed_detections", "false_alarms", "wrong_blames", "isolation_fraction"}),
+        ("effectiveness_estimate", {"estimate_error_rms", "estimate_error_end", "estimate_settling_s",
+                                    "estimate_settling_ratio"}),
+        ("released", {"goal_switches", "released_time_s"}),
+    ],
+)  # fmt: skip
+def test_what_a_controller_does_not_say_is_not_measured(column: str, silent: set[str]) -> None:
+    log = lost(5.0)
+    before = measure(readings_of(log))
+    for name in [name for name in log if name.endswith(f"_{column}")]:
+        log[name][:] = math.nan
+    after = measure(readings_of(log))
+    assert all(math.isnan(after[name]) for name in silent) and silent <= unjudged(log)
+    others = [name for name in TABLE if name not in silent]
+    assert np.array_equal([after[n] for n in others], [before[n] for n in others], equal_nan=True)
 
 
 def test_isolation() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from chromium import Window, drawn
+from chromium import Window, drawn, unreadable
 
 from testbed.flight.folder import write_run_folder
 from testbed.reporting.run_report import write_report
@@ -178,3 +178,80 @@ def test_a_positive_rudder_moves_its_trailing_edge_to_the_left(untouched: Window
     matrix = f"r.geometry.deflection({a}, {b}, {trailing}, {math.radians(10)})"
     z = value(untouched, f"r.geometry.fromBody({trailing}).applyMatrix4({matrix}).z")
     assert z == pytest.approx(-0.2 * math.sin(math.radians(10)), abs=1e-9)
+
+
+def test_the_camera_turns_and_zooms_and_a_view_brings_it_back(window: Window) -> None:
+    eye = "r.scene.camera.position.toArray()"
+    start = value(window, eye)
+    box = window.page.locator("#replay canvas").bounding_box()
+    window.page.mouse.move(box["x"] + 100, box["y"] + 100)
+    window.page.mouse.down()
+    window.page.mouse.move(box["x"] + 300, box["y"] + 150, steps=4)
+    window.page.mouse.up()
+    turned = value(window, eye)
+    distance = "r.scene.camera.position.distanceTo(r.scene.one.craft.group.position)"
+    before = value(window, distance)
+    assert turned != pytest.approx(start, abs=0.5)
+    window.page.mouse.wheel(0, 400)  # in a picture that was clicked into
+    window.page.wait_for_timeout(200)
+    assert value(window, distance) > 1.5 * before
+    window.page.locator("[data-view=chase]").click()
+    assert value(window, eye) == pytest.approx(start, abs=1e-6)
+
+
+def test_the_wheel_scrolls_the_page_where_nobody_has_clicked(window: Window) -> None:
+    box = window.page.locator("#replay canvas").bounding_box()
+    window.page.mouse.move(box["x"] + 100, box["y"] + 100)
+    window.page.mouse.wheel(0, 300)
+    window.page.wait_for_timeout(300)
+    assert window.page.evaluate("scrollY") > 0 and value(window, "r.scene.orbit.distance") == 2
+
+
+def test_a_held_surface_has_a_ghost_and_a_lost_propeller_is_gone(browser: Any, tmp_path: Path) -> None:
+    failures = [
+        {"type": "hardover", "actuator": "left_ruddervator", "at_s": 1.0, "to": "max"},
+        {"type": "prop_loss", "actuator": "left_propeller", "at_s": 1.0},
+    ]
+    settings = {"duration_s": 4, "failures": failures, "requirements": []}
+    flight = fly(load_scenario("scenarios/left_tail_fail.yaml", settings))
+    folder = write_run_folder(flight, tmp_path / "run")
+    with drawn(browser, write_report(folder)) as made:
+        parts = "r.scene.one.craft.parts.filter(p => p.actuator)"
+        ghosts = f"Object.fromEntries({parts}.filter(p => p.ghost).map(p => [p.actuator, p.ghost.visible]))"
+        blades = f"{parts}.filter(p => p.blades).map(p => [p.blades.visible, p.blades.rotation.z])"
+        value(made, "r.clock.go(0.9)")
+        assert value(made, ghosts) == {"left_ruddervator": False, "right_ruddervator": False}
+        value(made, "r.clock.go(2.5)")
+        before = value(made, blades)
+        value(made, "r.clock.go(2.55)")
+        after = value(made, blades)
+        assert value(made, ghosts) == {"left_ruddervator": True, "right_ruddervator": False}
+        (there, left), (stays, right) = before
+        assert not there and stays and after[0] == [False, left] and after[1][1] != right
+
+
+def test_what_was_ordered_is_drawn_as_far_as_it_was_flown(window: Window) -> None:
+    ordered = "r.scene.one.trail.ordered.array"
+    assert value(window, f"{ordered}[1] + r.scene.origin.y") == pytest.approx(
+        value(window, "r.columns.altitude_command_m[0]"), abs=1e-3
+    )
+    value(window, "r.clock.go(10)")
+    ten = value(window, "r.scene.one.trail.path.geometry.drawRange.count")
+    value(window, "r.clock.go(20)")
+    assert value(window, "r.scene.one.trail.path.geometry.drawRange.count") == pytest.approx(
+        2 * ten, rel=0.02
+    )
+    assert value(window, "r.scene.ground.plane.position.y + r.scene.origin.y") == pytest.approx(0.0)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, report: Path, scheme: str) -> None:
+    assert unreadable(browser, report.as_uri(), scheme) == []
+
+
+def test_axe_would_find_what_cannot_be_read(browser: Any, tmp_path: Path) -> None:
+    """Negative control."""
+    page = tmp_path / "bad.html"
+    page.write_text("<html><body data-drawn=yes><img src='data:,'><p style='color:#ddd'>pale")
+    found = {each.partition(":")[0] for each in unreadable(browser, page.as_uri(), "light")}
+    assert {"image-alt", "color-contrast", "html-has-lang"} <= found

@@ -110,15 +110,19 @@ def test_a_failure_shortly_before_the_end_is_not_called_unrecovered() -> None:
 def test_an_estimate_is_told_only_where_there_is_one() -> None:
     log = level_log()
     log["elevon_effectiveness"][at(2) :] = 0.5
-    assert "does not look for failures" in told(log, injection(2.0))
+    assert "estimated" not in told(log, injection(2.0))
     log["elevon_effectiveness_estimate"][at(2) :] = math.nan
-    assert "does not look for failures" in told(log, injection(2.0))
-    log["elevon_effectiveness_estimate"][at(2) :] = (
-        1.0 - 3e-5
-    )  # in calm air an estimator has nothing to learn from
-    assert "does not look for failures" not in told(log, injection(2.0))
+    assert "estimated" not in told(log, injection(2.0))
     log["elevon_effectiveness_estimate"][at(3) :] = 0.48
     assert "At the end it estimated 48 % for the elevon (true 50 %)." in told(log, injection(2.0))
+
+
+def test_one_that_flags_nothing_and_one_that_says_nothing_are_told_apart() -> None:
+    log = lost(2.0)
+    assert "The controller flagged nothing as failed." in told(log, injection(2.0))
+    for name in ("elevon", "fan"):
+        log[f"{name}_failed"][:] = math.nan
+    assert "The controller does not say what it takes for failed." in told(log, injection(2.0))
 
 
 def test_false_alarms() -> None:

@@ -24,9 +24,12 @@ def test_words_and_what_differs_from_them() -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("meems", "sensors: 'meems' is not known, did you mean mems?"),
+        ("meems", "sensors: 'meems' is not known (one of your own needs --with FILE.py), did you mean mems?"),
         ("3", "sensors: is 3, expected ideal, mems or a mapping"),
-        ("{model: memes}", "sensors.model: 'memes' is not known, did you mean mems?"),
+        (
+            "{model: memes}",
+            "sensors.model: 'memes' is not known (one of your own needs --with FILE.py), did you mean mems?",
+        ),
         ("{gyros: {}}", "sensors.gyros: unknown key, did you mean gyro?"),
         ("{gyro: 3}", "sensors.gyro: is 3"),
         ("{model: mems, gyro: {noise_deg_s_rtHz: 1}}", "did you mean noise_deg_s_rthz?"),

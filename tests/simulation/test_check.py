@@ -37,7 +37,8 @@ def problems_of(file: Path) -> list[str]:
 def test_everything_unknown_has_its_place(tmp_path: Path) -> None:
     (file := tmp_path / "x.yaml").write_text(CRUISE + NAMES)
     assert problems_of(file) == [
-        "7: requirements.0.metric: unknown metric 'altitude_error_mx_m', did you mean altitude_error_max_m?",
+        "7: requirements.0.metric: unknown metric 'altitude_error_mx_m'"
+        " (one of your own needs --with FILE.py), did you mean altitude_error_max_m?",
         "5: failures.0.set.fcs/left-ruddervator/comand-scale: unknown property "
         "fcs/left-ruddervator/comand-scale, did you mean fcs/left-ruddervator/command-scale?",
     ]

@@ -65,7 +65,8 @@ REFUSED: list[tuple[str, str, list[str]]] = [
     ("compare: {", "compare: {failures.0.value: [0, 1], ",
      [":1: gives failures.0.value two meanings, expected not also failures.0.value"]),
     ("metric: altitude_error_max_m", "metric: altitude_eror_max_m",
-     [":8: requirements.0.metric: unknown metric 'altitude_eror_max_m', did you mean altitude_error_max_m?"]),
+     [":8: requirements.0.metric: unknown metric 'altitude_eror_max_m'"
+      " (one of your own needs --with FILE.py), did you mean altitude_error_max_m?"]),
 ]  # fmt: skip
 
 

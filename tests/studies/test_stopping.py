@@ -35,6 +35,16 @@ def test_stopping_does_not_depend_on_workers(tmp_path: Path) -> None:
     assert (earlier.high - earlier.low) / 2 > 0.15  # and not a run later than it could
 
 
+def test_what_was_not_judged_is_not_counted() -> None:
+    rule = StopWhen(half_width=0.2, confidence=0.95)
+    silent, judged = Stopping(rule, 1), Stopping(rule, 1)
+    for _ in range(50):
+        assert not silent.add([None])
+        judged.add([True])
+        judged.add([None])
+    assert silent.stopped_at is None and judged.stopped_at is not None
+
+
 def test_the_rule_looks_after_every_run_and_later_after_every_percent() -> None:
     """With an even chance the exact 95 % interval is narrow enough from about 1600 runs on; never without a rule."""
     stopping = Stopping(StopWhen(half_width=0.025), variants=1)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 import shlex
+from pathlib import Path
 
 import pytest
+from html_page import Page
 from suite_files import flown, tree, written
 
 from testbed.cli.parser import parser
-from testbed.study_reports.benchmark import again, page
+from testbed.study_reports.benchmark import again
+from testbed.study_reports.benchmark_page import markdown, write_benchmark_page
 
 
 @pytest.fixture(scope="module")
@@ -28,19 +31,21 @@ def lost(draw: int) -> dict:
 
 
 def test_the_first_section_is_where_the_reference_loses(summary: dict) -> None:
-    summary = summary | {"lost": {"default": [lost(3), lost(1)], "fixed": []}}
-    summary["by"]["weather"] = {
-        "storm": {"draws": 40, "held": {"default": 10, "fixed": 30, "best of all": 31}}
-    }
-    lines = page(summary)
+    storm = {"draws": 40, "held": {"default": 10, "fixed": 30, "best of all": 31}}
+    by = summary["by"] | {"weather": {"storm": storm}}
+    summary = summary | {"lost": {"default": [lost(3), lost(1)], "fixed": []}, "by": by}
+    lines = markdown(summary)
     assert lines[0] == "## Where `default` loses"
     assert "| storm | 40 | 0.250 | 0.750 | `fixed` |" in lines
-    assert "It does not hold 2 of 4 draws that another holds. The longest outside:" in lines
-    assert any(line.startswith("| 3 | x | x, x | x | 0.25 | fixed | `testbed benchmark ") for line in lines)
+    said = next(
+        line for line in lines if line.startswith("It does not hold 2 of 4 draws that another holds.")
+    )
+    assert "--seed 5 --only DRAW --controller default` flies one again" in said
+    assert "| 3 | x | x, x | x | 0.25 | 1 of 1 |" in lines
 
 
 def test_every_controller_has_its_line_in_the_order_flown(summary: dict) -> None:
-    lines = page(summary)
+    lines = markdown(summary)
     total = lines[lines.index("## All") :]
     names = [line.split(" | ")[0] for line in total[4:7]]
     assert names == ["| `default`", "| `fixed`", "| best of all"]
@@ -52,3 +57,32 @@ def test_the_command_to_fly_again_is_one(summary: dict) -> None:
     options = parser().parse_args(words[1:])
     assert (options.only, options.seed, options.controller) == (3, 5, ["mine=mine.py:Mine"])
     assert options.suite == summary["file"]
+
+
+def score(low: float, high: float) -> dict:
+    return {"estimate": (low + high) / 2, "low": low, "high": high}
+
+
+def half(held: tuple[float, float], rank: tuple[int, int]) -> dict:
+    one = {"held": score(*held), "inside": score(0.1, 0.9), "rank": score(*rank)}
+    return {"default": one, "fixed": one | {"held": score(0.4, 0.6)}}
+
+
+def test_halves_of_the_draws_are_compared(summary: dict) -> None:
+    summary = summary | {"draws": 40, "halves": [half((0.1, 0.2), (1, 2)), half((0.3, 0.4), (2, 2))]}
+    said = next(line for line in markdown(summary) if line.startswith("The intervals of the first"))
+    assert "*held* of all but `default`; *inside* of all 2; *rank* of all 2." in said
+
+
+def test_halves_of_few_draws_are_not(summary: dict) -> None:
+    assert "## Two halves of the draws" not in markdown(summary)
+
+
+def test_the_page_has_the_tables_and_no_markup_of_strangers(summary: dict, tmp_path: Path) -> None:
+    bad = "<img src=x onerror=alert(1)>"
+    scores = summary["scores"] | {"fixed": summary["scores"]["fixed"] | {"without_result": {bad: 1}}}
+    summary = summary | {"scores": scores}
+    page = Page(write_benchmark_page(summary, tmp_path).read_text())
+    assert "img" not in page.tags and bad in page.text
+    rules = [line for line in markdown(summary) if line.startswith("| --- |")]
+    assert page.tags.count("table") == len(rules) == 3

@@ -18,6 +18,7 @@ import pytest
 REQUIRED = bool(os.environ.get("BROWSER_REQUIRED"))
 PICTURES = os.environ.get("SITE_PICTURES")
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
+_AXE = Path(__file__).parents[2] / "web/node_modules/axe-core/axe.min.js"
 _AT_ONCE = 6
 """Windows in which pages are loaded at the same time: each is watched for half a second after its last request."""
 FLAGS = [
@@ -112,6 +113,21 @@ class Window:
         """Leave a picture, where pictures are asked for."""
         if PICTURES:
             self.page.screenshot(path=Path(PICTURES) / f"{name}.png", full_page=full_page)
+
+
+def unreadable(browser: Any, address: str, scheme: str) -> list[str]:
+    """What axe-core, from web/'s packages, finds in a page that a screen reader or a weak eye cannot use."""
+    if not _AXE.is_file():
+        without("axe-core: cd web && npm ci")
+    context = browser.new_context(color_scheme=scheme, bypass_csp=True)
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector("body[data-drawn=yes]", timeout=30_000)
+    page.evaluate("document.querySelectorAll('details').forEach(each => each.open = true)")
+    page.add_script_tag(path=_AXE)
+    found = page.evaluate("axe.run()")["violations"]
+    context.close()
+    return [f"{each['id']}: {each['nodes'][0]['html'][:200]}" for each in found]
 
 
 def opened(browser: Any, files: Sequence[Path], width: int, scheme: str) -> Iterator[tuple[Path, Window]]:

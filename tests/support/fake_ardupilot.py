@@ -33,6 +33,7 @@ signal.signal(signal.SIGTERM, lambda *_: None if FAULT == "goes on" else ending.
 
 count, armed, guided, target, heard = 0, False, False, {}, []
 pulses = [0] * 16
+begun = time.monotonic()
 
 
 def listen():
@@ -103,6 +104,8 @@ def packet():
 
 def misbehave():
     """What a fault does instead of an answer."""
+    if FAULT == "slow":
+        time.sleep(0.01)
     if count == AT and FAULT == "stalls":
         time.sleep(600)
     if count == AT and FAULT == "dies":
@@ -117,8 +120,11 @@ while not ending:
         states.send(packet())
     answer = states.recv(65536)
     assert answer[:1] == answer[-1:] == b"\n" and b": " not in answer
+    state = json.loads(answer)
+    # the wall clock runs until the first state, and what waits by it would take other steps in each flight
+    assert count or state["timestamp"] > time.monotonic() - begun
     listen()
-    fly(json.loads(answer))
+    fly(state)
     count += 1
 if FAULT == "goes on":
     time.sleep(600)

@@ -24,7 +24,7 @@ def gusty(scenario: Scenario) -> Flight:
     left = BETA - (0.6 * north + 0.8 * east) / 2.0
     rows = 20
     time_s = np.arange(rows) * (scenario.duration_s / rows)
-    data = np.column_stack([time_s, *[np.full(rows, 300.0)] * 6])
+    data = np.column_stack([time_s, *[np.full(rows, 300.0)] * (len(COLUMNS) - 1)])
     verdict = {
         "name": "held",
         "passed": left >= 0,

@@ -15,7 +15,7 @@ from testbed.scenario.load import Scenario
 
 COLUMNS = (
     "time_s", "altitude_m", "altitude_command_m", "heading_deg", "heading_command_deg",
-    "airspeed_m_s", "airspeed_command_m_s",
+    "airspeed_m_s", "airspeed_command_m_s", "roll_deg", "pitch_deg", "beta_deg",
 )  # fmt: skip
 
 
@@ -25,7 +25,7 @@ def quick(scenario: Scenario) -> Flight:
     """
     value, rows = scenario.failures[0].value, 50  # type: ignore[attr-defined]
     time_s = np.arange(rows) * (scenario.duration_s / rows)
-    data = np.column_stack([time_s, 300 + value * time_s, *[np.full(rows, 300.0)] * 5])
+    data = np.column_stack([time_s, 300 + value * time_s, *[np.full(rows, 300.0)] * (len(COLUMNS) - 2)])
     verdict = {"name": "half", "passed": value > 0.5, "value": value, "limit": "", "margin": value - 0.5}
     metrics = {"altitude_error_max_m": 1.0 / (0.1 + value), "detection_delay_s": float("nan")}
     end = scenario.duration_s

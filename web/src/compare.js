@@ -3,6 +3,7 @@ import { Clock } from "./clock.js";
 import { onSchemeChange } from "./colours.js";
 import { decode } from "./data.js";
 import { Panels } from "./panels.js";
+import { replay } from "./replay.js";
 import { timeline } from "./timeline.js";
 
 function start() {
@@ -17,20 +18,32 @@ function start() {
     for (const panel of group.panels) panels.add(root, panel);
   }
   const bars = document.getElementById("timelines");
+  const until = Math.max(...comparison.flights.map(({ phases }) => phases[phases.length - 1].until_s));
   comparison.flights.forEach((flight, i) => {
     const box = document.createElement("div");
     box.className = "flight-bar";
     box.append(Object.assign(document.createElement("p"), { className: "note", textContent: flight.name }));
     bars.append(box);
-    timeline(box, { ...flight, events: [] }, clock);
+    timeline(box, { ...flight, events: [] }, clock, until);
     if (i < comparison.flights.length - 1) box.querySelector(".buttons").remove();
   });
   mergeLegends(bars);
-  onSchemeChange(() => panels.redraw());
+  const scene = replay(document.getElementById("replay"), comparison.flights.map((flight, i) => ({ flight, name: flight.name, columns: own(columns, i) })), clock);
+  clock.go(clock.now);
+  onSchemeChange(() => {
+    scene.recolour();
+    panels.redraw();
+  });
   requestAnimationFrame(() => {
-    window.comparison = { comparison, columns, clock, panels, drawn_ms: performance.now() - began };
+    window.comparison = { comparison, columns, clock, panels, scene, drawn_ms: performance.now() - began };
     document.body.dataset.drawn = "yes";
   });
+}
+
+// The columns of one of the flights, by their names in its log.
+function own(columns, i) {
+  const its = Object.entries(columns).filter(([name]) => name.startsWith(`${i}:`));
+  return { time_s: columns.time_s, ...Object.fromEntries(its.map(([name, values]) => [name.slice(2), values])) };
 }
 
 // One legend for all timelines, with each phase once.

@@ -33,3 +33,10 @@ export function rowAt(time, t) {
   }
   return low;
 }
+
+// The last row in which a flight still is: its columns may go on without values.
+export function lastOf(values) {
+  let k = values.length - 1;
+  while (k > 0 && !Number.isFinite(values[k])) k -= 1;
+  return k;
+}

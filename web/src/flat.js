@@ -6,7 +6,6 @@ export class Flat {
     this.canvas = canvas;
     this.flight = flight;
     this.columns = columns;
-    this.view = "chase";
     this.row = 0;
     new ResizeObserver(() => this.draw()).observe(canvas.parentElement);
   }
@@ -14,6 +13,9 @@ export class Flat {
   recolour() {
     this.draw();
   }
+
+  // From above and from the side is all that there is.
+  look() {}
 
   show(row) {
     this.row = row;

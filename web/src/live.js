@@ -1,8 +1,10 @@
 // The page of a flight that is flown now: what comes from the server is drawn, what is done on the page is asked of the server.
 import { Breaker } from "./live_break.js";
+import { Ghosts } from "./live_ghosts.js";
 import { Link } from "./live_link.js";
 import { LiveScene } from "./live_scene.js";
 import { Past } from "./live_past.js";
+import { gamepad } from "./live_gamepad.js";
 import { Table } from "./live_table.js";
 import { Clock } from "./clock.js";
 import { onSchemeChange } from "./colours.js";
@@ -22,14 +24,18 @@ function start() {
   const table = new Table(find("actuators"), find("modes"), facts, link, (name) => breaker.open(name));
   const scene = picture(facts, past, breaker);
   const page = { facts, past, link, scene, frames: 0, state: {} };
+  const ghosts = new Ghosts(find("ghosts"), facts, link, scene);
   link.listen("frame", (values) => {
+    if (page.leaving) return;
     past.take(values);
+    ghosts.take(values);
     page.frames += 1;
     page.fresh = true;
   });
   link.listen("state", (state) => {
     Object.assign(page.state, state);
     showState(page);
+    ghosts.show(state.ghosts);
     table.broken = state.broken ?? table.broken;
     if (scene) scene.broken = Object.keys(table.broken).length > 0;
     page.fresh = true;
@@ -39,6 +45,10 @@ function start() {
     page.flies = flies;
     document.body.dataset.flies = flies;
     showState(page);
+  });
+  link.listen("other", () => {
+    page.leaving = true; // who flies comes back first, and goes on flying
+    setTimeout(() => location.reload(), page.flies ? 0 : 1500);
   });
   link.listen("gone", () => showState(page));
   link.listen("saved", showSaved);
@@ -50,6 +60,7 @@ function start() {
   controls(page);
   forms(page);
   keys(page);
+  gamepad((name, sign) => order(page, name, sign), () => page.link.ask("pause", { on: !page.state.paused }), page);
   onSchemeChange(() => {
     scene?.recolour();
     panels.redraw();
@@ -83,14 +94,14 @@ function picture(facts, past, breaker) {
   }
   const scene = new LiveScene(canvas, facts, past.now);
   canvas.addEventListener("click", (e) => {
+    if (scene.orbit.moved > 6) return; // the camera was turned
     const name = scene.at(e.offsetX, e.offsetY);
     if (name) breaker.open(name);
   });
   const views = [...document.querySelectorAll("[data-view]")];
   const look = (view) => {
-    scene.view = view;
+    scene.look(view);
     for (const button of views) button.setAttribute("aria-pressed", button.dataset.view === view);
-    scene.draw();
   };
   for (const button of views) button.addEventListener("click", () => look(button.dataset.view));
   look("chase");
@@ -105,7 +116,7 @@ function showState({ link, state, flies, said }) {
   status.classList.toggle("wrong", Boolean(gone || said || state.ended));
   document.querySelector("[data-do=pause]").textContent = state.paused ? "Go on" : "Pause";
   if (state.speed && document.activeElement !== find("speed")) find("speed").value = String(state.speed);
-  for (const each of document.querySelectorAll("button:not([data-view]), form input, form select, #speed, #back")) each.disabled = Boolean(gone) || flies === false;
+  for (const each of document.querySelectorAll("button:not([data-view]), form input, form select, #ghosts input, #speed, #back")) each.disabled = Boolean(gone) || flies === false;
 }
 
 function showStory({ story, events }) {
@@ -117,7 +128,9 @@ function showStory({ story, events }) {
 function showSaved({ folder, command, time_s }) {
   const said = document.createElement("p");
   said.append(`The first ${time_s.toFixed(1)} s are saved in ${folder}, with report.html. They fly again to the same bytes by`);
-  find("saved").replaceChildren(said, Object.assign(document.createElement("pre"), { textContent: command }));
+  const share = Object.assign(document.createElement("a"), { href: `/report.html${location.search}`, textContent: "Share: one file that replays it" });
+  share.download = "";
+  find("saved").replaceChildren(said, Object.assign(document.createElement("pre"), { textContent: command }), share);
 }
 
 function readout({ past }) {
@@ -165,6 +178,10 @@ function forms({ link }) {
       act(inputs.map((input) => input.valueAsNumber), inputs);
     });
   for (const input of find("order").querySelectorAll("input")) input.addEventListener("input", () => (input.dataset.touched = "yes"));
+  find("choose").addEventListener("submit", (e) => {
+    e.preventDefault();
+    link.ask("choose", Object.fromEntries(new FormData(e.target)));
+  });
   on("order", (_, inputs) => {
     const touched = inputs.filter((input) => input.dataset.touched && input.value !== "");
     link.ask("order", { command: Object.fromEntries(touched.map((input) => [input.name, input.valueAsNumber])) });
@@ -181,6 +198,7 @@ function keys(page) {
     if (e.target.matches("input, select, textarea") || e.ctrlKey || e.metaKey || e.altKey || !page.flies) return;
     if (e.key === " " && !e.target.matches("button, summary")) page.link.ask("pause", { on: !page.state.paused });
     else if (turn[e.key]) order(page, ...turn[e.key]);
+    else if ("+-".includes(e.key)) page.scene?.orbit.zoom(e.key === "+" ? 0.8 : 1.25);
     else return;
     e.preventDefault();
   });

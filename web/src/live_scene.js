@@ -1,55 +1,76 @@
-// The report's scene of a flight that goes on: the trail grows, and a click finds what it hits.
-import { BufferAttribute, BufferGeometry, Color, Line, LineBasicMaterial, Raycaster, Sphere, Vector2, Vector3 } from "three";
+// The report's scene of a flight that goes on: its trail grows, a click finds what it hits, and other controllers fly beside it.
+import { Raycaster, Sphere, Vector2, Vector3 } from "three";
 import { colour } from "./colours.js";
 import { Scene } from "./scene.js";
+import { Trail } from "./trail.js";
 
-const POINTS = 8000; // when there are so many, every second one is left out
+const POINTS = 6000; // when there are so many, every second one is left out
 const FIRST_EVERY_S = 0.1;
+const PRESENT = 1; // row of the columns, of which the first is the flight's
 
 export class LiveScene extends Scene {
   constructor(canvas, facts, now) {
-    super(canvas, { ...facts, phases: [] }, now);
+    super(canvas, [{ flight: { ...facts, phases: [] }, columns: now }]);
     this.broken = false;
   }
 
-  trail() {
-    const geometry = new BufferGeometry();
-    this.colours = new Float32Array(3 * POINTS);
-    geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * POINTS), 3));
-    geometry.setAttribute("color", new BufferAttribute(this.colours, 3));
-    this.line = new Line(geometry, new LineBasicMaterial({ vertexColors: true }));
-    this.line.frustumCulled = false; // its bounds change all the time
-    this.times = [];
-    this.every = FIRST_EVERY_S;
-    this.three.add(this.line);
+  track(one) {
+    Object.assign(one, { trail: new Trail(this.three, POINTS), times: [], every: FIRST_EVERY_S });
+  }
+
+  shade() {}
+
+  flown({ trail }) {
+    return trail.count;
   }
 
   // Shows the present row.
   follow() {
-    const time = this.columns.time_s[1];
-    while (this.times.length && this.times[this.times.length - 1] > time) this.times.pop(); // gone back
-    this.lowest = Math.min(this.lowest ?? Infinity, this.columns.altitude_m[1] - this.columns.altitude_m[0] - 4 * this.size);
-    this.show(1);
-    const last = this.times[this.times.length - 1];
-    if (last === undefined || time >= last + this.every) this.grow(time);
+    for (const one of this.seen) this.grow(one);
+    this.show(PRESENT);
   }
 
-  grow(time) {
-    if (this.times.length === POINTS) this.thin();
-    const k = this.times.push(time) - 1;
-    const { position, color } = this.line.geometry.attributes;
-    this.aircraft.position.toArray(position.array, 3 * k);
-    const flagged = Object.keys(this.flight.actuators).some((name) => this.columns[`${name}_failed`][1] > 0);
-    new Color(colour(flagged ? "flagged" : this.broken ? "unnoticed" : "healthy")).toArray(color.array, 3 * k);
-    position.needsUpdate = color.needsUpdate = true;
-    this.line.geometry.setDrawRange(0, k + 1);
+  // The flights of other controllers, by name, as faint aircraft: their columns have the present row, too.
+  beside(ghosts, facts) {
+    for (const { craft, label, trail } of this.seen.splice(1)) {
+      label.remove();
+      trail.remove();
+      this.three.remove(craft.group, craft.around);
+    }
+    ghosts.forEach(({ name, now }, i) => this.seen.push(this.add({ flight: { ...facts, phases: [] }, columns: now, name }, `v${(i + 1) % 6}`, true)));
+    this.follows(0);
+    this.recolour();
   }
 
-  thin() {
-    const arrays = Object.values(this.line.geometry.attributes).map((each) => each.array);
-    for (let k = 0; k < POINTS / 2; k++) for (const array of arrays) array.copyWithin(3 * k, 6 * k, 6 * k + 3);
-    this.times = this.times.filter((_, k) => k % 2 === 0);
-    this.every *= 2;
+  // One more point of the trail, if it is time for one; nothing is sent to the graphics hardware else.
+  grow(one) {
+    const { craft, times, trail } = one;
+    const time = craft.columns.time_s[PRESENT];
+    while (times.length && times[times.length - 1] > time) times.pop(); // gone back
+    const back = trail.count > times.length;
+    trail.count = times.length;
+    if (!(times.length && time < times[times.length - 1] + one.every)) this.extend(one, time);
+    else if (back) trail.changed();
+  }
+
+  extend(one, time) {
+    const at = this.place(one.craft.columns, PRESENT);
+    if (!Number.isFinite(at.x)) return;
+    if (one.times.length === POINTS) this.thin(one);
+    one.times.push(time);
+    one.trail.add(at, this.ordered(one.craft.columns, PRESENT), one.tint === "body" ? this.phase(one.craft) : colour(one.tint));
+    one.trail.changed();
+  }
+
+  phase({ flight, columns }) {
+    const flagged = Object.keys(flight.actuators).some((name) => columns[`${name}_failed`][PRESENT] > 0);
+    return colour(flagged ? "flagged" : this.broken ? "unnoticed" : "healthy");
+  }
+
+  thin(one) {
+    one.trail.thin();
+    one.times = one.times.filter((_, k) => k % 2 === 0);
+    one.every *= 2;
   }
 
   // The actuator at a point of the picture [px], if there is one.
@@ -57,7 +78,7 @@ export class LiveScene extends Scene {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
-    const hits = this.parts.filter((part) => part.actuator).flatMap((part) => this.hit(ray, part));
+    const hits = this.seen[0].craft.parts.filter((part) => part.actuator).flatMap((part) => this.hit(ray, part));
     return hits.sort((a, b) => a.distance - b.distance)[0]?.actuator;
   }
 

@@ -14,13 +14,14 @@ function start() {
   const columns = decode(flight.data, document.getElementById("columns").textContent);
   const clock = new Clock(columns.time_s[0], columns.time_s[columns.time_s.length - 1]);
   document.body.classList.add("scripted");
-  const scene = replay(document.getElementById("replay"), flight, columns, clock);
+  const scene = replay(document.getElementById("replay"), [{ flight, columns }], clock);
+  const failures = flight.failures_s.map((time_s) => ({ time_s, style: "failure" }));
   const panels = new Panels(columns, clock);
   for (const group of flight.panels) {
     const root = document.getElementById(`panels-${group.name}`);
-    for (const panel of group.panels) panels.add(root, { ...panel, failures: flight.failures_s });
+    for (const panel of group.panels) panels.add(root, { ...panel, failures });
   }
-  anyColumn(document.getElementById("any-column"), flight, panels);
+  anyColumn(document.getElementById("any-column"), failures, panels);
   timeline(document.getElementById("timeline"), flight, clock);
   moments(clock);
   onSchemeChange(() => {
@@ -28,7 +29,7 @@ function start() {
     panels.redraw();
   });
   requestAnimationFrame(() => {
-    window.flightReport = { flight, columns, clock, panels, drawn_ms: performance.now() - began, geometry: { attitude, deflection, fromBody, Quaternion, Vector3 } };
+    window.flightReport = { flight, columns, clock, panels, scene, drawn_ms: performance.now() - began, geometry: { attitude, deflection, fromBody, Quaternion, Vector3 } };
     document.body.dataset.drawn = "yes";
   });
 }
@@ -47,14 +48,14 @@ function moments(clock) {
 }
 
 // A panel of any column of the log, chosen by name.
-function anyColumn(root, flight, panels) {
+function anyColumn(root, failures, panels) {
   const select = root.querySelector("select");
   let entry = null;
   const show = () => {
     entry?.plot?.destroy();
     entry?.box.remove();
     panels.made = panels.made.filter((made) => made !== entry);
-    entry = panels.add(root, { title: select.value, series: [{ label: select.value, column: select.value, style: "truth" }], failures: flight.failures_s });
+    entry = panels.add(root, { title: select.value, series: [{ label: select.value, column: select.value, style: "truth" }], failures });
   };
   select.addEventListener("change", show);
   show();

@@ -7,7 +7,7 @@ const SHAPES = {
   cross: (r) => `M${-r} ${-r}L${r} ${r}M${r} ${-r}L${-r} ${r}`,
 };
 export const OF_VARIANTS = ["circle", "square", "triangle", "diamond"];
-export const OF_STATES = ["circle", "triangle", "cross", "square"]; // passed, missed, lost, no result
+export const OF_STATES = ["circle", "triangle", "cross", "square", "diamond"]; // passed, missed, lost, no result, not judged
 
 export function shape(name, r) {
   return SHAPES[name](r);

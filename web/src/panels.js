@@ -47,9 +47,9 @@ function bands(plot, panel) {
     ctx.stroke();
     ctx.setLineDash([]);
   }
-  for (const t of panel.failures ?? []) {
-    const x = plot.valToPos(t, "x", true);
-    ctx.strokeStyle = colour("failure");
+  for (const { time_s, style } of panel.failures ?? []) {
+    const x = plot.valToPos(time_s, "x", true);
+    ctx.strokeStyle = colour(style);
     ctx.lineWidth = 1.5 * devicePixelRatio;
     ctx.beginPath();
     ctx.moveTo(x, top);

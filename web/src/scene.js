@@ -1,203 +1,163 @@
-// The replay in three dimensions: the aircraft with its surfaces, thrust, wind, and the trail behind and before it.
-import {
-  AmbientLight, ArrowHelper, BufferAttribute, BufferGeometry, CapsuleGeometry, Color, DirectionalLight, DoubleSide, EdgesGeometry,
-  GridHelper, Group, Line, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Quaternion, RingGeometry,
-  Scene as Three, Vector3, WebGLRenderer,
-} from "three";
-import { attitude, deflection, fromBody } from "./attitude.js";
+// The picture in three dimensions: the aircraft of one flight or several with their trails, ground and horizon, and a camera that turns.
+import { AmbientLight, DirectionalLight, PerspectiveCamera, Scene as Three, Vector3, WebGLRenderer } from "three";
+import { Orbit } from "./camera.js";
 import { colour, PHASES } from "./colours.js";
+import { Craft } from "./craft.js";
+import { lastOf } from "./data.js";
+import { FAR_M, Ground } from "./ground.js";
+import { Trail } from "./trail.js";
 
-const RADIAN = Math.PI / 180;
-const GRID_M = 10;
-
-function quad(points) {
-  const geometry = new BufferGeometry();
-  const at = points.map((p) => fromBody(p));
-  geometry.setAttribute("position", new BufferAttribute(new Float32Array(at.flatMap((v) => [v.x, v.y, v.z])), 3));
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  geometry.computeVertexNormals();
-  return geometry;
-}
-
-function shade(value) {
-  // Full effect is the fixed colour of a surface; none is the colour of a failure.
-  const part = Number.isFinite(value) ? Math.min(Math.max(value, 0), 1) : 0; // what does not follow its command has none of it
-  return new Color(colour("failure")).lerp(new Color(colour("whole")), part);
-}
+const OPENING_DEG = 40;
+const MOST_POINTS = 4000; // of a trail
+const LARGER_SPANS = 25;
 
 export class Scene {
-  constructor(canvas, flight, columns) {
-    this.flight = flight;
-    this.columns = columns;
+  // `flights` is [{flight, columns}], and if there are several, the `name` of each; the first is followed.
+  constructor(canvas, flights) {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.three = new Three();
-    this.camera = new PerspectiveCamera(40, 1, 0.05, 5000);
-    this.view = "chase";
-    this.size = flight.shape.span_m;
+    this.camera = new PerspectiveCamera(OPENING_DEG, 1, 0.05, FAR_M);
+    this.orbit = new Orbit(canvas, () => this.draw());
     this.three.add(new AmbientLight(0xffffff, 1.6));
     const sun = new DirectionalLight(0xffffff, 1.8);
     sun.position.set(-3, 10, -4);
     this.three.add(sun);
-    this.aircraft = new Group();
-    this.three.add(this.aircraft);
-    this.parts = [];
-    this.build();
-    this.trail();
-    this.grid = null;
+    const { north_m, altitude_m, east_m } = flights[0].columns;
+    this.origin = new Vector3(north_m[0], altitude_m[0], east_m[0]);
+    this.ground = new Ground(this.three, -this.origin.y);
+    this.seen = flights.map((each, i) => this.add(each, flights.length > 1 ? `v${i % 6}` : "body"));
+    this.follows(0);
     this.recolour();
     new ResizeObserver(() => this.draw()).observe(canvas.parentElement);
   }
 
-  build() {
-    for (const { points, actuator, sense } of this.flight.shape.panels) {
-      const surface = new Mesh(quad(points), new MeshLambertMaterial({ side: DoubleSide }));
-      const edge = new LineSegments(new EdgesGeometry(surface.geometry), new LineBasicMaterial());
-      const group = new Group();
-      group.add(surface, edge);
-      group.matrixAutoUpdate = !actuator;
-      const ghost = actuator ? new LineSegments(edge.geometry, new LineBasicMaterial()) : null;
-      if (ghost) {
-        ghost.matrixAutoUpdate = ghost.visible = false;
-        this.aircraft.add(ghost);
-      }
-      this.aircraft.add(group);
-      this.parts.push({ kind: "panel", group, surface, edge, ghost, actuator, points, sense });
-    }
-    for (const { start, end, radius_m } of this.flight.shape.bodies) {
-      const [a, b] = [fromBody(start), fromBody(end)];
-      const length = a.distanceTo(b);
-      const surface = new Mesh(new CapsuleGeometry(radius_m, Math.max(length - 2 * radius_m, 0.01), 6, 16), new MeshLambertMaterial());
-      surface.position.copy(a).add(b).multiplyScalar(0.5);
-      surface.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), b.clone().sub(a).normalize());
-      this.aircraft.add(surface);
-      this.parts.push({ kind: "body", surface });
-    }
-    for (const { at, diameter_m, actuator } of this.flight.shape.propulsors) {
-      const place = fromBody(at);
-      const disc = new Mesh(
-        new RingGeometry(0.42 * diameter_m, 0.5 * diameter_m, 40),
-        new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.85 }),
-      );
-      disc.rotation.y = Math.PI / 2;
-      disc.position.copy(place);
-      const arrow = new ArrowHelper(new Vector3(1, 0, 0), place, 1, 0xffffff, 0.1 * this.size, 0.06 * this.size);
-      this.aircraft.add(disc, arrow);
-      this.parts.push({ kind: "propulsor", surface: disc, arrow, actuator });
-    }
-    this.wind = new ArrowHelper(new Vector3(1, 0, 0), new Vector3(), 1, 0xffffff, 0.08 * this.size, 0.05 * this.size);
-    this.wind.visible = false;
-    this.three.add(this.wind);
+  add({ flight, columns, name }, tint, faint = false) {
+    const craft = new Craft(flight, columns, tint, faint);
+    const one = { craft, name, tint, last: lastOf(columns.north_m) };
+    this.three.add(craft.group, craft.around);
+    if (name) one.label = this.label(name);
+    this.track(one);
+    return one;
   }
 
-  trail() {
-    const { time_s, north_m, east_m, altitude_m } = this.columns;
-    const positions = new Float32Array(3 * time_s.length);
-    this.colours = new Float32Array(3 * time_s.length);
-    for (let k = 0; k < time_s.length; k++) {
-      positions.set([north_m[k] - north_m[0], altitude_m[k] - altitude_m[0], east_m[k] - east_m[0]], 3 * k);
-    }
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("color", new BufferAttribute(this.colours, 3));
-    this.line = new Line(geometry, new LineBasicMaterial({ vertexColors: true }));
-    this.three.add(this.line);
+  label(name) {
+    const made = Object.assign(document.createElement("span"), { className: "craft", textContent: name });
+    this.canvas.parentElement.append(made);
+    return made;
+  }
+
+  // The trail of a flight that is over.
+  track(one) {
+    const { craft, last } = one;
+    const every = Math.max(1, Math.ceil(last / MOST_POINTS));
+    one.rows = Array.from({ length: Math.floor(last / every) + 1 }, (_, k) => k * every);
+    one.trail = new Trail(this.three, Math.max(one.rows.length, 2));
+    for (const row of one.rows) one.trail.add(this.place(craft.columns, row), this.ordered(craft.columns, row), 0);
+  }
+
+  place(columns, row) {
+    return new Vector3(columns.north_m[row], columns.altitude_m[row], columns.east_m[row]).sub(this.origin);
+  }
+
+  ordered({ altitude_command_m, altitude_m }, row) {
+    return (altitude_command_m ?? altitude_m)[row] - this.origin.y;
   }
 
   recolour() {
-    const { time_s } = this.columns;
-    const shades = Object.fromEntries(PHASES.map((name) => [name, new Color(colour(name))]));
-    let k = 0;
-    for (const { name, until_s } of this.flight.phases) {
-      for (; k < time_s.length && time_s[k] <= until_s + 1e-9; k++) shades[name].toArray(this.colours, 3 * k);
+    for (const one of this.seen) {
+      one.craft.recolour();
+      this.shade(one);
+      one.trail.order(colour("command"));
+      one.trail.changed();
+      if (one.label) one.label.style.borderColor = colour(one.tint);
     }
-    this.line.geometry.attributes.color.needsUpdate = true;
-    for (const part of this.parts) part.surface.material.color.set(colour("body"));
-    if (this.grid) this.three.remove(this.grid);
-    this.grid = new GridHelper(40 * GRID_M, 40, colour("grid"), colour("grid"));
-    this.three.add(this.grid);
-    this.wind.setColor(new Color(colour("third")));
+    this.ground.recolour();
+    this.draw();
+  }
+
+  // The colour of a trail: the phases of a flight that is alone, else its own.
+  shade({ craft, tint, rows, trail }) {
+    const { time_s } = craft.columns;
+    let phase = 0;
+    const shades = Object.fromEntries([...PHASES, tint].map((name) => [name, colour(name)]));
+    const { phases } = craft.flight;
+    rows.forEach((row, k) => {
+      while (phase < phases.length - 1 && time_s[row] > phases[phase].until_s + 1e-9) phase += 1;
+      trail.shade(k, shades[tint === "body" ? phases[phase].name : tint]);
+    });
+  }
+
+  follows(i) {
+    this.one = this.seen[i];
+    for (const each of this.seen) {
+      each.trail.sheet.visible = each.trail.path.visible = each === this.one;
+      each.craft.needle.visible = false;
+    }
+  }
+
+  look(view) {
+    this.orbit.look(view);
     this.draw();
   }
 
   show(row) {
-    this.row = row;
-    const c = this.columns;
-    const at = new Vector3(c.north_m[row] - c.north_m[0], c.altitude_m[row] - c.altitude_m[0], c.east_m[row] - c.east_m[0]);
-    if (!Number.isFinite(at.x + at.y + at.z)) return;
-    this.aircraft.position.copy(at);
-    this.heading = c.heading_deg[row] * RADIAN;
-    this.aircraft.quaternion.copy(attitude(c.roll_deg[row] * RADIAN, c.pitch_deg[row] * RADIAN, this.heading));
-    for (const part of this.parts) this.pose(part, row);
-    this.grid.position.set(Math.round(at.x / GRID_M) * GRID_M, this.floor(), Math.round(at.z / GRID_M) * GRID_M);
-    this.blow(row, at);
+    for (const { craft, last } of this.seen) craft.show(Math.min(row, last), this.place(craft.columns, Math.min(row, last)));
+    for (const { craft } of this.seen) if (craft !== this.one.craft) craft.needle.visible = false;
+    this.one.trail.orderedUntil(this.flown(this.one, row));
     this.draw();
   }
 
-  floor() {
-    this.lowest ??= this.columns.altitude_m.reduce((a, b) => (b < a ? b : a), Infinity) - this.columns.altitude_m[0] - 4 * this.size;
-    return this.lowest;
-  }
-
-  pose(part, row) {
-    if (!part.actuator) return;
-    const c = this.columns;
-    const effect = c[`${part.actuator}_response`][row];
-    const believed = this.believed(part.actuator, row, effect);
-    part.surface.material.color.copy(shade(effect));
-    if (part.kind === "panel") {
-      const angle = c[`${part.actuator}_position`][row] * RADIAN;
-      const [a, b, , trailing] = part.points;
-      part.group.matrix.copy(deflection(a, b, trailing, angle, part.sense));
-      part.edge.material.color.copy(shade(believed));
-      const commanded = c[`${part.actuator}_command`]?.[row] * RADIAN;
-      part.ghost.visible = !Number.isFinite(effect) && Number.isFinite(commanded);
-      if (!part.ghost.visible) return;
-      part.ghost.material.color.set(colour("command"));
-      part.ghost.matrix.copy(deflection(a, b, trailing, commanded, part.sense));
-    } else {
-      const thrust = c[`${part.actuator}_position`][row] * c[`${part.actuator}_effectiveness`][row];
-      const [low, high] = this.flight.actuators[part.actuator].limits;
-      const most = Math.max(Math.abs(low), Math.abs(high));
-      part.arrow.visible = Math.abs(thrust) > 0.005 * most;
-      part.arrow.setDirection(new Vector3(Math.sign(thrust) || 1, 0, 0));
-      part.arrow.setLength(Math.max((Math.abs(thrust) / most) * 1.6 * this.size, 1e-3), 0.08 * this.size, 0.05 * this.size);
-      part.arrow.setColor(shade(believed));
-    }
-  }
-
-  // What the controller thinks that an actuator does for its command: nothing where it takes it for broken, else its estimate.
-  believed(actuator, row, effect) {
-    const word = this.flight.beliefs?.[this.columns[`${actuator}_belief`]?.[row]];
-    if (["lost", "held", "reversed", "swings"].includes(word)) return 0;
-    return this.flight.estimates ? this.columns[`${actuator}_effectiveness_estimate`][row] : effect;
-  }
-
-  blow(row, at) {
-    const c = this.columns;
-    if (!c.wind_north_m_s) return;
-    const wind = new Vector3(c.wind_north_m_s[row], -c.wind_down_m_s[row], c.wind_east_m_s[row]);
-    const speed = wind.length();
-    this.wind.visible = speed > 0.05;
-    if (!this.wind.visible) return;
-    this.wind.position.copy(at).add(new Vector3(0, 0.35 * this.size, 0));
-    this.wind.setDirection(wind.normalize());
-    this.wind.setLength((speed / 5) * this.size, 0.08 * this.size, 0.05 * this.size);
+  // How many points of a trail are at or before a row.
+  flown({ rows }, row) {
+    return Math.min(Math.floor(row / (rows[1] ?? 1)) + 1, rows.length);
   }
 
   draw() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
-    if (!width || !height) return;
+    if (!width || !height || !this.one) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    const at = this.aircraft.position;
-    const level = new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), -(this.heading ?? 0));
-    const far = this.size * Math.max(1, 1 / this.camera.aspect);
-    const from = { chase: new Vector3(-1.9 * far, 0.9 * far, 0), side: new Vector3(0, 0.25 * far, 2.4 * far), top: new Vector3(-0.01, 12 * far, 0) };
-    this.camera.position.copy(from[this.view].applyQuaternion(level)).add(at);
+    const { craft } = this.one;
+    const wide = Math.max(1, 1 / this.camera.aspect);
+    const [at, span, heading] = this.orbit.view === "whole" ? this.all() : [craft.group.position, craft.reach, craft.heading ?? 0];
+    this.orbit.place(this.camera, at, heading, span * wide);
+    this.camera.near = 0.05 * this.orbit.distance * span;
+    this.enlarge(this.orbit.distance * span);
+    this.ground.follow(this.camera.position);
     this.camera.lookAt(at);
     this.camera.updateProjectionMatrix();
     this.renderer.render(this.three, this.camera);
+    this.name(width, height);
+  }
+
+  // From far away an aircraft is drawn larger than it is, so that it is seen.
+  enlarge(away_m) {
+    for (const { craft } of this.seen) craft.group.scale.setScalar(Math.max(1, away_m / (LARGER_SPANS * craft.size)));
+  }
+
+  // The middle and the size of all trails, and the heading in which the first one began.
+  all() {
+    const [low, high] = [new Vector3(Infinity, Infinity, Infinity), new Vector3(-Infinity, -Infinity, -Infinity)];
+    for (const { trail } of this.seen) {
+      const point = new Vector3();
+      for (let k = 0; k < trail.count; k++) {
+        point.fromBufferAttribute(trail.flown, k);
+        low.min(point);
+        high.max(point);
+      }
+    }
+    const size = Math.max(high.distanceTo(low) / 1.8, this.one.craft.size);
+    return [low.add(high).multiplyScalar(0.5), size, this.one.craft.columns.heading_deg[0] * (Math.PI / 180)];
+  }
+
+  // Puts the name of each flight where it is in the picture.
+  name(width, height) {
+    for (const { craft, label } of this.seen.filter((one) => one.label)) {
+      const at = craft.group.position.clone().add(new Vector3(0, 0.3 * craft.size, 0)).project(this.camera);
+      label.hidden = at.z > 1;
+      label.style.transform = `translate(${((at.x + 1) / 2) * width}px, ${((1 - at.y) / 2) * height}px)`;
+    }
   }
 }

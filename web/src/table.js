@@ -29,7 +29,7 @@ function command(text) {
 
 // The worst first: without a result, then lost, the earliest first, then missed, by the number of requirements and the margin.
 function worst(sweep) {
-  const rank = [3, 2, 1, 0]; // of passed, missed, lost, no result
+  const rank = [4, 2, 1, 0, 3]; // of passed, missed, lost, no result, not judged
   const key = ({ state, others, margin, end_s }) => [rank[state], state === 2 ? end_s : -others, margin ?? 0];
   return (i, j) => {
     const [a, b] = [key(sweep.flights[i]), key(sweep.flights[j])];

@@ -11,8 +11,9 @@ const TITLES = {
   lost: "lost",
 };
 
-export function timeline(root, flight, clock) {
-  const span = flight.phases[flight.phases.length - 1].until_s - clock.start || 1; // a lost flight's goes on to where it should have ended
+// `until` is where its axis ends: by default where the flight should have ended, which is later than where a lost one did.
+export function timeline(root, flight, clock, until = flight.phases[flight.phases.length - 1].until_s) {
+  const span = until - clock.start || 1;
   const share = (t) => `${(100 * (t - clock.start)) / span}%`;
   const bar = document.createElement("div");
   bar.className = "bar";

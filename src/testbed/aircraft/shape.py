@@ -45,6 +45,8 @@ class Propulsor(Settings):
     at: Point
     diameter_m: Positive
     actuator: Text | None = None
+    jet: Literal[True] | None = None
+    """Whether it has no blades."""
 
 
 class Shape(Settings):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +10,10 @@ from testbed.api.study import folder_of, write_summary
 from testbed.common.writing import write
 from testbed.controllers.user.own import not_given
 from testbed.inputs.problems import BadInput, Problem
-from testbed.studies.benchmark.law import seed_of
+from testbed.parts import digests
+from testbed.reporting.attempt import attempt
+from testbed.reporting.junit import Test
+from testbed.studies.benchmark.law import law_sha256, seed_of
 from testbed.studies.benchmark.load import chosen, load_suite, read_back
 from testbed.studies.benchmark.plan import Benchmark, benchmark_of
 from testbed.studies.benchmark.run import fly_benchmark
@@ -76,6 +79,9 @@ def prepare(
     """Read and check a suite; returns what is to be flown and the folder. Raises BadInput with every problem found."""
     if draws is not None and draws < 1:
         raise BadInput([Problem(f"is {draws}", "--draws", expected="at least 1")])
+    if entry is not None and digests():
+        what = "would need parts of your own, with which nobody else can check it"
+        raise BadInput([Problem(what, "--entry", expected="no --with")])
     if seed is not None and word is not None:
         raise BadInput([Problem("makes a seed, and one is given", "--word", expected="--word or --seed")])
     if seed is None:
@@ -88,6 +94,7 @@ def prepare(
         draws=DEFAULT_DRAWS if draws is None else draws,
         seed=seed,
         file=str(file),
+        law=law_sha256(),
         word=word or "",
         entry=None if entry is None else Path(entry),
     )
@@ -98,8 +105,9 @@ def prepare(
 def finish(
     plan: Benchmark, folder: Path, flights: Flights | None = None, *, figures: bool = True
 ) -> dict[str, Any]:
-    """As `Kind.finish`: results.csv, summary.json, and the entry if one is asked for. It draws no figures."""
+    """As `Kind.finish`: results.csv, summary.json, the report, and the entry if one is asked for."""
     from testbed.studies.benchmark import entry, scores  # with pandas
+    from testbed.study_reports.benchmark_page import write_benchmark_page
 
     with store.reading(folder) as stored:
         frame = scores.table(plan, stored)
@@ -110,22 +118,36 @@ def finish(
         write_summary(summary, folder)
         if plan.entry is not None:
             entry.write(plan.entry, plan, stored, summary)
+    if figures:
+        attempt("the report", lambda: write_benchmark_page(summary, folder))
     return summary
 
 
 def rebuild(folder: Path) -> dict[str, Any]:
     """As `Kind.rebuild`; of an unfinished benchmark, of the draws that every controller has flown."""
+    return finish(plan_of(folder), folder)
+
+
+def plan_of(folder: Path) -> Benchmark:
+    """The plan of a benchmark's folder, as its file has it, and of the user's controllers without their code; raises BadInput."""
     suite, compared, tree = read_back(folder)
     known = {key: tree[key] for key in ("draws", "seed", "file")}
-    plan = benchmark_of(suite, tree["suite"], compared, **known, word=tree.get("word", ""))
-    return finish(plan, folder)
+    said = {key: tree.get(name, "") for key, name in (("law", "law_sha256"), ("word", "word"))}
+    return benchmark_of(suite, tree["suite"], compared, **known, **said)
+
+
+def tests(plan: Benchmark, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
+    """A test of each flight, which fails where it was not held, for `--junit`."""
+    from testbed.study_reports.tests import tests_of_benchmark
+
+    return tests_of_benchmark(summary, table(folder))
 
 
 def answer(summary: Mapping[str, Any]) -> Sequence[str]:
     """As `Kind.answer`: the tables, first where the reference loses."""
-    from testbed.study_reports.benchmark import page
+    from testbed.study_reports.benchmark_page import markdown
 
-    return page(summary)
+    return markdown(summary)
 
 
 def met(summary: Mapping[str, Any]) -> bool:

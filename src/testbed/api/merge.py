@@ -1,4 +1,4 @@
-"""Shards of a sweep or a matrix joined into one folder."""
+"""Shards of a sweep, a matrix or a benchmark joined into one folder."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from testbed.api.load import KEEP_LOGS, kind_of
+from testbed.api.load import KEEP_LOGS, SHARDED, kind_of
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies import merge as shards
 
@@ -20,7 +20,7 @@ def merge(
     While runs are missing there is no summary: the folder is that of an unfinished study, and `--resume` flies them.
 
     Args:
-        folders: those that `sweep --shard` or `matrix --shard` made, finished or not.
+        folders: those that `--shard` made, finished or not.
         out: the folder to make.
         figures: whether to draw figures and write the report.
 
@@ -29,10 +29,12 @@ def merge(
     paths, out = [Path(folder) for folder in folders], Path(out)
     words = [kind_of(path) for path in paths]
     for word, path in zip(words, paths, strict=True):
-        if word not in KEEP_LOGS or word != words[0]:
+        if word not in SHARDED or word != words[0]:
             what = f"is the folder of a {word}"
-            raise BadInput([Problem(what, str(path), expected="shards of one sweep, or of one matrix")])
+            raise BadInput([Problem(what, str(path), expected="shards of one sweep, matrix or benchmark")])
     kind = import_module(f"testbed.api.{words[0]}")
     plan = kind.plan_of(paths[0])
-    missing = shards.merge(plan, paths, out)
+    if other := [path for path in paths if words[0] == "benchmark" and kind.plan_of(path).size != plan.size]:
+        raise BadInput([Problem("has another number of draws", str(path)) for path in other])
+    missing = shards.merge(plan, paths, out, tabled=words[0] in KEEP_LOGS)
     return (None if missing else kind.finish(plan, out, figures=figures)), missing

@@ -19,7 +19,7 @@ from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, flight_of
 from testbed.studies.folder import logs, reading, store, table
-from testbed.studies.folder.begin import refuse_blocked, runs_of
+from testbed.studies.folder.begin import refuse_blocked, refuse_other_parts, runs_of
 from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
@@ -118,7 +118,7 @@ def finish(
 ) -> dict[str, Any]:
     """As `Kind.finish`, from the folder's table."""
     frame = reading.load(folder)
-    found = summary.summarize(plan, frame)
+    found = summary.summarize(plan, frame) | _controllers(folder)
     write_summary(found, folder)
     if figures and len(frame):
         from testbed.study_reports.sweep.figures import draw_sweep  # with matplotlib
@@ -127,6 +127,16 @@ def finish(
         attempt("the pages of the worst flights", lambda: _write_worst_pages(plan, found, folder))
         attempt("the report", lambda: write_sweep_report(folder))
     return found
+
+
+def _controllers(folder: Path) -> dict[str, Any]:
+    """The digests of the controllers of one's own with which a folder was begun, if there are any."""
+    if not store.exists(folder):
+        return {}
+    with store.reading(folder) as stored:
+        digests = stored.inputs.get("controllers_sha256")
+    known = digests if isinstance(digests, Mapping) else {}
+    return {"controllers_sha256": {name: str(digest) for name, digest in known.items()}} if known else {}
 
 
 def tests(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
@@ -154,8 +164,8 @@ def answer(summary: Mapping[str, Any]) -> Sequence[str]:
 def _shares(summary: Mapping[str, Any]) -> Iterator[str]:
     for variant in summary["variants"]:
         total = variant["all_requirements"]
-        if total["estimate"] is not None:
-            yield f"{variant['label'] or summary['sweep']}: {total['n']} runs"
+        if flown := total["n"] + total.get("not_judged", 0):
+            yield f"{variant['label'] or summary['sweep']}: {flown} runs"
             yield f"  {interval(total)}  all requirements"
             yield from (f"  {interval(each)}  {each['name']}" for each in variant["requirements"])
 
@@ -170,7 +180,7 @@ def _differences(summary: Mapping[str, Any]) -> Iterator[str]:
 def met(summary: Mapping[str, Any]) -> bool:
     """As `Kind.met`: whether every flight passed."""
     shares = [variant["all_requirements"] for variant in summary["variants"]]
-    return all(share["successes"] == share["n"] for share in shares)
+    return all(share["successes"] == share["n"] and not share.get("not_judged") for share in shares)
 
 
 def rebuild(folder: Path) -> dict[str, Any]:
@@ -198,6 +208,9 @@ def fly_run(
     With `variant`, the label of one of those compared, only that is flown, and the new folder itself is its run folder.
     Returns whether every flight passed, and those flights that have a result. Raises BadInput when there is no such run.
     """
+    begun = Path(plan.builder.base.file).parent
+    if store.exists(begun):
+        refuse_other_parts(begun)
     done = fly_only(plan, run, how, None if variant is None else _numbered(plan, variant))
     records = [flown.record for _, flown in done]
     # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.

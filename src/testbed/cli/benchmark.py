@@ -5,8 +5,8 @@ from __future__ import annotations
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from testbed.cli import study
-from testbed.cli.command import Command, add_flying, add_out, whole_number
+from testbed.cli import study, sweep
+from testbed.cli.command import Command, add_flying, add_junit, add_out, add_shard, whole_number
 from testbed.cli.interrupts import tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
@@ -32,7 +32,9 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("--entry", type=Path, metavar="FILE", help=entry)
     verify = "fly a part of an entry again, and compare; needs --controller for those of its author"
     command.add_argument("--verify", type=Path, metavar="FILE", help=verify)
+    add_shard(command)
     add_flying(command)
+    add_junit(command)
     command.set_defaults(set=[])
 
 
@@ -45,6 +47,8 @@ def _run(options: Namespace) -> int:
     if options.only is not None:
         return _fly_only(options)
     own = {"draws": options.draws, "word": options.word, "entry": options.entry}
+    if options.shard is not None:
+        return sweep.fly_shard(benchmark, options, options.suite or "open", "none", **own)
     return study.run(benchmark, options, options.suite or "open", **own)
 
 
@@ -67,7 +71,8 @@ def _verify(options: Namespace) -> int:
 
 def _fly_only(options: Namespace) -> int:
     """Fly one draw alone by every controller, tell each of its flights, and return the exit status."""
-    from testbed.api import benchmark, sweep
+    from testbed.api import benchmark
+    from testbed.api.sweep import fly_run
     from testbed.flight.folder import refuse_existing
     from testbed.studies.run import Options
 
@@ -82,7 +87,7 @@ def _fly_only(options: Namespace) -> int:
     refuse_existing(folder)
     how = Options(options.jobs, options.cluster, "none")
     with tidily():
-        passed, flights = sweep.fly_run(plan, options.only, folder, how, figures=not options.no_plots)
+        passed, flights = fly_run(plan, options.only, folder, how, figures=not options.no_plots)
     for flight in flights:
         print_verdict(flight)
     print(f"wrote {folder}")

@@ -92,6 +92,12 @@ def add_set(command: ArgumentParser) -> None:
     command.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", help=meaning)
 
 
+def add_parts(command: ArgumentParser) -> None:
+    """`--with`: parts of the user's own."""
+    meaning = "use the failures, sensors, metrics, panels and references of your own in this file; repeatable"
+    command.add_argument("--with", dest="parts", type=Path, action="append", metavar="FILE.py", help=meaning)
+
+
 def add_many_flights(command: ArgumentParser) -> None:
     """What a sweep and a search share: seed, controllers, where and how the flights are flown, figures."""
     command.add_argument("--seed", type=whole_number, metavar="S", help="seed of everything random")
@@ -105,6 +111,12 @@ def add_many_flights(command: ArgumentParser) -> None:
     add_flying(command)
 
 
+def add_shard(command: ArgumentParser) -> None:
+    """`--shard`: a part of the runs."""
+    shard = "fly every N-th run, from the K-th on; `testbed merge` joins the folders"
+    command.add_argument("--shard", metavar="K/N", help=shard)
+
+
 def add_flying(command: ArgumentParser) -> None:
     """How and where many flights are flown."""
     jobs = "number of processes (default: one for each core)"
@@ -112,6 +124,8 @@ def add_flying(command: ArgumentParser) -> None:
     command.add_argument(
         "--cluster", metavar="ADDRESS", help="fly on a Dask cluster, such as tcp://host:8786"
     )
+    wait = "how long to wait for a cluster that is starting (default: 8)"
+    command.add_argument("--cluster-wait", type=number, metavar="S", help=wait)
     resume = "go on with an existing folder: fly only the missing flights"
     command.add_argument("--resume", action="store_true", help=resume)
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")

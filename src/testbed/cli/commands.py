@@ -8,7 +8,9 @@ from __future__ import annotations
 import os
 import sys
 import traceback
+from argparse import Namespace
 from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 
 from testbed.cli import interrupts
@@ -51,12 +53,22 @@ def _run(arguments: Sequence[str] | None) -> int:
         return _said(FIRST_STEPS.rstrip(), BAD_INPUT)
     options = top.parse_args(arguments)
     try:
-        status: int = options.command(options)
+        with _parts(options):
+            status: int = options.command(options)
     except BadInput as error:
         return _said("\n".join(map(str, error.problems)), BAD_INPUT)
     except Ended as ended:
         return _said(str(ended), ended.status)
     return status
+
+
+def _parts(options: Namespace) -> AbstractContextManager[object]:
+    """The parts of the user's own, for a block; raises BadInput when they cannot be used."""
+    if not (files := getattr(options, "parts", None)):
+        return nullcontext()
+    from testbed.parts import use
+
+    return use(*files)
 
 
 def _said(words: str, status: int) -> int:

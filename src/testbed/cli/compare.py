@@ -38,7 +38,7 @@ def _run(options: Namespace) -> int:
     flights = [collect(problems, lambda run=run: load_flight(run)) for run in runs]  # type: ignore[misc]
     if problems:
         raise BadInput(problems)
-    comparison = Comparison([flight for flight in flights if flight is not None])
+    comparison = Comparison(list(filter(None, flights)), folders=list(map(str, runs)))
     with tidily():
         comparison.write(file)
     print(comparison)

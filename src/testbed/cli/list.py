@@ -13,6 +13,7 @@ from testbed.aircraft import shipped
 from testbed.cli.command import Command
 from testbed.cli.status import MET
 from testbed.common.docstrings import first_line
+from testbed.inputs.problems import BadInput, Problem
 
 Entries = list[tuple[str, str]]
 """(name, meaning) of each entry."""
@@ -28,6 +29,17 @@ def _table(module: str) -> Entries:
     """Names in the TABLE of a module, which is imported when it is asked for, each with the first line of its docstring."""
     table: Mapping[str, object] = import_module(module).TABLE
     return [(name, first_line(entry)) for name, entry in table.items()]
+
+
+def _own() -> Entries:
+    """The parts of the user's own that were given."""
+    from testbed.parts.files import KINDS
+    from testbed.parts.registry import tables_in_use
+
+    return [
+        (name, f"{KINDS[kind].word}: {'' if isinstance(part, Mapping) else first_line(part)}".rstrip(": "))
+        for kind, name, part in tables_in_use()
+    ]
 
 
 def _files(folder: str) -> Entries:
@@ -49,22 +61,44 @@ TABLE: dict[str, Callable[[], Entries]] = {
     "failures": partial(_table, "testbed.failures"),
     "matrices": partial(_files, "scenarios/matrices"),
     "metrics": partial(_table, "testbed.metrics"),
+    "own": _own,
     "scenarios": partial(_files, "scenarios"),
     "searches": partial(_files, "scenarios/searches"),
+    "sensor_faults": partial(_table, "testbed.sensors.faults"),
     "suites": partial(_files, "scenarios/suites"),
     "sweeps": partial(_files, "scenarios/sweeps"),
 }
 """The lists that `testbed list` can show."""
+_FMU, _FMU_EXPECTED = "fmu", "testbed list fmu FILE [MAPPING]"
+
+
+def _fmu(options: Namespace) -> Entries:
+    """The inputs and outputs of an FMU, each with what it takes or commands; raises BadInput as a flight with it."""
+    from testbed.aircraft.description import load_aircraft
+    from testbed.controllers.external.fmu import shown
+
+    if len(options.files) not in (1, 2):
+        raise BadInput([Problem("names no FMU, or too many files", "list", expected=_FMU_EXPECTED)])
+    file, mapping = [*options.files, None][:2]
+    return shown(file, mapping, tuple(load_aircraft(options.aircraft).actuators))
 
 
 def _arguments(command: ArgumentParser) -> None:
-    command.add_argument("what", nargs="?", choices=TABLE, help="default: everything")
+    command.add_argument("what", nargs="?", choices=[*TABLE, _FMU], help="default: everything, but for fmu")
+    command.add_argument("files", nargs="*", metavar="FILE", help="of fmu: the FMU, and a mapping for it")
+    command.add_argument(
+        "--aircraft", default="vtail", metavar="NAME", help="of fmu: whose actuators it is to command"
+    )
 
 
 def _run(options: Namespace) -> int:
+    if options.files and options.what != _FMU:
+        raise BadInput([Problem("takes no file", f"list {options.what}", expected=_FMU_EXPECTED)])
     for what in [options.what] if options.what else TABLE:
+        entries = TABLE[what]() if what in TABLE else _fmu(options)
+        if not entries:  # parts of the user's own, where none are given
+            continue
         print(what)
-        entries = TABLE[what]()
         width = max((len(name) for name, _ in entries), default=0) + 2
         for name, meaning in entries:
             print(f"  {name:<{width}}{meaning}")
@@ -75,5 +109,10 @@ COMMAND = Command(
     "list the names that scenarios and commands can use, with their meanings",
     _arguments,
     _run,
-    ("testbed list", "testbed list failures"),
+    (
+        "testbed list",
+        "testbed list failures",
+        "testbed list fmu pilot.fmu",
+        "testbed list own --with my_parts.py",
+    ),
 )

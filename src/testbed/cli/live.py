@@ -39,8 +39,7 @@ def _run(options: Namespace) -> int:
             [Problem("needs the package websockets", "live", expected="pip install 'testbed[live]'")]
         )
     from testbed.cli.run import own_controller
-    from testbed.live import frames
-    from testbed.live.flight import LiveFlight
+    from testbed.live.choices import Choices
     from testbed.live.page import page
     from testbed.live.pilot import Pilot
     from testbed.live.server import LiveServer, listening
@@ -54,9 +53,9 @@ def _run(options: Namespace) -> int:
         raise BadInput(problems)
     with listener:
         with working("preparing"):
-            flight = LiveFlight(scenario, controller)
-            server = LiveServer(listener, partial(page, frames.facts(flight.session)))
-        pilot = Pilot(flight, server.tell, partial(_keep, options.controller))
+            server = LiveServer(listener, page)
+            choices = Choices(options.scenario, scenario, controller, options.controller)
+            pilot = Pilot(choices, server.tell, _keep)
         with tidily():
             server.run(pilot, partial(_ready, server.address, not options.no_browser))
     return MET
@@ -70,7 +69,7 @@ def _ready(address: str, browser: bool) -> None:
         webbrowser.open(address)
 
 
-def _keep(controller: str | None, flight: ReportedFlight) -> tuple[Path, str]:
+def _keep(flight: ReportedFlight, controller: str | None) -> tuple[Path, str]:
     """Write the run folder of a flight; returns it, and the command that flies it again."""
     from testbed.cli.run import write
     from testbed.reporting.attempt import add_report

@@ -1,4 +1,4 @@
-"""`testbed merge`: shards of a sweep or a matrix joined into one folder."""
+"""`testbed merge`: shards of a sweep, a matrix or a benchmark joined into one folder."""
 
 from __future__ import annotations
 
@@ -31,7 +31,8 @@ def _run(options: Namespace) -> int:
     kind = kind_of(options.out)
     if summary is None:
         named = ", ".join(map(str, missing[:_SHOWN])) + (", ..." if len(missing) > _SHOWN else "")
-        how = f"`testbed {kind} {options.out / f'{kind}.yaml'} --out {options.out} --resume` flies them"
+        file = "..." if kind == "benchmark" else options.out / f"{kind}.yaml"
+        how = f"`testbed {kind} {file} --out {options.out} --resume` flies them"
         raise Ended(f"{options.out}: {len(missing)} runs are missing: {named}; {how}", ENDED_EARLY)
     status = study.told(import_module(f"testbed.api.{kind}"), summary)
     print(f"wrote {options.out}")
@@ -39,7 +40,7 @@ def _run(options: Namespace) -> int:
 
 
 COMMAND = Command(
-    "join the shards of a sweep or a matrix into one folder",
+    "join the shards of a sweep, a matrix or a benchmark into one folder",
     _arguments,
     _run,
     ("testbed merge runs/shard-1 runs/shard-2 --out runs/whole",),

@@ -8,15 +8,17 @@ from collections.abc import Iterator
 from importlib import import_module
 from typing import Any, NoReturn
 
-from testbed.cli.command import Command
+from testbed.cli.command import Command, add_parts
 from testbed.inputs.problems import did_you_mean, guess
 
 _COMMANDS = (
     "run", "live", "sweep", "search", "matrix", "benchmark", "merge", "report", "compare", "export", "validate", "identify",
-    "design", "adopt", "certify", "list", "schema", "init", "completion",
+    "diagnose", "design", "adopt", "certify", "list", "schema", "check", "init", "completion",
 )  # fmt: skip
 TABLE: dict[str, Command] = {name: import_module(f"testbed.cli.{name}").COMMAND for name in _COMMANDS}
 """The commands by their names, in the order of `--help`."""
+_WITHOUT_PARTS = ("identify", "adopt", "init", "completion", "check")
+"""Commands for which parts of the user's own mean nothing."""
 
 FIRST_STEPS = """\
 testbed breaks the actuators of a small aircraft in flight, and shows what its controller does about it.
@@ -46,6 +48,8 @@ def parser() -> argparse.ArgumentParser:
         )
         one.set_defaults(command=command.run)
         command.add_arguments(one)
+        if name not in _WITHOUT_PARTS:
+            add_parts(one)
     return top
 
 

@@ -156,25 +156,33 @@ def _default_folder(scenario: Scenario, i: int) -> Path:
     return Path("runs") / (scenario.slug if i == 1 else f"{scenario.slug}-{i}")
 
 
+_NAMED = 3
+"""Requirements that are named of those not judged."""
+
+
 def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
     """The story of the flight, then the requirements that were missed, and its warnings but those that were `said` before it."""
     from testbed.reporting.page.unmet import told
     from testbed.reporting.story import diagnoses, story
+    from testbed.reporting.words import DIGITS
 
-    by = f", flown by {flight.flown_by}" if flight.flown_by else ""
+    code = f" ({flight.flown_by_sha256[:DIGITS]})" if flight.flown_by_sha256 else ""
+    by = f", flown by {flight.flown_by}{code}" if flight.flown_by else ""
     print(f"{flight.scenario.name}: {flight.outcome.sentence}, {flight.end_time_s:g} s{by}")
     for line in [*story(flight), *diagnoses(flight)]:
         print(f"  {line}")
-    missed = [requirement for requirement in flight.requirements if not requirement["passed"]]
+    missed = [requirement for requirement in flight.requirements if requirement["passed"] is False]
     for requirement in missed:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         print("  ", end="")
         print_verdict_word("NOT MET", good=False)
         print(f"  {requirement['name']}: {number(requirement['value'])}{told(flight, requirement)}{reason}")
-    total = len(flight.requirements)
-    met = f": {total - len(missed)} of {total} requirements met" if total else ""
-    print_verdict_word("passed" if flight.passed else "not passed", flight.passed)
-    print(met)
+    print_verdict_word(flight.verdict, bool(flight.passed))
+    print(f": {flight.counted}" if flight.requirements else "")
+    unjudged = [requirement["name"] for requirement in flight.requirements if requirement["passed"] is None]
+    if unjudged:
+        more = f" and {len(unjudged) - _NAMED} more" if unjudged[_NAMED:] else ""
+        print(f"  not judged, as the controller does not say it: {'; '.join(unjudged[:_NAMED])}{more}")
     for warning in [text for text in flight.warnings if text not in said]:
         print(f"WARNING: {warning}", file=sys.stderr)
 

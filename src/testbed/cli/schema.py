@@ -25,6 +25,7 @@ TABLE = {
     "matrix": ("testbed.studies.matrix.model", "Matrix"),
     "scenario": ("testbed.scenario.model", "Scenario"),
     "search": ("testbed.studies.model", "Search"),
+    "suite": ("testbed.studies.benchmark.model", "Suite"),
     "sweep": ("testbed.studies.model", "Sweep"),
 }
 """The kinds of file that have a schema: module and name of the model of each."""

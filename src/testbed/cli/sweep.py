@@ -8,7 +8,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from testbed.cli import study
-from testbed.cli.command import Command, add_file, add_junit, add_many_flights, add_out, add_set, whole_number
+from testbed.cli.command import (
+    Command,
+    add_file,
+    add_junit,
+    add_many_flights,
+    add_out,
+    add_set,
+    add_shard,
+    whole_number,
+)
 from testbed.cli.interrupts import later, tidily
 from testbed.cli.run import print_verdict
 from testbed.cli.status import MET, NOT_MET
@@ -36,8 +45,7 @@ def add_single_runs(command: ArgumentParser, logs: str) -> None:
     variant = "with --only: fly only this one of the compared variants, into a run folder"
     command.add_argument("--variant", metavar="LABEL", help=variant)
     which = "logs to keep: none, failed or all (default: %(default)s)"
-    shard = "fly every N-th run, from the K-th on; `testbed merge` joins the folders"
-    command.add_argument("--shard", metavar="K/N", help=shard)
+    add_shard(command)
     add_junit(command)
     command.add_argument("--save-logs", default=logs, metavar="WHICH", help=which)
 
@@ -55,15 +63,17 @@ def run(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
     if options.variant is not None:
         raise BadInput([Problem("is for one run", "--variant", expected="--only I beside it")])
     if options.shard is not None:
-        return _fly_shard(kind, options, file, **own)
+        return fly_shard(kind, options, file, options.save_logs, **own)
     return study.run(kind, options, file, save_logs=options.save_logs, **own)
 
 
-def _fly_shard(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
+def fly_shard(kind: Kind, options: Namespace, file: str, save_logs: str, **own: Any) -> int:
     """Fly a part of the runs, which `testbed merge` joins with the others; returns the exit status."""
     from testbed.studies.run import Options
 
-    how = Options(options.jobs, options.cluster, options.save_logs, shard=options.shard)
+    how = Options(
+        options.jobs, options.cluster, save_logs, shard=options.shard, cluster_wait_s=options.cluster_wait
+    )
     plan, folder = kind.prepare(
         file, options.out, options.set, seed=options.seed, resume=options.resume,
         controllers=options.controller, **own,

@@ -51,7 +51,7 @@ effectiveness (1 is healthy), and a flag that is 1 while the controller takes it
 
 BELIEFS = ("belief", "believed_position")
 """What a controller may log besides of each actuator: what it takes it for (a code of `Belief`), and the position at which it is
-thought to be held, divided by `scale`. NaN is what it does not say."""
+thought to be held, divided by `scale`."""
 
 
 class Belief(IntEnum):
@@ -91,10 +91,8 @@ def telemetry_width(actuators: int) -> int:
 
 
 def telemetry_rows(steps: int, actuators: int) -> np.ndarray:
-    """[steps, `telemetry_width`] rows for a controller to fill: zeros, and NaN for `BELIEFS`, of which many say nothing."""
-    rows = np.zeros((steps, telemetry_width(actuators)))
-    rows[:, -len(BELIEFS) * actuators :] = math.nan
-    return rows
+    """[steps, `telemetry_width`] rows for a controller to fill; NaN is what it does not say."""
+    return np.full((steps, telemetry_width(actuators)), math.nan)
 
 
 @cache

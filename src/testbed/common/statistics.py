@@ -102,6 +102,16 @@ class Mean:
         return asdict(self)
 
 
+def rate(events: int, exposure: float, confidence: float = CONFIDENCE) -> Mean:
+    """Events of a Poisson process per unit of exposure, with the exact interval (Garwood 1936); NaN where nothing was exposed."""
+    if exposure <= 0.0:
+        return Mean(math.nan, math.nan, math.nan, confidence)
+    tail = 0.5 * (1.0 - confidence)
+    low = stats.chi2.ppf(tail, 2 * events) if events else 0.0
+    high = stats.chi2.isf(tail, 2 * events + 2)
+    return Mean(events / exposure, float(low) / (2.0 * exposure), float(high) / (2.0 * exposure), confidence)
+
+
 _RESAMPLES = 4000
 
 

@@ -19,3 +19,8 @@ def unit(column: str) -> str:
     """Unit of a column, from the end of its name; "" when it has none."""
     last = column.rpartition(".")[2]
     return next((unit for ending, unit in _BY_ENDING.items() if last.endswith(ending)), "")
+
+
+def endings(of: str) -> list[str]:
+    """The endings of names that stand for a unit."""
+    return [ending for ending, unit in _BY_ENDING.items() if unit == of]

@@ -31,8 +31,8 @@ class Controller(Protocol):
         Args:
             states: [steps] measured states, a record array with the fields of `signals.STATE`.
             setpoints: [steps] references, a record array with the fields of `signals.SETPOINT`.
-            telemetry: [steps, `signals.telemetry_width`] filled by the controller (`signals.TELEMETRY`). What it takes an actuator
-                for (`signals.BELIEFS`) is NaN unless it says so.
+            telemetry: [steps, `signals.telemetry_width`] filled by the controller (`signals.TELEMETRY`). NaN is what it does
+                not say, and is not judged.
         """
         ...
 

@@ -20,7 +20,7 @@ import numpy as np
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import command_actuators, write_telemetry
+from testbed.controllers.commands import command_actuators, write_diagnosis, write_telemetry
 from testbed.controllers.config import AdaptiveIndiSettings
 from testbed.controllers.indi import measured_remainder
 from testbed.controllers.initial_records import settings_record
@@ -143,6 +143,7 @@ def adaptive_indi_step(step, parts):
     compensate(m, c, k, s)
     command_actuators(axial, m, s)
     write_telemetry(telemetry[step], k.released, s)
+    write_diagnosis(telemetry[step], c, s)
     return 0
 
 
@@ -150,6 +151,7 @@ def adaptive_indi(setup: Setup) -> InversionController:
     """The controller; raises BadInput as `InversionController` does."""
     chosen, settings = setup.settings_as(AdaptiveIndiSettings), settings_record(setup, None)
     settings[0].filter_rate, settings[0].uncompensated = chosen.filter_rad_s, True
+    settings[0].estimates = True
     learning = np.zeros(1, learning_dtype(len(setup.actuators)))
     h = learning[0]
     h.mu, h.factor_max, h.filter_rate = chosen.mu_s, chosen.factor_max, chosen.learning_filter_rad_s

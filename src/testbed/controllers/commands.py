@@ -32,7 +32,7 @@ def command_actuators(axial, m, s):
 
 @compiled
 def write_telemetry(row, released, s):
-    """Fill one row of telemetry, in the order of `signals.TELEMETRY`.
+    """Fill one row of telemetry with what every law says: references, commands, desired rates and released ones.
 
     Args:
         row: [`signals.telemetry_width`] to be filled.
@@ -42,8 +42,6 @@ def write_telemetry(row, released, s):
     for i in range(n):
         row[i] = s.r[i]
         row[n + i] = s.u[i]
-        row[2 * n + i] = 0.0 if s.jammed[i] else s.lambda_hat[i]  # of a jammed one this is its position
-        row[3 * n + i] = s.failed[i]
     for i in range(4):
         row[4 * n + i] = s.x_dc_dot[i]
         row[4 * n + 4 + i] = released[i]
@@ -71,17 +69,21 @@ def belief(i, c, s):
 
 
 @compiled
-def write_beliefs(row, c, s):
-    """Fill the `signals.BELIEFS` of a row of telemetry; nothing for a law that diagnoses nothing.
+def write_diagnosis(row, c, s):
+    """Fill the estimates of a row of telemetry, its flags and its `signals.BELIEFS`: nothing that the law does not make.
 
     Args:
         row: [`signals.telemetry_width`]
         c, s: settings and memory of the diagnosis.
     """
+    n = len(s.u)
+    if c.estimates:
+        for i in range(n):
+            row[2 * n + i] = 0.0 if s.jammed[i] else s.lambda_hat[i]  # of a jammed one this is its position
     if not (c.monitors or c.tests_jams):
         return
-    n = len(s.u)
     for i in range(n):
         believed = belief(i, c, s)
+        row[3 * n + i] = s.failed[i]
         row[4 * n + 8 + i] = believed
         row[5 * n + 8 + i] = s.lambda_hat[i] if believed == HELD else math.nan

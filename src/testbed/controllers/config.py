@@ -343,6 +343,25 @@ TABLE: dict[str, type[ControllerSettings]] = {
 }
 """Settings by the `type` of a scenario's `controller`; `make.CONSTRUCTORS` has the class that flies them."""
 
+SAYS = ESTIMATES, FLAGS = "effectiveness_estimate", "failed"
+"""What a controller may say of its actuators, by the ends of the log's columns."""
+_SAYS = {
+    "adaptive_indi": {ESTIMATES},
+    "rls_inversion": {ESTIMATES},
+    "imm_inversion": {ESTIMATES, FLAGS},
+    "informed_inversion": {ESTIMATES, FLAGS},
+}
+
+
+def says(settings: ControllerSettings) -> set[str]:
+    """ESTIMATES, FLAGS, both or none: what a shipped controller says with these settings. The rest cannot be judged."""
+    if isinstance(settings, AdaptiveInversionSettings):
+        return {ESTIMATES, FLAGS} if {"monitor", "jam_test"} - set(settings.ablate) else {ESTIMATES}
+    if getattr(settings, "monitor", False):
+        return {ESTIMATES, FLAGS}
+    return _SAYS.get(settings.type, set())
+
+
 OLD_NAMES = {"oracle": "informed_inversion"}
 """Types that are still accepted by the names that they had."""
 

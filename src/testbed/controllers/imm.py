@@ -161,7 +161,8 @@ def imm_step(step, parts):
 def imm_inversion(setup: Setup) -> InversionController:
     """The controller; raises BadInput as `InversionController` does."""
     chosen, settings = setup.settings_as(ImmInversionSettings), settings_record(setup, None)
-    settings[0].filter_rate, settings[0].monitors = chosen.filter_rad_s, True
+    settings[0].filter_rate = chosen.filter_rad_s
+    settings[0].estimates = settings[0].monitors = True
     bank = np.zeros(1, bank_dtype(len(setup.actuators)))
     h = bank[0]
     h.probability_min, h.persistence = chosen.probability, chosen.persistence_s

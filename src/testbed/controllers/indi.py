@@ -23,7 +23,7 @@ from __future__ import annotations
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import write_beliefs, write_telemetry
+from testbed.controllers.commands import write_diagnosis, write_telemetry
 from testbed.controllers.config import IndiSettings
 from testbed.controllers.diagnosis import DiagnosedController
 from testbed.controllers.initial_records import settings_record
@@ -75,12 +75,12 @@ def indi_step(step, parts):
         w.nu[i] = (w.nu[i] if k.regulated else s.x_dc_dot[i]) - w.z[i]
     allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
-    write_beliefs(telemetry[step], chosen[0], diagnoses[0])
+    write_diagnosis(telemetry[step], chosen[0], diagnoses[0])
 
 
 def indi(setup: Setup) -> DiagnosedController:
-    """The controller; raises BadInput as `InversionController` does. Its estimates are logged as 1, for no command is divided by
-    one."""
+    """The controller; raises BadInput as `InversionController` does. Logged are the estimates of the diagnosis, if there is one;
+    no command is divided by them."""
     chosen, settings = setup.settings_as(IndiSettings), settings_record(setup, None)
     settings[0].filter_rate, settings[0].uncompensated = chosen.filter_rad_s, True
     return DiagnosedController(setup, indi_step, settings, chosen.monitor)

@@ -16,7 +16,7 @@ import numpy as np
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import write_beliefs, write_telemetry
+from testbed.controllers.commands import write_diagnosis, write_telemetry
 from testbed.controllers.config import InformedSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.inversion.allocation import allocate_and_command
@@ -54,7 +54,7 @@ def informed_step(step, parts):
         w.nu[i] -= w.e[i]  # zero without `increments`
     allocate_and_command(w.nu, pressure_ratio, axial, m, c, k, s, w)
     write_telemetry(telemetry[step], k.released, s)
-    write_beliefs(telemetry[step], c, s)
+    write_diagnosis(telemetry[step], c, s)
     return 0
 
 
@@ -72,7 +72,7 @@ class InformedController(InversionController):
             raise BadInput([Problem(what, path="controller.type", expected="a flight of `testbed.fly`")])
         self._truth, self._setup = setup.truth, setup
         settings = settings_record(setup, None)
-        settings[0].monitors = True  # what it is told is logged as what it believes
+        settings[0].estimates = settings[0].monitors = True  # it is told: this is what it believes
         settings[0].adapts, settings[0].filter_rate = chosen.increments, chosen.filter_rad_s
         super().__init__(setup, settings, informed_step)
         self._broken_s = [0.0] * len(setup.actuators)

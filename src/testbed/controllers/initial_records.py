@@ -115,7 +115,7 @@ def _fill_loops(c: np.record, setup: Setup) -> None:
 
 
 def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tuple[str, ...]) -> None:
-    c.adapts, c.weighted = True, chosen.estimation == "weighted"
+    c.adapts, c.estimates, c.weighted = True, True, chosen.estimation == "weighted"
     c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
     c.tests_jams = "jam_test" not in chosen.ablate
     c.ideal_actuators = "actuator_model" in chosen.ablate

@@ -25,7 +25,7 @@ import numpy as np
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import command_actuators, write_beliefs, write_telemetry
+from testbed.controllers.commands import command_actuators, write_diagnosis, write_telemetry
 from testbed.controllers.config import L1InversionSettings
 from testbed.controllers.diagnosis import DiagnosedController
 from testbed.controllers.initial_records import settings_record
@@ -80,15 +80,6 @@ def low_pass_channel(m, c, k, s):
 
 
 @compiled
-def show_diagnosis(row, c, d):
-    """Put what the slow monitor says into a row of telemetry (`signals.TELEMETRY`), in place of the fast estimates."""
-    n = len(d.lambda_hat)
-    for i in range(n):
-        row[2 * n + i] = 0.0 if d.jammed[i] else d.lambda_hat[i]
-    write_beliefs(row, c, d)
-
-
-@compiled
 def l1_step(step, parts):
     """One control step: fast estimate, outer loops, allocation, low-pass channel, commands.
 
@@ -111,7 +102,7 @@ def l1_step(step, parts):
     low_pass_channel(m, c, k, s)
     command_actuators(axial, m, s)
     write_telemetry(telemetry[step], k.released, s)
-    show_diagnosis(telemetry[step], chosen[0], diagnoses[0])
+    write_diagnosis(telemetry[step], chosen[0], diagnoses[0])
 
 
 def l1_inversion(setup: Setup) -> DiagnosedController:

@@ -102,7 +102,7 @@ def pid_step(step, parts):
 
 
 def pid(setup: Setup) -> CompiledController:
-    """The controller. It takes all actuators for healthy, so its estimates are logged as 1.
+    """The controller. It takes all actuators for healthy, and says nothing of them.
 
     Args:
         setup: design model (effects, trim, throttle curve), stops, released axes, gains in `settings`.

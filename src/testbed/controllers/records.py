@@ -101,6 +101,7 @@ MODEL = (
 SETTINGS = (
     Field("dt", (), "s", "control step"),
     Field("adapts", (), "flag", "estimate effectiveness and monitor it"),
+    Field("estimates", (), "flag", "the estimates are logged: they are the law's, or of the diagnosis beside it"),
     Field("uncompensated", (), "flag", "references are not divided by the estimates"),
     Field("ideal_actuators", (), "flag", "positions are taken for the commands r / lambda_hat", "(10)"),
     Field("monitors", (), "flag", "flag actuators whose estimate is low", "section 2.3"),

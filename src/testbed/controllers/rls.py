@@ -62,6 +62,6 @@ def rls_inversion(setup: Setup) -> InversionController:
     """The controller; raises BadInput as `InversionController` does."""
     chosen, settings = setup.settings_as(RlsInversionSettings), settings_record(setup, None)
     c = settings[0]
-    c.forgetting_time, c.filter_rate = chosen.forgetting_s, chosen.filter_rad_s
+    c.estimates, c.forgetting_time, c.filter_rate = True, chosen.forgetting_s, chosen.filter_rad_s
     c.lambda_min, c.lambda_max = chosen.lambda_min, chosen.lambda_max
     return InversionController(setup, settings, rls_step)

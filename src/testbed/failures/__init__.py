@@ -9,10 +9,6 @@ A new type is one class in `losses`, `held` or `varying`, and one line in TABLE.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Union
-
-from pydantic import Field
-
 from testbed.failures.base import ActuatorFailure, Capture, Course, Failure, When
 from testbed.failures.held import (
     Bias,
@@ -32,7 +28,7 @@ from testbed.failures.overlaps import held_by, meet, overlaps, same_property, st
 from testbed.failures.varying import Decay, Delay, Intermittent, Oscillation, Runaway
 
 __all__ = [
-    "TABLE", "ActuatorFailure", "AnyFailure", "Capture", "Course", "Failure", "When",
+    "TABLE", "ActuatorFailure", "Capture", "Course", "Failure", "When",
     "held_by", "meet", "overlaps", "same_property", "stream_names", "windows",
 ]  # fmt: skip
 
@@ -58,8 +54,3 @@ TABLE: dict[str, type[Failure]] = {
     "surface_lost": SurfaceLost,
     "property": Property,
 }
-
-if TYPE_CHECKING:
-    AnyFailure = Failure
-else:
-    AnyFailure = Annotated[Union[tuple(TABLE.values())], Field(discriminator="type")]  # noqa: UP007

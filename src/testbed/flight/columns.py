@@ -34,6 +34,14 @@ ALWAYS_KNOWN = ("time_s", *(name for name, *_ in (*_TRUTH, *_REFERENCES)))
 _RATE_UNITS = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot": "m_s2"}
 
 
+_SAID = (
+    *(f"_{name}" for name in (*TELEMETRY, BELIEFS[0])),
+    "_released",
+    *(f"_desired_{u}" for u in set(_RATE_UNITS.values())),
+)
+"""How the columns end that the controller fills."""
+
+
 class Recorded(NamedTuple):
     """What the loop recorded, one row for each control step; in SI and radians except positions (see `truth`)."""
 
@@ -209,6 +217,17 @@ def stays_from(flag: np.ndarray, first: int, end: int) -> int | None:
     false = np.flatnonzero(~flag[first:end])
     row = first + int(false[-1]) + 1 if len(false) else first
     return row if row < end else None
+
+
+def unsaid(log: Mapping[str, np.ndarray]) -> set[str]:
+    """Columns of which the controller said nothing in the whole flight: they cannot be judged.
+
+    Where an actuator is held is said by who says what it takes the actuator for, also while none is held.
+    """
+    silent = {name for name, values in log.items() if name.endswith(_SAID) and np.isnan(values).all()}
+    ends, of = (f"_{name}" for name in BELIEFS)
+    held = {name.removesuffix(ends) + of for name in silent if name.endswith(ends)}
+    return silent | (held & log.keys())
 
 
 def beliefs(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> list[dict[str, Any]]:

@@ -67,7 +67,8 @@ class Flight:
     metrics: Mapping[str, float] = field(default_factory=dict)
     """The value of every metric of `testbed.metrics.TABLE` by name; NaN if it has none in this flight."""
     requirements: Sequence[Mapping[str, Any]] = ()
-    """The verdict on each of the scenario's requirements: {name, passed, value, limit, margin, robustness, reason}."""
+    """The verdict on each of the scenario's requirements: {name, passed, value, limit, margin, robustness, reason}.
+    `passed` is None where the controller does not say what it limits: it is not judged."""
     actuators: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     """{kind, unit, limits, scale} of each actuator by name, so that the log can be read without the aircraft's files."""
     warnings: Sequence[str] = ()
@@ -76,17 +77,20 @@ class Flight:
     """What the aircraft looks like, for the replay; None if its folder does not say."""
     flown_by: str = ""
     """The user's own controller that flew in place of the scenario's; empty if the scenario's controller flew."""
+    flown_by_sha256: str = ""
+    """Digest of that controller's files and arguments; empty where it is in no file."""
+    parts: Mapping[str, str] = field(default_factory=dict)
+    """SHA-256 of each file of parts of the user's own that was used, by its name."""
     files: Mapping[str, bytes] = field(default_factory=dict)
     """Files of that controller's own, by name: its log, its parameters. A run folder has them in `controller/`."""
 
     def __repr__(self) -> str:
-        """`<Flight 'left tail failure': completed at 60 s, passed (25 of 25 requirements), ...>`."""
-        met = sum(bool(r["passed"]) for r in self.requirements)
+        """`<Flight 'left tail failure': completed at 60 s, passed (25 of 25 requirements met), ...>`."""
         rows, columns = self.data.shape
         events = f"{len(self.events)} event{'' if len(self.events) == 1 else 's'}"
         return (
             f"<Flight {self.scenario.name!r}: {self.outcome} at {self.end_time_s:g} s, "
-            f"{'passed' if self.passed else 'not passed'} ({met} of {len(self.requirements)} requirements), "
+            f"{self.verdict} ({self.counted}), "
             f"{rows} rows x {columns} columns, {events}>"
         )
 
@@ -116,21 +120,40 @@ class Flight:
         return columns.beliefs(self.signals, self.actuators)
 
     @property
-    def passed(self) -> bool:
-        """Whether the aircraft was flown to the end and every requirement was met."""
-        return self.outcome is Outcome.completed and all(r["passed"] for r in self.requirements)
+    def passed(self) -> bool | None:
+        """Whether the aircraft was flown to the end and every requirement that can be judged was met; None if none can."""
+        if self.outcome.is_lost:
+            return False
+        return all(r["passed"] for r in self._judged) if self._judged or not self.requirements else None
+
+    @property
+    def _judged(self) -> list[Mapping[str, Any]]:
+        return [r for r in self.requirements if r["passed"] is not None]
+
+    @property
+    def verdict(self) -> str:
+        """`passed`, `not passed` or `not judged`."""
+        return {True: "passed", False: "not passed", None: "not judged"}[self.passed]
+
+    @property
+    def counted(self) -> str:
+        """`8 of 25 requirements met, 17 not judged`; `no requirements` without any."""
+        total, judged = len(self.requirements), self._judged
+        others = f", {total - len(judged)} not judged" if len(judged) < total else ""
+        met = f"{sum(r['passed'] for r in judged)} of {total} requirements met"
+        return met + others if total else "no requirements"
 
     @property
     def robustness(self) -> float:
-        """The least robustness of its requirements; infinite without any, NaN in a folder written
-        before there was robustness. It is not negative if the flight passed.
+        """The least robustness of its requirements that were judged; infinite without requirements, NaN if none was judged, or in a
+        folder written before there was robustness. It is not negative if the flight passed.
 
         Of a flight that ended early it is that, or 0 if it is positive, less the share of the duration that was not flown.
         """
-        found = [r.get("robustness", math.nan) for r in self.requirements]
+        found = [r.get("robustness", math.nan) for r in self._judged]
         least = float(np.min(found, initial=math.inf))
         if self.outcome is Outcome.completed:
-            return least
+            return least if self.passed is not None else math.nan
         # The last step, in which it ended, was not flown to its end.
         flown_s = self.end_time_s - 1.0 / self.scenario.rate_hz
         return min(least, 0.0) + flown_s / self.scenario.duration_s - 1.0
@@ -155,5 +178,9 @@ class Flight:
             summary["shape"] = self.shape.model_dump(exclude_none=True)
         if self.flown_by:
             summary["flown_by"] = self.flown_by
+        if self.flown_by_sha256:
+            summary["flown_by_sha256"] = self.flown_by_sha256
+        if self.parts:
+            summary["parts_sha256"] = dict(self.parts)
         contents: dict[str, Any] = plain(summary)
         return contents

@@ -132,6 +132,8 @@ def flight_from(
         warnings=plain.get("warnings", ()),
         shape=said.shape,
         flown_by=said.flown_by,
+        flown_by_sha256=said.flown_by_sha256,
+        parts=said.parts_sha256,
     )
     refuse_other_events(flight, str(summary_file))
     refuse_damaged(flight, str(log_file))

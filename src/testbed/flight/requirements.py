@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,10 +20,12 @@ from testbed.flight.robustness import (
     scaled,
     sides_of,
 )
+from testbed.flight.temporal import robustness
 from testbed.scenario.requirement import Requirement
 
 _ENDED = "the flight ended before this window did"
 _NO_NUMBER = "not a number in this flight"
+_UNSAID = "not judged: the controller does not say it"
 _NOT_SETTLED = "it was outside at the end of the window"
 
 
@@ -32,6 +34,7 @@ def judge(
     log: Mapping[str, np.ndarray],
     metrics: Mapping[str, float],
     duration_s: float = math.inf,
+    unjudged: Collection[str] = (),
 ) -> list[dict[str, Any]]:
     """{name, passed, value, limit, margin, robustness, reason} of each requirement, in their order.
 
@@ -48,14 +51,42 @@ def judge(
     happen), or the signal has not settled. Its robustness is that of the rows there are, at most 0, minus the share
     of the time to the window's end that was not flown, or of the rows without a number.
 
+    A requirement on what the controller does not say is neither met nor missed: `passed` is None, and the numbers are NaN.
+
     Args:
         duration_s: how long the flight was to be [s].
+        unjudged: metrics and signals of which the controller said nothing.
     """
-    return [_judge(requirement, log, metrics, duration_s) for requirement in requirements]
+    return [
+        _not_judged(requirement)
+        if not about(requirement).isdisjoint(unjudged)
+        else _judge(requirement, log, metrics, duration_s)
+        for requirement in requirements
+    ]
+
+
+def about(requirement: Requirement) -> set[str]:
+    """The metric or the signals that it limits."""
+    return {
+        name for name in (requirement.metric, requirement.signal, requirement.of) if isinstance(name, str)
+    }
+
+
+def _not_judged(requirement: Requirement) -> dict[str, Any]:
+    numbers = dict.fromkeys(("value", "margin", "robustness"), math.nan)
+    return {
+        "name": requirement.title,
+        "passed": None,
+        "limit": requirement.limit,
+        **numbers,
+        "reason": _UNSAID,
+    }
 
 
 def worst_s(requirement: Requirement, log: Mapping[str, np.ndarray]) -> float | None:
-    """When a signal was furthest outside of its limits, or nearest to them [s]; None if no row of its window has a number."""
+    """When a signal was furthest outside of its limits, or nearest to them [s]; None for a formula, and if no row has a number."""
+    if requirement.formula is not None:
+        return None
     rows = _window(requirement, log["time_s"])
     values = _values(requirement, log, rows)
     known = np.flatnonzero(np.isfinite(values))
@@ -77,6 +108,8 @@ def _judge(
 ) -> dict[str, Any]:
     if requirement.metric is not None:
         found = _of_metric(requirement, float(metrics[requirement.metric]))
+    elif requirement.formula is not None:
+        found = _of_formula(requirement, log, duration_s)
     else:
         found = _of_signal(requirement, log, duration_s)
     return {
@@ -95,6 +128,18 @@ def _of_metric(requirement: Requirement, metric: float) -> _Verdict:
         return _Verdict(-1.0, reason=_NO_NUMBER)
     sides = sides_of(requirement, np.array([metric]))
     return _Verdict(always(scaled(sides)), *extreme(sides))
+
+
+def _of_formula(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:
+    """Of the first row: the formula's robustness is the value and, divided by `scale`, the requirement's."""
+    node, time = requirement.parsed, log["time_s"]
+    found = robustness(node, log, 1.0 / (row_spacing_s(time) or math.inf)) if len(time) else time
+    if not len(found):
+        return _Verdict(-_not_flown(requirement, time, duration_s), reason=_ENDED)
+    value = float(found[0])
+    if not math.isfinite(value):
+        return _Verdict(-1.0, reason=_NO_NUMBER)
+    return _Verdict(value / (requirement.scale or 1.0), value, value)
 
 
 def _of_signal(requirement: Requirement, log: Mapping[str, np.ndarray], duration_s: float) -> _Verdict:

@@ -32,10 +32,10 @@ def never_outside_for(distances: np.ndarray, rows: int) -> float:
     """
     if len(distances) < rows:
         return max(0.0, eventually(distances))
-    return always(_largest_of(distances, rows))
+    return always(largest_of(distances, rows))
 
 
-def _largest_of(values: np.ndarray, rows: int) -> np.ndarray:
+def largest_of(values: np.ndarray, rows: int) -> np.ndarray:
     """The largest of each so many values in succession, from windows that double."""
     width = 1
     while width < rows:

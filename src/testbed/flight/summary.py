@@ -114,7 +114,7 @@ _BY_KIND: dict[str, type[Event]] = {
 
 
 def _kind(event: Any) -> str:
-    kind = event.get("kind") if isinstance(event, Mapping) else None
+    kind = event.get("kind") if isinstance(event, Mapping) else getattr(event, "kind", None)
     return kind if isinstance(kind, str) and kind in _BY_KIND else "other"
 
 
@@ -131,7 +131,7 @@ class Verdict(_Part):
     """What was found of a requirement."""
 
     name: _Word
-    passed: _Flag
+    passed: _Flag | None
     value: _Known
     limit: _Word = ""
     margin: _Known = None
@@ -161,6 +161,8 @@ class Summary(_Part):
     warnings: tuple[_Word, ...] = ()
     shape: Shape | None = None
     flown_by: _Word = ""
+    flown_by_sha256: _Word = ""
+    parts_sha256: dict[str, _Word] = Field(default_factory=dict, max_length=100)
 
 
 def checked(contents: Any, file: str) -> Summary:

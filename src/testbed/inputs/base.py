@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Annotated
+from collections.abc import Callable, Mapping
+from typing import Annotated, Any, Union
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo
 from pydantic_core import PydanticCustomError
@@ -19,6 +19,18 @@ class Settings(BaseModel):
     """A model that cannot be changed and refuses unknown keys. Use `Number` and the like: they accept no text and no bool."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", hide_input_in_errors=True)
+
+
+def any_of(table: Mapping[str, type[Settings]]) -> Any:
+    """The type of what is one of these models, told by its key `type`."""
+    return Annotated[Union[tuple(table.values())], Field(discriminator="type")]  # noqa: UP007
+
+
+def retype(model: type[BaseModel], /, **types: Any) -> None:
+    """Give fields of a model other types, in place, so that what refers to the model has them too once it is built again."""
+    for name, kind in types.items():
+        model.model_fields[name].annotation = kind
+    model.model_rebuild(force=True)
 
 
 def refuse(what: str, expected: str = "", suggestion: str = "") -> PydanticCustomError:

@@ -12,6 +12,10 @@ TreePath = tuple[str | int, ...]
 """The keys and list indices that lead to a value in a tree read from YAML."""
 
 
+OWN_PART = "one of your own needs --with FILE.py"
+"""Said of an unknown name in a place where a part of the user's own can be named."""
+
+
 @dataclass(frozen=True)
 class Problem:
     """One thing wrong with the input; prints `file:line: path: what, expected ..., did you mean ...?`."""
@@ -71,9 +75,9 @@ def did_you_mean(word: object, candidates: Iterable[str]) -> str:
 
 
 def one_of(candidates: Iterable[str]) -> str:
-    """'one of a, b, c'; "" when there are none or more than 20."""
+    """'one of a, b, c'; "" when there are none or more than 25."""
     names = list(candidates)
-    return "one of " + ", ".join(names) if 0 < len(names) <= 20 else ""
+    return "one of " + ", ".join(names) if 0 < len(names) <= 25 else ""
 
 
 def guess(word: object, known: Iterable[str]) -> tuple[str, str]:
@@ -83,6 +87,9 @@ def guess(word: object, known: Iterable[str]) -> tuple[str, str]:
     return "" if close else one_of(names), close
 
 
-def unknown(path: TreePath, what: str, word: object, known: Iterable[str]) -> Issue:
-    """The issue of an unknown word at `path`, with the known word that was probably meant."""
-    return Issue(path, what, *guess(word, known))
+def unknown(path: TreePath, what: str, word: object, known: Iterable[str], own: bool = False) -> Issue:
+    """The issue of an unknown word at `path`, with the known word that was probably meant.
+
+    With `own` it may be the name of a part of the user's own, of which the file was not given.
+    """
+    return Issue(path, f"{what} ({OWN_PART})" if own else what, *guess(word, known))

@@ -21,6 +21,8 @@ _WORDS = {
     "a valid string": "text",
 }
 """What pydantic expects, in words that need no Python."""
+_OPEN = {"failures", "faults"}
+"""Keys below which a type may be a part of the user's own."""
 
 
 def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
@@ -37,10 +39,12 @@ def issue_of(model: type[BaseModel], tree: Any, error: ErrorDetails) -> Issue:
             typo = did_you_mean(here[-1], map(str, given))
             return Issue(here, "is missing", "", f"it by {typo!r}" if typo else "")
         names = [name.strip("' ") for name in context["expected_tags"].split(",")]
-        return unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names)
+        own = not _OPEN.isdisjoint(here)
+        return unknown(here, f"unknown {here[-1]} {context['tag']!r}", context["tag"], names, own)
     if kind == "literal_error" and get_origin(annotation) is Literal:
         names = [str(name) for name in get_args(annotation)]
-        return unknown(path, f"{describe(given)} is not known", str(given), names)
+        own = path == ("sensors", "model")
+        return unknown(path, f"{describe(given)} is not known", str(given), names, own)
     if kind == "refused":
         return Issue(path, context["what"], context["expected"], context["suggestion"])
     if kind == "too_short":

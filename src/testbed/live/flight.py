@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import contextlib
+from collections.abc import Callable, Sequence
 from typing import Any, assert_never
 
 from testbed.common.signals import first_step_at
 from testbed.controllers.setup import Setup
+from testbed.inputs.problems import BadInput
 from testbed.live.messages import Act, Blow, Break, Mend, Order
+from testbed.scenario.load import changed
 from testbed.scenario.model import Scenario
 from testbed.simulation.session import Session
 
@@ -16,23 +19,35 @@ LONGEST_S = 3600.0
 _AT_ONCE = 2000  # control steps between two looks at whether to give up
 
 
+GoOn = Callable[[], bool]
+"""Asked now and then while the past is flown again; if it says no, that is given up."""
+
+
 class LiveFlight:
-    """One flight by hand.
+    """One flight by hand, and the flights of other controllers beside it.
 
     Attributes:
         session: the flight as it is now.
         acts: what was done to it, each with the control step in which it begins.
+        ghosts: the same flight, with the same done to it, by other controllers; by their types.
+        own: how a command names the class of the user's own that flies; None if the scenario's controller does.
     """
 
-    def __init__(self, scenario: Scenario, controller: Callable[[Setup], Any] | None = None) -> None:
+    def __init__(
+        self, scenario: Scenario, controller: Callable[[Setup], Any] | None = None, own: str | None = None
+    ) -> None:
         """Raises BadInput as `Session`."""
-        self._scenario, self._controller = scenario, controller
+        self._scenario, self._controller, self.own = scenario, controller, own
         self.acts: list[tuple[int, Act]] = []
         self.session = self._begun()
+        self.ghosts: dict[str, Session] = {}
 
-    def _begun(self) -> Session:
-        """A new flight of which there is something to see."""
-        session = Session(self._scenario, self._controller)
+    def _begun(self, ghost: str | None = None) -> Session:
+        """A new flight of which there is something to see; by the controller of a ghost, if one is named."""
+        if ghost is None:
+            session = Session(self._scenario, self._controller)
+        else:
+            session = Session(changed(self._scenario, {"controller": {"type": ghost}}))
         session.step()
         return session
 
@@ -45,32 +60,62 @@ class LiveFlight:
         """Fly this many control steps, if the flight goes on."""
         if self.session.ended is None and steps > 0:
             _fly(self.session, self.session.loop.done + steps, self.rate_hz)
+            self._fly_ghosts()
+
+    def _fly_ghosts(self) -> None:
+        """Bring the ghosts to where the flight is. One that cannot go on stays where it is, and the flight goes on."""
+        for session in self.ghosts.values():
+            if session.ended is None and session.loop.stopped_by is None:
+                with contextlib.suppress(Exception):
+                    _fly(session, self.session.loop.done, self.rate_hz)
 
     def do(self, act: Act) -> None:
         """Do something to the flight, from the next control step on; raises BadInput, and then nothing has changed."""
         _carry_out(self.session, act)
         self.acts.append((self.session.loop.done, act))
+        for session in self.ghosts.values():
+            with contextlib.suppress(BadInput):  # a ghost that is lost
+                _carry_out(session, act)
 
-    def rewind(self, time_s: float, go_on: Callable[[], bool] = lambda: True) -> None:
-        """Go back: fly again from the beginning, with what was done by hand before that time.
+    def accompany(self, controllers: Sequence[str], go_on: GoOn = lambda: True) -> None:
+        """Fly these types of controllers beside the flight, and no others: each flies its past first; raises BadInput."""
+        done = self.session.loop.done
+        made = {name: self._begun(name) for name in controllers if name not in self.ghosts}
+        for session in made.values():
+            self._fly_past(session, self.acts, done, go_on)
+        for name in self.ghosts.keys() - set(controllers):
+            self.ghosts.pop(name).close()
+        self.ghosts |= made
 
-        Args:
-            go_on: asked now and then; if it says no, everything stays as it was.
-        """
+    def rewind(self, time_s: float, go_on: GoOn = lambda: True) -> None:
+        """Go back: fly again from the beginning, with what was done by hand before that time. If given up, all stays as it was."""
         until = min(max(first_step_at(time_s, self.rate_hz), 1), self.session.loop.done)
         acts = [(step, act) for step, act in self.acts if step < until]
-        session = self._begun()
+        old = [self.session, *self.ghosts.values()]
+        new = [self._begun(), *map(self._begun, self.ghosts)]
+        for session in new:
+            self._fly_past(session, acts, until, go_on)
+        if go_on():
+            self.session, self.acts = new[0], acts
+            self.ghosts = dict(zip(self.ghosts, new[1:], strict=True))
+            new = old
+        for session in new:
+            session.close()
+
+    def _fly_past(self, session: Session, acts: Sequence[tuple[int, Act]], until: int, go_on: GoOn) -> None:
+        """Fly a new flight up to a control step, and do on the way what was done."""
         for step, act in acts:
             _fly_far(session, step, self.rate_hz, go_on)
-            _carry_out(session, act)
+            with contextlib.suppress(
+                BadInput
+            ):  # what was done to a flight that goes on can come too late for a ghost
+                _carry_out(session, act)
         _fly_far(session, until, self.rate_hz, go_on)
-        if go_on():
-            session, self.session, self.acts = self.session, session, acts
-        session.close()
 
     def close(self) -> None:
-        """Free the simulator."""
-        self.session.close()
+        """Free the simulators."""
+        for session in (self.session, *self.ghosts.values()):
+            session.close()
 
 
 def _carry_out(session: Session, act: Act) -> None:

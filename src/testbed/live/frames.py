@@ -39,9 +39,10 @@ def numbers(session: Session) -> dict[str, np.ndarray]:
     return log | error_columns(log) | dict(zip(_WIND, wind.T, strict=True))
 
 
-def frame(session: Session) -> bytes:
-    """The last control step as 32-bit numbers in the order of `columns` of `facts`."""
-    return np.concatenate(list(numbers(session).values())).astype("<f4").tobytes()
+def frame(*sessions: Session) -> bytes:
+    """The last control step of each flight as 32-bit numbers in the order of `columns` of `facts`, one flight after the other."""
+    rows = [np.concatenate(list(numbers(session).values())) for session in sessions]
+    return np.concatenate(rows).astype("<f4").tobytes()
 
 
 def broken(session: Session) -> dict[str, list[str]]:
@@ -71,7 +72,7 @@ def told(flight: ReportedFlight) -> dict[str, Any]:
 
 def facts(session: Session) -> dict[str, Any]:
     """What a page has to know of a flight before its first frame."""
-    parts, scenario = session.parts, session.parts.scenario
+    parts, scenario, last = session.parts, session.parts.scenario, numbers(session)
     actuators = {
         name: {
             **actuator.model_dump(include={"kind", "unit", "limits", "scale"}),
@@ -84,12 +85,12 @@ def facts(session: Session) -> dict[str, Any]:
         "name": scenario.name,
         "aircraft": str(scenario.aircraft),
         "controller": parts.flown_by or scenario.controller.type,
-        "columns": list(numbers(session)),
+        "columns": list(last),
         "actuators": actuators,
         "beliefs": {belief.value: belief.name for belief in Belief},
         "limits": _limits(scenario),
         "shape": parts.shape.model_dump(),
-        "estimates": True,
+        "estimates": any(np.isfinite(last[f"{name}_effectiveness_estimate"][0]) for name in actuators),
     }
 
 

@@ -83,9 +83,26 @@ class Restart(_Message):
     do: Literal["restart"]
 
 
+class Ghosts(_Message):
+    """Let these types of controllers, and no others, fly the same past and present beside the flight."""
+
+    do: Literal["ghosts"]
+    controllers: Annotated[tuple[Text, ...], Field(max_length=3)]
+
+
+class Choose(_Message):
+    """Fly something else: a scenario or an aircraft, and a controller, each one of those that `choices` of the page's facts has."""
+
+    do: Literal["choose"]
+    flight: Text
+    controller: Text
+
+
 Act = Break | Mend | Order | Blow
 """What changes a flight."""
-Message = Annotated[Act | Pause | Speed | Save | Rewind | Restart, Field(discriminator="do")]
+Message = Annotated[
+    Act | Pause | Speed | Save | Rewind | Restart | Ghosts | Choose, Field(discriminator="do")
+]
 _MESSAGE: TypeAdapter[Any] = TypeAdapter(Message)
 
 

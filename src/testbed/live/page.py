@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from testbed.reporting import html
@@ -29,6 +29,7 @@ def page(facts: Mapping[str, Any], address: str) -> str:
     parts = [
         tag("h1", f"{facts['name']}, live"),
         tag("ul", _chips(facts), class_="chips"),
+        _choice(facts["choices"]),
         tag("p", "connecting", id="status", role="status"),
         tag("div", [_flight(), _beside()], class_="live"),
         html.panels(panels),
@@ -42,10 +43,38 @@ def _chips(facts: Mapping[str, Any]) -> list[Html]:
     return [tag("li", tag("b", what), facts[what]) for what in ("aircraft", "controller")]
 
 
+def _choice(names: Mapping[str, list[str]]) -> Html:
+    """What can be flown in place of this, and what can fly beside it."""
+    groups = [
+        tag("optgroup", _options(names[kind]), label=label)
+        for kind, label in (("scenarios", "scenario"), ("aircraft", "level flight of"))
+    ]
+    choose = tag(
+        "form", tag("label", "flight", tag("select", groups, name="flight")),
+        tag("label", "controller", tag("select", _options(names["controllers"]), name="controller")),
+        _button("Fly this", kind="submit"), id="choose",
+    )  # fmt: skip
+    boxes = [
+        tag("label", tag("input", type="checkbox", value=name), name, tag("span"))
+        for name in names["controllers"][1:]
+    ]
+    beside = tag(
+        "fieldset",
+        tag("legend", "Fly the same beside it, by other controllers (at most 3)"),
+        boxes,
+        id="ghosts",
+    )
+    return tag("details", tag("summary", "Choose what flies"), choose, beside, class_="choose")
+
+
+def _options(names: Iterable[str]) -> list[Html]:
+    return [tag("option", name, value=name) for name in names]
+
+
 def _flight() -> Html:
     """The picture and the time."""
     speeds = [tag("option", f"{s:g} x", value=s, selected="selected" if s == 1 else "") for s in _SPEEDS]
-    views = [_button(view, view=view) for view in ("chase", "side", "top")]
+    views = [_button(view, view=view) for view in ("chase", "side", "top", "whole")]
     times = [
         _button("Pause", do="pause", title="space"), tag("label", "speed ", tag("select", speeds, id="speed")), *views,
         _button("Save", do="save"), _button("Start again", do="restart"),
@@ -56,9 +85,10 @@ def _flight() -> Html:
     ]
     said = (
         "Click on a surface or a propeller, or on its name, to break it. "
-        "Keys: space pauses, left and right turn, up and down climb."
+        "Keys: space pauses, left and right turn, up and down climb; so does a gamepad's stick. "
+        "Drag to turn the camera; wheel, two fingers, + and - zoom."
     )
-    canvas = tag("canvas", aria_label="the flight")
+    canvas = tag("canvas", role="img", tabindex=0, aria_label="the flight")
     return tag(
         "section", tag("div", canvas, tag("output"), class_="picture"), tag("div", times, class_="buttons"),
         tag("div", back, class_="buttons"), html.note(said), tag("div", id="saved"), aria_label="flight",
@@ -67,7 +97,7 @@ def _flight() -> Html:
 
 def _beside() -> Html:
     """Actuators, modes, and what can be done."""
-    heads = [tag("th", text) for text in ("actuator", "truth", "belief", "")]
+    heads = [*(tag("th", text) for text in ("actuator", "truth", "belief")), tag("td")]
     table = tag("table", tag("thead", tag("tr", heads)), tag("tbody", id="actuators"))
     orders = [
         tag("label", words, tag("input", type="number", step=step, name=name))

@@ -12,9 +12,11 @@ from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.live import frames
+from testbed.live.choices import Choices
 from testbed.live.flight import LONGEST_S, LiveFlight
-from testbed.live.messages import Pause, Restart, Rewind, Save, Speed
+from testbed.live.messages import Choose, Ghosts, Pause, Restart, Rewind, Save, Speed
 from testbed.reporting.flight import ReportedFlight
+from testbed.simulation.session import Session
 
 FRAME_S = 1.0 / 60.0
 _MOST_BEHIND_S = 0.25  # what a slow machine has not flown in this time is not caught up with
@@ -23,8 +25,8 @@ _IDLE_S = 0.2
 
 Tell = Callable[[bytes | dict[str, Any]], object]
 """Takes a frame, or a note in words, for all pages; called in the pilot's thread or in that which saves."""
-Keep = Callable[[ReportedFlight], tuple[Path, str]]
-"""Writes the run folder of a flight; returns it, and the command that flies it again."""
+Keep = Callable[[ReportedFlight, str | None], tuple[Path, str]]
+"""Writes the run folder of a flight, given its `own` controller; returns it, and the command that flies it again."""
 
 
 class Pilot(threading.Thread):
@@ -32,20 +34,29 @@ class Pilot(threading.Thread):
 
     Attributes:
         watched: whether a page is there; while none is, time stands still.
+        facts: what a page has to know of the flight.
+        last_saved: the run folder that was written last; None if none was.
     """
 
-    def __init__(self, flight: LiveFlight, tell: Tell, keep: Keep) -> None:
+    def __init__(self, choices: Choices, tell: Tell, keep: Keep) -> None:
+        """Raises BadInput if the first of the choices cannot be flown."""
         super().__init__(name="pilot", daemon=True)
-        self.flight, self.tell, self._keep = flight, tell, keep
+        self._choices, self.tell, self._keep = choices, tell, keep
+        self._take_off(choices.first())
         self.watched = False
-        self._paused, self._times, self._error = False, 1.0, ""
+        self.last_saved: Path | None = None
+        self._paused, self._times = False, 1.0
         self._stopping = False
         self._inbox: queue.SimpleQueue[tuple[Any, Future[None]] | None] = queue.SimpleQueue()
         self._saver = ThreadPoolExecutor(1, "saver")
         self._saved: list[dict[str, str]] = []
+        self._state: dict[str, Any] = {}
+
+    def _take_off(self, flight: LiveFlight) -> None:
+        self.flight, self._error = flight, ""
+        self.facts = {**frames.facts(flight.session), "choices": self._choices.names}
         self._told: dict[str, Any] = {"story": [], "events": []}
         self._next_story_s = 0.0
-        self._state: dict[str, Any] = {}
 
     def ask(self, message: Any) -> Future[None]:
         """Have a message carried out; the result has BadInput if it cannot be."""
@@ -119,6 +130,10 @@ class Pilot(threading.Thread):
                 self._save()
             case Rewind() | Restart():
                 self._rewind(message.time_s if isinstance(message, Rewind) else 0.0)
+            case Ghosts():
+                self.flight.accompany(message.controllers, self._goes_on)
+            case Choose():
+                self._choose(message)
             case act:
                 self._refuse_over()
                 self.flight.do(act)
@@ -129,8 +144,19 @@ class Pilot(threading.Thread):
             raise BadInput([Problem(what, expected="going back to an earlier time, or starting again")])
 
     def _rewind(self, time_s: float) -> None:
-        self.flight.rewind(time_s, lambda: not self._stopping)
+        self.flight.rewind(time_s, self._goes_on)
         self._error, self._next_story_s = "", 0.0
+
+    def _goes_on(self) -> bool:
+        return not self._stopping
+
+    def _choose(self, choice: Choose) -> None:
+        """Fly something else. Pages load again: they show another aircraft then."""
+        flight = self._choices.flight(choice.flight, choice.controller)
+        self.flight.close()
+        self._take_off(flight)
+        self._paused = False
+        self.tell({"note": "other"})
 
     def _advance(self, owed_s: float) -> float:
         """Fly what is owed [s of this machine's time]; returns how much of it whole control steps were."""
@@ -144,26 +170,28 @@ class Pilot(threading.Thread):
 
     def _save(self) -> None:
         flight = self.flight.session.flight()
-        self._saver.submit(self._write, flight)
+        self._saver.submit(self._write, flight, self.flight.own)
 
-    def _write(self, flight: ReportedFlight) -> None:
+    def _write(self, flight: ReportedFlight, own: str | None) -> None:
         try:
-            folder, command = self._keep(flight)
+            folder, command = self._keep(flight, own)
         except Exception as error:  # a full disk must not end the flight
             self.tell({"note": "not saved", "why": str(error) or type(error).__name__})
             return
+        self.last_saved = folder
         self._saved.append({"folder": str(folder), "command": command})
         self.tell({"note": "saved", "folder": str(folder), "command": command, "time_s": flight.end_time_s})
 
     def _publish(self, flew: bool, now: float) -> None:
         session = self.flight.session
         if flew:
-            self.tell(frames.frame(session))
+            self.tell(frames.frame(session, *self.flight.ghosts.values()))
         state = {
             "paused": self._paused,
             "speed": self._times,
             "ended": self._ending(),
             "broken": frames.broken(session),
+            "ghosts": {name: _outcome(ghost) for name, ghost in self.flight.ghosts.items()},
             "saved": self._saved[-5:],
         }
         if state != self._state:
@@ -179,7 +207,7 @@ class Pilot(threading.Thread):
             return self._error
         if session.time_s >= LONGEST_S:
             return "an hour has been flown, which is as long as a flight by hand can be"
-        return f"the aircraft {session.ended.sentence}, {session.time_s:.1f} s"
+        return f"the aircraft {_outcome(session)}"
 
     def _tell_story(self, now: float) -> None:
         try:
@@ -191,3 +219,10 @@ class Pilot(threading.Thread):
         if told != self._told:
             self._told = told
             self.tell({"note": "story", **told})
+
+
+def _outcome(session: Session) -> str:
+    """How a flight ended; empty while it goes on."""
+    if session.loop.stopped_by is not None:
+        return f"cannot go on, {session.time_s:.1f} s"
+    return "" if session.ended is None else f"{session.ended.sentence}, {session.time_s:.1f} s"

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager
 from http import HTTPStatus
 from typing import Any
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qs, quote, urlsplit
 
 from websockets.asyncio.server import Server, ServerConnection, broadcast, serve
 from websockets.datastructures import Headers
@@ -53,12 +53,12 @@ def listening(port: int) -> socket.socket:
 class LiveServer:
     """Gives browsers the page, the pilot's frames to all of them, and the messages of the first of them to the pilot."""
 
-    def __init__(self, listener: socket.socket, page: Callable[[str], str]) -> None:
-        """`page` makes the page, given the address to which it connects."""
+    def __init__(self, listener: socket.socket, page: Callable[[dict[str, Any], str], str]) -> None:
+        """`page` makes the page, given the pilot's facts and the address to which it connects."""
         self._listener, self._token = listener, secrets.token_urlsafe(24)
         port = listener.getsockname()[1]
         self._hosts = [f"{_HOST}:{port}", f"localhost:{port}"]
-        self._pages = {host: page(f"ws://{host}").encode() for host in self._hosts}
+        self._page = page
         self.address = f"http://{self._hosts[0]}/?token={self._token}"
         self._here: list[ServerConnection] = []
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -108,10 +108,27 @@ class LiveServer:
         if not hmac.compare_digest(given.encode(), self._token.encode()):
             return _response(HTTPStatus.FORBIDDEN, "open the address that testbed live has printed\n")
         if address.path == "/":
-            return _response(HTTPStatus.OK, self._pages[hosts[0]], "text/html")
+            assert self._pilot is not None
+            text = self._page(self._pilot.facts, f"ws://{hosts[0]}")
+            return _response(HTTPStatus.OK, text, "text/html")
+        if address.path == "/report.html":
+            return self._report()
         return (
             None if address.path == "/flight" else _response(HTTPStatus.NOT_FOUND, "there is nothing here\n")
         )
+
+    def _report(self) -> Response:
+        """The report of what was saved last, as a file to keep: it replays the flight, and needs no other."""
+        saved = self._pilot.last_saved if self._pilot is not None else None
+        try:
+            data = (saved / "report.html").read_bytes() if saved is not None else b""
+        except OSError:
+            data = b""
+        if saved is None or not data:
+            return _response(HTTPStatus.NOT_FOUND, "no report has been saved\n")
+        answer = _response(HTTPStatus.OK, data, "text/html")
+        answer.headers["Content-Disposition"] = f'attachment; filename="{quote(saved.name)}.html"'
+        return answer
 
     # Pages ----------------------------------------------------------------------------------------------------
 

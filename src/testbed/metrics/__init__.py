@@ -5,16 +5,22 @@ ratios have none. The first line of the docstring is its definition, which `list
 no value in a flight is NaN, such as a detection delay without a detection.
 
 A new metric is one function in the module of its subject, and its name in that module's TABLE.
+
+Metrics of what a controller says of itself are not judged, and are NaN, in the flight of one that does not say it (`unjudged`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Iterable, Mapping
 
+import numpy as np
+
+from testbed.flight.columns import unsaid
 from testbed.metrics import effort, estimation, monitoring, tracking
 from testbed.metrics.flight_view import Readings, adaptation_rates, readings
 
-__all__ = ["TABLE", "Metric", "Readings", "adaptation_rates", "measure", "readings"]
+__all__ = ["TABLE", "Metric", "Readings", "adaptation_rates", "measure", "metrics_of", "readings", "unjudged"]
 
 Metric = Callable[[Readings], float]
 
@@ -24,6 +30,27 @@ TABLE: dict[str, Metric] = {
 }
 
 
+_OF = {
+    "_effectiveness_estimate": estimation.TABLE,
+    "_failed": monitoring.OF_FLAGS,
+    "_released": monitoring.OF_RELEASES,
+}
+"""The metrics of what a controller says, by the ends of the log's columns that they need."""
+
+
+def metrics_of(columns: Iterable[str]) -> set[str]:
+    """The metrics that need any of these columns of the log, which the controller fills."""
+    ends = {end for end in _OF for name in columns if name.endswith(end)}
+    return {metric.__name__ for end in ends for metric in _OF[end]}
+
+
+def unjudged(log: Mapping[str, np.ndarray]) -> set[str]:
+    """The columns of a log [rows] of which the controller said nothing, and the metrics that need them."""
+    silent = unsaid(log)
+    return silent | metrics_of(silent)
+
+
 def measure(readings: Readings) -> dict[str, float]:
     """The value of every metric in TABLE for one flight, by name."""
-    return {name: metric(readings) for name, metric in TABLE.items()}
+    silent = unjudged(readings.log)
+    return {name: math.nan if name in silent else metric(readings) for name, metric in TABLE.items()}

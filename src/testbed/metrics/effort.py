@@ -33,7 +33,7 @@ def saturated_time_s(readings: Readings) -> float:
         if "limits" not in facts:
             return math.nan
         at_low, at_high = at_stops(readings.log[f"{name}_command"], *facts["limits"])
-        saturated |= (at_low | at_high) & (readings.log[f"{name}_failed"] == 0.0)
+        saturated |= (at_low | at_high) & ~(readings.log[f"{name}_failed"] > 0.0)
     return float(np.count_nonzero(saturated) * readings.step_s)
 
 

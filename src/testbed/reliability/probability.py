@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from testbed.reliability.importance import importance
 from testbed.reliability.limit_state import Asked, LimitState, check
 from testbed.reliability.plain import plain
 from testbed.reliability.results import FailureProbability
+from testbed.reliability.spread import spread
 from testbed.reliability.subset import subset
 
 Method = Callable[[Asked, np.random.Generator, float], FailureProbability]
@@ -35,6 +37,8 @@ def failure_probability(
     cov: float = 0.3,
     budget: int = 4000,
     method: str = "importance",
+    jobs: int | None = None,
+    client: Any = None,
 ) -> FailureProbability:
     """Probability that `limit_state` is at or below 0 when its inputs are independent standard normals.
 
@@ -46,6 +50,9 @@ def failure_probability(
     the estimate is at most `cov`, or `budget` evaluations are spent. The result says which, and has a 95 % interval. The
     same seed and the same values of the limit state give the same batches and the same result.
 
+    `jobs` processes of this machine compute each batch in pieces, or the workers of `client`, a `distributed.Client`. Then
+    the limit state is a function at the top of a module that they can import. The result does not depend on their number.
+
     Raises BadInput for arguments that cannot be used, and for a limit state that returns anything but [n] numbers.
     """
     check(limit_state, MOST_DIMENSIONS, dimensions=dimensions, seed=seed, cov=cov, budget=budget)
@@ -54,5 +61,6 @@ def failure_probability(
         raise BadInput(
             [Problem(f"is no method: {method}", "method", expected=expected, suggestion=suggestion)]
         )
-    asked = Asked(limit_state, int(dimensions), int(budget))
-    return TABLE[method](asked, generator(int(seed), f"reliability {method}"), cov)
+    with spread(limit_state, jobs, client) as wherever:
+        asked = Asked(wherever, int(dimensions), int(budget))
+        return TABLE[method](asked, generator(int(seed), f"reliability {method}"), cov)

@@ -17,6 +17,7 @@ from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import number
 from testbed.reporting.page import sections
 from testbed.reporting.story import story
+from testbed.reporting.words import VERDICTS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -99,7 +100,7 @@ class ReportedFlight(Flight):
 def _requirements(flight: Flight) -> Iterator[Html]:
     columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
         "requirement": lambda r: r["name"],
-        "": lambda r: "met" if r["passed"] else "NOT MET",
+        "": lambda r: VERDICTS[r["passed"]],
         "worst value": lambda r: number(r.get("value")),
         "remark": lambda r: r.get("reason", ""),
     }

@@ -118,7 +118,7 @@ def page_text(
         "html",
         tag("head", head),
         "\n",
-        tag("body", body, tag("script", Html(code)) if code else None),
+        tag("body", tag("main", body), tag("script", Html(code)) if code else None),
         lang="en",
     )
     return f"<!DOCTYPE html>\n{text}\n"

@@ -73,4 +73,7 @@ def tests_of(flight: Flight) -> Iterator[Test]:
     for requirement in flight.requirements:
         reason = f" ({requirement['reason']})" if requirement.get("reason") else ""
         said = f"{requirement['name']}: {number(requirement['value'])}{reason}"
-        yield Test(requirement["name"], "" if requirement["passed"] else said, told)
+        if requirement["passed"] is None:
+            yield Test(requirement["name"], skipped=requirement["reason"])
+        else:
+            yield Test(requirement["name"], "" if requirement["passed"] else said, told)

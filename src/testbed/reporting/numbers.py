@@ -22,6 +22,11 @@ def rounded(value: float | None) -> str:
 
 
 def interval(known: Mapping[str, Any], of: str = "estimate", form: str = ".3f") -> str:
-    """`0.970 (0.957 to 0.979)`: the estimate `known[of]` with its interval, `low` to `high`; each may be None."""
+    """`0.970 (0.957 to 0.979)`: the estimate `known[of]` with its interval, `low` to `high`; each may be None.
+
+    `not judged` where none of the flights was.
+    """
+    if known.get("not_judged") and not known["n"]:
+        return "not judged"
     low, high = number(known["low"], form), number(known["high"], form)
     return f"{number(known[of], form)} ({low} to {high})"

@@ -6,7 +6,7 @@ To show another signal, add a line to TRACKED or STATES, or a panel to a functio
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -86,7 +86,8 @@ class Panel:
 def has_estimates(log: Mapping[str, np.ndarray], actuators: Iterable[str]) -> bool:
     """Whether the controller estimated effectiveness: some estimate was not 1 all the time.
 
-    A controller without estimates has exactly 1; in calm air those of an estimator differ from it by 1e-5 or less.
+    A controller without estimates has NaN, or exactly 1 in older logs; in calm air those of an estimator differ from 1 by 1e-5 or
+    less.
     """
     columns = (log.get(f"{name}_effectiveness_estimate") for name in actuators)
     return any(c is not None and bool(np.any(np.abs(c - 1.0) > 0.0)) for c in columns)
@@ -215,15 +216,16 @@ def rates(flight: Flight) -> Iterator[Panel]:
         ending = next((ending for ending in _LEAST_RATE if f"{axis}_{ending}" in flight.columns), "deg_s2")
         measured = Series(f"{axis}_{ending}", "measured", "truth")
         desired = Series(f"{axis}_desired_{ending}", "desired", "reference", spikes=True)
+        series = (measured,) if np.isnan(flight.column(desired.column)).all() else (measured, desired)
         unit = unit_of(measured.column)
-        yield Panel(axis, unit, (measured, desired), _LEAST_RATE[ending], None, None, flag, "axis released")
+        yield Panel(axis, unit, series, _LEAST_RATE[ending], None, None, flag, "axis released")
 
 
 class Group(NamedTuple):
     """Panels that stand together, made by `panels`; a `folded` group is opened by a click."""
 
     title: str
-    panels: tuple[Callable[[Flight], Iterator[Panel]], ...]
+    panels: Collection[Callable[[Flight], Iterable[Panel]]]
     folded: bool = False
 
     def of(self, flight: Flight) -> list[Panel]:
@@ -233,12 +235,16 @@ class Group(NamedTuple):
         return [panel for panel in made if all(series.column in known for series in panel.series)]
 
 
+OWN: dict[str, Callable[[Flight], Iterable[Panel]]] = {}
+"""Panels of the user's own, by name."""
+
 GROUPS = {
     "errors": Group("Errors against the references", (errors,)),
     "effectiveness": Group("Effectiveness, true and believed", (effectiveness,)),
     "actuators": Group("Actuators", (actuators,)),
     "attitude": Group("Attitude and air", (states, air)),
     "rates": Group("Controlled rates", (rates,), folded=True),
+    "own": Group("Panels of your own", OWN.values()),
     "states": Group("States against their references", (tracked, states)),
 }
 """By the name of the group. Figures and pages say which of them they draw."""

@@ -8,10 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from testbed.aircraft.conventional_shape import conventional
 from testbed.common.angles import unwrapped_deg
-from testbed.common.signals import Belief
-from testbed.flight.breakage import failure_times_s
 from testbed.flight.flight import Flight
 from testbed.flight.folder import load
 from testbed.reporting import html
@@ -19,9 +16,9 @@ from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
+from testbed.reporting.page.drawn import drawn
 from testbed.reporting.page.panels import groups
-from testbed.reporting.page.phases import of_flight
-from testbed.reporting.panels import error_of, has_estimates, shown_log
+from testbed.reporting.panels import error_of, shown_log
 from testbed.reporting.words import describe
 
 _REPLAYED = ("north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg")
@@ -97,14 +94,9 @@ def _for_the_script(
     return {
         "data": told,
         "panels": shown,
-        "phases": of_flight(flight),
-        "failures_s": failure_times_s(flight.events),
+        **drawn(flight, log),
         "events": [
             {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}
             for event in flight.events
         ],
-        "actuators": flight.actuators,
-        "beliefs": {belief.value: belief.name for belief in Belief},
-        "estimates": has_estimates(log, flight.actuators),
-        "shape": (flight.shape or conventional()).model_dump(),
     }

@@ -85,13 +85,12 @@ def _controller(view: Readings) -> Iterator[str]:
     """What the controller noticed and gave up."""
     notices = [e for e in view.events if e["kind"] == "detection"]
     false = [e for e in view.events if e["kind"] == "false_alarm"]
-    estimates = has_estimates(view.log, view.actuators)
     if view.failure_times_s() and not notices:
-        yield _unnoticed(estimates, bool(false))
+        yield _unnoticed(view, bool(false))
     for stretch in stretches_of(view):
         yield from _noticed(view, stretch, notices)
     yield from _used_on(view)
-    if estimates:
+    if has_estimates(view.log, view.actuators):
         yield from _estimates(view)
     if false:
         who = joined(list(dict.fromkeys(f"the {title(e['actuator'])}" for e in false)))
@@ -100,13 +99,13 @@ def _controller(view: Readings) -> Iterator[str]:
         yield f"It wrongly flagged {joined([first, *gave_up])}."
 
 
-def _unnoticed(estimates: bool, false_alarms: bool) -> str:
+def _unnoticed(view: Readings, false_alarms: bool) -> str:
     """Why there is no detection."""
     if false_alarms:
         return "The controller flagged nothing while it was broken."
-    if estimates:
+    if any(np.isfinite(view.log[f"{name}_failed"]).any() for name in view.actuators):
         return "The controller flagged nothing as failed."
-    return "The controller does not look for failures, and kept flying as before."
+    return "The controller does not say what it takes for failed."
 
 
 def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, Any]]) -> Iterator[str]:
@@ -172,7 +171,8 @@ def _estimates(view: Readings) -> Iterator[str]:
     """Final estimate of each actuator that ends neither healthy nor lost and was not flagged."""
     for name in view.actuators:
         true, estimate = (view.log[f"{name}_{what}"] for what in ("effectiveness", "effectiveness_estimate"))
-        if 0.1 < true[-1] < 0.95 and not view.log[f"{name}_failed"][-1]:
+        flagged = view.log[f"{name}_failed"][-1] > 0.0
+        if 0.1 < true[-1] < 0.95 and np.isfinite(estimate[-1]) and not flagged:
             yield f"At the end it estimated {100 * estimate[-1]:.0f} % for the {title(name)} (true {100 * true[-1]:.0f} %)."
 
 

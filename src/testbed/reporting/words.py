@@ -6,12 +6,21 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from testbed.common.units import endings, unit
 from testbed.failures import Failure
 from testbed.flight.flight import Flight
 from testbed.flight.recovery import RECOVERED
 
 _REMARKS = {True: "", False: " (HAD NO EFFECT)", None: " (not observable)"}
 """Whether a failure did what it should, if not."""
+
+
+VERDICTS = {False: "NOT MET", None: "not judged", True: "met"}
+"""Words for whether a requirement was met, in the order in which tables have them."""
+
+
+DIGITS = 12
+"""Digits that are shown of a SHA-256."""
 
 
 def title(name: str) -> str:
@@ -37,6 +46,20 @@ def broke(flight: Flight, number: int) -> str:
     kind = str(facts.get("kind", "servo"))
     unit = str(facts.get("unit", "deg")) if kind == "servo" else "of throttle"
     return f"{f'the {title(name)} ' if name else ''}{failure.words(kind, unit)}"
+
+
+def setting(path: str) -> str:
+    """A setting by its dotted path, in words: `failures.0.from_deg` is `failure 1: from [deg]`."""
+    said: list[str] = []
+    for part in path.split("."):
+        if part.isdigit() and said:
+            said[-1] = f"{said[-1].removesuffix('s')} {int(part) + 1}"
+        else:
+            said.append(title(part))
+    if of := unit(path):
+        ending = title(next(end for end in endings(of) if path.endswith(end)))
+        said[-1] = f"{said[-1].removesuffix(ending)} [{of}]"
+    return ": ".join(said)
 
 
 _TAKEN_FOR = {"doubted": "doubtful", "swings": "swinging"}

@@ -11,6 +11,7 @@ from testbed.common.signals import GROUND_M, first_step_at
 from testbed.common.text import with_article
 from testbed.failures import Failure, overlaps, same_property
 from testbed.inputs.problems import Issue, Problem, TreePath, did_you_mean, one_of, unknown
+from testbed.scenario import references
 from testbed.scenario.model import Scenario
 
 MAX_STEPS = 20_000_000
@@ -30,6 +31,8 @@ def check(scenario: Scenario, aircraft: Aircraft | None) -> Iterator[Issue]:
         yield from _coefficients(scenario, aircraft)
         yield from _noise(scenario)
         yield from _failures(scenario, aircraft)
+        if scenario.reference is not None:
+            yield from _known(scenario.reference, list(references.TABLE), "reference", ("reference",))
 
 
 def unknown_names(
@@ -115,11 +118,14 @@ def _names(
             yield from _known(requirement.signal, signals, "signal", (*here, "signal"))
         if isinstance(requirement.of, str):
             yield from _known(requirement.of, signals, "signal", (*here, "of"))
+        if requirement.formula is not None:
+            for name in dict.fromkeys(requirement.parsed.columns()):
+                yield from _known(name, signals, "signal", (*here, "formula"))
 
 
 def _known(word: str, known: list[str], kind: str, path: TreePath) -> Iterator[Issue]:
     if word not in known:
-        yield unknown(path, f"unknown {kind} {word!r}", word, known)
+        yield unknown(path, f"unknown {kind} {word!r}", word, known, own=kind in ("metric", "reference"))
 
 
 def _times(scenario: Scenario) -> Iterator[Issue]:
@@ -150,6 +156,14 @@ def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
         yield ("atmosphere", "noise", "from_s"), air.noise.from_s
     keys = ("from_s", "settles_by_s", "never_for_longer_than_s")
     yield from _given(("requirements",), scenario.requirements, *keys)
+    yield from _horizons(scenario)
+
+
+def _horizons(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
+    """Path and length [s] of what formulas look ahead; none of them may be as long as the flight."""
+    for i, requirement in enumerate(scenario.requirements):
+        if requirement.formula is not None:
+            yield ("requirements", i, "formula"), requirement.parsed.horizon_s
 
 
 def _ends(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:

@@ -13,10 +13,12 @@ from testbed.aircraft.changes import ChangedAircraft
 from testbed.common.files import slug
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.config import AdaptiveInversionSettings, AnyController
-from testbed.failures import AnyFailure
-from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
+from testbed.failures import TABLE as FAILURES
+from testbed.failures import Failure
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, any_of, refuse, retype
 from testbed.inputs.yaml_source import Source
 from testbed.scenario.requirement import Requirement
+from testbed.sensors import settings
 from testbed.sensors.settings import Sensors
 
 _TURN_DEG_S, _TURN_BANK = 4.0, math.radians(20.0)
@@ -108,7 +110,9 @@ class Scenario(Settings):
     """The controller, by its `type`, and its settings."""
     commands: tuple[Command, ...] = Field(default=(), validate_default=True)
     command_rates: CommandRates = Field(default=CommandRates(), validate_default=True)
-    failures: tuple[AnyFailure, ...] = Field(default=(), max_length=MOST_FAILURES)
+    reference: Text | None = None
+    """Name of a reference of your own, flown to in place of the commands; needs `--with` its file."""
+    failures: tuple[Failure, ...] = Field(default=(), max_length=MOST_FAILURES)
     """The failures: what breaks, when, and how."""
     sensors: Sensors = Sensors()
     atmosphere: Atmosphere = Atmosphere()
@@ -178,3 +182,12 @@ class Scenario(Settings):
     def source(self) -> Source:
         """The file and line of each value; empty for a scenario made in Python."""
         return self._source
+
+
+def take_parts() -> None:
+    """Take the types that the tables of failures and of sensors have now."""
+    settings.take_parts()
+    retype(Scenario, failures=tuple[any_of(FAILURES), ...])  # type: ignore[misc]
+
+
+take_parts()

@@ -1,13 +1,14 @@
-"""The references that a controller follows: commands approached at a limited rate."""
+"""The references that a controller follows: commands approached at a limited rate, or a reference of the user's own."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from testbed.common.signals import SETPOINT, first_step_at
+from testbed.inputs.problems import BadInput
 from testbed.scenario.model import Scenario
 
 _FIELDS = (
@@ -15,6 +16,11 @@ _FIELDS = (
     ("airspeed", "airspeed_m_s", 1.0),
     ("heading", "heading_deg", math.pi / 180),
 )
+
+Reference = Callable[[Scenario, np.ndarray, np.ndarray], np.ndarray]
+"""(scenario, time [steps] [s], rows [steps, 6] as `references` has them without it): the rows to fly to, by `signals.SETPOINT`."""
+TABLE: dict[str, Reference] = {}
+"""References of the user's own by name: the key `reference` of a scenario names one."""
 
 
 def references(scenario: Scenario, path_angle: float = 0.0) -> np.ndarray:
@@ -49,7 +55,17 @@ def references(scenario: Scenario, path_angle: float = 0.0) -> np.ndarray:
     airspeed = rows[:, SETPOINT.index("airspeed")]
     sunk = np.concatenate([[0.0], np.cumsum(airspeed[:-1])]) * math.sin(path_angle) / scenario.rate_hz
     rows[:, SETPOINT.index("altitude")] += sunk
-    return rows
+    return rows if scenario.reference is None else _own(scenario, time, rows)
+
+
+def _own(scenario: Scenario, time: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """The rows of a reference of the user's own; raises BadInput where they are none."""
+    name = str(scenario.reference)
+    own = np.array(TABLE[name](scenario, time.copy(), rows.copy()), dtype=float)
+    if own.shape != rows.shape or not np.isfinite(own).all():
+        what = f"gives {own.shape} values, {np.count_nonzero(~np.isfinite(own))} of them no numbers"
+        raise BadInput([scenario.source.problem(("reference",), what, f"{rows.shape} finite numbers")])
+    return own
 
 
 def _targets(scenario: Scenario, key: str) -> Iterator[tuple[int, int, float]]:

@@ -7,10 +7,11 @@ import math
 from pydantic import StrictBool, ValidationInfo, field_validator, model_validator
 
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, after, refuse
+from testbed.scenario.formula import Node, parse
 
 
 class Requirement(Settings):
-    """`{metric, at_most|at_least}` or `{signal, from_s, until_s, at_most|at_least|within + of}`.
+    """`{metric, at_most|at_least}`, `{signal, from_s, until_s, at_most|at_least|within + of}` or `{formula}`.
 
     `within: 0.5, of: 300` limits the distance from a number, `of: altitude_command_m` the distance from another signal.
     Without `until_s` the time window lasts to the end of the flight. The limits hold in the whole window, unless one of
@@ -20,9 +21,11 @@ class Requirement(Settings):
     name: Text | None = None
     """Title in the verdict; by default it is made from the other keys."""
     metric: Text | None = None
-    """A metric of the flight; either this or `signal`."""
+    """A metric of the flight; either this, `signal` or `formula`."""
     signal: Text | None = None
     """A column of the log."""
+    formula: Text | None = None
+    """What is to hold in time, such as `always(eventually[0:5](abs(roll_deg) < 10))`; its robustness is the value, at least 0."""
     from_s: NonNegative | None = None
     """Start of the time window of a `signal` [s]; default: start of the flight."""
     until_s: Positive | None = None
@@ -44,6 +47,13 @@ class Requirement(Settings):
     scale: Positive | None = None
     """What robustness 1 is, in the unit of the signal or metric; default: the limit, or half the distance between two limits."""
 
+    @field_validator("formula")
+    @classmethod
+    def _readable(cls, text: str | None) -> str | None:
+        if text is not None:
+            parse(text)
+        return text
+
     _after_start = field_validator("until_s")(after("from_s"))
 
     @field_validator("at_least")
@@ -63,10 +73,12 @@ class Requirement(Settings):
 
     @model_validator(mode="after")
     def _complete(self) -> Requirement:
-        if (self.metric is None) == (self.signal is None):
-            raise refuse(
-                "has both metric and signal" if self.metric else "has no subject", "a metric or a signal"
-            )
+        subjects = [key for key in ("metric", "signal", "formula") if getattr(self, key) is not None]
+        if len(subjects) != 1:
+            what = f"has both {' and '.join(subjects)}" if subjects else "has no subject"
+            raise refuse(what, "a metric or a signal or a formula")
+        if self.formula is not None:
+            return self._alone()
         if self.at_most is None and self.at_least is None and self.within is None:
             raise refuse("has no limit", "at_most, at_least or within")
         if (self.within is None) != (self.of is None):
@@ -77,6 +89,18 @@ class Requirement(Settings):
         if len(self._timings) > 1:
             raise refuse(f"has {' and '.join(self._timings)}", "one of them")
         return self
+
+    def _alone(self) -> Requirement:
+        """A formula says limits and times itself."""
+        given = set(self.model_dump(exclude_none=True)) - {"name", "formula", "scale"}
+        if given:
+            raise refuse(f"has {' and '.join(sorted(given))} beside a formula", "the formula, name and scale")
+        return self
+
+    @property
+    def parsed(self) -> Node:
+        """The formula."""
+        return parse(str(self.formula))
 
     @model_validator(mode="after")
     def _in_order(self) -> Requirement:
@@ -121,6 +145,8 @@ class Requirement(Settings):
     @property
     def limit(self) -> str:
         """The limits in words: `within 0.5 of altitude_command_m`."""
+        if self.formula is not None:
+            return "robustness at least 0"
         of = self.of if isinstance(self.of, str) or self.of is None else f"{self.of:g}"
         parts = [
             f"at least {self.at_least:g}" if self.at_least is not None else "",
@@ -143,6 +169,8 @@ class Requirement(Settings):
         """Its `name`; else signal or metric, limit and window: `altitude_m within 0.5 of 300, 15 to 60 s`."""
         if self.name:
             return self.name
+        if self.formula is not None:
+            return self.formula
         text = f"{self.metric or self.signal} {self.limit}"
         if self.from_s is None and self.until_s is None:
             return text

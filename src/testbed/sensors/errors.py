@@ -10,8 +10,7 @@ import numpy as np
 from testbed.common.jit import compiled
 from testbed.common.random_streams import generator
 from testbed.sensors.channels import CHANNELS, channels_of
-from testbed.sensors.faults import Bias, Drift, Dropout, Noise, SensorFault, Stuck
-from testbed.sensors.measurement import HOLDS, READS, REPLACED
+from testbed.sensors.faults import SensorFault, Span
 from testbed.sensors.settings import SensorModel
 
 
@@ -88,16 +87,5 @@ def enter_one(
     start, end = fault.window(rate_hz)
     window = slice(int(start), int(min(end, len(offset))))
     count = max(window.stop - window.start, 0)
-    value = fault.value or 0.0
-    if isinstance(fault, Stuck):
-        state[window, channel] = HOLDS if fault.value is None else REPLACED
-        offset[window, channel] = value
-    elif isinstance(fault, Dropout):
-        lost = stream.random(count) < fault.fraction
-        state[window, channel] = np.where(lost, HOLDS if fault.reads == "last" else REPLACED, READS)
-    elif isinstance(fault, Bias):
-        offset[window, channel] += value
-    elif isinstance(fault, Drift):
-        offset[window, channel] += value * (np.arange(count) + start - fault.at_s * rate_hz) / rate_hz
-    elif isinstance(fault, Noise):
-        offset[window, channel] += value * math.sqrt(rate_hz / 2.0) * stream.standard_normal(count)
+    steps = np.arange(count) + start - fault.at_s * rate_hz
+    fault.enter(Span(steps, rate_hz, stream, offset[window, channel], state[window, channel]))

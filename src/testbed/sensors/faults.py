@@ -6,8 +6,9 @@ The name of a fault's value ends in the unit of its sensor: `value_deg_s` for a 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, TypeVar, Union
+from typing import Annotated, Any, ClassVar, Literal, NamedTuple, TypeVar
 
+import numpy as np
 from pydantic import Field, create_model, field_validator, model_validator
 
 from testbed.common.signals import first_step_at
@@ -16,6 +17,27 @@ from testbed.inputs.problems import guess
 from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of, names, unit_of
 
 Fault = TypeVar("Fault", bound="SensorFault")
+
+READS, HOLDS, REPLACED = 0.0, 1.0, 2.0
+"""What a channel does in a control step: it reads the sensor plus an offset, or repeats its last reading, or reads the offset
+alone."""
+
+
+class Span(NamedTuple):
+    """One channel in the control steps of a fault, all known before the flight.
+
+    Attributes:
+        steps: [count] control steps since `at_s`.
+        random: random stream of this fault and channel.
+        offset: [count] added to the reading, or in its place [SI]; to be written.
+        state: [count] READS, HOLDS or REPLACED, at first READS; to be written.
+    """
+
+    steps: np.ndarray
+    rate_hz: float
+    random: np.random.Generator
+    offset: np.ndarray
+    state: np.ndarray
 
 
 class SensorFault(Settings):
@@ -62,6 +84,10 @@ class SensorFault(Settings):
         value = getattr(self, _name(self.key, unit))
         return None if value is None else float(value) * SI[unit]
 
+    def enter(self, span: Span) -> None:
+        """Write into `span.offset` and `span.state`, in place, what the fault does to one channel."""
+        raise NotImplementedError
+
     def window(self, rate_hz: float) -> tuple[float, float]:
         """First control step of the fault, and the first after it: infinity if it does not end."""
         end = math.inf if self.until_s is None else first_step_at(self.until_s, rate_hz)
@@ -72,19 +98,24 @@ def _name(key: str, unit: str) -> str:
     return key.format(unit, per_second=PER_SECOND[unit])
 
 
-def _valued(fault: type[Fault]) -> type[Fault]:
+def valued(fault: type[Fault]) -> type[Fault]:
     """The class of a fault, extended by one optional field for each unit that its value can have."""
     kind = NonNegative if fault.key.startswith("noise") else Number
     fields: dict[str, Any] = {_name(fault.key, u): (kind | None, None) for u in SI}
-    return create_model(fault.__name__, __base__=fault, __module__=__name__, __doc__=fault.__doc__, **fields)
+    module, doc = fault.__module__, fault.__doc__
+    return create_model(fault.__name__, __base__=fault, __module__=module, __doc__=doc, **fields)
 
 
-@_valued
+@valued
 class Stuck(SensorFault):
     """The reading stays at `value_<unit>`, or at the last reading before the fault if no value is given."""
 
     key, needs_value, replaces = "value_{}", False, True
     type: Literal["stuck"] = "stuck"
+
+    def enter(self, span: Span) -> None:
+        span.state[:] = HOLDS if self.value is None else REPLACED
+        span.offset[:] = self.value or 0.0
 
 
 class Dropout(SensorFault):
@@ -95,29 +126,43 @@ class Dropout(SensorFault):
     fraction: Annotated[Number, Field(gt=0, le=1)] = 1.0
     reads: Literal["zero", "last"] = "zero"
 
+    def enter(self, span: Span) -> None:
+        lost = span.random.random(len(span.state)) < self.fraction
+        span.state[:] = np.where(lost, HOLDS if self.reads == "last" else REPLACED, READS)
 
-@_valued
+
+@valued
 class Bias(SensorFault):
     """`value_<unit>` is added."""
 
     key = "value_{}"
     type: Literal["bias"] = "bias"
 
+    def enter(self, span: Span) -> None:
+        span.offset[:] += self.value or 0.0
 
-@_valued
+
+@valued
 class Drift(SensorFault):
     """An offset that grows by `rate_<unit per second>` from `at_s` on, and is gone at `until_s`."""
 
     key = "rate_{per_second}"
     type: Literal["drift"] = "drift"
 
+    def enter(self, span: Span) -> None:
+        span.offset[:] += (self.value or 0.0) * span.steps / span.rate_hz
 
-@_valued
+
+@valued
 class Noise(SensorFault):
     """White noise of one-sided density `noise_<unit>_rthz` is added to the sensor's own."""
 
     key = "noise_{}_rthz"
     type: Literal["noise"] = "noise"
+
+    def enter(self, span: Span) -> None:
+        sigma = (self.value or 0.0) * math.sqrt(span.rate_hz / 2.0)
+        span.offset[:] += sigma * span.random.standard_normal(len(span.offset))
 
 
 TABLE: dict[str, type[SensorFault]] = {
@@ -127,11 +172,6 @@ TABLE: dict[str, type[SensorFault]] = {
     "drift": Drift,
     "noise": Noise,
 }
-
-if TYPE_CHECKING:
-    AnyFault = SensorFault
-else:
-    AnyFault = Annotated[Union[tuple(TABLE.values())], Field(discriminator="type")]  # noqa: UP007
 
 
 def clash(one: SensorFault, other: SensorFault) -> str:

@@ -14,13 +14,11 @@ import numpy as np
 from testbed.common.angles import wrap
 from testbed.common.jit import compiled
 from testbed.common.units import GRAVITY_M_S2
+from testbed.sensors.faults import HOLDS, REPLACED
 
 ERROR, OFFSET, FAULT, SENSED, READING, LAYERS = 0, 1, 2, 3, 4, 5
 """Layers of the table [layers, steps, channels], in SI. ERROR, OFFSET and FAULT are drawn before the flight; SENSED and READING
 are filled during it."""
-
-READS, HOLDS, REPLACED = 0.0, 1.0, 2.0
-"""Values of layer FAULT: the reading is that of the sensor plus OFFSET, or repeats the last reading, or is OFFSET alone."""
 
 _FIELDS = np.dtype(
     [

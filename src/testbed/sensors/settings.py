@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, create_model, model_serializer, model_validator
 
-from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
-from testbed.inputs.problems import guess
+from testbed.inputs.base import NonNegative, Number, Positive, Settings, any_of, refuse, retype
+from testbed.inputs.problems import OWN_PART, guess
 from testbed.sensors.channels import CHANNELS, SI
-from testbed.sensors.faults import AnyFault, clash
+from testbed.sensors.faults import TABLE, SensorFault, clash
 from testbed.sensors.mems import MEMS
 
 Scale = Annotated[Number, Field(gt=-1, lt=1)]
@@ -83,8 +83,8 @@ PRESETS: dict[str, dict[str, dict[str, float]]] = {"ideal": {}, "mems": MEMS}
 class SensorSettings(Settings):
     """All sensors of an aircraft, one block each. What a block does not set has the value of the preset `model`."""
 
-    model: Literal["ideal", "mems"] = "ideal"
-    faults: tuple[AnyFault, ...] = ()
+    model: str = "ideal"
+    faults: tuple[SensorFault, ...] = ()
 
     @model_validator(mode="before")
     @classmethod
@@ -94,7 +94,7 @@ class SensorSettings(Settings):
             return value
         if isinstance(value, str):
             if value not in PRESETS:
-                raise refuse(f"{value!r} is not known", *guess(value, PRESETS))
+                raise refuse(f"{value!r} is not known ({OWN_PART})", *guess(value, PRESETS))
             value = {"model": value}
         if not isinstance(value, dict):
             raise refuse(f"is {value!r}", "ideal, mems or a mapping")
@@ -143,3 +143,11 @@ else:
         __doc__=SensorSettings.__doc__,
         **{name: (model, model()) for name, model in SENSORS.items()},
     )
+
+
+def take_parts() -> None:
+    """Take the faults and presets that their tables have now."""
+    retype(Sensors, model=Literal[tuple(PRESETS)], faults=tuple[any_of(TABLE), ...])  # type: ignore[misc]
+
+
+take_parts()

@@ -13,12 +13,14 @@ from testbed.air.wind import Weather
 from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.conventional_shape import drawn_by_effect
 from testbed.aircraft.description import Aircraft
+from testbed.aircraft.looks import looks_of
 from testbed.aircraft.shape import Shape, load_shape
 from testbed.controllers import Controller
 from testbed.controllers.config import InformedSettings
 from testbed.controllers.make import make_controller
 from testbed.controllers.setup import FlightPlan, Setup, setup_for
 from testbed.controllers.user.loader import name_of
+from testbed.controllers.user.own import digest_of
 from testbed.injection.injector import Injector
 from testbed.injection.truth import Truth
 from testbed.plant.identification import stored
@@ -42,6 +44,7 @@ class Assembly:
         path_angle: of the steady flight in which the flight begins [rad].
         plan: what the controller was told of the flight; its folder has the controller's own files.
         flown_by: name of the user's controller that flies in place of the scenario's, or empty.
+        flown_by_sha256: digest of its files and arguments (see `user.own.digest_of`).
     """
 
     scenario: Scenario
@@ -56,6 +59,7 @@ class Assembly:
     shape: Shape
     plan: FlightPlan
     flown_by: str = ""
+    flown_by_sha256: str = ""
     sensed: Sensed | None = None
 
 
@@ -94,8 +98,9 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         sensors=sensors,
         references=references(scenario, start.state["path_angle"]),
         path_angle=start.state["path_angle"],
-        shape=load_shape(aircraft.folder) or drawn_by_effect(setup.model, plant.span_m),
+        shape=load_shape(aircraft.folder) or drawn_by_effect(setup.model, plant.span_m, looks_of(aircraft)),
         flown_by=name_of(controller) if controller else "",
+        flown_by_sha256=digest_of(controller) if controller else "",
         sensed=sensed,
         plan=plan,
     )

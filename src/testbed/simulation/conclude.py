@@ -12,7 +12,8 @@ from testbed.flight.flight import Outcome
 from testbed.flight.loss import loss_event
 from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
-from testbed.metrics import Readings, adaptation_rates, measure
+from testbed.metrics import Readings, adaptation_rates, measure, unjudged
+from testbed.parts import digests
 from testbed.reporting.flight import ReportedFlight
 from testbed.scenario import conditions
 from testbed.scenario.model import Scenario
@@ -52,11 +53,13 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
         data=np.ascontiguousarray(data[:, ::every]).T,
         events=events,
         metrics=metrics,
-        requirements=judge(scenario.requirements, log, metrics, scenario.duration_s),
+        requirements=judge(scenario.requirements, log, metrics, scenario.duration_s, unjudged(log)),
         actuators=actuators,
         warnings=warnings,
         shape=parts.shape,
         flown_by=parts.flown_by,
+        flown_by_sha256=parts.flown_by_sha256,
+        parts=digests(),
     )
 
 

@@ -9,9 +9,9 @@ from pydantic import BaseModel, create_model
 
 from testbed.air.config import Gust, Vector, WindChange
 from testbed.common.signals import first_step_at
-from testbed.failures import AnyFailure, Failure, When
+from testbed.failures import TABLE, Failure, When
 from testbed.flight.columns import Recorded, columns, reader
-from testbed.inputs.base import Settings
+from testbed.inputs.base import Settings, any_of
 from testbed.inputs.problems import Issue, TreePath
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
@@ -39,7 +39,7 @@ def failure_of(given: Failure | Mapping[str, Any], parts: Assembly, recorded: Re
 
     tree = _tree(given)
     now = {} if isinstance(tree, dict) and "when" in tree else _now(parts, step)
-    return _valid("failure", AnyFailure, "inject", tree, now, fits)
+    return _valid("failure", any_of(TABLE), "inject", tree, now, fits)
 
 
 def _met(when: When | None, parts: Assembly, recorded: Recorded, path: TreePath) -> Iterator[Issue]:

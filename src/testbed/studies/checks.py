@@ -8,9 +8,13 @@ from itertools import islice
 from typing import Any
 
 from testbed.aircraft.changes import load_with_changes
+from testbed.controllers.config import ESTIMATES, FLAGS, says
 from testbed.controllers.user.loader import undeclared
 from testbed.controllers.user.own import not_given, unused_parameters
+from testbed.flight.requirements import about
 from testbed.inputs.problems import BadInput, Problem
+from testbed.metrics import metrics_of
+from testbed.scenario.model import Scenario
 from testbed.simulation.check import name_problems
 from testbed.studies.drawing.builder import Task
 from testbed.studies.plan import Plan
@@ -21,6 +25,8 @@ _COMPANIONS = 3
 """The end of a range is refused if it is invalid with each of this many draws of the other values."""
 _MOST_CHECKED = 2000
 """Most scenarios that are checked for each of the two, ends and draws: some seconds of computing."""
+_SAID = {ESTIMATES: (f"_{ESTIMATES}",), FLAGS: (f"_{FLAGS}", "_belief", "_believed_position")}
+"""The ends of the log's columns that a controller fills which says that."""
 _MOST = 20
 """Number of problems after which no further ends or draws are checked."""
 
@@ -87,6 +93,19 @@ def _problems(plan: Plan, task: Task) -> list[Problem]:
             unknown = undeclared(own.load(), scenario.controller.parameters)
         else:
             unknown = unused_parameters(scenario.controller)
-        return unknown or name_problems(scenario, aircraft)
+        return unknown or name_problems(scenario, aircraft) or _unjudged(plan, scenario, own is not None)
     except BadInput as error:
         return list(error.problems)
+
+
+def _unjudged(plan: Plan, scenario: Scenario, flown_by_own: bool) -> list[Problem]:
+    """The problem of a search for what breaks a requirement, where the controller says nothing of any of them."""
+    if flown_by_own or plan.study.word != "search":
+        return []
+    unsaid = tuple(end for what in _SAID.keys() - says(scenario.controller) for end in _SAID[what])
+    metrics = metrics_of(unsaid)
+    for requirement in scenario.requirements:
+        if not any(name in metrics or name.endswith(unsaid) for name in about(requirement)):
+            return []
+    what = f"cannot be judged: {scenario.controller.type} says nothing of what they limit"
+    return [Problem(what, path="requirements", expected="a requirement on what the aircraft does")]

@@ -20,8 +20,8 @@ from testbed.studies.record import key_of
 _LARGEST_LOG = 1000 * MEGABYTE
 
 
-def merge(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
-    """Make the folder `out` with the flights of all the folders, and its table if none is missing; returns the missing runs.
+def merge(plan: Plan, folders: Sequence[Path], out: Path, *, tabled: bool = True) -> list[int]:
+    """Make the folder `out` with the flights of all the folders, and perhaps its table; returns the missing runs.
 
     Raises BadInput, and leaves nothing, when they are not of one study that was begun with the same inputs, or when two have
     another result of the same flight.
@@ -31,7 +31,7 @@ def merge(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
     _refuse_strangers(plan, folders)
     out.mkdir(parents=True, exist_ok=True)
     try:
-        return _joined(plan, folders, out)
+        return _joined(plan, folders, out, tabled)
     except BaseException:
         shutil.rmtree(out, ignore_errors=True)
         raise
@@ -49,7 +49,7 @@ def _refuse_strangers(plan: Plan, folders: Sequence[Path]) -> None:
         raise BadInput(problems)
 
 
-def _joined(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
+def _joined(plan: Plan, folders: Sequence[Path], out: Path, tabled: bool) -> list[int]:
     with store.reading(folders[0]) as first:
         store.create(out, first.inputs)
     merged = store.opened(out)
@@ -64,7 +64,7 @@ def _joined(plan: Plan, folders: Sequence[Path], out: Path) -> list[int]:
         write(out / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
         n = len(plan.variants)
         missing = sorted({k // n for k in range(plan.size) if key_of(k) not in merged})
-        if not missing:
+        if tabled and not missing:
             table.write(plan, lambda: records(plan, merged), out)
         return missing
     finally:

@@ -16,7 +16,7 @@ NO_RESULT = ("invalid", "error", "timeout", "crashed")
 """Outcomes of a flight without a result: refused as input, ended by an exception, hung, ended with its process."""
 
 _Number = Annotated[int, Field(ge=0)]
-_Verdict = tuple[bool, float, float]
+_Verdict = tuple[bool | None, float, float]
 _MOST = Field(max_length=500)
 """More columns than that would take minutes to summarise and draw."""
 
@@ -25,8 +25,9 @@ _MOST = Field(max_length=500)
 class Record:
     """One flight: the numbers of its run and variant, its seed, the values drawn, and how it went.
 
-    `requirements` has (passed, value, robustness) of each requirement, NaN where there is no value. `reason` says why there is no
-    result.
+    `requirements` has (passed, value, robustness) of each requirement, NaN where there is no value. `passed` is None for what
+    cannot be judged: a requirement on what the controller does not say, and a flight in which nothing can. `reason` says why there
+    is no result.
     """
 
     run: _Number
@@ -34,7 +35,7 @@ class Record:
     seed: _Number
     values: dict[str, Any]
     outcome: str
-    passed: bool
+    passed: bool | None
     reason: str = ""
     end_time_s: float = math.nan
     robustness: float = math.nan

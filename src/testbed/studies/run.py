@@ -25,6 +25,8 @@ from testbed.studies.plan import Plan
 from testbed.studies.progress import progress
 from testbed.studies.record import Record
 
+_LONGEST_WAIT_S = 86400.0
+
 
 class Stopped(Exception):
     """A study ended early. The finished flights are kept, and --resume flies the rest."""
@@ -36,7 +38,7 @@ class Refused(BadInput):
 
 @dataclass(frozen=True)
 class Options:
-    """How to fly: number of processes or a cluster, logs to keep, what flies one flight and many, and which part of them.
+    """How to fly: number of processes or a cluster and the wait for it, logs to keep, what flies one flight and many, which part.
 
     Only `fly` can change the results. Raises BadInput when one is out of range.
     """
@@ -47,6 +49,7 @@ class Options:
     fly: Fly | None = None
     workers: Workers = workers
     shard: str | None = None
+    cluster_wait_s: float | None = None
 
     @property
     def part(self) -> tuple[int, int]:
@@ -61,6 +64,10 @@ class Options:
             problems.append(Problem(f"is {self.jobs}", "--jobs", expected=limit))
         if self.save_logs not in SAVE_LOGS:
             problems.append(Problem(f"is {self.save_logs!r}", "--save-logs", expected="none, failed or all"))
+        wait_s = self.cluster_wait_s
+        if wait_s is not None and not (self.cluster and 0.0 < wait_s <= _LONGEST_WAIT_S):
+            expected = f"above 0 to {_LONGEST_WAIT_S:g} s, beside --cluster"
+            problems.append(Problem(f"is {wait_s:g}", "--cluster-wait", expected=expected))
         if self.part[0] >= self.part[1]:
             problems.append(Problem(f"is {self.shard!r}", "--shard", expected="K/N, K from 1 to N"))
         if problems:
@@ -125,7 +132,7 @@ def fly_into(
     """
     job = options.job(plan)
     if options.cluster is not None:
-        refuse_dead(options.cluster)  # before the folder is made
+        refuse_dead(options.cluster, options.cluster_wait_s)  # before the folder is made
     new = not os.path.lexists(folder)
     store = begin(folder, plan, job.fly, resume=resume)
     useless = False

@@ -17,24 +17,27 @@ class Stopping:
 
     def __init__(self, rule: StopWhen | None, variants: int) -> None:
         self._rule = rule
-        self._passed = [0] * variants
+        self._counts = [(0, 0)] * variants  # passed, judged
         self._next = 1
         self.runs = 0
         self.stopped_at: int | None = None
 
-    def add(self, passed: Sequence[bool]) -> bool:
-        """Count one more run, with a verdict for each variant; returns whether to stop."""
+    def add(self, passed: Sequence[bool | None]) -> bool:
+        """Count one more run, with a verdict for each variant, None if it was not judged; returns whether to stop."""
         if self.stopped_at is not None or self._rule is None:
             return self.stopped_at is not None
         self.runs += 1
-        self._passed = [n + p for n, p in zip(self._passed, passed, strict=True)]
+        self._counts = [
+            (n + bool(p), judged + (p is not None))
+            for (n, judged), p in zip(self._counts, passed, strict=True)
+        ]
         if self.runs >= self._next:
             self._next = self.runs + max(1, self.runs // 100)
-            if all(self._close(n) for n in self._passed):
+            if all(self._close(*counts) for counts in self._counts):
                 self.stopped_at = self.runs
         return self.stopped_at is not None
 
-    def _close(self, passed: int) -> bool:
+    def _close(self, passed: int, judged: int) -> bool:
         assert self._rule is not None
-        known = proportion(passed, self.runs, self._rule.confidence, method="exact")
+        known = proportion(passed, judged, self._rule.confidence, method="exact")
         return (known.high - known.low) / 2.0 <= self._rule.half_width

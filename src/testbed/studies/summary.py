@@ -13,8 +13,9 @@ from testbed.common import statistics
 from testbed.common.files import plain
 from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
+from testbed.studies.record import NO_RESULT
 from testbed.studies.sensitivity import sensitivity
-from testbed.studies.verdicts import missed, requirements_of
+from testbed.studies.verdicts import judged, missed, requirements_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -65,7 +66,7 @@ def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
     Flights without a result come first, then lost flights (the earliest first), then the others by their number of unmet
     requirements, and by their largest altitude error.
     """
-    failed = rows[~rows["passed"]]
+    failed = rows[rows["passed"] == False]  # noqa: E712  (one that was not judged is neither True nor False)
     flown = failed["outcome"].isin(["completed", "ground_contact", "envelope_exceeded", "diverged"])
     verdicts = [
         name for name in rows.columns if name.startswith("requirements.") and name.endswith(".passed")
@@ -83,13 +84,14 @@ def worst(plan: Plan, rows: pd.DataFrame, count: int = WORST) -> pd.DataFrame:
 
 
 def _variant(plan: Plan, label: str, rows: pd.DataFrame) -> dict[str, Any]:
-    passed, n = int(rows["passed"].sum()), len(rows)
+    known = judged(rows["passed"])
+    passed, n = int(known.sum()), len(known)
     metrics = metric_names(plan, rows)
     drivers = ["passed", *(name for name in metrics if "error_max" in name)]
     return {
         "label": label,
         "outcomes": {str(k): int(v) for k, v in sorted(rows["outcome"].value_counts().items()) if v},
-        "all_requirements": _both_intervals(passed, n),
+        "all_requirements": _share(passed, n, len(rows)),
         "requirements": list(_requirements(plan, rows)),
         "metrics": {name: _metric(rows, name) for name in metrics},
         "runs_needed": _runs_needed(passed, n),
@@ -109,17 +111,23 @@ def _told(plan: Plan, row: Mapping[Any, Any]) -> dict[str, Any]:
     return told | {"missed": title, "value": by_most.value, "margin": by_most.margin}
 
 
-def _both_intervals(passed: int, n: int) -> dict[str, Any]:
-    wilson, exact = statistics.proportion(passed, n), statistics.proportion(passed, n, method="exact")
-    return {**wilson.plain, "exact_low": exact.low, "exact_high": exact.high}
+def _share(met: int, judged: int, flown: int) -> dict[str, Any]:
+    """How many of those that were judged, with both intervals, and how many of the flights were not."""
+    wilson, exact = statistics.proportion(met, judged), statistics.proportion(met, judged, method="exact")
+    others = {"not_judged": flown - judged} if judged < flown else {}
+    return {**wilson.plain, "exact_low": exact.low, "exact_high": exact.high, **others}
+
+
+def requirement_shares(rows: pd.DataFrame, j: int) -> tuple[int, int]:
+    """(met, judged) of requirement j; a flight without a result counts as not having met it."""
+    name = f"requirements.{j}.passed"
+    known = judged(rows[name]) if name in rows else rows["passed"][:0]
+    return int(known.sum()), len(known) + int(rows["outcome"].isin(NO_RESULT).sum())
 
 
 def _requirements(plan: Plan, rows: pd.DataFrame) -> Iterator[dict[str, Any]]:
-    """Share of flights that met each requirement; a flight without a result counts as not having met it."""
     for j, title in enumerate(requirement_titles(plan)):
-        name = f"requirements.{j}.passed"
-        met = int((rows[name] == True).sum()) if name in rows else 0  # noqa: E712
-        yield {"name": title, **_both_intervals(met, len(rows))}
+        yield {"name": title, **_share(*requirement_shares(rows, j), len(rows))}
 
 
 def _metric(rows: pd.DataFrame, name: str) -> dict[str, Any]:
@@ -157,8 +165,8 @@ def _runs_needed(passed: int, n: int) -> dict[str, Any]:
 
 
 def _pair(one: str, first: pd.DataFrame, other: str, second: pd.DataFrame) -> dict[str, Any]:
-    """Two variants compared, over the runs that both have flown."""
-    a, b = first.set_index("run")["passed"], second.set_index("run")["passed"]
+    """Two variants compared, over the runs in which both were judged."""
+    a, b = (judged(rows.set_index("run")["passed"]) for rows in (first, second))
     runs = a.index.intersection(b.index)
     result = statistics.paired(a[runs].tolist(), b[runs].tolist())
     return {"first": one, "second": other, "n": len(runs), **result.plain}

@@ -54,16 +54,16 @@ def fly_missing(flights: Flights) -> None:
 
 
 class Passed:
-    """The share of each variant's flights that passed."""
+    """The share that passed of each variant's flights that were judged."""
 
     def __init__(self, plan: Plan) -> None:
         self._variants = plan.variants
         self._counts = [[0, 0] for _ in plan.variants]
 
-    def add(self, variant: int, passed: bool) -> None:
+    def add(self, variant: int, passed: bool | None) -> None:
         """Count one more flight."""
-        self._counts[variant][0] += passed
-        self._counts[variant][1] += 1
+        self._counts[variant][0] += bool(passed)
+        self._counts[variant][1] += passed is not None
 
     def words(self) -> str:
         """`adaptive_inversion 93 %  fixed_inversion 12 %`."""

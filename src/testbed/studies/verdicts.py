@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from testbed.flight.flight import Outcome
 from testbed.scenario.requirement import Requirement
 from testbed.studies.plan import Plan
 
-STATES = ("passed", "missed", "lost", "no result")
-"""Passed; flown to the end with a requirement missed; ended early; not flown."""
+if TYPE_CHECKING:
+    import pandas as pd
+
+STATES = ("passed", "missed", "lost", "no result", "not judged")
+"""Passed; flown to the end with a requirement missed; ended early; not flown; flown to the end, and the controller says nothing of
+what is required."""
 _LOST = {str(outcome) for outcome in Outcome if outcome is not Outcome.completed}
 
 
@@ -27,13 +31,27 @@ class Missed(NamedTuple):
     others: int
 
 
-def state(outcome: str, passed: bool) -> str:
+def state(outcome: str, passed: bool | None) -> str:
     """One of STATES."""
+    if passed is None:
+        return "not judged"
     if passed:
         return "passed"
     if outcome in _LOST:
         return "lost"
     return "missed" if outcome == Outcome.completed else "no result"
+
+
+def judged(verdicts: pd.Series) -> pd.Series:
+    """Those of a column of verdicts that are one, as bools."""
+    return verdicts.dropna().astype(bool)
+
+
+def counted(verdicts: pd.Series) -> str:
+    """`11 of 12`, of those that were judged; `, 3 not judged` besides."""
+    known = judged(verdicts)
+    others = f", {len(verdicts) - len(known)} not judged" if len(known) < len(verdicts) else ""
+    return f"{int(known.sum())} of {len(known)}{others}"
 
 
 def requirements_of(plan: Plan) -> Sequence[Requirement]:
@@ -69,7 +87,11 @@ def said_of(plan: Plan, row: Mapping[Any, Any]) -> str:
     ended = "" if row["outcome"] == Outcome.completed else f"{row['outcome']} at {row['end_time_s']:.4g} s"
     short = missed(requirements := requirements_of(plan), row)
     if short is None:
-        return ended
+        return (
+            ended
+            if row["passed"] is not None
+            else "not judged: the controller says nothing of what is required"
+        )
     more = f" and {short.others} more" if short.others else ""
     return (
         f"{ended}; ".removeprefix("; ")

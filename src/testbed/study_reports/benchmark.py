@@ -1,178 +1,241 @@
-"""The tables of a benchmark as Markdown, from its summary.json. Any number in it may be None."""
+"""What a benchmark found, as sections of words and tables, from its summary.json. Any number in it may be None."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 _FEW = 20
-"""Draws below which a group shows no share: it would say little."""
+"""Draws below which nothing is said of a group: it would say little."""
+_WORST_GROUPS = 8
 _TITLES = {
-    "failures": "By kind of failure",
-    "course": "By course of the failures",
-    "aircraft": "By aircraft",
-    "truth": "By what the controller is told",
-    "weather": "By weather",
-    "gust": "By gust",
-    "sensors": "By sensors",
+    "failures": "kind of failure",
+    "course": "course of the failures",
+    "aircraft": "aircraft",
+    "truth": "what the controller is told",
+    "weather": "weather",
+    "gust": "gust",
+    "sensors": "sensors",
 }
 Summary = Mapping[str, Any]
+Row = Sequence[str]
 
 
-def page(summary: Summary) -> list[str]:
-    """All sections, in lines: first where the reference loses."""
-    return [
-        *_where(summary),
-        *_totals(summary),
-        *_noticed(summary),
-        *_groups(summary),
-        *_draws(summary),
-        *_reasons(summary),
-        *_flown(summary),
-    ]
+class Section(NamedTuple):
+    """A part of a report: words, and below them a table. One without a title goes on with the part before it."""
+
+    title: str
+    words: str
+    head: Row = ()
+    rows: Sequence[Row] = ()
 
 
-def again(summary: Summary, draw: int, name: str) -> str:
+def sections(summary: Summary) -> Iterator[Section]:
+    """All that is reported: first where the reference loses."""
+    yield from _where(summary)
+    yield _totals(summary)
+    yield from _halves(summary)
+    yield from _noticed(summary)
+    yield from _groups(summary)
+    yield from _others_lose(summary)
+    yield from _reasons(summary)
+    yield Section("What was flown", _flown(summary))
+
+
+def again(summary: Summary, draw: int | str, name: str) -> str:
     """The command that flies a draw again by one controller."""
     said = summary["controllers"][name]
     chosen = f"{name}={said}" if isinstance(said, str) else name
     return f"testbed benchmark {summary['file']} --seed {summary['seed']} --only {draw} --controller {chosen}"
 
 
-def _where(summary: Summary) -> Iterator[str]:
+def compared(summary: Summary) -> list[str]:
+    """The controllers that are told nothing."""
+    return [name for name in summary["controllers"] if name not in summary["told"]]
+
+
+def _shown(summary: Summary) -> list[str]:
+    """Who is in the tables: those told nothing, the best of the others, and the bound."""
+    told = sorted(summary["told"], key=lambda name: -summary["scores"][name]["inside"]["estimate"])
+    return [*compared(summary), *told[:1], summary["order"][-1]]
+
+
+def _named(summary: Summary, name: str) -> str:
+    if name not in summary["controllers"]:
+        return name
+    return f"`{name}`{' (told)' if name in summary['told'] else ''}"
+
+
+def _where(summary: Summary) -> Iterator[Section]:
     """The groups in which another controller holds more, and the draws that only others hold."""
-    first = summary["reference"]
-    yield from (f"## Where `{first}` loses", "")
-    rows = [*_behind(summary)]
+    first, lost = summary["reference"], summary["lost"][summary["reference"]]
+    title, rows = (
+        f"Where `{first}` loses",
+        sorted(_behind(summary), key=lambda row: float(row[2]) - float(row[3])),
+    )
     if rows:
-        yield f"Groups of {_FEW} draws or more in which another that is not told the truth holds more:"
-        yield ""
-        yield from _table(("group", "draws", first, "the best other", "which"), sorted(rows, key=_gap))
-    lost = summary["lost"][first]
+        said = f"Groups of {_FEW} draws or more in which another that is told nothing holds more"
+        said += ":" if len(rows) <= _WORST_GROUPS else f"; the {_WORST_GROUPS} widest gaps of {len(rows)}:"
+        yield Section(title, said, ("group", "draws", first, "the best other", "which"), rows[:_WORST_GROUPS])
+        title = ""
     if lost:
-        of = f"{lost[0]['of']} of {summary['draws']}"
-        yield from ("", f"It does not hold {of} draws that another holds. The longest outside:", "")
-        yield from _lost(summary, first)
+        of = f"It does not hold {lost[0]['of']} of {summary['draws']} draws that another holds. The longest outside"
+        head = ("draw", "aircraft", "failures", "weather", "inside", "held by others")
+        others = len(compared(summary)) - 1
+        drawn = [
+            [str(each["draw"]), each["aircraft"], f"{each['failures']}, {each['course']}", each["weather"],
+             f"{each['inside']:.2f}", f"{len(each['held_by'])} of {others}"]
+            for each in lost
+        ]  # fmt: skip
+        yield Section(title, f"{of} (`{again(summary, 'DRAW', first)}` flies one again):", head, drawn)
     if not rows and not lost:
-        yield "In no draw."
+        yield Section(title, "In no draw.")
 
 
 def _behind(summary: Summary) -> Iterator[list[str]]:
-    first, told = summary["reference"], summary["told"]
-    for groups in summary["by"].values():
-        for group, counted in groups.items():
-            others = {
-                n: k for n, k in counted["held"].items() if n in summary["controllers"] and n not in told
-            }
-            best = max(others, key=lambda name: others[name])
-            if counted["draws"] >= _FEW and others[best] > others[first]:
-                n = counted["draws"]
-                yield [group, str(n), f"{others[first] / n:.3f}", f"{others[best] / n:.3f}", f"`{best}`"]
-
-
-def _gap(row: Sequence[str]) -> float:
-    return float(row[2]) - float(row[3])
-
-
-def _lost(summary: Summary, name: str) -> Iterator[str]:
-    """The draws that a controller alone loses, with the commands that fly them again."""
-    rows = [
-        [str(each["draw"]), each["aircraft"], f"{each['failures']}, {each['course']}", each["weather"],
-         f"{each['inside']:.2f}", ", ".join(each["held_by"]), f"`{again(summary, each['draw'], name)}`"]
-        for each in summary["lost"][name]
-    ]  # fmt: skip
-    yield from _table(("draw", "aircraft", "failures", "weather", "inside", "held by", "again"), rows)
-
-
-def _totals(summary: Summary) -> Iterator[str]:
     first = summary["reference"]
-    yield from ("", "## All", "")
-    head = ("controller", "survived", "held", "inside", f"held, minus `{first}`", f"inside, minus `{first}`",
-            "outside where the best is inside", "held in each half")  # fmt: skip
-    rows = []
-    for name in summary["order"]:
-        score = summary["scores"][name]
-        against = score["against_reference"]
-        rows.append([
-            f"`{name}`{' (told)' if name in summary['told'] else ''}" if name in summary["controllers"] else name,
-            _interval(score["survived"]), _interval(score["held"]), _interval(score["inside"]),
-            _interval(against["held"], "difference", "+.3f"), _interval(against["inside"], "estimate", "+.3f"),
-            _interval(score["short_of_bound"]),
-            ", ".join(f"{half['estimate']:.3f}" for half in score["held_in_each_half"] if half["n"]),
-        ])  # fmt: skip
-    yield from _table(head, rows)
-
-
-def _noticed(summary: Summary) -> Iterator[str]:
-    yield from ("", "## What was noticed, and what control cost", "")
-    head = ("controller", "rightly flagged", "a loss never flagged", "wrongly flagged", "delay, median [s]", "90 % [s]",
-            "healthy hours", "false alarms in them", "effort [1/s]", "at a stop [s]")  # fmt: skip
-    rows = [
-        [f"`{name}`", *(_interval(score[key]) for key in ("noticed", "missed", "named_wrongly")),
-         *(_number(score["delay_s"][key]) for key in ("p50", "p90")), _number(score["healthy_hours"]),
-         str(score["healthy_false_alarms"]), _number(score["effort_per_s"]), _number(score["saturated_s"])]
-        for name in summary["order"] if name in summary["controllers"] and (score := summary["scores"][name])
-    ]  # fmt: skip
-    yield from _table(head, rows)
-
-
-def _groups(summary: Summary) -> Iterator[str]:
-    names = summary["order"]
     for factor in _TITLES:
-        groups = summary["by"][factor]
-        yield from ("", f"## {_TITLES[factor]}", "", "Share of the draws held.", "")
-        rows = [
-            [group, str(counted["draws"]), *(_held(counted, name) for name in names)]
-            for group, counted in groups.items()
-        ]
-        yield from _table(("", "draws", *names), rows)
+        for group, counted in _large(summary, factor).items():
+            held, n = counted["held"], counted["draws"]
+            best = max(compared(summary), key=lambda name: held[name])
+            if held[best] > held[first]:
+                yield [group, str(n), f"{held[first] / n:.3f}", f"{held[best] / n:.3f}", f"`{best}`"]
 
 
-def _held(counted: Summary, name: str) -> str:
-    held, draws = counted["held"][name], counted["draws"]
-    return f"{held / draws:.2f}" if draws >= _FEW else f"{held}/{draws}"
+def _large(summary: Summary, factor: str) -> dict[str, Summary]:
+    """The groups of a factor with enough draws; those without a failure are of the kind `none` already."""
+    groups = summary["by"][factor].items()
+    return {group: each for group, each in groups if each["draws"] >= _FEW and group != "healthy"}
 
 
-def _draws(summary: Summary) -> Iterator[str]:
-    for name in _others(summary):
-        of = summary["lost"][name][0]["of"]
-        yield from (
-            "",
-            f"## Where `{name}` loses",
-            "",
-            f"It does not hold {of} draws that another holds.",
-            "",
-        )
-        yield from _lost(summary, name)
+def _totals(summary: Summary) -> Section:
+    first = summary["reference"]
+    head = ("controller", "survived", "held", "inside", f"held, minus `{first}`", f"inside, minus `{first}`",
+            "outside where the best is inside", "effort [1/s]", "at a stop [s]")  # fmt: skip
+    rows = []
+    for name in _shown(summary):
+        score = summary["scores"][name]
+        against, other = score["against_reference"], name != first
+        rows.append([
+            _named(summary, name), _interval(score["survived"]), _interval(score["held"]), _interval(score["inside"]),
+            _interval(against["held"], "difference", "+.3f") if other else "",
+            _interval(against["inside"], "estimate", "+.3f") if other else "",
+            f"{score['short_of_bound']['estimate']:.3f}",
+            _number(score.get("effort_per_s")), _number(score.get("saturated_s")),
+        ])  # fmt: skip
+    return Section("All", "", head, rows)
 
 
-def _others(summary: Summary) -> Iterator[str]:
-    """The controllers besides the reference that do not hold a draw which another holds."""
-    for name in summary["order"]:
-        if name in summary["controllers"] and name != summary["reference"] and summary["lost"][name]:
-            yield name
-
-
-def _reasons(summary: Summary) -> Iterator[str]:
+def _halves(summary: Summary) -> Iterator[Section]:
+    """Whether the scores and the ranks of two halves of the draws agree."""
+    if summary["draws"] < 2 * _FEW:
+        return
+    names, (one, two) = compared(summary), summary["halves"]
+    words = []
+    for key in ("held", "inside", "rank"):
+        apart = [f"`{name}`" for name in names if not _overlap(one[name][key], two[name][key])]
+        words.append(f"*{key}* of all but {', '.join(apart)}" if apart else f"*{key}* of all {len(names)}")
+    said = f"The intervals of the first and the second half of the draws overlap in {'; '.join(words)}. Rank is by *inside*."
     rows = [
-        [f"`{name}`", str(count), reason]
-        for name, score in summary["scores"].items()
-        for reason, count in score.get("without_result", {}).items()
+        [f"`{name}`", *(_interval(half[name]["inside"]) for half in (one, two)),
+         *(_interval(half[name]["rank"], form=".0f") for half in (one, two))]
+        for name in names
+    ]  # fmt: skip
+    head = ("controller", "inside: first", "second", "rank: first", "second")
+    yield Section("Two halves of the draws", said, head, rows)
+
+
+def _overlap(one: Summary, two: Summary) -> bool:
+    return bool(one["low"] <= two["high"] and two["low"] <= one["high"])
+
+
+def _noticed(summary: Summary) -> Iterator[Section]:
+    """What those noticed that name a failure at all."""
+    broken = any(group != "none" for group in summary["by"]["failures"])
+    head = (
+        ["rightly flagged", "a loss never flagged", "wrongly flagged", "delay, median [s]", "90 % [s]"]
+        if broken
+        else []
+    )
+    rows = []
+    for name in _shown(summary)[:-1]:
+        score = summary["scores"][name]
+        alarms, per_h = score["healthy_false_alarms"], score["healthy_false_alarms_per_h"]
+        if alarms is None:  # it says nothing of failures
+            continue
+        said = [*(_interval(score[key]) for key in ("noticed", "missed", "named_wrongly")),
+                *(_number(score["delay_s"][key]) for key in ("p50", "p90"))]  # fmt: skip
+        if score["noticed"]["successes"] or score["named_wrongly"]["successes"] or alarms or not broken:
+            rows.append([_named(summary, name), *(said if broken else ()), _number(score["healthy_hours"]), str(alarms),
+                         _interval(per_h, form=".2f")])  # fmt: skip
+    if rows:
+        words = "Those that never flag, or say nothing of failures, are left out." if broken else ""
+        yield Section(
+            "What was noticed",
+            words,
+            ("controller", *head, "healthy hours", "false alarms in them", "per hour"),
+            rows,
+        )
+
+
+def _groups(summary: Summary) -> Iterator[Section]:
+    """The shares held in each group, by the reference, the best other and the bound."""
+    first, names = summary["reference"], _shown(summary)
+    rivals = [name for name in compared(summary) if name != first]
+    best = [max(rivals, key=lambda name: summary["scores"][name]["held"]["estimate"])] if rivals else []
+    title, words = "By group", f"Share of the draws held. Groups of fewer than {_FEW} draws are left out."
+    for factor, said in _TITLES.items():
+        groups = _large(summary, factor)
+        if len(groups) > 1:
+            rows = [
+                [
+                    group,
+                    str(each["draws"]),
+                    *(f"{each['held'][name] / each['draws']:.2f}" for name in (first, *best, names[-1])),
+                ]
+                for group, each in groups.items()
+            ]
+            yield Section(title, words, (said, "draws", first, *best, names[-1]), rows)
+            title = words = ""
+
+
+def _others_lose(summary: Summary) -> Iterator[Section]:
+    """Of each other controller, how many draws it alone loses, and which of them first."""
+    rows = [
+        [_named(summary, name), str(lost[0]["of"]), ", ".join(str(each["draw"]) for each in lost)]
+        for name in _shown(summary)[:-1]
+        if name != summary["reference"] and (lost := summary["lost"][name])
     ]
     if rows:
-        yield from ("", "## Flights without a result", "", "They count as lost.", "")
-        yield from _table(("controller", "flights", "why"), rows)
+        words = "Draws that it does not hold and another does, and those in which it is outside longest."
+        yield Section("Where the others lose", words, ("controller", "draws", "which"), rows)
 
 
-def _flown(summary: Summary) -> Iterator[str]:
-    yield from ("", "## What was flown", "")
+def _reasons(summary: Summary) -> Iterator[Section]:
+    counts: dict[tuple[str, int], list[str]] = {}
+    for name in summary["controllers"]:
+        for reason, count in summary["scores"][name]["without_result"].items():
+            counts.setdefault((reason, count), []).append(f"`{name}`")
+    everyone = len(summary["controllers"])
+    rows = [
+        ["all" if len(names) == everyone > 1 else ", ".join(names), str(count), reason]
+        for (reason, count), names in counts.items()
+    ]
+    if rows:
+        head = ("controller", "flights of each", "why")
+        yield Section("Flights without a result", "They count as lost.", head, rows)
+
+
+def _flown(summary: Summary) -> str:
     said = f"Suite `{summary['suite']}`, version {summary['version']}, seed {summary['seed']}, {summary['draws']} draws."
-    word = summary.get("word")
-    if word:
-        said += (
-            f" The seed is made from the law's digest `{summary['law_sha256'][:16]}` and the word `{word}`."
+    if summary.get("word"):
+        law = (
+            f"digest `{summary['law_sha256'][:16]}`"
+            if summary["law_sha256"]
+            else "digest, which was not recorded,"
         )
-    yield said
+        said += f" The seed is made from the law's {law} and the word `{summary['word']}`."
+    return said
 
 
 def _interval(known: Summary, key: str = "estimate", form: str = ".3f") -> str:
@@ -183,9 +246,3 @@ def _interval(known: Summary, key: str = "estimate", form: str = ".3f") -> str:
 
 def _number(value: float | None) -> str:
     return "" if value is None else f"{value:.3g}"
-
-
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
-    yield f"| {' | '.join(head)} |"
-    yield f"|{' --- |' * len(head)}"
-    yield from (f"| {' | '.join(each.replace('|', '/') for each in row)} |" for row in rows)

@@ -1,4 +1,4 @@
-"""The flights of a sweep and the cells of a matrix as tests (see `reporting.junit`)."""
+"""The flights of a sweep or a benchmark and the cells of a matrix as tests (see `reporting.junit`)."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from testbed.studies.folder.names import in_file_names, log_file
 from testbed.studies.matrix.plan import MatrixPlan
 from testbed.studies.plan import Plan
 from testbed.studies.verdicts import said_of
+from testbed.study_reports.benchmark import again
 from testbed.study_reports.sweep.flight_page import only
 
 if TYPE_CHECKING:
@@ -24,6 +25,9 @@ def tests_of_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[Te
     for k, row in enumerate(frame.to_dict("records")):
         label = plan.variants[k % len(plan.variants)].label
         name = f"run {row['run']}" + (f", {label}" if label else "")
+        if row["passed"] is None:
+            yield Test(name, skipped=said_of(plan, row))
+            continue
         failure = "" if row["passed"] else said_of(plan, row) or "not passed"
         yield Test(name, failure, _text(plan, k, folder) if failure else "")
 
@@ -44,6 +48,15 @@ def tests_of_matrix(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) 
             yield Test(name, said, "" if cell["run"] is None else _text(plan, _number(plan, cell), folder))
         else:
             yield Test(name, skipped=cell["why"] if cell["run"] is None else "")
+
+
+def tests_of_benchmark(summary: Mapping[str, Any], frame: pd.DataFrame) -> Iterator[Test]:
+    """A test of each flight, in the order of draws and controllers, which fails where it was not held."""
+    for row in frame.to_dict("records"):
+        said = row["reason"] or ("left its limits" if row["survived"] else f"lost: {row['outcome']}")
+        command = again(summary, row["draw"], row["controller"])
+        name = f"draw {row['draw']}, {row['controller']}"
+        yield Test(name) if row["held"] else Test(name, said, command)
 
 
 def _number(plan: MatrixPlan, cell: Mapping[str, Any]) -> int:

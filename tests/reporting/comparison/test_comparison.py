@@ -16,8 +16,9 @@ from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
 from testbed.metrics import measure, readings
 from testbed.reporting.comparison.compare import compare
-from testbed.reporting.comparison.differences import common_rows, on_grid
-from testbed.reporting.comparison.panels import columns_of
+from testbed.reporting.comparison.differences import common_rows, names_of, on_grid
+from testbed.reporting.comparison.panels import columns_of, groups
+from testbed.reporting.words import setting
 
 
 def made(name: str, seconds: float = 10.0, off_from_s: float = 99.0, **columns: float) -> Flight:
@@ -49,6 +50,44 @@ def test_names_and_settings() -> None:
     assert comparison.names == ["a", "b"]
     assert [(s.path, s.values) for s in comparison.settings] == [("name", ("a", "b"))]
     assert list(comparison.metrics.columns) == ["a", "b"]
+
+
+def broken(**failure: object) -> Flight:
+    settings = {
+        "duration_s": 0.5,
+        "requirements": [],
+        "commands": [],
+        "failures": [failure] if failure else [],
+    }
+    return testbed.fly("left_tail_fail.yaml", set=settings)
+
+
+def test_names_say_what_broke_else_when_else_the_folder() -> None:
+    stuck = {"type": "stuck", "actuator": "left_ruddervator"}
+    early, late, whole = broken(**stuck, at_s=0.1), broken(**stuck, at_s=0.3), broken()
+    assert names_of([early, whole]) == ["left ruddervator got stuck where it was", "nothing broken"]
+    assert names_of([early, late])[1] == "left ruddervator got stuck where it was at 0.3 s"
+    assert names_of([early, early], ["runs/a", "runs/b"]) == ["runs/a", "runs/b"]
+    assert names_of([early, early]) == ["flight 1", "flight 2"]
+
+
+def test_a_line_of_a_failure_belongs_to_its_flight() -> None:
+    stuck = {"type": "stuck", "actuator": "left_ruddervator"}
+    comparison = compare([broken(**stuck, at_s=0.1), broken(**stuck, at_s=0.3)])
+    panels = [
+        panel for group in groups(comparison, columns_of(comparison.flights)) for panel in group["panels"]
+    ]
+    own = [{"time_s": 0.1, "style": "v0"}, {"time_s": 0.3, "style": "v1"}]
+    assert all(panel["failures"] == own for panel in panels)
+    same = compare([broken(**stuck, at_s=0.1)] * 2)
+    (panel, *_) = groups(same, columns_of(same.flights))[0]["panels"]
+    assert panel["failures"] == [{"time_s": 0.1, "style": "failure"}]
+
+
+def test_settings_are_said_in_words() -> None:
+    assert setting("failures.1.value") == "failure 2: value"
+    assert setting("initial.airspeed_m_s") == "initial: airspeed [m/s]"
+    assert setting("seed") == "seed"
 
 
 def test_rows_of_other_rates_meet_at_the_same_times() -> None:

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -12,7 +17,8 @@ from testbed.api.benchmark import verify
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput
 
-OWN = Path(__file__).parents[3] / "examples" / "my_controller.py"
+ROOT = Path(__file__).parents[3]
+OWN = ROOT / "examples" / "my_controller.py"
 MINE = f"mine={OWN}:MyController"
 
 
@@ -117,3 +123,40 @@ def test_an_unknown_suite_or_controller_is_answered(tmp_path: Path) -> None:
     assert (done.returncode, done.stderr) == (2, "opne: there is no such suite, did you mean open?\n")
     done = run(tmp_path, "benchmark", written(tmp_path), "--controller", "defualt")
     assert done.stderr == "--controller: tiny has no controller 'defualt', did you mean default?\n"
+
+
+@pytest.mark.nightly
+def test_an_entry_is_confirmed_in_another_checkout_and_nothing_else_is(entered: Path, tmp_path: Path) -> None:
+    """In a copy of the files of the repository, as a stranger has it, beside which nothing of the author is."""
+    files = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=True).stdout
+    for name in filter(None, files.decode().split("\0")):
+        if (ROOT / name).is_file():
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(ROOT / name, tmp_path / name)
+    shutil.copytree(entered, tmp_path / "leaderboard" / "mine", ignore=shutil.ignore_patterns("out"))
+    mine = tmp_path / "leaderboard" / "mine"
+    shutil.copyfile(OWN, mine / OWN.name)
+
+    def verified(suite: Path = mine / "tiny.yaml") -> subprocess.CompletedProcess[str]:
+        said = ["--verify", "leaderboard/mine/entry.yaml", "--draws", "2", "--jobs", "1"]
+        own = ["--controller", f"mine=leaderboard/mine/{OWN.name}:MyController"]
+        line = [sys.executable, "-m", "testbed", "benchmark", str(suite), *said, *own]
+        here = {**os.environ, "PYTHONPATH": str(tmp_path / "src")}
+        return subprocess.run(line, cwd=tmp_path, env=here, capture_output=True, text=True)
+
+    done = verified()
+    assert (done.returncode, done.stdout) == (0, "4 of 4 flights are the same to the last bit\n"), done.stderr
+    known, law = (mine / "entry.yaml").read_text(), tmp_path / "src" / "testbed" / "controllers" / "pid.py"
+    held = re.search(r"held:\n +estimate: (.*)", known)
+    assert held
+    for old, new, said in (
+        (held[0], held[0].replace(held[1], "0.123"), "is 0.123, and its flights say"),
+        ("code_sha256: ", "code_sha256: 0", "other code of mine"),
+        ("version: 1\n", "version: 2\n", "is of tiny 2, and this is tiny 1"),
+    ):
+        (mine / "entry.yaml").write_text(known.replace(old, new, 1))
+        done = verified()
+        assert (done.returncode, done.stderr.count("\n"), said in done.stderr) == (2, 1, True), done.stderr
+    (mine / "entry.yaml").write_text(known)
+    law.write_text(law.read_text() + "# changed\n")
+    assert "other code of the shipped controllers" in verified().stderr

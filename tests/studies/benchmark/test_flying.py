@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+import json
 import math
+import shutil
 import signal
+import sqlite3
 import subprocess
 import time
+from contextlib import closing
 from pathlib import Path
 
 import pandas as pd
 import pytest
+from command_line import in_this_process
 from suite_files import BAD, flown, same_results, tree, written
 from sweep_files import command, finished, run
 
 import testbed
+from testbed.api import benchmark
+from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.problems import BadInput
+from testbed.studies.record import key_of
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +61,52 @@ def test_other_seeds_are_not_mixed(suite: Path, tmp_path: Path) -> None:
         flown(suite, tmp_path / "out", draws=1, seed=6, resume=True)
 
 
+def test_flights_of_other_code_are_not_mixed(suite: Path, tmp_path: Path) -> None:
+    flown(suite, tmp_path / "out", draws=1)
+    begun = tmp_path / "out" / "benchmark.yaml"
+    law = yamlfile.read(begun).tree["law_sha256"]
+    begun.write_text(begun.read_text().replace(law, "a" * 64))
+    with pytest.raises(BadInput, match="law_sha256: was 'aaaa"):
+        flown(suite, tmp_path / "out", draws=2, resume=True)
+
+
+def test_a_stopped_benchmark_is_told_over_its_whole_draws(folder: Path, tmp_path: Path) -> None:
+    """With the code that is said in its folder, not that of who tells it."""
+    stopped = tmp_path / "stopped"
+    shutil.copytree(folder, stopped)
+    said = stopped / "benchmark.yaml"
+    law = yamlfile.read(said).tree["law_sha256"]
+    said.write_text(said.read_text().replace("draws: 4", "draws: 9").replace(law, "a" * 64))
+    with closing(sqlite3.connect(stopped / "flights.sqlite")) as database, database:
+        database.execute("DELETE FROM flights WHERE key = ?", (key_of(7),))
+    assert run(tmp_path, "report", stopped).returncode == 0
+    summary = json.loads((stopped / "summary.json").read_text())
+    assert (summary["draws"], summary["law_sha256"]) == (3, "a" * 64)
+    pd.testing.assert_frame_equal(testbed.load(stopped), testbed.load(folder)[:6])
+
+
+def test_flights_that_were_drawn_otherwise_are_not_told(folder: Path, tmp_path: Path) -> None:
+    other = tmp_path / "other"
+    shutil.copytree(folder, other)
+    with closing(sqlite3.connect(other / "flights.sqlite")) as database, database:
+        database.execute(
+            """UPDATE flights SET record = replace(record, '"duration_s":2', '"duration_s":3')"""
+        )
+    done = run(tmp_path, "report", other)
+    assert (done.returncode, done.stderr) == (2, "draw 0 was drawn otherwise than this version does\n")
+
+
+def test_each_flight_is_a_test(folder: Path, tmp_path: Path) -> None:
+    rows, plan = testbed.load(folder), benchmark.plan_of(folder)
+    tests = list(benchmark.tests(plan, folder, json.loads((folder / "summary.json").read_text())))
+    assert [not test.failure for test in tests] == list(rows["held"])
+    lost = next(test for test in tests if test.failure)
+    assert (
+        lost.name.startswith("draw ")
+        and f"--only {lost.name.split()[1].rstrip(',')} --controller" in lost.text
+    )
+
+
 @pytest.mark.nightly
 def test_killed_and_resumed_gives_the_same_bytes(suite: Path, folder: Path, tmp_path: Path) -> None:
     options = ["benchmark", suite, "--draws", 4, "--seed", 5, "--jobs", 1, "--out", tmp_path / "out"]
@@ -85,6 +139,8 @@ def test_who_does_not_fly_loses_alone(made_by: str, folder: Path, tmp_path: Path
     assert (bad["survived"], bad["held"], bad["inside"]) == (False, False, 0.0)
     reason = {"Raises": "ZeroDivisionError", "NoNumber": "finite", "Hangs": "no result within 20 s"}[made_by]
     assert reason in bad["reason"]
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert any(line.startswith("| `bad` | 1 | ") and reason in line for line in benchmark.answer(summary))
     assert default["altitude_error_max_m"] == testbed.load(folder).iloc[0]["altitude_error_max_m"]
 
 
@@ -98,8 +154,6 @@ def test_a_seed_of_a_word(suite: Path) -> None:
 
 
 def test_what_the_summary_says(folder: Path) -> None:
-    import json
-
     summary = json.loads((folder / "summary.json").read_text())
     rows = testbed.load(folder)
     for name in ("default", "fixed"):
@@ -112,3 +166,17 @@ def test_what_the_summary_says(folder: Path) -> None:
     assert math.isclose(summary["scores"]["default"]["against_reference"]["inside"]["estimate"], 0.0)
     for groups in summary["by"].values():
         assert sum(group["draws"] for group in groups.values()) == 4
+
+
+def test_merged_shards_have_the_bytes_of_all(suite: Path, folder: Path, tmp_path: Path) -> None:
+    shard = ("benchmark", str(suite), "--draws", "4", "--seed", "5", "--jobs", "1", "--shard")
+    for k in "12":
+        assert in_this_process(tmp_path, *shard, f"{k}/2", "--out", k).returncode == 0
+    part = in_this_process(tmp_path, "merge", "1", "--out", "part")
+    assert part.returncode == 3 and "2 runs are missing: 1, 3" in part.stderr
+    assert in_this_process(tmp_path, "merge", "1", "2", "--out", "both").returncode == 0
+    for name in ("results.csv", "summary.json", "benchmark.yaml"):
+        assert (tmp_path / "both" / name).read_bytes() == (folder / name).read_bytes(), name
+    flown(suite, tmp_path / "more", draws=5)
+    other = in_this_process(tmp_path, "merge", "1", "more", "--out", "other")
+    assert other.returncode == 2 and "more: has another number of draws" in other.stderr

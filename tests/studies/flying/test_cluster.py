@@ -7,6 +7,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -21,9 +22,10 @@ import testbed
 from testbed.aircraft.shipped import find_aircraft
 from testbed.controllers.user.own import own_controllers
 from testbed.inputs.problems import BadInput
-from testbed.studies.flying.cluster import fly_packed, pack
+from testbed.studies.flying.cluster import fly_packed, pack, refuse_dead
 from testbed.studies.flying.flight import Job, fly_task
 from testbed.studies.load import load_sweep
+from testbed.studies.run import Options
 
 pytest.importorskip("distributed", reason="the cluster extra")
 
@@ -80,6 +82,7 @@ def test_a_wrong_or_dead_address_is_refused_before_a_folder_is_made(
 ) -> None:
     """Text that is no address, a closed port, a port that never says a word."""
     monkeypatch.setattr("testbed.studies.flying.cluster._ANSWER_S", 1)
+    monkeypatch.setattr("testbed.studies.flying.cluster._ANSWER_S", 1)
     with socket.create_server(("127.0.0.1", 0)) as silent:
         listening = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
         for address in ("nonsense", "tcp://127.0.0.1:9", listening):
@@ -121,3 +124,32 @@ def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
     with pytest.raises(BadInput, match="there is no folder"):
         pack(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))
+
+
+def test_a_cluster_that_starts_slowly_is_waited_for() -> None:
+    """A port at which a scheduler answers only later; and one at which none ever does, after the time that was asked for."""
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        port = taken.getsockname()[1]
+    starting = threading.Timer(2.0, lambda: schedulers.append(scheduler_at(port)))
+    schedulers: list[subprocess.Popen[bytes]] = []
+    with pytest.raises(BadInput, match="no cluster answers"):
+        refuse_dead(f"tcp://127.0.0.1:{port}", 0.5)
+    starting.start()
+    try:
+        refuse_dead(f"tcp://127.0.0.1:{port}", 60.0)
+    finally:
+        starting.join()
+        for scheduler in schedulers:
+            scheduler.kill()
+            scheduler.wait()
+
+
+def scheduler_at(port: int) -> subprocess.Popen[bytes]:
+    arguments = ("--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
+    words = [sys.executable, "-m", "distributed.cli.dask_scheduler", *arguments]
+    return subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def test_a_wait_needs_a_cluster() -> None:
+    with pytest.raises(BadInput, match="--cluster-wait: is 5, expected above 0 to 86400 s, beside --cluster"):
+        Options(cluster_wait_s=5.0)

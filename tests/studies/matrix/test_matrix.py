@@ -109,7 +109,7 @@ def test_the_page_has_a_cell_for_each_that_names_its_command(tmp_path: Path) -> 
 @pytest.mark.parametrize(
     ("keys", "words"),
     [
-        ({"failures": ["stuk"]}, "is 'stuk', did you mean stuck?"),
+        ({"failures": ["stuk"]}, "is 'stuk' (one of your own needs --with FILE.py), did you mean stuck?"),
         ({"failures": [{"type": "effectiveness", "value": 3.0}]}, "effectiveness value=3.0: value: "),
         ({"failures": [{"type": "stuck", "at_s": 3.0}]}, "has at_s"),
         ({"weather": ["foggy"]}, "has 'foggy', expected calm, light, moderate, severe or a W20"),

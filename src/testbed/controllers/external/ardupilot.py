@@ -162,8 +162,9 @@ class ArduPilot:
 
     def _exchange(self, state: dict[str, object]) -> Sequence[int]:
         """Send one state; the pulse widths [us] that it answers with."""
-        # It cuts differences of time to whole microseconds: a nanosecond keeps 4.999999 ms from losing one.
-        state["timestamp"] = self._frames * (self._dt + 1e-9)
+        # Its clock is the wall's until the first state, and must not have to catch up: what it does as it starts would take
+        # other steps. It cuts differences of time to whole microseconds: a nanosecond keeps 4.999999 ms from losing one.
+        state["timestamp"] = START_S + self._frames * (self._dt + 1e-9)
         self._frames += 1
         self._line = b"\n" + json.dumps(state, separators=(",", ":")).encode() + b"\n"
         with contextlib.suppress(OSError):  # its death is noticed below

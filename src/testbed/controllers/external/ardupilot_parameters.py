@@ -50,8 +50,7 @@ _OUTER_LOOPS = {
     "SCHED_LOOP_RATE": 100, "INS_GYRO_FILTER": 150, "INS_ACCEL_FILTER": 100, "THR_MIN": 0, "THR_MAX": 100,
     "THR_SLEWRATE": 0, "ROLL_LIMIT_DEG": 40, "PTCH_LIM_MAX_DEG": 20, "PTCH_LIM_MIN_DEG": -20,
     "GUIDED_P": 15000, "GUIDED_I": 2500, "GUIDED_IMAX": 2000,
-    "TECS_TIME_CONST": 3, "TECS_HDEM_TCONST": 0.2, "TECS_PTCH_DAMP": 0.8, "TECS_THR_DAMP": 0.5,
-    "TECS_INTEG_GAIN": 0.5, "TECS_HGT_OMEGA": 5,
+    "TECS_HDEM_TCONST": 0.2, "TECS_PTCH_DAMP": 0.8, "TECS_THR_DAMP": 0.5, "TECS_HGT_OMEGA": 5,
 }  # fmt: skip
 """The same for every aircraft: GUIDED_IMAX is too small for an integral as it comes, filters assume five times the samples."""
 
@@ -180,7 +179,10 @@ def _servos(setup: Setup, functions: list[int]) -> dict[str, float]:
 
 
 def _speeds(setup: Setup) -> dict[str, float]:
-    """Airspeeds [m/s, equivalent] and the trim. The lowest is 1.1 of that at which the lift stops to grow."""
+    """Airspeeds [m/s, equivalent] and the trim. The lowest is 1.1 of that at which the lift stops to grow.
+
+    Height and speed are exchanged in a time that grows with the speed: 3 s at 18 m/s; at 39 m/s that oscillated.
+    """
     model = setup.model
     lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")] / GRAVITY_M_S2
     most = 1.0 + lift * max(model.stall_alpha_rad - model.alpha_rad, 0.0)
@@ -194,6 +196,8 @@ def _speeds(setup: Setup) -> dict[str, float]:
         "SCALING_SPEED": cruise,
         "PTCH_TRIM_DEG": math.degrees(setup.trim_pitch),
         "TRIM_THROTTLE": 100.0 * float(throttles.mean()) if len(throttles) else 0.0,
+        "TECS_TIME_CONST": cruise / 6.0,
+        "TECS_INTEG_GAIN": 9.0 / cruise,
         "TECS_CLMB_MAX": climb,
         "TECS_SINK_MIN": cruise / 12.0,
         "TECS_SINK_MAX": max(cruise / 3.6, climb),

@@ -54,7 +54,6 @@ class CLibrary:
         self._sensed, self._setpoint = np.zeros(len(SENSED)), np.zeros(len(SETPOINT))
         self._commands = np.zeros(len(setup.actuators))
         self._addresses = [a.ctypes.data_as(_Doubles) for a in (self._sensed, self._setpoint, self._commands)]
-        self._unsaid = np.repeat((1.0, 0.0), len(setup.actuators))
         self._handle = self._bind(ctypes.byref(self._told(setup)))
         if not self._handle:
             raise self._problem("testbed_bind returned NULL: it refuses this aircraft")
@@ -112,9 +111,7 @@ class CLibrary:
         if status or not np.isfinite(self._commands).all():
             what = f"returned {status}" if status else f"commanded {self._commands.tolist()}"
             raise self._problem(f"at {step * self._dt:.3f} s testbed_step {what}", "0, and finite commands")
-        row, n = self._telemetry[step], len(self._commands)
-        self._log.write(row, self._commands, self._states[step])
-        row[2 * n : 4 * n] = self._unsaid
+        self._log.write(self._telemetry[step], self._commands, self._states[step])
         return self._commands
 
     def close(self) -> None:

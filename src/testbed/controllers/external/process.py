@@ -1,7 +1,7 @@
 """A controller in a process of its own: one JSON object a line on its standard input, one back on its standard output.
 
 The first line says what is flown; each further one is a control step, and is answered before the aircraft moves on. The whole
-protocol is docs/reference/own_process.md.
+protocol is docs/reference/any_language.md.
 """
 
 from __future__ import annotations
@@ -39,10 +39,12 @@ _OUTPUT, _MOST_KEPT = "stderr.txt", 10_000_000
 class Process:
     """Flies one flight with a process that is started for it."""
 
-    def __init__(self, setup: Setup, words: Sequence[str]) -> None:
-        self._name, self._time_s, self._step, self._rest = Path(words[0]).name, 0.0, -1, b""
+    def __init__(
+        self, setup: Setup, words: Sequence[str], name: str = "", environment: Mapping[str, str] | None = None
+    ) -> None:
+        self._name, self._time_s, self._step, self._rest = name or Path(words[0]).name, 0.0, -1, b""
         self._plan, self._errors = setup.plan, tempfile.TemporaryFile()  # noqa: SIM115, closed by `close`
-        self._process = self._started(words, setup)
+        self._process = self._started(words, environment)
         self._end = weakref.finalize(self, ended, self._process)
         self._told: dict[str, Any] = {}
         try:
@@ -51,14 +53,18 @@ class Process:
             self._end()
             raise
 
-    def _started(self, words: Sequence[str], setup: Setup) -> subprocess.Popen[bytes]:
-        pipes: dict[str, Any] = {
-            "stdin": subprocess.PIPE,
-            "stdout": subprocess.PIPE,
-            "start_new_session": True,
-        }
+    def _started(
+        self, words: Sequence[str], environment: Mapping[str, str] | None
+    ) -> subprocess.Popen[bytes]:
         try:
-            return subprocess.Popen(guarded(words), stderr=self._errors, **pipes)
+            return subprocess.Popen(
+                guarded(words),
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=self._errors,
+                env=environment,
+                start_new_session=True,
+            )
         except OSError as error:
             raise self._problem(f"cannot be started: {error.strerror}") from None
 
@@ -66,20 +72,21 @@ class Process:
         """The commands that the process answers with."""
         self._time_s, self._step = time_s, self._step + 1
         said = {"step": self._step, "sensed": sensed._asdict(), "reference": reference._asdict()}
-        self._told = self._answer(said, STEP_S)
-        if "commands" not in self._told:
+        answer = self._answer(said, STEP_S)
+        if "commands" not in answer:
             raise self._problem("answered without commands", expected='{"commands": [...]}')
-        commands: Sequence[float] = self._told["commands"]
+        self._told |= answer
+        commands: Sequence[float] = answer["commands"]
         return commands
 
     @property
     def effectiveness(self) -> Sequence[float] | None:
-        """What the process takes each actuator's effectiveness for, if it says so."""
+        """What the process took each actuator's effectiveness for when it said so last; None if it never did."""
         return self._told.get("effectiveness")
 
     @property
     def failed(self) -> Sequence[float] | None:
-        """What the process takes for failed, if it says so."""
+        """What the process took for failed when it said so last; None if it never did."""
         return self._told.get("failed")
 
     def close(self) -> None:
@@ -108,6 +115,8 @@ class Process:
             raise self._problem(f"answered {_excerpt(line)}", expected="one JSON object in a line") from None
         if not isinstance(answer, dict):
             raise self._problem(f"answered {_excerpt(line)}", expected="a JSON object")
+        if "problem" in answer:
+            raise self._problem(f"said: {answer['problem']!s:.2000}")
         if answer.get("step", self._step) != self._step:
             what = f"answered for step {answer['step']!r} in step {self._step}"
             raise self._problem(what, expected="one answer to each line")

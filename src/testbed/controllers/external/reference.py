@@ -1,7 +1,7 @@
-"""What `--controller` names when it is no Python class: an autopilot, a C library or a command.
+"""What `--controller` names when it is no Python class: an autopilot, an FMU, a C library or a command.
 
 `ardupilot:PATH` is an executable of ArduPilot, with its parameter file as a second word; without PATH, the environment names it.
-A library is told from a command by the kind of its file.
+An FMU may have its mapping file as a second word. It and a library are told from a command by the kind of their file.
 
 Naming loads and starts nothing, and needs no numba: results name controllers too.
 """
@@ -19,8 +19,10 @@ from typing import Any
 
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
-_LIBRARIES = (".so", ".dylib", ".dll")
-EXPECTED = "FILE.py:CLASS, a C library (.so, .dylib, .dll), ardupilot:PATH, or a command in quotes"
+_LIBRARIES, _FMU = (".so", ".dylib", ".dll"), ".fmu"
+EXPECTED = (
+    "FILE.py:CLASS, a C library (.so, .dylib, .dll), an FMU (.fmu), ardupilot:PATH, or a command in quotes"
+)
 ARDUPILOT = "ardupilot:"
 """Begins the name of an executable of ArduPilot; `External.words` has it as a word of its own."""
 _ENVIRONMENT = "TESTBED_ARDUPILOT"
@@ -28,10 +30,10 @@ _ENVIRONMENT = "TESTBED_ARDUPILOT"
 
 @dataclass(frozen=True)
 class External:
-    """A command, a C library or an autopilot; picklable, so that workers fly it too.
+    """A command, an FMU, a C library or an autopilot; picklable, so that workers fly it too.
 
     Attributes:
-        words: the command, the library's path, or `ARDUPILOT` with its files; the file that is run or loaded is found.
+        words: the command, the path of the library or FMU, or `ARDUPILOT` with its files; the file that is run or loaded is found.
         controller_name: by which results call it.
     """
 
@@ -48,6 +50,8 @@ class External:
     def _kind(self) -> str:
         if self.words[0] == ARDUPILOT:
             return "ardupilot"
+        if self.words[0].endswith(_FMU):
+            return "fmu"
         return "c_library" if self.words[0].endswith(_LIBRARIES) else "process"
 
     def files(self) -> Iterator[Path]:
@@ -90,7 +94,7 @@ def _autopilot(words: list[str]) -> External:
 
 def _found(name: str) -> str:
     """The path of a file that can be run or loaded."""
-    if name.endswith(_LIBRARIES) and os.path.isfile(name):
+    if name.endswith((*_LIBRARIES, _FMU)) and os.path.isfile(name):
         return os.path.abspath(name)
     if runs := shutil.which(name) or shutil.which(name, path=os.curdir):
         return os.path.abspath(runs)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import write_beliefs, write_telemetry
+from testbed.controllers.commands import write_diagnosis, write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
 from testbed.controllers.inversion.jam_detection import detect_jam
@@ -104,4 +104,4 @@ def command_step(step, parts):
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(telemetry[step], k.released, s)
-    write_beliefs(telemetry[step], c, s)
+    write_diagnosis(telemetry[step], c, s)

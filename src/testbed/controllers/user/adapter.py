@@ -10,7 +10,7 @@ when the flight is over. `setup.plan` has the flight's seed, its scenario and a 
 `state` is a `State`, as measured, and `reference` is a `Reference`; both are in SI units and radians. The commands are one
 number for each actuator, in the order of `setup.model.actuators`. The object may have the attributes `effectiveness` and
 `failed`, with one number for each actuator. They are logged, and judged by the metrics, as its estimates and its flags;
-without them the log has 1 and 0. The class may have an attribute
+without them the log has NaN, and nothing is judged that asks for them. The class may have an attribute
 `parameters`, a mapping of names to defaults; `setup.parameters` then has these, with the values of `controller.parameters` in
 the scenario or the sweep. A class with `bind` and `step` (see `controllers.Controller`) is flown as it is.
 
@@ -37,8 +37,8 @@ from testbed.controllers.user.loader import Factory, in_words, place_of, raised,
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 _UPDATE = "update(time_s, state, reference) -> commands"
-_KEPT = (("effectiveness", 1.0), ("failed", 0.0))
-"""Attributes of the user's object that are logged, and what is logged without them."""
+_KEPT = ("effectiveness", "failed")
+"""Attributes of the user's object that are logged, if it has them."""
 
 
 _TEXTS = "US"
@@ -197,7 +197,7 @@ class CustomController:
         given = [Sensed._make(self._sensed[step].tolist())] if self.senses else []
         try:
             answer = self._update(time_s, state, reference, *given)
-            kept = [getattr(self._flown, name, None) for name, _ in _KEPT]
+            kept = [getattr(self._flown, name, None) for name in _KEPT]
         except (KeyboardInterrupt, BadInput):
             raise
         except BaseException as error:  # `sys.exit` too, which would end the command in silence
@@ -232,8 +232,9 @@ class CustomController:
     def _write_telemetry(self, step: int, commands: np.ndarray, kept: Sequence[Any], time_s: float) -> None:
         n, row = self._n, self._telemetry[step]
         self._log.write(row, commands, self._states[step])
-        for i, ((name, default), own) in enumerate(zip(_KEPT, kept, strict=True), 2):
-            row[i * n : (i + 1) * n] = default if own is None else self._checked(own, name, time_s)
+        for i, (name, own) in enumerate(zip(_KEPT, kept, strict=True), 2):
+            if own is not None:
+                row[i * n : (i + 1) * n] = self._checked(own, name, time_s)
 
 
 class CommandLog:

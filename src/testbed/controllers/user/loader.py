@@ -78,7 +78,7 @@ def load_controller(reference: str) -> Factory:
         from testbed.controllers.external.reference import load
 
         return load(reference)
-    module = _module(Path(file))
+    module = module_of(Path(file))
     made = getattr(module, name, None)
     own = [key for key, value in vars(module).items() if getattr(value, "__module__", "") == module.__name__]
     if made is None:
@@ -89,7 +89,7 @@ def load_controller(reference: str) -> Factory:
     return made  # type: ignore[no-any-return]
 
 
-def _module(path: Path) -> ModuleType:
+def module_of(path: Path) -> ModuleType:
     """Run a Python file and return its module. The file may import others in its folder."""
     if not os.path.isfile(path):
         problem = "is a folder" if os.path.isdir(path) else "there is no such file"

@@ -11,6 +11,7 @@ import ast
 import hashlib
 import os
 import shlex
+import sys
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
@@ -49,11 +50,8 @@ class OwnController:
 
     @property
     def digest(self) -> str:
-        """SHA-256 of its code."""
-        digest = hashlib.sha256()
-        for name, content in self.code:
-            digest.update(f"{name}\0".encode() + content + b"\0")
-        return digest.hexdigest()
+        """SHA-256 of its code, and of a command's arguments."""
+        return sha256_of(self.code, () if self.made_by else shlex.split(self.file))
 
     def load(self) -> Factory:
         """The class. Its file is run once in a process; raises BadInput with file and line when that fails."""
@@ -84,6 +82,28 @@ def own_controllers(given: Iterable[str]) -> dict[str, OwnController]:
     return found
 
 
+def digest_of(factory: Factory) -> str:
+    """SHA-256 of what makes a flight's controller, as `OwnController.digest`; empty of a class that is in no file."""
+    if isinstance(factory, External):
+        return sha256_of(_contents(factory), factory.words)
+    file = getattr(sys.modules.get(getattr(factory, "__module__", "")), "__file__", None) or ""
+    return sha256_of(code_of(Path(file).resolve())) if file.endswith(".py") and os.path.isfile(file) else ""
+
+
+def sha256_of(code: Iterable[tuple[str, bytes]], words: Iterable[str] = ()) -> str:
+    """Of files, and of the words of a command, in which the folders of files do not count."""
+    digest = hashlib.sha256()
+    for name, content in code:
+        digest.update(f"{name}\0".encode() + content + b"\0")
+    for word in words:
+        digest.update(f"{Path(word).name if os.path.isabs(word) else word}\0".encode())
+    return digest.hexdigest()
+
+
+def _contents(command: External) -> tuple[tuple[str, bytes], ...]:
+    return tuple((path.name, path.read_bytes()) for path in command.files())
+
+
 def not_given(name: str) -> Problem:
     """The problem of a sweep that names a controller of the user's without its class."""
     what = f"{name} is a controller of one's own, and its class was not given"
@@ -107,13 +127,12 @@ def _own(text: str, others: Mapping[str, OwnController]) -> OwnController:
         raise BadInput([Problem(what, "--controller", expected="another name")])
     factory = load_controller(reference)
     if isinstance(factory, External):
-        files = tuple((path.name, path.read_bytes()) for path in factory.files())
-        return OwnController(name, shlex.join(factory.words), "", files)
+        return OwnController(name, shlex.join(factory.words), "", _contents(factory))
     file, _, made_by = reference.rpartition(":")
-    return OwnController(name, str(Path(file).resolve()), made_by, tuple(_code(Path(file).resolve())))
+    return OwnController(name, str(Path(file).resolve()), made_by, tuple(code_of(Path(file).resolve())))
 
 
-def _code(file: Path) -> Iterator[tuple[str, bytes]]:
+def code_of(file: Path) -> Iterator[tuple[str, bytes]]:
     """(path from its folder, contents) of a file and of the modules and packages beside it that it imports, in order."""
     folder, found, waiting = file.parent, set[Path](), [file]
     while waiting:

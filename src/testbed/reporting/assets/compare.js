@@ -1,3 +1,3845 @@
-(()=>{var cl=class{constructor(t,l){this.start=t,this.end=l,this.now=t,this.range=[t,l],this.playing=!1,this.speed=1,this.listeners=[]}listen(t){this.listeners.push(t)}tell(t){for(let l of this.listeners)l(t)}go(t){this.now=Math.min(Math.max(t,this.start),this.end),this.tell("now")}show(t,l){this.range=[Math.max(t,this.start),Math.min(l,this.end)],this.tell("range")}play(t=!this.playing){t&&this.now>=this.end&&(this.now=this.start),this.playing=t,this.last=performance.now(),this.tell("playing"),t&&requestAnimationFrame(()=>this.tick())}tick(){if(!this.playing)return;let t=performance.now();this.go(this.now+(t-this.last)/1e3*this.speed),this.last=t,this.now>=this.end?this.play(!1):requestAnimationFrame(()=>this.tick())}};function Ct(e){return getComputedStyle(document.documentElement).getPropertyValue(`--${e}`).trim()}var fi=["healthy","unnoticed","unseen","flagged","held","recovered","lost"];function ui(e){matchMedia("(prefers-color-scheme: dark)").addEventListener("change",e)}var ht=Uint8Array,En=Uint16Array,Eo=Int32Array,ci=new ht([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),hi=new ht([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),zo=new ht([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),pi=function(e,t){for(var l=new En(31),r=0;r<31;++r)l[r]=t+=1<<e[r-1];for(var i=new Eo(l[30]),r=1;r<30;++r)for(var f=l[r];f<l[r+1];++f)i[f]=f-l[r]<<5|r;return{b:l,r:i}},mi=pi(ci,2),gi=mi.b,_o=mi.r;gi[28]=258,_o[258]=28;var vi=pi(hi,0),Do=vi.b,$f=vi.r,er=new En(32768);for(oe=0;oe<32768;++oe)Ft=(oe&43690)>>1|(oe&21845)<<1,Ft=(Ft&52428)>>2|(Ft&13107)<<2,Ft=(Ft&61680)>>4|(Ft&3855)<<4,er[oe]=((Ft&65280)>>8|(Ft&255)<<8)>>1;var Ft,oe,qn=(function(e,t,l){for(var r=e.length,i=0,f=new En(t);i<r;++i)e[i]&&++f[e[i]-1];var u=new En(t);for(i=1;i<t;++i)u[i]=u[i-1]+f[i-1]<<1;var h;if(l){h=new En(1<<t);var p=15-t;for(i=0;i<r;++i)if(e[i])for(var v=i<<4|e[i],y=t-e[i],m=u[e[i]-1]++<<y,g=m|(1<<y)-1;m<=g;++m)h[er[m]>>p]=v}else for(h=new En(r),i=0;i<r;++i)e[i]&&(h[i]=er[u[e[i]-1]++]>>15-e[i]);return h}),$n=new ht(288);for(oe=0;oe<144;++oe)$n[oe]=8;var oe;for(oe=144;oe<256;++oe)$n[oe]=9;var oe;for(oe=256;oe<280;++oe)$n[oe]=7;var oe;for(oe=280;oe<288;++oe)$n[oe]=8;var oe,di=new ht(32);for(oe=0;oe<32;++oe)di[oe]=5;var oe;var Po=qn($n,9,1);var Lo=qn(di,5,1),Ql=function(e){for(var t=e[0],l=1;l<e.length;++l)e[l]>t&&(t=e[l]);return t},yt=function(e,t,l){var r=t/8|0;return(e[r]|e[r+1]<<8)>>(t&7)&l},Xl=function(e,t){var l=t/8|0;return(e[l]|e[l+1]<<8|e[l+2]<<16)>>(t&7)},Co=function(e){return(e+7)/8|0},Fo=function(e,t,l){return(t==null||t<0)&&(t=0),(l==null||l>e.length)&&(l=e.length),new ht(e.subarray(t,l))};var Ro=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 data","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],xt=function(e,t,l){var r=new Error(t||Ro[e]);if(r.code=e,Error.captureStackTrace&&Error.captureStackTrace(r,xt),!l)throw r;return r},No=function(e,t,l,r){var i=e.length,f=r?r.length:0;if(!i||t.f&&!t.l)return l||new ht(0);var u=!l,h=u||t.i!=2,p=t.i;u&&(l=new ht(i*3));var v=function(Qe){var st=l.length;if(Qe>st){var Ue=new ht(Math.max(st*2,Qe));Ue.set(l),l=Ue}},y=t.f||0,m=t.p||0,g=t.b||0,S=t.l,b=t.d,E=t.m,O=t.n,H=i*8;do{if(!S){y=yt(e,m,1);var M=yt(e,m+1,3);if(m+=3,M)if(M==1)S=Po,b=Lo,E=9,O=5;else if(M==2){var D=yt(e,m,31)+257,J=yt(e,m+10,15)+4,B=D+yt(e,m+5,31)+1;m+=14;for(var Z=new ht(B),G=new ht(19),T=0;T<J;++T)G[zo[T]]=yt(e,m+T*3,7);m+=J*3;for(var $=Ql(G),N=(1<<$)-1,U=qn(G,$,1),T=0;T<B;){var V=U[yt(e,m,N)];m+=V&15;var C=V>>4;if(C<16)Z[T++]=C;else{var K=0,R=0;for(C==16?(R=3+yt(e,m,3),m+=2,K=Z[T-1]):C==17?(R=3+yt(e,m,7),m+=3):C==18&&(R=11+yt(e,m,127),m+=7);R--;)Z[T++]=K}}var Oe=Z.subarray(0,D),le=Z.subarray(D);E=Ql(Oe),O=Ql(le),S=qn(Oe,E,1),b=qn(le,O,1)}else xt(1);else{var C=Co(m)+4,k=e[C-4]|e[C-3]<<8,q=C+k;if(q>i){p&&xt(0);break}h&&v(g+k),l.set(e.subarray(C,q),g),t.b=g+=k,t.p=m=q*8,t.f=y;continue}if(m>H){p&&xt(0);break}}h&&v(g+131072);for(var te=(1<<E)-1,fe=(1<<O)-1,j=m;;j=m){var K=S[Xl(e,m)&te],F=K>>4;if(m+=K&15,m>H){p&&xt(0);break}if(K||xt(2),F<256)l[g++]=F;else if(F==256){j=m,S=null;break}else{var Te=F-254;if(F>264){var T=F-257,Ae=ci[T];Te=yt(e,m,(1<<Ae)-1)+gi[T],m+=Ae}var ce=b[Xl(e,m)&fe],ne=ce>>4;ce||xt(3),m+=ce&15;var le=Do[ne];if(ne>3){var Ae=hi[ne];le+=Xl(e,m)&(1<<Ae)-1,m+=Ae}if(m>H){p&&xt(0);break}h&&v(g+131072);var Ke=g+Te;if(g<le){var We=f-le,ve=Math.min(le,Ke);for(We+g<0&&xt(3);g<ve;++g)l[g]=r[We+g]}for(;g<Ke;++g)l[g]=l[g-le]}}t.l=S,t.p=j,t.b=g,t.f=y,S&&(y=1,t.m=E,t.d=b,t.n=O)}while(!y);return g!=l.length&&u?Fo(l,0,g):l.subarray(0,g)};var Oo=new ht(0);var Vo=function(e,t){return((e[0]&15)!=8||e[0]>>4>7||(e[0]<<8|e[1])%31)&&xt(6,"invalid zlib data"),(e[1]>>5&1)==+!t&&xt(6,"invalid zlib data: "+(e[1]&32?"need":"unexpected")+" dictionary"),(e[1]>>3&4)+2};function wi(e,t){return No(e.subarray(Vo(e,t&&t.dictionary),-4),{i:2},t&&t.out,t&&t.dictionary)}var Io=typeof TextDecoder<"u"&&new TextDecoder,Ho=0;try{Io.decode(Oo,{stream:!0}),Ho=1}catch{}var Wo=65535;function yi(e,t){let l=Uint8Array.from(atob(t),h=>h.charCodeAt(0)),r=wi(l),i=r.length/2,f=e.rows,u={};return e.columns.forEach(({name:h,low:p,step:v},y)=>{let m=new Float64Array(f),g=0;for(let S=0;S<f;S++){let b=y*f+S;g=g+r[b]+256*r[i+b]&65535,m[S]=g===Wo?NaN:p+v*g}u[h]=m}),u}function xi(e,t){let l=0,r=e.length-1;for(;l<r;){let i=l+r+1>>1;e[i]<=t?l=i:r=i-1}return l}var Go="uplot",Uo="u-hz",Bo="u-vt",Yo="u-title",qo="u-wrap",$o="u-under",Zo="u-over",Ko="u-axis",ln="u-off",jo="u-select",Jo="u-cursor-x",Qo="u-cursor-y",Xo="u-cursor-pt",ea="u-legend",ta="u-live",na="u-inline",la="u-series",ra="u-marker",Si="u-label",ia="u-value",Kn="width",jn="height";var Ti="bottom",zn="left",tr="right",wr="#000",Mi=wr+"0",nr="mousemove",bi="mousedown",lr="mouseup",Ai="mouseenter",ki="mouseleave",Ei="dblclick",sa="resize",oa="scroll",zi="change",vl="dppxchange",yr="--",Rn=typeof window<"u",ar=Rn?document:null,Dn=Rn?window:null,aa=Rn?navigator:null,ae,hl;function fr(){let e=devicePixelRatio;ae!=e&&(ae=e,hl&&cr(zi,hl,fr),hl=matchMedia(`(min-resolution: ${ae-.001}dppx) and (max-resolution: ${ae+.001}dppx)`),rn(zi,hl,fr),Dn.dispatchEvent(new CustomEvent(vl)))}function lt(e,t){if(t!=null){let l=e.classList;!l.contains(t)&&l.add(t)}}function ur(e,t){let l=e.classList;l.contains(t)&&l.remove(t)}function xe(e,t,l){e.style[t]=l+"px"}function St(e,t,l,r){let i=ar.createElement(e);return t!=null&&lt(i,t),l?.insertBefore(i,r),i}function pt(e,t){return St("div",e,t)}var _i=new WeakMap;function Dt(e,t,l,r,i){let f="translate("+t+"px,"+l+"px)",u=_i.get(e);f!=u&&(e.style.transform=f,_i.set(e,f),t<0||l<0||t>r||l>i?lt(e,ln):ur(e,ln))}var Di=new WeakMap;function Pi(e,t,l){let r=t+l,i=Di.get(e);r!=i&&(Di.set(e,r),e.style.background=t,e.style.borderColor=l)}var Li=new WeakMap;function Ci(e,t,l,r){let i=t+""+l,f=Li.get(e);i!=f&&(Li.set(e,i),e.style.height=l+"px",e.style.width=t+"px",e.style.marginLeft=r?-t/2+"px":0,e.style.marginTop=r?-l/2+"px":0)}var xr={passive:!0},fa={...xr,capture:!0};function rn(e,t,l,r){t.addEventListener(e,l,r?fa:xr)}function cr(e,t,l,r){t.removeEventListener(e,l,xr)}Rn&&fr();function Tt(e,t,l,r){let i;l=l||0,r=r||t.length-1;let f=r<=2147483647;for(;r-l>1;)i=f?l+r>>1:rt((l+r)/2),t[i]<e?l=i:r=i;return e-t[l]<=t[r]-e?l:r}function os(e){return(l,r,i)=>{let f=-1,u=-1;for(let h=r;h<=i;h++)if(e(l[h])){f=h;break}for(let h=i;h>=r;h--)if(e(l[h])){u=h;break}return[f,u]}}var as=e=>e!=null,fs=e=>e!=null&&e>0,yl=os(as),ua=os(fs);function ca(e,t,l,r=0,i=!1){let f=i?ua:yl,u=i?fs:as;[t,l]=f(e,t,l);let h=e[t],p=e[t];if(t>-1)if(r==1)h=e[t],p=e[l];else if(r==-1)h=e[l],p=e[t];else for(let v=t;v<=l;v++){let y=e[v];u(y)&&(y<h?h=y:y>p&&(p=y))}return[h??pe,p??-pe]}function xl(e,t,l,r){let i=Ni(e),f=Ni(t);e==t&&(i==-1?(e*=l,t/=l):(e/=l,t*=l));let u=l==10?Rt:us,h=i==1?rt:mt,p=f==1?mt:rt,v=h(u(De(e))),y=p(u(De(t))),m=Pn(l,v),g=Pn(l,y);return l==10&&(v<0&&(m=me(m,-v)),y<0&&(g=me(g,-y))),r||l==2?(e=m*i,t=g*f):(e=ms(e,m),t=Sl(t,g)),[e,t]}function Sr(e,t,l,r){let i=xl(e,t,l,r);return e==0&&(i[0]=0),t==0&&(i[1]=0),i}var Tr=.1,Fi={mode:3,pad:Tr},Qn={pad:0,soft:null,mode:0},ha={min:Qn,max:Qn};function dl(e,t,l,r){return Tl(l)?Ri(e,t,l):(Qn.pad=l,Qn.soft=r?0:null,Qn.mode=r?3:0,Ri(e,t,ha))}function ie(e,t){return e??t}function pa(e,t,l){for(t=ie(t,0),l=ie(l,e.length-1);t<=l;){if(e[t]!=null)return!0;t++}return!1}function Ri(e,t,l){let r=l.min,i=l.max,f=ie(r.pad,0),u=ie(i.pad,0),h=ie(r.hard,-pe),p=ie(i.hard,pe),v=ie(r.soft,pe),y=ie(i.soft,-pe),m=ie(r.mode,0),g=ie(i.mode,0),S=t-e,b=Rt(S),E=Ze(De(e),De(t)),O=Rt(E),H=De(O-b);(S<1e-24||H>10)&&(S=0,(e==0||t==0)&&(S=1e-24,m==2&&v!=pe&&(f=0),g==2&&y!=-pe&&(u=0)));let M=S||E||1e3,C=Rt(M),k=Pn(10,rt(C)),q=M*(S==0?e==0?.1:1:f),D=me(ms(e-q,k/10),24),J=e>=v&&(m==1||m==3&&D<=v||m==2&&D>=v)?v:pe,B=Ze(h,D<J&&e>=J?J:Mt(J,D)),Z=M*(S==0?t==0?.1:1:u),G=me(Sl(t+Z,k/10),24),T=t<=y&&(g==1||g==3&&G>=y||g==2&&G<=y)?y:-pe,$=Mt(p,G>T&&t<=T?T:Ze(T,G));return B==$&&B==0&&($=100),[B,$]}var ma=new Intl.NumberFormat(Rn?aa.language:"en-US"),Mr=e=>ma.format(e),it=Math,gl=it.PI,De=it.abs,rt=it.floor,_e=it.round,mt=it.ceil,Mt=it.min,Ze=it.max,Pn=it.pow,Ni=it.sign,Rt=it.log10,us=it.log2,ga=(e,t=1)=>it.sinh(e)*t,rr=(e,t=1)=>it.asinh(e/t),pe=1/0;function Oi(e){return(Rt((e^e>>31)-(e>>31))|0)+1}function hr(e,t,l){return Mt(Ze(e,t),l)}function cs(e){return typeof e=="function"}function ee(e){return cs(e)?e:()=>e}var va=()=>{},hs=e=>e,ps=(e,t)=>t,da=e=>null,Vi=e=>!0,Ii=(e,t)=>e==t,wa=/\.\d*?(?=9{6,}|0{6,})/gm,sn=e=>{if(vs(e)||Bt.has(e))return e;let t=`${e}`,l=t.match(wa);if(l==null)return e;let r=l[0].length-1;if(t.indexOf("e-")!=-1){let[i,f]=t.split("e");return+`${sn(i)}e${f}`}return me(e,r)};function tn(e,t){return sn(me(sn(e/t))*t)}function Sl(e,t){return sn(mt(sn(e/t))*t)}function ms(e,t){return sn(rt(sn(e/t))*t)}function me(e,t=0){if(vs(e))return e;let l=10**t,r=e*l*(1+Number.EPSILON);return _e(r)/l}var Bt=new Map;function gs(e){return((""+e).split(".")[1]||"").length}function el(e,t,l,r){let i=[],f=r.map(gs);for(let u=t;u<l;u++){let h=De(u),p=me(Pn(e,u),h);for(let v=0;v<r.length;v++){let y=e==10?+`${r[v]}e${u}`:r[v]*p,m=(u>=0?0:h)+(u>=f[v]?0:f[v]),g=e==10?y:me(y,m);i.push(g),Bt.set(g,m)}}return i}var Xn={},br=[],Ln=[null,null],Ut=Array.isArray,vs=Number.isInteger,ya=e=>e===void 0;function Hi(e){return typeof e=="string"}function Tl(e){let t=!1;if(e!=null){let l=e.constructor;t=l==null||l==Object}return t}function xa(e){return e!=null&&typeof e=="object"}var Sa=Object.getPrototypeOf(Uint8Array),ds="__proto__";function Cn(e,t=Tl){let l;if(Ut(e)){let r=e.find(i=>i!=null);if(Ut(r)||t(r)){l=Array(e.length);for(let i=0;i<e.length;i++)l[i]=Cn(e[i],t)}else l=e.slice()}else if(e instanceof Sa)l=e.slice();else if(t(e)){l={};for(let r in e)r!=ds&&(l[r]=Cn(e[r],t))}else l=e;return l}function Ee(e){let t=arguments;for(let l=1;l<t.length;l++){let r=t[l];for(let i in r)i!=ds&&(Tl(e[i])?Ee(e[i],Cn(r[i])):e[i]=Cn(r[i]))}return e}var Ta=0,Ma=1,ba=2;function Aa(e,t,l){for(let r=0,i,f=-1;r<t.length;r++){let u=t[r];if(u>f){for(i=u-1;i>=0&&e[i]==null;)e[i--]=null;for(i=u+1;i<l&&e[i]==null;)e[f=i++]=null}}}function ka(e,t){if(_a(e)){let u=e[0].slice();for(let h=1;h<e.length;h++)u.push(...e[h].slice(1));return Da(u[0])||(u=za(u)),u}let l=new Set;for(let u=0;u<e.length;u++){let p=e[u][0],v=p.length;for(let y=0;y<v;y++)l.add(p[y])}let r=[Array.from(l).sort((u,h)=>u-h)],i=r[0].length,f=new Map;for(let u=0;u<i;u++)f.set(r[0][u],u);for(let u=0;u<e.length;u++){let h=e[u],p=h[0];for(let v=1;v<h.length;v++){let y=h[v],m=Array(i).fill(void 0),g=t?t[u][v]:Ma,S=[];for(let b=0;b<y.length;b++){let E=y[b],O=f.get(p[b]);E===null?g!=Ta&&(m[O]=E,g==ba&&S.push(O)):m[O]=E}Aa(m,S,i),r.push(m)}}return r}var Ea=typeof queueMicrotask>"u"?e=>Promise.resolve().then(e):queueMicrotask;function za(e){let t=e[0],l=t.length,r=Array(l);for(let f=0;f<r.length;f++)r[f]=f;r.sort((f,u)=>t[f]-t[u]);let i=[];for(let f=0;f<e.length;f++){let u=e[f],h=Array(l);for(let p=0;p<l;p++)h[p]=u[r[p]];i.push(h)}return i}function _a(e){let t=e[0][0],l=t.length;for(let r=1;r<e.length;r++){let i=e[r][0];if(i.length!=l)return!1;if(i!=t){for(let f=0;f<l;f++)if(i[f]!=t[f])return!1}}return!0}function Da(e,t=100){let l=e.length;if(l<=1)return!0;let r=0,i=l-1;for(;r<=i&&e[r]==null;)r++;for(;i>=r&&e[i]==null;)i--;if(i<=r)return!0;let f=Ze(1,rt((i-r+1)/t));for(let u=e[r],h=r+f;h<=i;h+=f){let p=e[h];if(p!=null){if(p<=u)return!1;u=p}}return!0}var ws=["January","February","March","April","May","June","July","August","September","October","November","December"],ys=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function xs(e){return e.slice(0,3)}var Pa=ys.map(xs),La=ws.map(xs),Ca={MMMM:ws,MMM:La,WWWW:ys,WWW:Pa};function Zn(e){return(e<10?"0":"")+e}function Fa(e){return(e<10?"00":e<100?"0":"")+e}var Ra={YYYY:e=>e.getFullYear(),YY:e=>(e.getFullYear()+"").slice(2),MMMM:(e,t)=>t.MMMM[e.getMonth()],MMM:(e,t)=>t.MMM[e.getMonth()],MM:e=>Zn(e.getMonth()+1),M:e=>e.getMonth()+1,DD:e=>Zn(e.getDate()),D:e=>e.getDate(),WWWW:(e,t)=>t.WWWW[e.getDay()],WWW:(e,t)=>t.WWW[e.getDay()],HH:e=>Zn(e.getHours()),H:e=>e.getHours(),h:e=>{let t=e.getHours();return t==0?12:t>12?t-12:t},AA:e=>e.getHours()>=12?"PM":"AM",aa:e=>e.getHours()>=12?"pm":"am",a:e=>e.getHours()>=12?"p":"a",mm:e=>Zn(e.getMinutes()),m:e=>e.getMinutes(),ss:e=>Zn(e.getSeconds()),s:e=>e.getSeconds(),fff:e=>Fa(e.getMilliseconds())};function Ar(e,t){t=t||Ca;let l=[],r=/\{([a-z]+)\}|[^{]+/gi,i;for(;i=r.exec(e);)l.push(i[0][0]=="{"?Ra[i[1]]:i[0]);return f=>{let u="";for(let h=0;h<l.length;h++)u+=typeof l[h]=="string"?l[h]:l[h](f,t);return u}}var Na=new Intl.DateTimeFormat().resolvedOptions().timeZone;function Oa(e,t){let l;return t=="UTC"||t=="Etc/UTC"?l=new Date(+e+e.getTimezoneOffset()*6e4):t==Na?l=e:(l=new Date(e.toLocaleString("en-US",{timeZone:t})),l.setMilliseconds(e.getMilliseconds())),l}var Ss=e=>e%1==0,wl=[1,2,2.5,5],Va=el(10,-32,0,wl),Ts=el(10,0,32,wl),Ia=Ts.filter(Ss),nn=Va.concat(Ts),kr=`
-`,Ms="{YYYY}",Wi=kr+Ms,bs="{M}/{D}",Jn=kr+bs,pl=Jn+"/{YY}",As="{aa}",Ha="{h}:{mm}",_n=Ha+As,Gi=kr+_n,Ui=":{ss}",ue=null;function ks(e){let t=e*1e3,l=t*60,r=l*60,i=r*24,f=i*30,u=i*365,p=(e==1?el(10,0,3,wl).filter(Ss):el(10,-3,0,wl)).concat([t,t*5,t*10,t*15,t*30,l,l*5,l*10,l*15,l*30,r,r*2,r*3,r*4,r*6,r*8,r*12,i,i*2,i*3,i*4,i*5,i*6,i*7,i*8,i*9,i*10,i*15,f,f*2,f*3,f*4,f*6,u,u*2,u*5,u*10,u*25,u*50,u*100]),v=[[u,Ms,ue,ue,ue,ue,ue,ue,1],[i*28,"{MMM}",Wi,ue,ue,ue,ue,ue,1],[i,bs,Wi,ue,ue,ue,ue,ue,1],[r,"{h}"+As,pl,ue,Jn,ue,ue,ue,1],[l,_n,pl,ue,Jn,ue,ue,ue,1],[t,Ui,pl+" "+_n,ue,Jn+" "+_n,ue,Gi,ue,1],[e,Ui+".{fff}",pl+" "+_n,ue,Jn+" "+_n,ue,Gi,ue,1]];function y(m){return(g,S,b,E,O,H)=>{let M=[],C=O>=u,k=O>=f&&O<u,q=m(b),D=me(q*e,3),J=ir(q.getFullYear(),C?0:q.getMonth(),k||C?1:q.getDate()),B=me(J*e,3);if(k||C){let Z=k?O/f:0,G=C?O/u:0,T=D==B?D:me(ir(J.getFullYear()+G,J.getMonth()+Z,1)*e,3),$=new Date(_e(T/e)),N=$.getFullYear(),U=$.getMonth();for(let V=0;T<=E;V++){let K=ir(N+G*V,U+Z*V,1),R=K-m(me(K*e,3));T=me((+K+R)*e,3),T<=E&&M.push(T)}}else{let Z=O>=i?i:O,G=rt(b)-rt(D),T=B+G+Sl(D-B,Z);M.push(T);let $=m(T),N=$.getHours()+$.getMinutes()/l+$.getSeconds()/r,U=O/r,V=g.axes[S]._space,K=H/V;for(;T=me(T+O,e==1?0:3),!(T>E);)if(U>1){let R=rt(me(N+U,6))%24,te=m(T).getHours()-R;te>1&&(te=-1),T-=te*r,N=(N+U)%24;let fe=M[M.length-1];me((T-fe)/O,3)*K>=.7&&M.push(T)}else M.push(T)}return M}}return[p,v,y]}var[Wa,Ga,Ua]=ks(1),[Ba,Ya,qa]=ks(.001);el(2,-53,53,[1]);function Bi(e,t){return e.map(l=>l.map((r,i)=>i==0||i==8||r==null?r:t(i==1||l[8]==0?r:l[1]+r)))}function Yi(e,t){return(l,r,i,f,u)=>{let h=t.find(b=>u>=b[0])||t[t.length-1],p,v,y,m,g,S;return r.map(b=>{let E=e(b),O=E.getFullYear(),H=E.getMonth(),M=E.getDate(),C=E.getHours(),k=E.getMinutes(),q=E.getSeconds(),D=O!=p&&h[2]||H!=v&&h[3]||M!=y&&h[4]||C!=m&&h[5]||k!=g&&h[6]||q!=S&&h[7]||h[1];return p=O,v=H,y=M,m=C,g=k,S=q,D(E)})}}function $a(e,t){let l=Ar(t);return(r,i,f,u,h)=>i.map(p=>l(e(p)))}function ir(e,t,l){return new Date(e,t,l)}function qi(e,t){return t(e)}var Za="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function $i(e,t){return(l,r,i,f)=>f==null?yr:t(e(r))}function Ka(e,t){let l=e.series[t];return l.width?l.stroke(e,t):l.points.width?l.points.stroke(e,t):null}function ja(e,t){return e.series[t].fill(e,t)}var Ja={show:!0,live:!0,isolate:!1,mount:va,markers:{show:!0,width:2,stroke:Ka,fill:ja,dash:"solid"},idx:null,idxs:null,values:[]};function Qa(e,t){let l=e.cursor.points,r=pt(),i=l.size(e,t);xe(r,Kn,i),xe(r,jn,i);let f=i/-2;xe(r,"marginLeft",f),xe(r,"marginTop",f);let u=l.width(e,t,i);return u&&xe(r,"borderWidth",u),r}function Xa(e,t){let l=e.series[t].points;return l._fill||l._stroke}function ef(e,t){let l=e.series[t].points;return l._stroke||l._fill}function tf(e,t){return e.series[t].points.size}var sr=[0,0];function nf(e,t,l){return sr[0]=t,sr[1]=l,sr}function ml(e,t,l,r=!0){return i=>{i.button==0&&(!r||i.target==t)&&l(i)}}function or(e,t,l,r=!0){return i=>{(!r||i.target==t)&&l(i)}}var lf={show:!0,x:!0,y:!0,lock:!1,move:nf,points:{one:!1,show:Qa,size:tf,width:0,stroke:ef,fill:Xa},bind:{mousedown:ml,mouseup:ml,click:ml,dblclick:ml,mousemove:or,mouseleave:or,mouseenter:or},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(e,t)=>{t.stopPropagation(),t.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(e,t,l,r,i)=>r-i,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Es={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},Er=Ee({},Es,{filter:ps}),zs=Ee({},Er,{size:10}),_s=Ee({},Es,{show:!1}),zr='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',Ds="bold "+zr,Ps=1.5,Zi={show:!0,scale:"x",stroke:wr,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Ds,side:2,grid:Er,ticks:zs,border:_s,font:zr,lineGap:Ps,rotate:0},rf="Value",sf="Time",Ki={show:!0,scale:"x",auto:!1,sorted:1,min:pe,max:-pe,idxs:[]};function of(e,t,l,r,i){return t.map(f=>f==null?"":Mr(f))}function af(e,t,l,r,i,f,u){let h=[],p=Bt.get(i)||0;l=u?l:me(Sl(l,i),p);for(let v=l;v<=r;v=me(v+i,p))h.push(Object.is(v,-0)?0:v);return h}function pr(e,t,l,r,i,f,u){let h=[],p=e.scales[e.axes[t].scale].log,v=p==10?Rt:us,y=rt(v(l));i=Pn(p,y),p==10&&(i=nn[Tt(i,nn)]);let m=l,g=i*p;p==10&&(g=nn[Tt(g,nn)]);do h.push(m),m=m+i,p==10&&!Bt.has(m)&&(m=me(m,Bt.get(i))),m>=g&&(i=m,g=i*p,p==10&&(g=nn[Tt(g,nn)]));while(m<=r);return h}function ff(e,t,l,r,i,f,u){let p=e.scales[e.axes[t].scale].asinh,v=r>p?pr(e,t,Ze(p,l),r,i):[p],y=r>=0&&l<=0?[0]:[];return(l<-p?pr(e,t,Ze(p,-r),-l,i):[p]).reverse().map(g=>-g).concat(y,v)}var Ls=/./,uf=/[12357]/,cf=/[125]/,ji=/1/,mr=(e,t,l,r)=>e.map((i,f)=>t==4&&i==0||f%r==0&&l.test(i.toExponential()[i<0?1:0])?i:null);function hf(e,t,l,r,i){let f=e.axes[l],u=f.scale,h=e.scales[u],p=e.valToPos,v=f._space,y=p(10,u),m=p(9,u)-y>=v?Ls:p(7,u)-y>=v?uf:p(5,u)-y>=v?cf:ji;if(m==ji){let g=De(p(1,u)-y);if(g<v)return mr(t.slice().reverse(),h.distr,m,mt(v/g)).reverse()}return mr(t,h.distr,m,1)}function pf(e,t,l,r,i){let f=e.axes[l],u=f.scale,h=f._space,p=e.valToPos,v=De(p(1,u)-p(2,u));return v<h?mr(t.slice().reverse(),3,Ls,mt(h/v)).reverse():t}function mf(e,t,l,r){return r==null?yr:t==null?"":Mr(t)}var Ji={show:!0,scale:"y",stroke:wr,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Ds,side:3,grid:Er,ticks:zs,border:_s,font:zr,lineGap:Ps,rotate:0};function gf(e,t){let l=3+(e||1)*2;return me(l*t,3)}function vf(e,t){let{scale:l,idxs:r}=e.series[0],i=e._data[0],f=e.valToPos(i[r[0]],l,!0),u=e.valToPos(i[r[1]],l,!0),h=De(u-f),p=e.series[t],v=h/(p.points.space*ae);return r[1]-r[0]<=v}var Qi={scale:null,auto:!0,sorted:0,min:pe,max:-pe},Cs=(e,t,l,r,i)=>i,Xi={show:!0,auto:!0,sorted:0,gaps:Cs,alpha:1,facets:[Ee({},Qi,{scale:"x"}),Ee({},Qi,{scale:"y"})]},es={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Cs,alpha:1,points:{show:vf,filter:null},values:null,min:pe,max:-pe,idxs:[],path:null,clip:null};function df(e,t,l,r,i){return l/10}var Fs={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},wf=Ee({},Fs,{time:!1,ori:1}),ts={};function Rs(e,t){let l=ts[e];return l||(l={key:e,plots:[],sub(r){l.plots.push(r)},unsub(r){l.plots=l.plots.filter(i=>i!=r)},pub(r,i,f,u,h,p,v){for(let y=0;y<l.plots.length;y++)l.plots[y]!=i&&l.plots[y].pub(r,i,f,u,h,p,v)}},e!=null&&(ts[e]=l)),l}var Fn=1,gr=2;function on(e,t,l){let r=e.mode,i=e.series[t],f=r==2?e._data[t]:e._data,u=e.scales,h=e.bbox,p=f[0],v=r==2?f[1]:f[t],y=r==2?u[i.facets[0].scale]:u[e.series[0].scale],m=r==2?u[i.facets[1].scale]:u[i.scale],g=h.left,S=h.top,b=h.width,E=h.height,O=e.valToPosH,H=e.valToPosV;return y.ori==0?l(i,p,v,y,m,O,H,g,S,b,E,bl,Nn,kl,Os,Is):l(i,p,v,y,m,H,O,S,g,E,b,Al,On,Pr,Vs,Hs)}function _r(e,t){let l=0,r=0,i=ie(e.bands,br);for(let f=0;f<i.length;f++){let u=i[f];u.series[0]==t?l=u.dir:u.series[1]==t&&(u.dir==1?r|=1:r|=2)}return[l,r==1?-1:r==2?1:r==3?2:0]}function yf(e,t,l,r,i){let f=e.mode,u=e.series[t],h=f==2?u.facets[1].scale:u.scale,p=e.scales[h];return i==-1?p.min:i==1?p.max:p.distr==3?p.dir==1?p.min:p.max:0}function Nt(e,t,l,r,i,f){return on(e,t,(u,h,p,v,y,m,g,S,b,E,O)=>{let H=u.pxRound,M=v.dir*(v.ori==0?1:-1),C=v.ori==0?Nn:On,k,q;M==1?(k=l,q=r):(k=r,q=l);let D=H(m(h[k],v,E,S)),J=H(g(p[k],y,O,b)),B=H(m(h[q],v,E,S)),Z=H(g(f==1?y.max:y.min,y,O,b)),G=new Path2D(i);return C(G,B,Z),C(G,D,Z),C(G,D,J),G})}function Ml(e,t,l,r,i,f){let u=null;if(e.length>0){u=new Path2D;let h=t==0?kl:Pr,p=l;for(let m=0;m<e.length;m++){let g=e[m];if(g[1]>g[0]){let S=g[0]-p;S>0&&h(u,p,r,S,r+f),p=g[1]}}let v=l+i-p,y=10;v>0&&h(u,p,r-y/2,v,r+f+y)}return u}function xf(e,t,l){let r=e[e.length-1];r&&r[0]==t?r[1]=l:e.push([t,l])}function Dr(e,t,l,r,i,f,u){let h=[],p=e.length;for(let v=i==1?l:r;v>=l&&v<=r;v+=i)if(t[v]===null){let m=v,g=v;if(i==1)for(;++v<=r&&t[v]===null;)g=v;else for(;--v>=l&&t[v]===null;)g=v;let S=f(e[m]),b=g==m?S:f(e[g]),E=m-i;S=u<=0&&E>=0&&E<p?f(e[E]):S;let H=g+i;b=u>=0&&H>=0&&H<p?f(e[H]):b,b>=S&&h.push([S,b])}return h}function ns(e){return e==0?hs:e==1?_e:t=>tn(t,e)}function Ns(e){let t=e==0?bl:Al,l=e==0?(i,f,u,h,p,v)=>{i.arcTo(f,u,h,p,v)}:(i,f,u,h,p,v)=>{i.arcTo(u,f,p,h,v)},r=e==0?(i,f,u,h,p)=>{i.rect(f,u,h,p)}:(i,f,u,h,p)=>{i.rect(u,f,p,h)};return(i,f,u,h,p,v=0,y=0)=>{v==0&&y==0?r(i,f,u,h,p):(v=Mt(v,h/2,p/2),y=Mt(y,h/2,p/2),t(i,f+v,u),l(i,f+h,u,f+h,u+p,v),l(i,f+h,u+p,f,u+p,y),l(i,f,u+p,f,u,y),l(i,f,u,f+h,u,v),i.closePath())}}var bl=(e,t,l)=>{e.moveTo(t,l)},Al=(e,t,l)=>{e.moveTo(l,t)},Nn=(e,t,l)=>{e.lineTo(t,l)},On=(e,t,l)=>{e.lineTo(l,t)},kl=Ns(0),Pr=Ns(1),Os=(e,t,l,r,i,f)=>{e.arc(t,l,r,i,f)},Vs=(e,t,l,r,i,f)=>{e.arc(l,t,r,i,f)},Is=(e,t,l,r,i,f,u)=>{e.bezierCurveTo(t,l,r,i,f,u)},Hs=(e,t,l,r,i,f,u)=>{e.bezierCurveTo(l,t,i,r,u,f)};function Ws(e){return(t,l,r,i,f)=>on(t,l,(u,h,p,v,y,m,g,S,b,E,O)=>{let{pxRound:H,points:M}=u,C,k;v.ori==0?(C=bl,k=Os):(C=Al,k=Vs);let q=me(M.width*ae,3),D=(M.size-M.width)/2*ae,J=me(D*2,3),B=new Path2D,Z=new Path2D,{left:G,top:T,width:$,height:N}=t.bbox;kl(Z,G-J,T-J,$+J*2,N+J*2);let U=V=>{if(p[V]!=null){let K=H(m(h[V],v,E,S)),R=H(g(p[V],y,O,b));C(B,K+D,R),k(B,K,R,D,0,gl*2)}};if(f)f.forEach(U);else for(let V=r;V<=i;V++)U(V);return{stroke:q>0?B:null,fill:B,clip:Z,flags:Fn|gr}})}function Gs(e){return(t,l,r,i,f,u)=>{r!=i&&(f!=r&&u!=r&&e(t,l,r),f!=i&&u!=i&&e(t,l,i),e(t,l,u))}}var Sf=Gs(Nn),Tf=Gs(On);function Us(e){let t=ie(e?.alignGaps,0);return(l,r,i,f)=>on(l,r,(u,h,p,v,y,m,g,S,b,E,O)=>{[i,f]=yl(p,i,f);let H=u.pxRound,M=N=>H(m(N,v,E,S)),C=N=>H(g(N,y,O,b)),k,q;v.ori==0?(k=Nn,q=Sf):(k=On,q=Tf);let D=v.dir*(v.ori==0?1:-1),J={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Fn},B=J.stroke,Z=!1;if(f-i>=E*4){let N=F=>l.posToVal(F,v.key,!0),U=null,V=null,K,R,Oe,le=M(h[D==1?i:f]),te=M(h[i]),fe=M(h[f]),j=N(D==1?te+1:fe-1);for(let F=D==1?i:f;F>=i&&F<=f;F+=D){let Te=h[F],ce=(D==1?Te<j:Te>j)?le:M(Te),ne=p[F];ce==le?ne!=null?(R=ne,U==null?(k(B,ce,C(R)),K=U=V=R):R<U?U=R:R>V&&(V=R)):ne===null&&(Z=!0):(U!=null&&q(B,le,C(U),C(V),C(K),C(R)),ne!=null?(R=ne,k(B,ce,C(R)),U=V=K=R):(U=V=null,ne===null&&(Z=!0)),le=ce,j=N(le+D))}U!=null&&U!=V&&Oe!=le&&q(B,le,C(U),C(V),C(K),C(R))}else for(let N=D==1?i:f;N>=i&&N<=f;N+=D){let U=p[N];U===null?Z=!0:U!=null&&k(B,M(h[N]),C(U))}let[T,$]=_r(l,r);if(u.fill!=null||T!=0){let N=J.fill=new Path2D(B),U=u.fillTo(l,r,u.min,u.max,T),V=C(U),K=M(h[i]),R=M(h[f]);D==-1&&([R,K]=[K,R]),k(N,R,V),k(N,K,V)}if(!u.spanGaps){let N=[];Z&&N.push(...Dr(h,p,i,f,D,M,t)),J.gaps=N=u.gaps(l,r,i,f,N),J.clip=Ml(N,v.ori,S,b,E,O)}return $!=0&&(J.band=$==2?[Nt(l,r,i,f,B,-1),Nt(l,r,i,f,B,1)]:Nt(l,r,i,f,B,$)),J})}function Mf(e){let t=ie(e.align,1),l=ie(e.ascDesc,!1),r=ie(e.alignGaps,0),i=ie(e.extend,!1);return(f,u,h,p)=>on(f,u,(v,y,m,g,S,b,E,O,H,M,C)=>{[h,p]=yl(m,h,p);let k=v.pxRound,{left:q,width:D}=f.bbox,J=te=>k(b(te,g,M,O)),B=te=>k(E(te,S,C,H)),Z=g.ori==0?Nn:On,G={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Fn},T=G.stroke,$=g.dir*(g.ori==0?1:-1),N=B(m[$==1?h:p]),U=J(y[$==1?h:p]),V=U,K=U;i&&t==-1&&(K=q,Z(T,K,N)),Z(T,U,N);for(let te=$==1?h:p;te>=h&&te<=p;te+=$){let fe=m[te];if(fe==null)continue;let j=J(y[te]),F=B(fe);t==1?Z(T,j,N):Z(T,V,F),Z(T,j,F),N=F,V=j}let R=V;i&&t==1&&(R=q+D,Z(T,R,N));let[Oe,le]=_r(f,u);if(v.fill!=null||Oe!=0){let te=G.fill=new Path2D(T),fe=v.fillTo(f,u,v.min,v.max,Oe),j=B(fe);Z(te,R,j),Z(te,K,j)}if(!v.spanGaps){let te=[];te.push(...Dr(y,m,h,p,$,J,r));let fe=v.width*ae/2,j=l||t==1?fe:-fe,F=l||t==-1?-fe:fe;te.forEach(Te=>{Te[0]+=j,Te[1]+=F}),G.gaps=te=v.gaps(f,u,h,p,te),G.clip=Ml(te,g.ori,O,H,M,C)}return le!=0&&(G.band=le==2?[Nt(f,u,h,p,T,-1),Nt(f,u,h,p,T,1)]:Nt(f,u,h,p,T,le)),G})}function ls(e,t,l,r,i,f,u=pe){if(e.length>1){let h=null;for(let p=0,v=1/0;p<e.length;p++)if(t[p]!==void 0){if(h!=null){let y=De(e[p]-e[h]);y<v&&(v=y,u=De(l(e[p],r,i,f)-l(e[h],r,i,f)))}h=p}}return u}function bf(e){e=e||Xn;let t=ie(e.size,[.6,pe,1]),l=e.align||0,r=e.gap||0,i=e.radius;i=i==null?[0,0]:typeof i=="number"?[i,0]:i;let f=ee(i),u=1-t[0],h=ie(t[1],pe),p=ie(t[2],1),v=ie(e.disp,Xn),y=ie(e.each,S=>{}),{fill:m,stroke:g}=v;return(S,b,E,O)=>on(S,b,(H,M,C,k,q,D,J,B,Z,G,T)=>{let $=H.pxRound,N=l,U=r*ae,V=h*ae,K=p*ae,R,Oe;k.ori==0?[R,Oe]=f(S,b):[Oe,R]=f(S,b);let le=k.dir*(k.ori==0?1:-1),te=k.ori==0?kl:Pr,fe=k.ori==0?y:(P,ge,ze,cn,$t,bt,Zt)=>{y(P,ge,ze,$t,cn,Zt,bt)},j=ie(S.bands,br).find(P=>P.series[0]==b),F=j!=null?j.dir:0,Te=H.fillTo(S,b,H.min,H.max,F),Ae=$(J(Te,q,T,Z)),ce,ne,Ke,We=G,ve=$(H.width*ae),Qe=!1,st=null,Ue=null,Ot=null,an=null;m!=null&&(ve==0||g!=null)&&(Qe=!0,st=m.values(S,b,E,O),Ue=new Map,new Set(st).forEach(P=>{P!=null&&Ue.set(P,new Path2D)}),ve>0&&(Ot=g.values(S,b,E,O),an=new Map,new Set(Ot).forEach(P=>{P!=null&&an.set(P,new Path2D)})));let{x0:fn,size:Vn}=v;if(fn!=null&&Vn!=null){N=1,M=fn.values(S,b,E,O),fn.unit==2&&(M=M.map(ze=>S.posToVal(B+ze*G,k.key,!0)));let P=Vn.values(S,b,E,O);Vn.unit==2?ne=P[0]*G:ne=D(P[0],k,G,B)-D(0,k,G,B),We=ls(M,C,D,k,G,B,We),Ke=We-ne+U}else We=ls(M,C,D,k,G,B,We),Ke=We*u+U,ne=We-Ke;Ke<1&&(Ke=0),ve>=ne/2&&(ve=0),Ke<5&&($=hs);let tl=Ke>0,Yt=We-Ke-(tl?ve:0);ne=$(hr(Yt,K,V)),ce=(N==0?ne/2:N==le?0:ne)-N*le*((N==0?U/2:0)+(tl?ve/2:0));let Be={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},un=Qe?null:new Path2D,Pt=null;if(j!=null)Pt=S.data[j.series[1]];else{let{y0:P,y1:ge}=v;P!=null&&ge!=null&&(C=ge.values(S,b,E,O),Pt=P.values(S,b,E,O))}let qt=R*ne,Q=Oe*ne;for(let P=le==1?E:O;P>=E&&P<=O;P+=le){let ge=C[P];if(ge==null)continue;if(Pt!=null){let je=Pt[P]??0;if(ge-je==0)continue;Ae=J(je,q,T,Z)}let ze=k.distr!=2||v!=null?M[P]:P,cn=D(ze,k,G,B),$t=J(ie(ge,Te),q,T,Z),bt=$(cn-ce),Zt=$(Ze($t,Ae)),Xe=$(Mt($t,Ae)),ot=Zt-Xe;if(ge!=null){let je=ge<0?Q:qt,gt=ge<0?qt:Q;Qe?(ve>0&&Ot[P]!=null&&te(an.get(Ot[P]),bt,Xe+rt(ve/2),ne,Ze(0,ot-ve),je,gt),st[P]!=null&&te(Ue.get(st[P]),bt,Xe+rt(ve/2),ne,Ze(0,ot-ve),je,gt)):te(un,bt,Xe+rt(ve/2),ne,Ze(0,ot-ve),je,gt),fe(S,b,P,bt-ve/2,Xe,ne+ve,ot)}}return ve>0?Be.stroke=Qe?an:un:Qe||(Be._fill=H.width==0?H._fill:H._stroke??H._fill,Be.width=0),Be.fill=Qe?Ue:un,Be})}function Af(e,t){let l=ie(t?.alignGaps,0);return(r,i,f,u)=>on(r,i,(h,p,v,y,m,g,S,b,E,O,H)=>{[f,u]=yl(v,f,u);let M=h.pxRound,C=R=>M(g(R,y,O,b)),k=R=>M(S(R,m,H,E)),q,D,J;y.ori==0?(q=bl,J=Nn,D=Is):(q=Al,J=On,D=Hs);let B=y.dir*(y.ori==0?1:-1),Z=C(p[B==1?f:u]),G=Z,T=[],$=[];for(let R=B==1?f:u;R>=f&&R<=u;R+=B)if(v[R]!=null){let le=p[R],te=C(le);T.push(G=te),$.push(k(v[R]))}let N={stroke:e(T,$,q,J,D,M),fill:null,clip:null,band:null,gaps:null,flags:Fn},U=N.stroke,[V,K]=_r(r,i);if(h.fill!=null||V!=0){let R=N.fill=new Path2D(U),Oe=h.fillTo(r,i,h.min,h.max,V),le=k(Oe);J(R,G,le),J(R,Z,le)}if(!h.spanGaps){let R=[];R.push(...Dr(p,v,f,u,B,C,l)),N.gaps=R=h.gaps(r,i,f,u,R),N.clip=Ml(R,y.ori,b,E,O,H)}return K!=0&&(N.band=K==2?[Nt(r,i,f,u,U,-1),Nt(r,i,f,u,U,1)]:Nt(r,i,f,u,U,K)),N})}function kf(e){return Af(Ef,e)}function Ef(e,t,l,r,i,f){let u=e.length;if(u<2)return null;let h=new Path2D;if(l(h,e[0],t[0]),u==2)r(h,e[1],t[1]);else{let p=Array(u),v=Array(u-1),y=Array(u-1),m=Array(u-1);for(let g=0;g<u-1;g++)y[g]=t[g+1]-t[g],m[g]=e[g+1]-e[g],v[g]=y[g]/m[g];p[0]=v[0];for(let g=1;g<u-1;g++)v[g]===0||v[g-1]===0||v[g-1]>0!=v[g]>0?p[g]=0:(p[g]=3*(m[g-1]+m[g])/((2*m[g]+m[g-1])/v[g-1]+(m[g]+2*m[g-1])/v[g]),isFinite(p[g])||(p[g]=0));p[u-1]=v[u-2];for(let g=0;g<u-1;g++)i(h,e[g]+m[g]/3,t[g]+p[g]*m[g]/3,e[g+1]-m[g]/3,t[g+1]-p[g+1]*m[g]/3,e[g+1],t[g+1])}return h}var vr=new Set;function rs(){for(let e of vr)e.syncRect(!0)}Rn&&(rn(sa,Dn,rs),rn(oa,Dn,rs,!0),rn(vl,Dn,()=>{He.pxRatio=ae}));var zf=Us(),_f=Ws();function is(e,t,l,r){return(r?[e[0],e[1]].concat(e.slice(2)):[e[0]].concat(e.slice(1))).map((f,u)=>dr(f,u,t,l))}function Df(e,t){return e.map((l,r)=>r==0?{}:Ee({},t,l))}function dr(e,t,l,r){return Ee({},t==0?l:r,e)}function Bs(e,t,l){return t==null?Ln:[t,l]}var Pf=Bs;function Lf(e,t,l){return t==null?Ln:dl(t,l,Tr,!0)}function Ys(e,t,l,r){return t==null?Ln:xl(t,l,e.scales[r].log,!1)}var Cf=Ys;function qs(e,t,l,r){return t==null?Ln:Sr(t,l,e.scales[r].log,!1)}var Ff=qs;function Rf(e,t,l,r,i){let f=Ze(Oi(e),Oi(t)),u=t-e,h=Tt(i/r*u,l);do{let p=l[h],v=r*p/u;if(v>=i&&f+(p<5?Bt.get(p):0)<=17)return[p,v]}while(++h<l.length);return[0,0]}function ss(e){let t,l;return e=e.replace(/(\d+)px/,(r,i)=>(t=_e((l=+i)*ae))+"px"),[e,t,l]}function Nf(e){e.show&&[e.font,e.labelFont].forEach(t=>{let l=me(t[2]*ae,1);t[0]=t[0].replace(/[0-9.]+px/,l+"px"),t[1]=l})}function He(e,t,l){let r={mode:ie(e.mode,1)},i=r.mode;function f(n,s,o,a){let c=s.valToPct(n);return a+o*(s.dir==-1?1-c:c)}function u(n,s,o,a){let c=s.valToPct(n);return a+o*(s.dir==-1?c:1-c)}function h(n,s,o,a){return s.ori==0?f(n,s,o,a):u(n,s,o,a)}r.valToPosH=f,r.valToPosV=u;let p=!1;r.status=0;let v=r.root=pt(Go);if(e.id!=null&&(v.id=e.id),lt(v,e.class),e.title){let n=pt(Yo,v);n.textContent=e.title}let y=St("canvas"),m=r.ctx=y.getContext("2d"),g=pt(qo,v);rn("click",g,n=>{n.target===b&&(de!=Tn||Se!=Mn)&&Ie.click(r,n)},!0);let S=r.under=pt($o,g);g.appendChild(y);let b=r.over=pt(Zo,g);e=Cn(e);let E=+ie(e.pxAlign,1),O=ns(E);(e.plugins||[]).forEach(n=>{n.opts&&(e=n.opts(r,e)||e)});let H=e.ms||.001,M=r.series=i==1?is(e.series||[],Ki,es,!1):Df(e.series||[null],Xi),C=r.axes=is(e.axes||[],Zi,Ji,!0),k=r.scales={},q=r.bands=e.bands||[];q.forEach(n=>{n.fill=ee(n.fill||null),n.dir=ie(n.dir,-1)});let D=i==2?M[1].facets[0].scale:M[0].scale,J={axes:co,series:so},B=(e.drawOrder||["axes","series"]).map(n=>J[n]);function Z(n){let s=n.distr==3?o=>Rt(o>0?o:n.clamp(r,o,n.min,n.max,n.key)):n.distr==4?o=>rr(o,n.asinh):n.distr==100?o=>n.fwd(o):o=>o;return o=>{let a=s(o),{_min:c,_max:d}=n,w=d-c;return(a-c)/w}}function G(n){let s=k[n];if(s==null){let o=(e.scales||Xn)[n]||Xn;if(o.from!=null){G(o.from);let a=Ee({},k[o.from],o,{key:n});a.valToPct=Z(a),k[n]=a}else{s=k[n]=Ee({},n==D?Fs:wf,o),s.key=n;let a=s.time,c=s.range,d=Ut(c);if((n!=D||i==2&&!a)&&(d&&(c[0]==null||c[1]==null)&&(c={min:c[0]==null?Fi:{mode:1,hard:c[0],soft:c[0]},max:c[1]==null?Fi:{mode:1,hard:c[1],soft:c[1]}},d=!1),!d&&Tl(c))){let w=c;c=(x,A,z)=>A==null?Ln:dl(A,z,w)}s.range=ee(c||(a?Pf:n==D?s.distr==3?Cf:s.distr==4?Ff:Bs:s.distr==3?Ys:s.distr==4?qs:Lf)),s.auto=ee(d?!1:s.auto),s.clamp=ee(s.clamp||df),s._min=s._max=null,s.valToPct=Z(s)}}}G("x"),G("y"),i==1&&M.forEach(n=>{G(n.scale)}),C.forEach(n=>{G(n.scale)});for(let n in e.scales)G(n);let T=k[D],$=T.distr,N,U;T.ori==0?(lt(v,Uo),N=f,U=u):(lt(v,Bo),N=u,U=f);let V={};for(let n in k){let s=k[n];(s.min!=null||s.max!=null)&&(V[n]={min:s.min,max:s.max},s.min=s.max=null)}let K=e.tzDate||(n=>new Date(_e(n/H))),R=e.fmtDate||Ar,Oe=H==1?Ua(K):qa(K),le=Yi(K,Bi(H==1?Ga:Ya,R)),te=$i(K,qi(Za,R)),fe=[],j=r.legend=Ee({},Ja,e.legend),F=r.cursor=Ee({},lf,{drag:{y:i==2}},e.cursor),Te=j.show,Ae=F.show,ce=j.markers;j.idxs=fe,ce.width=ee(ce.width),ce.dash=ee(ce.dash),ce.stroke=ee(ce.stroke),ce.fill=ee(ce.fill);let ne,Ke,We,ve=[],Qe=[],st,Ue=!1,Ot={};if(j.live){let n=M[1]?M[1].values:null;Ue=n!=null,st=Ue?n(r,1,0):{_:0};for(let s in st)Ot[s]=yr}if(Te)if(ne=St("table",ea,v),We=St("tbody",null,ne),j.mount(r,ne),Ue){Ke=St("thead",null,ne,We);let n=St("tr",null,Ke);St("th",null,n);for(var an in st)St("th",Si,n).textContent=an}else lt(ne,na),j.live&&lt(ne,ta);let fn={show:!0},Vn={show:!1};function tl(n,s){if(s==0&&(Ue||!j.live||i==2))return Ln;let o=[],a=St("tr",la,We,We.childNodes[s]);lt(a,n.class),n.show||lt(a,ln);let c=St("th",null,a);if(ce.show){let x=pt(ra,c);if(s>0){let A=ce.width(r,s);A&&(x.style.border=A+"px "+ce.dash(r,s)+" "+ce.stroke(r,s)),x.style.background=ce.fill(r,s)}}let d=pt(Si,c);n.label instanceof HTMLElement?d.appendChild(n.label):d.textContent=n.label,s>0&&(ce.show||(d.style.color=n.width>0?ce.stroke(r,s):ce.fill(r,s)),Be("click",c,x=>{if(F._lock)return;jt(x);let A=M.indexOf(n);if((x.ctrlKey||x.metaKey)!=j.isolate){let z=M.some((_,L)=>L>0&&L!=A&&_.show);M.forEach((_,L)=>{L>0&&kt(L,z?L==A?fn:Vn:fn,!0,ke.setSeries)})}else kt(A,{show:!n.show},!0,ke.setSeries)},!1),pn&&Be(Ai,c,x=>{F._lock||(jt(x),kt(M.indexOf(n),An,!0,ke.setSeries))},!1));for(var w in st){let x=St("td",ia,a);x.textContent="--",o.push(x)}return[a,o]}let Yt=new Map;function Be(n,s,o,a=!0){let c=Yt.get(s)||{},d=F.bind[n](r,s,o,a);d&&(rn(n,s,c[n]=d),Yt.set(s,c))}function un(n,s,o){let a=Yt.get(s)||{};for(let c in a)(n==null||c==n)&&(cr(c,s,a[c]),delete a[c]);n==null&&Yt.delete(s)}let Pt=0,qt=0,Q=0,P=0,ge=0,ze=0,cn=ge,$t=ze,bt=Q,Zt=P,Xe=0,ot=0,je=0,gt=0;r.bbox={};let _l=!1,nl=!1,hn=!1,Kt=!1,ll=!1,at=!1;function Dl(n,s,o){(o||n!=r.width||s!=r.height)&&Cr(n,s),wn(!1),hn=!0,nl=!0,yn()}function Cr(n,s){r.width=Pt=Q=n,r.height=qt=P=s,ge=ze=0,Xs(),eo();let o=r.bbox;Xe=o.left=tn(ge*ae,.5),ot=o.top=tn(ze*ae,.5),je=o.width=tn(Q*ae,.5),gt=o.height=tn(P*ae,.5)}let js=3;function Js(){let n=!1,s=0;for(;!n;){s++;let o=fo(s),a=uo(s);n=s==js||o&&a,n||(Cr(r.width,r.height),nl=!0)}}function Qs({width:n,height:s}){Dl(n,s)}r.setSize=Qs;function Xs(){let n=!1,s=!1,o=!1,a=!1;C.forEach((c,d)=>{if(c.show&&c._show){let{side:w,_size:x}=c,A=w%2,z=c.label!=null?c.labelSize:0,_=x+z;_>0&&(A?(Q-=_,w==3?(ge+=_,a=!0):o=!0):(P-=_,w==0?(ze+=_,n=!0):s=!0))}}),Jt[0]=n,Jt[1]=o,Jt[2]=s,Jt[3]=a,Q-=Vt[1]+Vt[3],ge+=Vt[3],P-=Vt[2]+Vt[0],ze+=Vt[0]}function eo(){let n=ge+Q,s=ze+P,o=ge,a=ze;function c(d,w){switch(d){case 1:return n+=w,n-w;case 2:return s+=w,s-w;case 3:return o-=w,o+w;case 0:return a-=w,a+w}}C.forEach((d,w)=>{if(d.show&&d._show){let x=d.side;d._pos=c(x,d._size),d.label!=null&&(d._lpos=c(x,d.labelSize))}})}if(F.dataIdx==null){let n=F.hover,s=n.skip=new Set(n.skip??[]);s.add(void 0);let o=n.prox=ee(n.prox),a=n.bias??(n.bias=0);F.dataIdx=(c,d,w,x)=>{if(d==0)return w;let A=w,z=o(c,d,w,x)??pe,_=z>=0&&z<pe,L=T.ori==0?Q:P,Y=F.left,se=t[0],re=t[d];if(s.has(re[w])){A=null;let X=null,W=null,I;if(a==0||a==-1)for(I=w;X==null&&I-- >0;)s.has(re[I])||(X=I);if(a==0||a==1)for(I=w;W==null&&I++<re.length;)s.has(re[I])||(W=I);if(X!=null||W!=null)if(_){let ye=X==null?-1/0:N(se[X],T,L,0),Me=W==null?1/0:N(se[W],T,L,0),Ne=Y-ye,he=Me-Y;Ne<=he?Ne<=z&&(A=X):he<=z&&(A=W)}else A=W==null?X:X==null?W:w-X<=W-w?X:W}else _&&De(Y-N(se[w],T,L,0))>z&&(A=null);return A}}let jt=n=>{F.event=n};F.idxs=fe,F._lock=!1;let Ge=F.points;Ge.show=ee(Ge.show),Ge.size=ee(Ge.size),Ge.stroke=ee(Ge.stroke),Ge.width=ee(Ge.width),Ge.fill=ee(Ge.fill);let At=r.focus=Ee({},e.focus||{alpha:.3},F.focus),pn=At.prox>=0,mn=pn&&Ge.one,ft=[],gn=[],vn=[];function Fr(n,s){let o=Ge.show(r,s);if(o instanceof HTMLElement)return lt(o,Xo),lt(o,n.class),Dt(o,-10,-10,Q,P),b.insertBefore(o,ft[s]),o}function Rr(n,s){if(i==1||s>0){let o=i==1&&k[n.scale].time,a=n.value;n.value=o?Hi(a)?$i(K,qi(a,R)):a||te:a||mf,n.label=n.label||(o?sf:rf)}if(mn||s>0){n.width=n.width==null?1:n.width,n.paths=n.paths||zf||da,n.fillTo=ee(n.fillTo||yf),n.pxAlign=+ie(n.pxAlign,E),n.pxRound=ns(n.pxAlign),n.stroke=ee(n.stroke||null),n.fill=ee(n.fill||null),n._stroke=n._fill=n._paths=n._focus=null;let o=gf(Ze(1,n.width),1),a=n.points=Ee({},{size:o,width:Ze(1,o*.2),stroke:n.stroke,space:o*2,paths:_f,_stroke:null,_fill:null},n.points);a.show=ee(a.show),a.filter=ee(a.filter),a.fill=ee(a.fill),a.stroke=ee(a.stroke),a.paths=ee(a.paths),a.pxAlign=n.pxAlign}if(Te){let o=tl(n,s);ve.splice(s,0,o[0]),Qe.splice(s,0,o[1]),j.values.push(null)}if(Ae){fe.splice(s,0,null);let o=null;mn?s==0&&(o=Fr(n,s)):s>0&&(o=Fr(n,s)),ft.splice(s,0,o),gn.splice(s,0,0),vn.splice(s,0,0)}Re("addSeries",s)}function to(n,s){s=s??M.length,n=i==1?dr(n,s,Ki,es):dr(n,s,{},Xi),M.splice(s,0,n),Rr(M[s],s)}r.addSeries=to;function no(n){if(M.splice(n,1),Te){j.values.splice(n,1),Qe.splice(n,1);let s=ve.splice(n,1)[0];un(null,s.firstChild),s.remove()}Ae&&(fe.splice(n,1),ft.splice(n,1)[0].remove(),gn.splice(n,1),vn.splice(n,1)),Re("delSeries",n)}r.delSeries=no;let Jt=[!1,!1,!1,!1];function lo(n,s){if(n._show=n.show,n.show){let o=n.side%2,a=k[n.scale];a==null&&(n.scale=o?M[1].scale:D,a=k[n.scale]);let c=a.time;n.size=ee(n.size),n.space=ee(n.space),n.rotate=ee(n.rotate),Ut(n.incrs)&&n.incrs.forEach(w=>{!Bt.has(w)&&Bt.set(w,gs(w))}),n.incrs=ee(n.incrs||(a.distr==2?Ia:c?H==1?Wa:Ba:nn)),n.splits=ee(n.splits||(c&&a.distr==1?Oe:a.distr==3?pr:a.distr==4?ff:af)),n.stroke=ee(n.stroke),n.grid.stroke=ee(n.grid.stroke),n.ticks.stroke=ee(n.ticks.stroke),n.border.stroke=ee(n.border.stroke);let d=n.values;n.values=Ut(d)&&!Ut(d[0])?ee(d):c?Ut(d)?Yi(K,Bi(d,R)):Hi(d)?$a(K,d):d||le:d||of,n.filter=ee(n.filter||(a.distr>=3&&a.log==10?hf:a.distr==3&&a.log==2?pf:ps)),n.font=ss(n.font),n.labelFont=ss(n.labelFont),n._size=n.size(r,null,s,0),n._space=n._rotate=n._incrs=n._found=n._splits=n._values=null,n._size>0&&(Jt[s]=!0,n._el=pt(Ko,g))}}function In(n,s,o,a){let[c,d,w,x]=o,A=s%2,z=0;return A==0&&(x||d)&&(z=s==0&&!c||s==2&&!w?_e(Zi.size/3):0),A==1&&(c||w)&&(z=s==1&&!d||s==3&&!x?_e(Ji.size/2):0),z}let Nr=r.padding=(e.padding||[In,In,In,In]).map(n=>ee(ie(n,In))),Vt=r._padding=Nr.map((n,s)=>n(r,s,Jt,0)),Ve,Pe=null,Le=null,rl=i==1?M[0].idxs:null,vt=null,Hn=!1;function Or(n,s){if(t=n??[],r.data=r._data=t,i==2){Ve=0;for(let o=1;o<M.length;o++)Ve+=t[o][0].length}else{t.length==0&&(r.data=r._data=t=[[]]),vt=t[0],Ve=vt.length;let o=t;if($==2){o=t.slice();let a=o[0]=Array(Ve);for(let c=0;c<Ve;c++)a[c]=c}r._data=t=o}if(wn(!0),Re("setData"),$==2&&(hn=!0),s!==!1){let o=T;o.auto(r,Hn)?Pl():Ht(D,o.min,o.max),Kt=Kt||F.left>=0,at=!0,yn()}}r.setData=Or;function Pl(){Hn=!0;let n,s;i==1&&(Ve>0?(Pe=rl[0]=0,Le=rl[1]=Ve-1,n=t[0][Pe],s=t[0][Le],$==2?(n=Pe,s=Le):n==s&&($==3?[n,s]=xl(n,n,T.log,!1):$==4?[n,s]=Sr(n,n,T.log,!1):T.time?s=n+_e(86400/H):[n,s]=dl(n,s,Tr,!0))):(Pe=rl[0]=n=null,Le=rl[1]=s=null)),Ht(D,n,s)}let il,dn,Ll,Cl,Fl,Rl,Nl,Ol,Vl,Je;function Vr(n,s,o,a,c,d){n??(n=Mi),o??(o=br),a??(a="butt"),c??(c=Mi),d??(d="round"),n!=il&&(m.strokeStyle=il=n),c!=dn&&(m.fillStyle=dn=c),s!=Ll&&(m.lineWidth=Ll=s),d!=Fl&&(m.lineJoin=Fl=d),a!=Rl&&(m.lineCap=Rl=a),o!=Cl&&m.setLineDash(Cl=o)}function Ir(n,s,o,a){s!=dn&&(m.fillStyle=dn=s),n!=Nl&&(m.font=Nl=n),o!=Ol&&(m.textAlign=Ol=o),a!=Vl&&(m.textBaseline=Vl=a)}function Il(n,s,o,a,c=0){if(a.length>0&&n.auto(r,Hn)&&(s==null||s.min==null)){let d=ie(Pe,0),w=ie(Le,a.length-1),x=o.min==null?ca(a,d,w,c,n.distr==3):[o.min,o.max];n.min=Mt(n.min,o.min=x[0]),n.max=Ze(n.max,o.max=x[1])}}let Hr={min:null,max:null};function ro(){for(let a in k){let c=k[a];V[a]==null&&(c.min==null||V[D]!=null&&c.auto(r,Hn))&&(V[a]=Hr)}for(let a in k){let c=k[a];V[a]==null&&c.from!=null&&V[c.from]!=null&&(V[a]=Hr)}V[D]!=null&&wn(!0);let n={};for(let a in V){let c=V[a];if(c!=null){let d=n[a]=Cn(k[a],xa);if(c.min!=null)Ee(d,c);else if(a!=D||i==2)if(Ve==0&&d.from==null){let w=d.range(r,null,null,a);d.min=w[0],d.max=w[1]}else d.min=pe,d.max=-pe}}if(Ve>0){M.forEach((a,c)=>{if(i==1){let d=a.scale,w=V[d];if(w==null)return;let x=n[d];if(c==0){let A=x.range(r,x.min,x.max,d);x.min=A[0],x.max=A[1],Pe=Tt(x.min,t[0]),Le=Tt(x.max,t[0]),Le-Pe>1&&(t[0][Pe]<x.min&&Pe++,t[0][Le]>x.max&&Le--),a.min=vt[Pe],a.max=vt[Le]}else a.show&&a.auto&&Il(x,w,a,t[c],a.sorted);a.idxs[0]=Pe,a.idxs[1]=Le}else if(c>0&&a.show&&a.auto){let[d,w]=a.facets,x=d.scale,A=w.scale,[z,_]=t[c],L=n[x],Y=n[A];L!=null&&Il(L,V[x],d,z,d.sorted),Y!=null&&Il(Y,V[A],w,_,w.sorted),a.min=w.min,a.max=w.max}});for(let a in n){let c=n[a],d=V[a];if(c.from==null&&(d==null||d.min==null)){let w=c.range(r,c.min==pe?null:c.min,c.max==-pe?null:c.max,a);c.min=w[0],c.max=w[1]}}}for(let a in n){let c=n[a];if(c.from!=null){let d=n[c.from];if(d.min==null)c.min=c.max=null;else{let w=c.range(r,d.min,d.max,a);c.min=w[0],c.max=w[1]}}}let s={},o=!1;for(let a in n){let c=n[a],d=k[a];if(d.min!=c.min||d.max!=c.max){d.min=c.min,d.max=c.max;let w=d.distr;d._min=w==3?Rt(d.min):w==4?rr(d.min,d.asinh):w==100?d.fwd(d.min):d.min,d._max=w==3?Rt(d.max):w==4?rr(d.max,d.asinh):w==100?d.fwd(d.max):d.max,s[a]=o=!0}}if(o){M.forEach((a,c)=>{i==2?c>0&&s.y&&(a._paths=null):s[a.scale]&&(a._paths=null)});for(let a in s)hn=!0,Re("setScale",a);Ae&&F.left>=0&&(Kt=at=!0)}for(let a in V)V[a]=null}function io(n){let s=hr(Pe-1,0,Ve-1),o=hr(Le+1,0,Ve-1);for(;n[s]==null&&s>0;)s--;for(;n[o]==null&&o<Ve-1;)o++;return[s,o]}function so(){if(Ve>0){let n=M.some(s=>s._focus)&&Je!=At.alpha;n&&(m.globalAlpha=Je=At.alpha),M.forEach((s,o)=>{if(o>0&&s.show&&(Wr(o,!1),Wr(o,!0),s._paths==null)){let a=Je;Je!=s.alpha&&(m.globalAlpha=Je=s.alpha);let c=i==2?[0,t[o][0].length-1]:io(t[o]);s._paths=s.paths(r,o,c[0],c[1]),Je!=a&&(m.globalAlpha=Je=a)}}),M.forEach((s,o)=>{if(o>0&&s.show){let a=Je;Je!=s.alpha&&(m.globalAlpha=Je=s.alpha),s._paths!=null&&Gr(o,!1);{let c=s._paths!=null?s._paths.gaps:null,d=s.points.show(r,o,Pe,Le,c),w=s.points.filter(r,o,d,c);(d||w)&&(s.points._paths=s.points.paths(r,o,Pe,Le,w),Gr(o,!0))}Je!=a&&(m.globalAlpha=Je=a),Re("drawSeries",o)}}),n&&(m.globalAlpha=Je=1)}}function Wr(n,s){let o=s?M[n].points:M[n];o._stroke=o.stroke(r,n),o._fill=o.fill(r,n)}function Gr(n,s){let o=s?M[n].points:M[n],{stroke:a,fill:c,clip:d,flags:w,_stroke:x=o._stroke,_fill:A=o._fill,_width:z=o.width}=o._paths;z=me(z*ae,3);let _=null,L=z%2/2;s&&A==null&&(A=z>0?"#fff":x);let Y=o.pxAlign==1&&L>0;if(Y&&m.translate(L,L),!s){let se=Xe-z/2,re=ot-z/2,X=je+z,W=gt+z;_=new Path2D,_.rect(se,re,X,W)}s?Hl(x,z,o.dash,o.cap,A,a,c,w,d):oo(n,x,z,o.dash,o.cap,A,a,c,w,_,d),Y&&m.translate(-L,-L)}function oo(n,s,o,a,c,d,w,x,A,z,_){let L=!1;A!=0&&q.forEach((Y,se)=>{if(Y.series[0]==n){let re=M[Y.series[1]],X=t[Y.series[1]],W=(re._paths||Xn).band;Ut(W)&&(W=Y.dir==1?W[0]:W[1]);let I,ye=null;re.show&&W&&pa(X,Pe,Le)?(ye=Y.fill(r,se)||d,I=re._paths.clip):W=null,Hl(s,o,a,c,ye,w,x,A,z,_,I,W),L=!0}}),L||Hl(s,o,a,c,d,w,x,A,z,_)}let Ur=Fn|gr;function Hl(n,s,o,a,c,d,w,x,A,z,_,L){Vr(n,s,o,a,c),(A||z||L)&&(m.save(),A&&m.clip(A),z&&m.clip(z)),L?(x&Ur)==Ur?(m.clip(L),_&&m.clip(_),ol(c,w),sl(n,d,s)):x&gr?(ol(c,w),m.clip(L),sl(n,d,s)):x&Fn&&(m.save(),m.clip(L),_&&m.clip(_),ol(c,w),m.restore(),sl(n,d,s)):(ol(c,w),sl(n,d,s)),(A||z||L)&&m.restore()}function sl(n,s,o){o>0&&(s instanceof Map?s.forEach((a,c)=>{m.strokeStyle=il=c,m.stroke(a)}):s!=null&&n&&m.stroke(s))}function ol(n,s){s instanceof Map?s.forEach((o,a)=>{m.fillStyle=dn=a,m.fill(o)}):s!=null&&n&&m.fill(s)}function ao(n,s,o,a){let c=C[n],d;if(a<=0)d=[0,0];else{let w=c._space=c.space(r,n,s,o,a),x=c._incrs=c.incrs(r,n,s,o,a,w);d=Rf(s,o,x,a,w)}return c._found=d}function Wl(n,s,o,a,c,d,w,x,A,z){let _=w%2/2;E==1&&m.translate(_,_),Vr(x,w,A,z,x),m.beginPath();let L,Y,se,re,X=c+(a==0||a==3?-d:d);o==0?(Y=c,re=X):(L=c,se=X);for(let W=0;W<n.length;W++)s[W]!=null&&(o==0?L=se=n[W]:Y=re=n[W],m.moveTo(L,Y),m.lineTo(se,re));m.stroke(),E==1&&m.translate(-_,-_)}function fo(n){let s=!0;return C.forEach((o,a)=>{if(!o.show)return;let c=k[o.scale];if(c.min==null){o._show&&(s=!1,o._show=!1,wn(!1));return}else o._show||(s=!1,o._show=!0,wn(!1));let d=o.side,w=d%2,{min:x,max:A}=c,[z,_]=ao(a,x,A,w==0?Q:P);if(_==0)return;let L=c.distr==2,Y=o._splits=o.splits(r,a,x,A,z,_,L),se=c.distr==2?Y.map(I=>vt[I]):Y,re=c.distr==2?vt[Y[1]]-vt[Y[0]]:z,X=o._values=o.values(r,o.filter(r,se,a,_,re),a,_,re);o._rotate=d==2?o.rotate(r,X,a,_):0;let W=o._size;o._size=mt(o.size(r,X,a,n)),W!=null&&o._size!=W&&(s=!1)}),s}function uo(n){let s=!0;return Nr.forEach((o,a)=>{let c=o(r,a,Jt,n);c!=Vt[a]&&(s=!1),Vt[a]=c}),s}function co(){for(let n=0;n<C.length;n++){let s=C[n];if(!s.show||!s._show)continue;let o=s.side,a=o%2,c,d,w=s.stroke(r,n),x=o==0||o==3?-1:1,[A,z]=s._found;if(s.label!=null){let qe=s.labelGap*x,nt=_e((s._lpos+qe)*ae);Ir(s.labelFont[0],w,"center",o==2?"top":Ti),m.save(),a==1?(c=d=0,m.translate(nt,_e(ot+gt/2)),m.rotate((o==3?-gl:gl)/2)):(c=_e(Xe+je/2),d=nt);let en=cs(s.label)?s.label(r,n,A,z):s.label;m.fillText(en,c,d),m.restore()}if(z==0)continue;let _=k[s.scale],L=a==0?je:gt,Y=a==0?Xe:ot,se=s._splits,re=_.distr==2?se.map(qe=>vt[qe]):se,X=_.distr==2?vt[se[1]]-vt[se[0]]:A,W=s.ticks,I=s.border,ye=W.show?W.size:0,Me=_e(ye*ae),Ne=_e((s.alignTo==2?s._size-ye-s.gap:s.gap)*ae),he=s._rotate*-gl/180,be=O(s._pos*ae),et=(Me+Ne)*x,Ye=be+et;d=a==0?Ye:0,c=a==1?Ye:0;let ut=s.font[0],dt=s.align==1?zn:s.align==2?tr:he>0?zn:he<0?tr:a==0?"center":o==3?tr:zn,zt=he||a==1?"middle":o==2?"top":Ti;Ir(ut,w,dt,zt);let tt=s.font[1]*s.lineGap,ct=se.map(qe=>O(h(qe,_,L,Y))),wt=s._values;for(let qe=0;qe<wt.length;qe++){let nt=wt[qe];if(nt!=null){a==0?c=ct[qe]:d=ct[qe],nt=""+nt;let en=nt.indexOf(`
-`)==-1?[nt]:nt.split(/\n/gm);for(let $e=0;$e<en.length;$e++){let ai=en[$e];he?(m.save(),m.translate(c,d+$e*tt),m.rotate(he),m.fillText(ai,0,0),m.restore()):m.fillText(ai,c,d+$e*tt)}}}W.show&&Wl(ct,W.filter(r,re,n,z,X),a,o,be,Me,me(W.width*ae,3),W.stroke(r,n),W.dash,W.cap);let _t=s.grid;_t.show&&Wl(ct,_t.filter(r,re,n,z,X),a,a==0?2:1,a==0?ot:Xe,a==0?gt:je,me(_t.width*ae,3),_t.stroke(r,n),_t.dash,_t.cap),I.show&&Wl([be],[1],a==0?1:0,a==0?1:2,a==1?ot:Xe,a==1?gt:je,me(I.width*ae,3),I.stroke(r,n),I.dash,I.cap)}Re("drawAxes")}function wn(n){M.forEach((s,o)=>{o>0&&(s._paths=null,n&&(i==1?(s.min=null,s.max=null):s.facets.forEach(a=>{a.min=null,a.max=null})))})}let al=!1,Gl=!1,Wn=[];function ho(){Gl=!1;for(let n=0;n<Wn.length;n++)Re(...Wn[n]);Wn.length=0}function yn(){al||(Ea(Br),al=!0)}function po(n,s=!1){al=!0,Gl=s,n(r),Br(),s&&Wn.length>0&&queueMicrotask(ho)}r.batch=po;function Br(){if(_l&&(ro(),_l=!1),hn&&(Js(),hn=!1),nl){if(xe(S,zn,ge),xe(S,"top",ze),xe(S,Kn,Q),xe(S,jn,P),xe(b,zn,ge),xe(b,"top",ze),xe(b,Kn,Q),xe(b,jn,P),xe(g,Kn,Pt),xe(g,jn,qt),y.width=_e(Pt*ae),y.height=_e(qt*ae),C.forEach(({_el:n,_show:s,_size:o,_pos:a,side:c})=>{if(n!=null)if(s){let d=c===3||c===0?o:0,w=c%2==1;xe(n,w?"left":"top",a-d),xe(n,w?"width":"height",o),xe(n,w?"top":"left",w?ze:ge),xe(n,w?"height":"width",w?P:Q),ur(n,ln)}else lt(n,ln)}),il=dn=Ll=Fl=Rl=Nl=Ol=Vl=Cl=null,Je=1,Bn(!0),ge!=cn||ze!=$t||Q!=bt||P!=Zt){wn(!1);let n=Q/bt,s=P/Zt;if(Ae&&!Kt&&F.left>=0){F.left*=n,F.top*=s,xn&&Dt(xn,_e(F.left),0,Q,P),Sn&&Dt(Sn,0,_e(F.top),Q,P);for(let o=0;o<ft.length;o++){let a=ft[o];a!=null&&(gn[o]*=n,vn[o]*=s,Dt(a,mt(gn[o]),mt(vn[o]),Q,P))}}if(we.show&&!ll&&we.left>=0&&we.width>0){we.left*=n,we.width*=n,we.top*=s,we.height*=s;for(let o in Zl)xe(bn,o,we[o])}cn=ge,$t=ze,bt=Q,Zt=P}Re("setSize"),nl=!1}Pt>0&&qt>0&&(m.clearRect(0,0,y.width,y.height),Re("drawClear"),B.forEach(n=>n()),Re("draw")),we.show&&ll&&(fl(we),ll=!1),Ae&&Kt&&(Xt(null,!0,!1),Kt=!1),j.show&&j.live&&at&&(ql(),at=!1),p||(p=!0,r.status=1,Re("ready")),Hn=!1,al=!1}r.redraw=(n,s)=>{hn=s||!1,n!==!1?Ht(D,T.min,T.max):yn()};function Ul(n,s){let o=k[n];if(o.from==null){if(Ve==0){let a=o.range(r,s.min,s.max,n);s.min=a[0],s.max=a[1]}if(s.min>s.max){let a=s.min;s.min=s.max,s.max=a}if(Ve>1&&s.min!=null&&s.max!=null&&s.max-s.min<1e-16)return;n==D&&o.distr==2&&Ve>0&&(s.min=Tt(s.min,t[0]),s.max=Tt(s.max,t[0]),s.min==s.max&&s.max++),V[n]=s,_l=!0,yn()}}r.setScale=Ul;let Bl,Yl,xn,Sn,Yr,qr,Tn,Mn,$r,Zr,de,Se,It=!1,Ie=F.drag,Ce=Ie.x,Fe=Ie.y;Ae&&(F.x&&(Bl=pt(Jo,b)),F.y&&(Yl=pt(Qo,b)),T.ori==0?(xn=Bl,Sn=Yl):(xn=Yl,Sn=Bl),de=F.left,Se=F.top);let we=r.select=Ee({show:!0,over:!0,left:0,width:0,top:0,height:0},e.select),bn=we.show?pt(jo,we.over?b:S):null;function fl(n,s){if(we.show){for(let o in n)we[o]=n[o],o in Zl&&xe(bn,o,n[o]);s!==!1&&Re("setSelect")}}r.setSelect=fl;function mo(n){if(M[n].show)Te&&ur(ve[n],ln);else if(Te&&lt(ve[n],ln),Ae){let o=mn?ft[0]:ft[n];o!=null&&Dt(o,-10,-10,Q,P)}}function Ht(n,s,o){Ul(n,{min:s,max:o})}function kt(n,s,o,a){s.focus!=null&&xo(n),s.show!=null&&M.forEach((c,d)=>{d>0&&(n==d||n==null)&&(c.show=s.show,mo(d),i==2?(Ht(c.facets[0].scale,null,null),Ht(c.facets[1].scale,null,null)):Ht(c.scale,null,null),yn())}),o!==!1&&Re("setSeries",n,s),a&&Yn("setSeries",r,n,s)}r.setSeries=kt;function go(n,s){Ee(q[n],s)}function vo(n,s){n.fill=ee(n.fill||null),n.dir=ie(n.dir,-1),s=s??q.length,q.splice(s,0,n)}function wo(n){n==null?q.length=0:q.splice(n,1)}r.addBand=vo,r.setBand=go,r.delBand=wo;function yo(n,s){M[n].alpha=s,Ae&&ft[n]!=null&&(ft[n].style.opacity=s),Te&&ve[n]&&(ve[n].style.opacity=s)}let Lt,Wt,Qt,An={focus:!0};function xo(n){if(n!=Qt){let s=n==null,o=At.alpha!=1;M.forEach((a,c)=>{if(i==1||c>0){let d=s||c==0||c==n;a._focus=s?null:d,o&&yo(c,d?1:At.alpha)}}),Qt=n,o&&yn()}}Te&&pn&&Be(ki,ne,n=>{F._lock||(jt(n),Qt!=null&&kt(null,An,!0,ke.setSeries))});function Et(n,s,o){let a=k[s];o&&(n=n/ae-(a.ori==1?ze:ge));let c=Q;a.ori==1&&(c=P,n=c-n),a.dir==-1&&(n=c-n);let d=a._min,w=a._max,x=n/c,A=d+(w-d)*x,z=a.distr;return z==3?Pn(10,A):z==4?ga(A,a.asinh):z==100?a.bwd(A):A}function So(n,s){let o=Et(n,D,s);return Tt(o,t[0],Pe,Le)}r.valToIdx=n=>Tt(n,t[0]),r.posToIdx=So,r.posToVal=Et,r.valToPos=(n,s,o)=>k[s].ori==0?f(n,k[s],o?je:Q,o?Xe:0):u(n,k[s],o?gt:P,o?ot:0),r.setCursor=(n,s,o)=>{de=n.left,Se=n.top,Xt(null,s,o)};function Kr(n,s){xe(bn,zn,we.left=n),xe(bn,Kn,we.width=s)}function jr(n,s){xe(bn,"top",we.top=n),xe(bn,jn,we.height=s)}let Gn=T.ori==0?Kr:jr,Un=T.ori==1?Kr:jr;function To(){if(Te&&j.live)for(let n=i==2?1:0;n<M.length;n++){if(n==0&&Ue)continue;let s=j.values[n],o=0;for(let a in s)Qe[n][o++].firstChild.nodeValue=s[a]}}function ql(n,s){if(n!=null&&(n.idxs?n.idxs.forEach((o,a)=>{fe[a]=o}):ya(n.idx)||fe.fill(n.idx),j.idx=fe[0]),Te&&j.live){for(let o=0;o<M.length;o++)(o>0||i==1&&!Ue)&&Mo(o,fe[o]);To()}at=!1,s!==!1&&Re("setLegend")}r.setLegend=ql;function Mo(n,s){let o=M[n],a=n==0&&$==2?vt:t[n],c;Ue?c=o.values(r,n,s)??Ot:(c=o.value(r,s==null?null:a[s],n,s),c=c==null?Ot:{_:c}),j.values[n]=c}function Xt(n,s,o){$r=de,Zr=Se,[de,Se]=F.move(r,de,Se),F.left=de,F.top=Se,Ae&&(xn&&Dt(xn,_e(de),0,Q,P),Sn&&Dt(Sn,0,_e(Se),Q,P));let a,c=Pe>Le;Lt=pe,Wt=null;let d=T.ori==0?Q:P,w=T.ori==1?Q:P;if(de<0||Ve==0||c){a=F.idx=null;for(let x=0;x<M.length;x++){let A=ft[x];A!=null&&Dt(A,-10,-10,Q,P)}pn&&kt(null,An,!0,n==null&&ke.setSeries),j.live&&(fe.fill(a),at=!0)}else{let x,A,z;i==1&&(x=T.ori==0?de:Se,A=Et(x,D),a=F.idx=Tt(A,t[0],Pe,Le),z=N(t[0][a],T,d,0));let _=-10,L=-10,Y=0,se=0,re=!0,X="",W="";for(let I=i==2?1:0;I<M.length;I++){let ye=M[I],Me=fe[I],Ne=Me==null?null:i==1?t[I][Me]:t[I][1][Me],he=F.dataIdx(r,I,a,A),be=he==null?null:i==1?t[I][he]:t[I][1][he];if(at=at||be!=Ne||he!=Me,fe[I]=he,I>0&&ye.show){let et=he==null?-10:he==a?z:N(i==1?t[0][he]:t[I][0][he],T,d,0),Ye=be==null?-10:U(be,i==1?k[ye.scale]:k[ye.facets[1].scale],w,0);if(pn&&be!=null){let ut=T.ori==1?de:Se,dt=De(At.dist(r,I,he,Ye,ut));if(dt<Lt){let zt=At.bias;if(zt!=0){let tt=Et(ut,ye.scale),ct=be>=0?1:-1,wt=tt>=0?1:-1;wt==ct&&(wt==1?zt==1?be>=tt:be<=tt:zt==1?be<=tt:be>=tt)&&(Lt=dt,Wt=I)}else Lt=dt,Wt=I}}if(at||mn){let ut,dt;T.ori==0?(ut=et,dt=Ye):(ut=Ye,dt=et);let zt,tt,ct,wt,_t,qe,nt=!0,en=Ge.bbox;if(en!=null){nt=!1;let $e=en(r,I);ct=$e.left,wt=$e.top,zt=$e.width,tt=$e.height}else ct=ut,wt=dt,zt=tt=Ge.size(r,I);if(qe=Ge.fill(r,I),_t=Ge.stroke(r,I),mn)I==Wt&&Lt<=At.prox&&(_=ct,L=wt,Y=zt,se=tt,re=nt,X=qe,W=_t);else{let $e=ft[I];$e!=null&&(gn[I]=ct,vn[I]=wt,Ci($e,zt,tt,nt),Pi($e,qe,_t),Dt($e,mt(ct),mt(wt),Q,P))}}}}if(mn){let I=At.prox,ye=Qt==null?Lt<=I:Lt>I||Wt!=Qt;if(at||ye){let Me=ft[0];Me!=null&&(gn[0]=_,vn[0]=L,Ci(Me,Y,se,re),Pi(Me,X,W),Dt(Me,mt(_),mt(L),Q,P))}}}if(we.show&&It)if(n!=null){let[x,A]=ke.scales,[z,_]=ke.match,[L,Y]=n.cursor.sync.scales,se=n.cursor.drag;if(Ce=se._x,Fe=se._y,Ce||Fe){let{left:re,top:X,width:W,height:I}=n.select,ye=n.scales[L].ori,Me=n.posToVal,Ne,he,be,et,Ye,ut=x!=null&&z(x,L),dt=A!=null&&_(A,Y);ut&&Ce?(ye==0?(Ne=re,he=W):(Ne=X,he=I),be=k[x],et=N(Me(Ne,L),be,d,0),Ye=N(Me(Ne+he,L),be,d,0),Gn(Mt(et,Ye),De(Ye-et))):Gn(0,d),dt&&Fe?(ye==1?(Ne=re,he=W):(Ne=X,he=I),be=k[A],et=U(Me(Ne,Y),be,w,0),Ye=U(Me(Ne+he,Y),be,w,0),Un(Mt(et,Ye),De(Ye-et))):Un(0,w)}else Kl()}else{let x=De($r-Yr),A=De(Zr-qr);if(T.ori==1){let Y=x;x=A,A=Y}Ce=Ie.x&&x>=Ie.dist,Fe=Ie.y&&A>=Ie.dist;let z=Ie.uni;z!=null?Ce&&Fe&&(Ce=x>=z,Fe=A>=z,!Ce&&!Fe&&(A>x?Fe=!0:Ce=!0)):Ie.x&&Ie.y&&(Ce||Fe)&&(Ce=Fe=!0);let _,L;Ce&&(T.ori==0?(_=Tn,L=de):(_=Mn,L=Se),Gn(Mt(_,L),De(L-_)),Fe||Un(0,w)),Fe&&(T.ori==1?(_=Tn,L=de):(_=Mn,L=Se),Un(Mt(_,L),De(L-_)),Ce||Gn(0,d)),!Ce&&!Fe&&(Gn(0,0),Un(0,0))}if(Ie._x=Ce,Ie._y=Fe,n==null){if(o){if(oi!=null){let[x,A]=ke.scales;ke.values[0]=x!=null?Et(T.ori==0?de:Se,x):null,ke.values[1]=A!=null?Et(T.ori==1?de:Se,A):null}Yn(nr,r,de,Se,Q,P,a)}if(pn){let x=o&&ke.setSeries,A=At.prox;Qt==null?Lt<=A&&kt(Wt,An,!0,x):Lt>A?kt(null,An,!0,x):Wt!=Qt&&kt(Wt,An,!0,x)}}at&&(j.idx=a,ql()),s!==!1&&Re("setCursor")}let Gt=null;Object.defineProperty(r,"rect",{get(){return Gt==null&&Bn(!1),Gt}});function Bn(n=!1){n?Gt=null:(Gt=b.getBoundingClientRect(),Re("syncRect",Gt))}function Jr(n,s,o,a,c,d,w){F._lock||It&&n!=null&&n.movementX==0&&n.movementY==0||($l(n,s,o,a,c,d,w,!1,n!=null),n!=null?Xt(null,!0,!0):Xt(s,!0,!1))}function $l(n,s,o,a,c,d,w,x,A){if(Gt==null&&Bn(!1),jt(n),n!=null)o=n.clientX-Gt.left,a=n.clientY-Gt.top;else{if(o<0||a<0){de=-10,Se=-10;return}let[z,_]=ke.scales,L=s.cursor.sync,[Y,se]=L.values,[re,X]=L.scales,[W,I]=ke.match,ye=s.axes[0].side%2==1,Me=T.ori==0?Q:P,Ne=T.ori==1?Q:P,he=ye?d:c,be=ye?c:d,et=ye?a:o,Ye=ye?o:a;if(re!=null?o=W(z,re)?h(Y,k[z],Me,0):-10:o=Me*(et/he),X!=null?a=I(_,X)?h(se,k[_],Ne,0):-10:a=Ne*(Ye/be),T.ori==1){let ut=o;o=a,a=ut}}A&&(s==null||s.cursor.event.type==nr)&&((o<=1||o>=Q-1)&&(o=tn(o,Q)),(a<=1||a>=P-1)&&(a=tn(a,P))),x?(Yr=o,qr=a,[Tn,Mn]=F.move(r,o,a)):(de=o,Se=a)}let Zl={width:0,height:0,left:0,top:0};function Kl(){fl(Zl,!1)}let Qr,Xr,ei,ti;function ni(n,s,o,a,c,d,w){It=!0,Ce=Fe=Ie._x=Ie._y=!1,$l(n,s,o,a,c,d,w,!0,!1),n!=null&&(Be(lr,ar,li,!1),Yn(bi,r,Tn,Mn,Q,P,null));let{left:x,top:A,width:z,height:_}=we;Qr=x,Xr=A,ei=z,ti=_}function li(n,s,o,a,c,d,w){It=Ie._x=Ie._y=!1,$l(n,s,o,a,c,d,w,!1,!0);let{left:x,top:A,width:z,height:_}=we,L=z>0||_>0,Y=Qr!=x||Xr!=A||ei!=z||ti!=_;if(L&&Y&&fl(we),Ie.setScale&&L&&Y){let se=x,re=z,X=A,W=_;if(T.ori==1&&(se=A,re=_,X=x,W=z),Ce&&Ht(D,Et(se,D),Et(se+re,D)),Fe)for(let I in k){let ye=k[I];I!=D&&ye.from==null&&ye.min!=pe&&Ht(I,Et(X+W,I),Et(X,I))}Kl()}else F.lock&&(F._lock=!F._lock,Xt(s,!0,n!=null));n!=null&&(un(lr,ar),Yn(lr,r,de,Se,Q,P,null))}function bo(n,s,o,a,c,d,w){if(F._lock)return;jt(n);let x=It;if(It){let A=!0,z=!0,_=10,L,Y;T.ori==0?(L=Ce,Y=Fe):(L=Fe,Y=Ce),L&&Y&&(A=de<=_||de>=Q-_,z=Se<=_||Se>=P-_),L&&A&&(de=de<Tn?0:Q),Y&&z&&(Se=Se<Mn?0:P),Xt(null,!0,!0),It=!1}de=-10,Se=-10,fe.fill(null),Xt(null,!0,!0),x&&(It=x)}function ri(n,s,o,a,c,d,w){F._lock||(jt(n),Pl(),Kl(),n!=null&&Yn(Ei,r,de,Se,Q,P,null))}function ii(){C.forEach(Nf),Dl(r.width,r.height,!0)}rn(vl,Dn,ii);let kn={};kn.mousedown=ni,kn.mousemove=Jr,kn.mouseup=li,kn.dblclick=ri,kn.setSeries=(n,s,o,a)=>{let c=ke.match[2];o=c(r,s,o),o!=-1&&kt(o,a,!0,!1)},Ae&&(Be(bi,b,ni),Be(nr,b,Jr),Be(Ai,b,n=>{jt(n),Bn(!1)}),Be(ki,b,bo),Be(Ei,b,ri),vr.add(r),r.syncRect=Bn);let ul=r.hooks=e.hooks||{};function Re(n,s,o){Gl?Wn.push([n,s,o]):n in ul&&ul[n].forEach(a=>{a.call(null,r,s,o)})}(e.plugins||[]).forEach(n=>{for(let s in n.hooks)ul[s]=(ul[s]||[]).concat(n.hooks[s])});let si=(n,s,o)=>o,ke=Ee({key:null,setSeries:!1,filters:{pub:Vi,sub:Vi},scales:[D,M[1]?M[1].scale:null],match:[Ii,Ii,si],values:[null,null]},F.sync);ke.match.length==2&&ke.match.push(si),F.sync=ke;let oi=ke.key,jl=Rs(oi);function Yn(n,s,o,a,c,d,w){ke.filters.pub(n,s,o,a,c,d,w)&&jl.pub(n,s,o,a,c,d,w)}jl.sub(r);function Ao(n,s,o,a,c,d,w){ke.filters.sub(n,s,o,a,c,d,w)&&kn[n](null,s,o,a,c,d,w)}r.pub=Ao;function ko(){jl.unsub(r),vr.delete(r),Yt.clear(),cr(vl,Dn,ii),v.remove(),ne?.remove(),Re("destroy")}r.destroy=ko;function Jl(){Re("init",e,t),Or(t||e.data,!1),V[D]?Ul(D,V[D]):Pl(),ll=we.show&&(we.width>0||we.height>0),Kt=at=!0,Dl(e.width,e.height)}return M.forEach(Rr),C.forEach(lo),l?l instanceof HTMLElement?(l.appendChild(v),Jl()):l(r,Jl):Jl(),r}He.assign=Ee;He.fmtNum=Mr;He.rangeNum=dl;He.rangeLog=xl;He.rangeAsinh=Sr;He.orient=on;He.pxRatio=ae;He.join=ka;He.fmtDate=Ar,He.tzDate=Oa;He.sync=Rs;{He.addGap=xf,He.clipGaps=Ml;let e=He.paths={points:Ws};e.linear=Us,e.stepped=Mf,e.bars=bf,e.spline=kf}var Zs=150,Of={truth:[],belief:[7,4],command:[2,3],second:[10,3,2,3],third:[4,2],v0:[],v1:[7,4],v2:[2,3],v3:[10,3,2,3],v4:[12,3],v5:[4,2]};function $s(e){if(e==null||Number.isNaN(e))return"-";let t=Math.abs(e);return t>=100?e.toFixed(0):t>=10?e.toFixed(1):e.toFixed(2)}function Vf(e,t){let{ctx:l}=e,{left:r,top:i,width:f,height:u}=e.bbox;l.save(),l.beginPath(),l.rect(r,i,f,u),l.clip();for(let{from_s:h,until_s:p,low:v,high:y,passed:m}of t.bands??[]){let g=e.valToPos(h,"x",!0),S=e.valToPos(p,"x",!0),b=e.valToPos(y,"y",!0),E=e.valToPos(v,"y",!0);l.fillStyle=Ct(m?"band":"band-missed"),l.fillRect(g,b,S-g,E-b),l.strokeStyle=Ct(m?"band-edge":"missed"),l.setLineDash(m?[]:[6,4]),l.lineWidth=devicePixelRatio,l.strokeRect(g,b,S-g,E-b),l.setLineDash([])}for(let{from_s:h,until_s:p}of t.missed??[]){let v=e.valToPos(h,"x",!0);l.fillStyle=Ct("band-missed"),l.fillRect(v,i,Math.max(e.valToPos(p,"x",!0)-v,devicePixelRatio),u)}for(let h of t.limits??[]){let p=e.valToPos(h,"y",!0);l.strokeStyle=Ct("limit"),l.setLineDash([2,4]),l.beginPath(),l.moveTo(r,p),l.lineTo(r+f,p),l.stroke(),l.setLineDash([])}for(let h of t.failures??[]){let p=e.valToPos(h,"x",!0);l.strokeStyle=Ct("failure"),l.lineWidth=1.5*devicePixelRatio,l.beginPath(),l.moveTo(p,i),l.lineTo(p,i+u),l.stroke()}l.restore()}function El(e,t,l){let r=t.valToPos(l.now,"x");e.hidden=r<0||r>t.over.clientWidth,e.style.transform=`translateX(${r}px)`,(t.cursor.left==null||t.cursor.left<0)&&t.setLegend({idx:xi(t.data[0],l.now)})}function If(e,t,l){let r={stroke:Ct("muted"),grid:{stroke:Ct("grid"),width:1},ticks:{show:!1},font:"11px system-ui"};return{width:t,height:Zs,padding:[8,8,0,0],cursor:{sync:{key:"time"},drag:{x:!0,y:!1},points:{size:5}},legend:{live:!0},scales:{x:{time:!1,range:()=>l.range},y:{range:(i,f,u)=>Hf(e,f,u)}},axes:[{...r,size:24},{...r,size:46}],series:[{label:"t [s]",value:(i,f)=>$s(f)},...e.series.map(({label:i,style:f})=>({label:i,stroke:Ct(f),width:f==="truth"?1.6:1.4,dash:Of[f],points:{show:!1},value:(u,h)=>$s(h)}))],hooks:{drawClear:[i=>Vf(i,e)],setSelect:[i=>{i.select.width<5||(l.show(i.posToVal(i.select.left,"x"),i.posToVal(i.select.left+i.select.width,"x")),i.setSelect({left:0,width:0,top:0,height:0},!1))}],ready:[i=>{i.over.addEventListener("click",f=>l.go(i.posToVal(f.offsetX,"x"))),i.over.addEventListener("dblclick",()=>l.show(l.start,l.end))}]}}}function Hf(e,t,l){if(t==null||l==null)return[0,1];if(e.range)return[Math.min(t,e.range[0]),Math.max(l,e.range[1])];let r=e.least??.1;for(let f of e.limits??[]){let u=.35*Math.max(l-t,r);f>l&&f-l<u&&(l=f),f<t&&t-f<u&&(t=f)}let i=Math.max(.06*(l-t),.5*(r-(l-t)));return[t-i,l+i]}var zl=class{constructor(t,l){this.columns=t,this.clock=l,this.made=[],l.listen(r=>this.follow(r)),new ResizeObserver(()=>this.resize()).observe(document.body)}add(t,l){let r=document.createElement("figure");r.className="panel",r.append(Object.assign(document.createElement("figcaption"),{textContent:l.title})),t.append(r);let i={box:r,panel:l,plot:null};return this.made.push(i),i.seen=new IntersectionObserver(([f])=>{f.isIntersecting&&this.draw(i)},{rootMargin:"200px"}),i.seen.observe(r),i}draw(t){t.seen.disconnect();let{box:l,panel:r}=t;t.plot?.destroy(),t.plot=new He(If(r,Math.max(l.clientWidth,120),this.clock),this.data(r),l);let i=l.querySelector("canvas");i.setAttribute("role","img"),i.setAttribute("aria-label",r.title),t.hand=document.createElement("i"),t.hand.className="hand",t.plot.over.append(t.hand),El(t.hand,t.plot,this.clock)}data(t){return[this.columns.time_s,...t.series.map(({column:l})=>this.columns[l])]}renew(t){this.columns=t;for(let{plot:l,panel:r,hand:i}of this.made.filter(f=>f.plot))l.setData(this.data(r)),El(i,l,this.clock)}redraw(){for(let t of this.made)t.plot&&this.draw(t)}resize(){for(let{plot:t,box:l,hand:r}of this.made)t&&t.width!==l.clientWidth&&l.clientWidth>0&&(t.setSize({width:l.clientWidth,height:Zs}),El(r,t,this.clock))}follow(t){for(let{plot:l,box:r,hand:i}of this.made)!l||!r.offsetParent||(t==="range"&&l.setScale("x",{min:this.clock.range[0],max:this.clock.range[1]}),El(i,l,this.clock))}};var Lr={healthy:"healthy",unnoticed:"broken, not noticed",unseen:"held, not noticed",flagged:"noticed",held:"noticed and held",recovered:"recovered",lost:"lost"};function Ks(e,t,l){let r=t.phases[t.phases.length-1].until_s-l.start||1,i=g=>`${100*(g-l.start)/r}%`,f=document.createElement("div");f.className="bar";for(let{name:g,from_s:S,until_s:b}of t.phases){let E=document.createElement("button");E.type="button",E.className=`phase ${g}`,E.dataset.phase=g,E.style.left=i(S),E.style.width=`${100*(b-S)/r}%`;let O=document.createElement("span");O.textContent=Lr[g],E.append(O),E.title=`${Lr[g]}: ${S.toFixed(2)} to ${b.toFixed(2)} s`,E.addEventListener("click",()=>{let H=Math.max(.15*(b-S),.5);l.show(S-H,b+H),l.go(S)}),f.append(E)}for(let g of t.events){let S=document.createElement("i");S.className=`mark ${g.kind}`,S.style.left=i(g.time_s),f.append(S)}let u=document.createElement("i");u.className="hand",f.append(u);let h=document.createElement("p");h.className="times";for(let g of[l.start,...t.failures_s.slice(0,3),l.start+r]){let S=document.createElement("span");S.textContent=`${+g.toFixed(1)} s`,S.style.left=i(g),h.append(S)}let p=document.createElement("p");p.className="legend";for(let g of fi.filter(S=>t.phases.some(b=>b.name===S)))p.insertAdjacentHTML("beforeend",`<span><i class="phase ${g}"></i>${Lr[g]}</span>`);p.insertAdjacentHTML("beforeend","<span>strokes: events, listed below</span>");let v=document.createElement("p");v.className="buttons";let y=(g,S)=>{let b=document.createElement("button");b.type="button",b.textContent=g,b.addEventListener("click",S),v.append(b)};t.failures_s.length&&y("Zoom to failure",()=>{let g=t.failures_s[t.failures_s.length-1];l.show(g-1,g+5),l.go(g)}),y("Whole flight",()=>l.show(l.start,l.end)),e.append(f,h,p,v);let m=()=>f.querySelectorAll(".phase").forEach(g=>g.classList.toggle("narrow",g.clientWidth<g.firstChild.offsetWidth+12));new ResizeObserver(()=>{m(),Wf(h)}).observe(f),l.listen(()=>{u.style.left=i(l.now)}),l.go(t.failures_s[0]??l.start)}function Wf(e){let t=[...e.children];t.forEach(r=>r.style.visibility="");let l=[t[0],t[t.length-1]];for(let r of t.slice(1,-1))l.every(i=>Gf(r.getBoundingClientRect(),i.getBoundingClientRect()))?l.push(r):r.style.visibility="hidden"}var Gf=(e,t)=>e.right+4<t.left||t.right+4<e.left;function Uf(){let e=performance.now(),t=JSON.parse(document.getElementById("comparison").textContent),l=yi(t.data,document.getElementById("columns").textContent),r=new cl(l.time_s[0],l.time_s[l.time_s.length-1]);document.body.classList.add("scripted");let i=new zl(l,r);for(let u of t.panels){let h=document.getElementById(`panels-${u.name}`);for(let p of u.panels)i.add(h,p)}let f=document.getElementById("timelines");t.flights.forEach((u,h)=>{let p=document.createElement("div");p.className="flight-bar",p.append(Object.assign(document.createElement("p"),{className:"note",textContent:u.name})),f.append(p),Ks(p,{...u,events:[]},r),h<t.flights.length-1&&p.querySelector(".buttons").remove()}),Bf(f),ui(()=>i.redraw()),requestAnimationFrame(()=>{window.comparison={comparison:t,columns:l,clock:r,panels:i,drawn_ms:performance.now()-e},document.body.dataset.drawn="yes"})}function Bf(e){let t=[...e.querySelectorAll(".legend")],l=t.pop(),r=()=>[...l.children].map(i=>i.textContent);for(let i of t){for(let f of[...i.children])r().includes(f.textContent)||l.append(f);i.remove()}}Uf();})();
+(()=>{var ea=class{constructor(e,t){this.start=e,this.end=t,this.now=e,this.range=[e,t],this.playing=!1,this.speed=1,this.listeners=[]}listen(e){this.listeners.push(e)}tell(e){for(let t of this.listeners)t(e)}go(e){this.now=Math.min(Math.max(e,this.start),this.end),this.tell("now")}show(e,t){this.range=[Math.max(e,this.start),Math.min(t,this.end)],this.tell("range")}play(e=!this.playing){e&&this.now>=this.end&&(this.now=this.start),this.playing=e,this.last=performance.now(),this.tell("playing"),e&&requestAnimationFrame(()=>this.tick())}tick(){if(!this.playing)return;let e=performance.now();this.go(this.now+(e-this.last)/1e3*this.speed),this.last=e,this.now>=this.end?this.play(!1):requestAnimationFrame(()=>this.tick())}};function yt(i){return getComputedStyle(document.documentElement).getPropertyValue(`--${i}`).trim()}var ta=["healthy","unnoticed","unseen","flagged","held","recovered","lost"];function ju(i){matchMedia("(prefers-color-scheme: dark)").addEventListener("change",i)}var Qn=Uint8Array,rr=Uint16Array,tg=Int32Array,ef=new Qn([0,0,0,0,0,0,0,0,1,1,1,1,2,2,2,2,3,3,3,3,4,4,4,4,5,5,5,5,0,0,0,0]),tf=new Qn([0,0,0,0,1,1,2,2,3,3,4,4,5,5,6,6,7,7,8,8,9,9,10,10,11,11,12,12,13,13,0,0]),ng=new Qn([16,17,18,0,8,7,9,6,10,5,11,4,12,3,13,2,14,1,15]),nf=function(i,e){for(var t=new rr(31),n=0;n<31;++n)t[n]=e+=1<<i[n-1];for(var s=new tg(t[30]),n=1;n<30;++n)for(var r=t[n];r<t[n+1];++r)s[r]=r-t[n]<<5|n;return{b:t,r:s}},sf=nf(ef,2),rf=sf.b,ig=sf.r;rf[28]=258,ig[258]=28;var of=nf(tf,0),sg=of.b,HS=of.r,Oc=new rr(32768);for(vt=0;vt<32768;++vt)Ui=(vt&43690)>>1|(vt&21845)<<1,Ui=(Ui&52428)>>2|(Ui&13107)<<2,Ui=(Ui&61680)>>4|(Ui&3855)<<4,Oc[vt]=((Ui&65280)>>8|(Ui&255)<<8)>>1;var Ui,vt,Jr=(function(i,e,t){for(var n=i.length,s=0,r=new rr(e);s<n;++s)i[s]&&++r[i[s]-1];var o=new rr(e);for(s=1;s<e;++s)o[s]=o[s-1]+r[s-1]<<1;var a;if(t){a=new rr(1<<e);var c=15-e;for(s=0;s<n;++s)if(i[s])for(var l=s<<4|i[s],f=e-i[s],h=o[i[s]-1]++<<f,u=h|(1<<f)-1;h<=u;++h)a[Oc[h]>>c]=l}else for(a=new rr(n),s=0;s<n;++s)i[s]&&(a[s]=Oc[o[i[s]-1]++]>>15-i[s]);return a}),Kr=new Qn(288);for(vt=0;vt<144;++vt)Kr[vt]=8;var vt;for(vt=144;vt<256;++vt)Kr[vt]=9;var vt;for(vt=256;vt<280;++vt)Kr[vt]=7;var vt;for(vt=280;vt<288;++vt)Kr[vt]=8;var vt,af=new Qn(32);for(vt=0;vt<32;++vt)af[vt]=5;var vt;var rg=Jr(Kr,9,1);var og=Jr(af,5,1),Nc=function(i){for(var e=i[0],t=1;t<i.length;++t)i[t]>e&&(e=i[t]);return e},ai=function(i,e,t){var n=e/8|0;return(i[n]|i[n+1]<<8)>>(e&7)&t},Fc=function(i,e){var t=e/8|0;return(i[t]|i[t+1]<<8|i[t+2]<<16)>>(e&7)},ag=function(i){return(i+7)/8|0},lg=function(i,e,t){return(e==null||e<0)&&(e=0),(t==null||t>i.length)&&(t=i.length),new Qn(i.subarray(e,t))};var cg=["unexpected EOF","invalid block type","invalid length/literal","invalid distance","stream finished","no stream handler",,"no callback","invalid UTF-8 data","extra field too long","date not in range 1980-2099","filename too long","stream finishing","invalid zip data"],li=function(i,e,t){var n=new Error(e||cg[i]);if(n.code=i,Error.captureStackTrace&&Error.captureStackTrace(n,li),!t)throw n;return n},hg=function(i,e,t,n){var s=i.length,r=n?n.length:0;if(!s||e.f&&!e.l)return t||new Qn(0);var o=!t,a=o||e.i!=2,c=e.i;o&&(t=new Qn(s*3));var l=function($e){var St=t.length;if($e>St){var U=new Qn(Math.max(St*2,$e));U.set(t),t=U}},f=e.f||0,h=e.p||0,u=e.b||0,p=e.l,_=e.d,v=e.m,m=e.n,d=s*8;do{if(!p){f=ai(i,h,1);var E=ai(i,h+1,3);if(h+=3,E)if(E==1)p=rg,_=og,v=9,m=5;else if(E==2){var A=ai(i,h,31)+257,D=ai(i,h+10,15)+4,F=A+ai(i,h+5,31)+1;h+=14;for(var b=new Qn(F),S=new Qn(19),C=0;C<D;++C)S[ng[C]]=ai(i,h+C*3,7);h+=D*3;for(var O=Nc(S),k=(1<<O)-1,W=Jr(S,O,1),C=0;C<F;){var X=W[ai(i,h,k)];h+=X&15;var T=X>>4;if(T<16)b[C++]=T;else{var q=0,$=0;for(T==16?($=3+ai(i,h,3),h+=2,q=b[C-1]):T==17?($=3+ai(i,h,7),h+=3):T==18&&($=11+ai(i,h,127),h+=7);$--;)b[C++]=q}}var Q=b.subarray(0,A),re=b.subarray(A);v=Nc(Q),m=Nc(re),p=Jr(Q,v,1),_=Jr(re,m,1)}else li(1);else{var T=ag(h)+4,M=i[T-4]|i[T-3]<<8,L=T+M;if(L>s){c&&li(0);break}a&&l(u+M),t.set(i.subarray(T,L),u),e.b=u+=M,e.p=h=L*8,e.f=f;continue}if(h>d){c&&li(0);break}}a&&l(u+131072);for(var oe=(1<<v)-1,_e=(1<<m)-1,xe=h;;xe=h){var q=p[Fc(i,h)&oe],pe=q>>4;if(h+=q&15,h>d){c&&li(0);break}if(q||li(2),pe<256)t[u++]=pe;else if(pe==256){xe=h,p=null;break}else{var Ke=pe-254;if(pe>264){var C=pe-257,Xe=ef[C];Ke=ai(i,h,(1<<Xe)-1)+rf[C],h+=Xe}var j=_[Fc(i,h)&_e],ee=j>>4;j||li(3),h+=j&15;var re=sg[ee];if(ee>3){var Xe=tf[ee];re+=Fc(i,h)&(1<<Xe)-1,h+=Xe}if(h>d){c&&li(0);break}a&&l(u+131072);var Me=u+Ke;if(u<re){var Ne=r-re,ve=Math.min(re,Me);for(Ne+u<0&&li(3);u<ve;++u)t[u]=n[Ne+u]}for(;u<Me;++u)t[u]=t[u-re]}}e.l=p,e.p=xe,e.b=u,e.f=f,p&&(f=1,e.m=v,e.d=_,e.n=m)}while(!f);return u!=t.length&&o?lg(t,0,u):t.subarray(0,u)};var ug=new Qn(0);var fg=function(i,e){return((i[0]&15)!=8||i[0]>>4>7||(i[0]<<8|i[1])%31)&&li(6,"invalid zlib data"),(i[1]>>5&1)==+!e&&li(6,"invalid zlib data: "+(i[1]&32?"need":"unexpected")+" dictionary"),(i[1]>>3&4)+2};function lf(i,e){return hg(i.subarray(fg(i,e&&e.dictionary),-4),{i:2},e&&e.out,e&&e.dictionary)}var dg=typeof TextDecoder<"u"&&new TextDecoder,pg=0;try{dg.decode(ug,{stream:!0}),pg=1}catch{}var mg=65535;function cf(i,e){let t=Uint8Array.from(atob(e),a=>a.charCodeAt(0)),n=lf(t),s=n.length/2,r=i.rows,o={};return i.columns.forEach(({name:a,low:c,step:l},f)=>{let h=new Float64Array(r),u=0;for(let p=0;p<r;p++){let _=f*r+p;u=u+n[_]+256*n[s+_]&65535,h[p]=u===mg?NaN:c+l*u}o[a]=h}),o}function Qr(i,e){let t=0,n=i.length-1;for(;t<n;){let s=t+n+1>>1;i[s]<=e?t=s:n=s-1}return t}function na(i){let e=i.length-1;for(;e>0&&!Number.isFinite(i[e]);)e-=1;return e}var gg="uplot",_g="u-hz",vg="u-vt",xg="u-title",yg="u-wrap",Mg="u-under",Sg="u-over",bg="u-axis",Cs="u-off",wg="u-select",Eg="u-cursor-x",Tg="u-cursor-y",Ag="u-cursor-pt",Cg="u-legend",Rg="u-live",Ig="u-inline",Pg="u-series",Lg="u-marker",hf="u-label",Dg="u-value",eo="width",to="height";var uf="bottom",or="left",Bc="right",th="#000",ff=th+"0",zc="mousemove",df="mousedown",kc="mouseup",pf="mouseenter",mf="mouseleave",gf="dblclick",Ug="resize",Ng="scroll",_f="change",aa="dppxchange",nh="--",dr=typeof window<"u",Xc=dr?document:null,lr=dr?window:null,Fg=dr?navigator:null,xt,ia;function qc(){let i=devicePixelRatio;xt!=i&&(xt=i,ia&&Zc(_f,ia,qc),ia=matchMedia(`(min-resolution: ${xt-.001}dppx) and (max-resolution: ${xt+.001}dppx)`),Rs(_f,ia,qc),lr.dispatchEvent(new CustomEvent(aa)))}function Fn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function Yc(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function kt(i,e,t){i.style[e]=t+"px"}function ci(i,e,t,n){let s=Xc.createElement(i);return e!=null&&Fn(s,e),t?.insertBefore(s,n),s}function jn(i,e){return ci("div",i,e)}var vf=new WeakMap;function Ei(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=vf.get(i);r!=o&&(i.style.transform=r,vf.set(i,r),e<0||t<0||e>n||t>s?Fn(i,Cs):Yc(i,Cs))}var xf=new WeakMap;function yf(i,e,t){let n=e+t,s=xf.get(i);n!=s&&(xf.set(i,n),i.style.background=e,i.style.borderColor=t)}var Mf=new WeakMap;function Sf(i,e,t,n){let s=e+""+t,r=Mf.get(i);s!=r&&(Mf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var ih={passive:!0},Og={...ih,capture:!0};function Rs(i,e,t,n){e.addEventListener(i,t,n?Og:ih)}function Zc(i,e,t,n){e.removeEventListener(i,t,ih)}dr&&qc();function hi(i,e,t,n){let s;t=t||0,n=n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:On((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function Jf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var Kf=i=>i!=null,Qf=i=>i!=null&&i>0,ha=Jf(Kf),Bg=Jf(Qf);function zg(i,e,t,n=0,s=!1){let r=s?Bg:ha,o=s?Qf:Kf;[e,t]=r(i,e,t);let a=i[e],c=i[e];if(e>-1)if(n==1)a=i[e],c=i[t];else if(n==-1)a=i[t],c=i[e];else for(let l=e;l<=t;l++){let f=i[l];o(f)&&(f<a?a=f:f>c&&(c=f))}return[a??Rt,c??-Rt]}function ua(i,e,t,n){let s=Ef(i),r=Ef(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Ni:jf,a=s==1?On:ei,c=r==1?ei:On,l=a(o(jt(i))),f=c(o(jt(e))),h=cr(t,l),u=cr(t,f);return t==10&&(l<0&&(h=It(h,-l)),f<0&&(u=It(u,-f))),n||t==2?(i=h*s,e=u*r):(i=id(i,h),e=fa(e,u)),[i,e]}function sh(i,e,t,n){let s=ua(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var rh=.1,bf={mode:3,pad:rh},io={pad:0,soft:null,mode:0},kg={min:io,max:io};function la(i,e,t,n){return da(t)?wf(i,e,t):(io.pad=t,io.soft=n?0:null,io.mode=n?3:0,wf(i,e,kg))}function mt(i,e){return i??e}function Vg(i,e,t){for(e=mt(e,0),t=mt(t,i.length-1);e<=t;){if(i[e]!=null)return!0;e++}return!1}function wf(i,e,t){let n=t.min,s=t.max,r=mt(n.pad,0),o=mt(s.pad,0),a=mt(n.hard,-Rt),c=mt(s.hard,Rt),l=mt(n.soft,Rt),f=mt(s.soft,-Rt),h=mt(n.mode,0),u=mt(s.mode,0),p=e-i,_=Ni(p),v=An(jt(i),jt(e)),m=Ni(v),d=jt(m-_);(p<1e-24||d>10)&&(p=0,(i==0||e==0)&&(p=1e-24,h==2&&l!=Rt&&(r=0),u==2&&f!=-Rt&&(o=0)));let E=p||v||1e3,T=Ni(E),M=cr(10,On(T)),L=E*(p==0?i==0?.1:1:r),A=It(id(i-L,M/10),24),D=i>=l&&(h==1||h==3&&A<=l||h==2&&A>=l)?l:Rt,F=An(a,A<D&&i>=D?D:ui(D,A)),b=E*(p==0?e==0?.1:1:o),S=It(fa(e+b,M/10),24),C=e<=f&&(u==1||u==3&&S>=f||u==2&&S<=f)?f:-Rt,O=ui(c,S>C&&e<=C?C:An(C,S));return F==O&&F==0&&(O=100),[F,O]}var Hg=new Intl.NumberFormat(dr?Fg.language:"en-US"),oh=i=>Hg.format(i),Bn=Math,oa=Bn.PI,jt=Bn.abs,On=Bn.floor,Qt=Bn.round,ei=Bn.ceil,ui=Bn.min,An=Bn.max,cr=Bn.pow,Ef=Bn.sign,Ni=Bn.log10,jf=Bn.log2,Gg=(i,e=1)=>Bn.sinh(i)*e,Vc=(i,e=1)=>Bn.asinh(i/e),Rt=1/0;function Tf(i){return(Ni((i^i>>31)-(i>>31))|0)+1}function $c(i,e,t){return ui(An(i,e),t)}function ed(i){return typeof i=="function"}function at(i){return ed(i)?i:()=>i}var Wg=()=>{},td=i=>i,nd=(i,e)=>e,Xg=i=>null,Af=i=>!0,Cf=(i,e)=>i==e,qg=/\.\d*?(?=9{6,}|0{6,})/gm,Is=i=>{if(rd(i)||ss.has(i))return i;let e=`${i}`,t=e.match(qg);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+`${Is(s)}e${r}`}return It(i,n)};function Ts(i,e){return Is(It(Is(i/e))*e)}function fa(i,e){return Is(ei(Is(i/e))*e)}function id(i,e){return Is(On(Is(i/e))*e)}function It(i,e=0){if(rd(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return Qt(n)/t}var ss=new Map;function sd(i){return((""+i).split(".")[1]||"").length}function ro(i,e,t,n){let s=[],r=n.map(sd);for(let o=e;o<t;o++){let a=jt(o),c=It(cr(i,o),a);for(let l=0;l<n.length;l++){let f=i==10?+`${n[l]}e${o}`:n[l]*c,h=(o>=0?0:a)+(o>=r[l]?0:r[l]),u=i==10?f:It(f,h);s.push(u),ss.set(u,h)}}return s}var so={},ah=[],hr=[null,null],is=Array.isArray,rd=Number.isInteger,Yg=i=>i===void 0;function Rf(i){return typeof i=="string"}function da(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function Zg(i){return i!=null&&typeof i=="object"}var $g=Object.getPrototypeOf(Uint8Array),od="__proto__";function ur(i,e=da){let t;if(is(i)){let n=i.find(s=>s!=null);if(is(n)||e(n)){t=Array(i.length);for(let s=0;s<i.length;s++)t[s]=ur(i[s],e)}else t=i.slice()}else if(i instanceof $g)t=i.slice();else if(e(i)){t={};for(let n in i)n!=od&&(t[n]=ur(i[n],e))}else t=i;return t}function $t(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=od&&(da(i[s])?$t(i[s],ur(n[s])):i[s]=ur(n[s]))}return i}var Jg=0,Kg=1,Qg=2;function jg(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=s++]=null}}}function e0(i,e){if(i0(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return s0(o[0])||(o=n0(o)),o}let t=new Set;for(let o=0;o<i.length;o++){let c=i[o][0],l=c.length;for(let f=0;f<l;f++)t.add(c[f])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],c=a[0];for(let l=1;l<a.length;l++){let f=a[l],h=Array(s).fill(void 0),u=e?e[o][l]:Kg,p=[];for(let _=0;_<f.length;_++){let v=f[_],m=r.get(c[_]);v===null?u!=Jg&&(h[m]=v,u==Qg&&p.push(m)):h[m]=v}jg(h,p,s),n.push(h)}}return n}var t0=typeof queueMicrotask>"u"?i=>Promise.resolve().then(i):queueMicrotask;function n0(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){let o=i[r],a=Array(t);for(let c=0;c<t;c++)a[c]=o[n[c]];s.push(a)}return s}function i0(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function s0(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=An(1,On((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let c=i[a];if(c!=null){if(c<=o)return!1;o=c}}return!0}var ad=["January","February","March","April","May","June","July","August","September","October","November","December"],ld=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function cd(i){return i.slice(0,3)}var r0=ld.map(cd),o0=ad.map(cd),a0={MMMM:ad,MMM:o0,WWWW:ld,WWW:r0};function jr(i){return(i<10?"0":"")+i}function l0(i){return(i<10?"00":i<100?"0":"")+i}var c0={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>jr(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>jr(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.getDay()],HH:i=>jr(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>jr(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>jr(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>l0(i.getMilliseconds())};function lh(i,e){e=e||a0;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?c0[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var h0=new Intl.DateTimeFormat().resolvedOptions().timeZone;function u0(i,e){let t;return e=="UTC"||e=="Etc/UTC"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==h0?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var hd=i=>i%1==0,ca=[1,2,2.5,5],f0=ro(10,-32,0,ca),ud=ro(10,0,32,ca),d0=ud.filter(hd),As=f0.concat(ud),ch=`
+`,fd="{YYYY}",If=ch+fd,dd="{M}/{D}",no=ch+dd,sa=no+"/{YY}",pd="{aa}",p0="{h}:{mm}",ar=p0+pd,Pf=ch+ar,Lf=":{ss}",Mt=null;function md(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,c=(i==1?ro(10,0,3,ca).filter(hd):ro(10,-3,0,ca)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),l=[[o,fd,Mt,Mt,Mt,Mt,Mt,Mt,1],[s*28,"{MMM}",If,Mt,Mt,Mt,Mt,Mt,1],[s,dd,If,Mt,Mt,Mt,Mt,Mt,1],[n,"{h}"+pd,sa,Mt,no,Mt,Mt,Mt,1],[t,ar,sa,Mt,no,Mt,Mt,Mt,1],[e,Lf,sa+" "+ar,Mt,no+" "+ar,Mt,Pf,Mt,1],[i,Lf+".{fff}",sa+" "+ar,Mt,no+" "+ar,Mt,Pf,Mt,1]];function f(h){return(u,p,_,v,m,d)=>{let E=[],T=m>=o,M=m>=r&&m<o,L=h(_),A=It(L*i,3),D=Hc(L.getFullYear(),T?0:L.getMonth(),M||T?1:L.getDate()),F=It(D*i,3);if(M||T){let b=M?m/r:0,S=T?m/o:0,C=A==F?A:It(Hc(D.getFullYear()+S,D.getMonth()+b,1)*i,3),O=new Date(Qt(C/i)),k=O.getFullYear(),W=O.getMonth();for(let X=0;C<=v;X++){let q=Hc(k+S*X,W+b*X,1),$=q-h(It(q*i,3));C=It((+q+$)*i,3),C<=v&&E.push(C)}}else{let b=m>=s?s:m,S=On(_)-On(A),C=F+S+fa(A-F,b);E.push(C);let O=h(C),k=O.getHours()+O.getMinutes()/t+O.getSeconds()/n,W=m/n,X=u.axes[p]._space,q=d/X;for(;C=It(C+m,i==1?0:3),!(C>v);)if(W>1){let $=On(It(k+W,6))%24,oe=h(C).getHours()-$;oe>1&&(oe=-1),C-=oe*n,k=(k+W)%24;let _e=E[E.length-1];It((C-_e)/m,3)*q>=.7&&E.push(C)}else E.push(C)}return E}}return[c,l,f]}var[m0,g0,_0]=md(1),[v0,x0,y0]=md(.001);ro(2,-53,53,[1]);function Df(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function Uf(i,e){return(t,n,s,r,o)=>{let a=e.find(_=>o>=_[0])||e[e.length-1],c,l,f,h,u,p;return n.map(_=>{let v=i(_),m=v.getFullYear(),d=v.getMonth(),E=v.getDate(),T=v.getHours(),M=v.getMinutes(),L=v.getSeconds(),A=m!=c&&a[2]||d!=l&&a[3]||E!=f&&a[4]||T!=h&&a[5]||M!=u&&a[6]||L!=p&&a[7]||a[1];return c=m,l=d,f=E,h=T,u=M,p=L,A(v)})}}function M0(i,e){let t=lh(e);return(n,s,r,o,a)=>s.map(c=>t(i(c)))}function Hc(i,e,t){return new Date(i,e,t)}function Nf(i,e){return e(i)}var S0="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Ff(i,e){return(t,n,s,r)=>r==null?nh:e(i(n))}function b0(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.points.width?t.points.stroke(i,e):null}function w0(i,e){return i.series[e].fill(i,e)}var E0={show:!0,live:!0,isolate:!1,mount:Wg,markers:{show:!0,width:2,stroke:b0,fill:w0,dash:"solid"},idx:null,idxs:null,values:[]};function T0(i,e){let t=i.cursor.points,n=jn(),s=t.size(i,e);kt(n,eo,s),kt(n,to,s);let r=s/-2;kt(n,"marginLeft",r),kt(n,"marginTop",r);let o=t.width(i,e,s);return o&&kt(n,"borderWidth",o),n}function A0(i,e){let t=i.series[e].points;return t._fill||t._stroke}function C0(i,e){let t=i.series[e].points;return t._stroke||t._fill}function R0(i,e){return i.series[e].points.size}var Gc=[0,0];function I0(i,e,t){return Gc[0]=e,Gc[1]=t,Gc}function ra(i,e,t,n=!0){return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Wc(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var P0={show:!0,x:!0,y:!0,lock:!1,move:I0,points:{one:!1,show:T0,size:R0,width:0,stroke:C0,fill:A0},bind:{mousedown:ra,mouseup:ra,click:ra,dblclick:ra,mousemove:Wc,mouseleave:Wc,mouseenter:Wc},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(i,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,e,t,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},gd={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},hh=$t({},gd,{filter:nd}),_d=$t({},hh,{size:10}),vd=$t({},gd,{show:!1}),uh='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',xd="bold "+uh,yd=1.5,Of={show:!0,scale:"x",stroke:th,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:xd,side:2,grid:hh,ticks:_d,border:vd,font:uh,lineGap:yd,rotate:0},L0="Value",D0="Time",Bf={show:!0,scale:"x",auto:!1,sorted:1,min:Rt,max:-Rt,idxs:[]};function U0(i,e,t,n,s){return e.map(r=>r==null?"":oh(r))}function N0(i,e,t,n,s,r,o){let a=[],c=ss.get(s)||0;t=o?t:It(fa(t,s),c);for(let l=t;l<=n;l=It(l+s,c))a.push(Object.is(l,-0)?0:l);return a}function Jc(i,e,t,n,s,r,o){let a=[],c=i.scales[i.axes[e].scale].log,l=c==10?Ni:jf,f=On(l(t));s=cr(c,f),c==10&&(s=As[hi(s,As)]);let h=t,u=s*c;c==10&&(u=As[hi(u,As)]);do a.push(h),h=h+s,c==10&&!ss.has(h)&&(h=It(h,ss.get(s))),h>=u&&(s=h,u=s*c,c==10&&(u=As[hi(u,As)]));while(h<=n);return a}function F0(i,e,t,n,s,r,o){let c=i.scales[i.axes[e].scale].asinh,l=n>c?Jc(i,e,An(c,t),n,s):[c],f=n>=0&&t<=0?[0]:[];return(t<-c?Jc(i,e,An(c,-n),-t,s):[c]).reverse().map(u=>-u).concat(f,l)}var Md=/./,O0=/[12357]/,B0=/[125]/,zf=/1/,Kc=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function z0(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=i.scales[o],c=i.valToPos,l=r._space,f=c(10,o),h=c(9,o)-f>=l?Md:c(7,o)-f>=l?O0:c(5,o)-f>=l?B0:zf;if(h==zf){let u=jt(c(1,o)-f);if(u<l)return Kc(e.slice().reverse(),a.distr,h,ei(l/u)).reverse()}return Kc(e,a.distr,h,1)}function k0(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,c=i.valToPos,l=jt(c(1,o)-c(2,o));return l<a?Kc(e.slice().reverse(),3,Md,ei(a/l)).reverse():e}function V0(i,e,t,n){return n==null?nh:e==null?"":oh(e)}var kf={show:!0,scale:"y",stroke:th,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:xd,side:3,grid:hh,ticks:_d,border:vd,font:uh,lineGap:yd,rotate:0};function H0(i,e){let t=3+(i||1)*2;return It(t*e,3)}function G0(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=jt(o-r),c=i.series[e],l=a/(c.points.space*xt);return n[1]-n[0]<=l}var Vf={scale:null,auto:!0,sorted:0,min:Rt,max:-Rt},Sd=(i,e,t,n,s)=>s,Hf={show:!0,auto:!0,sorted:0,gaps:Sd,alpha:1,facets:[$t({},Vf,{scale:"x"}),$t({},Vf,{scale:"y"})]},Gf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Sd,alpha:1,points:{show:G0,filter:null},values:null,min:Rt,max:-Rt,idxs:[],path:null,clip:null};function W0(i,e,t,n,s){return t/10}var bd={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},X0=$t({},bd,{time:!1,ori:1}),Wf={};function wd(i,e){let t=Wf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,c,l){for(let f=0;f<t.plots.length;f++)t.plots[f]!=s&&t.plots[f].pub(n,s,r,o,a,c,l)}},i!=null&&(Wf[i]=t)),t}var fr=1,Qc=2;function Ps(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:i._data,o=i.scales,a=i.bbox,c=r[0],l=n==2?r[1]:r[e],f=n==2?o[s.facets[0].scale]:o[i.series[0].scale],h=n==2?o[s.facets[1].scale]:o[s.scale],u=a.left,p=a.top,_=a.width,v=a.height,m=i.valToPosH,d=i.valToPosV;return f.ori==0?t(s,c,l,f,h,m,d,u,p,_,v,ma,pr,_a,Td,Cd):t(s,c,l,f,h,d,m,p,u,v,_,ga,mr,ph,Ad,Rd)}function fh(i,e){let t=0,n=0,s=mt(i.bands,ah);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function q0(i,e,t,n,s){let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,c=i.scales[a];return s==-1?c.min:s==1?c.max:c.distr==3?c.dir==1?c.min:c.max:0}function Fi(i,e,t,n,s,r){return Ps(i,e,(o,a,c,l,f,h,u,p,_,v,m)=>{let d=o.pxRound,E=l.dir*(l.ori==0?1:-1),T=l.ori==0?pr:mr,M,L;E==1?(M=t,L=n):(M=n,L=t);let A=d(h(a[M],l,v,p)),D=d(u(c[M],f,m,_)),F=d(h(a[L],l,v,p)),b=d(u(r==1?f.max:f.min,f,m,_)),S=new Path2D(s);return T(S,F,b),T(S,A,b),T(S,A,D),S})}function pa(i,e,t,n,s,r){let o=null;if(i.length>0){o=new Path2D;let a=e==0?_a:ph,c=t;for(let h=0;h<i.length;h++){let u=i[h];if(u[1]>u[0]){let p=u[0]-c;p>0&&a(o,c,n,p,n+r),c=u[1]}}let l=t+s-c,f=10;l>0&&a(o,c,n-f/2,l,n+r+f)}return o}function Y0(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function dh(i,e,t,n,s,r,o){let a=[],c=i.length;for(let l=s==1?t:n;l>=t&&l<=n;l+=s)if(e[l]===null){let h=l,u=l;if(s==1)for(;++l<=n&&e[l]===null;)u=l;else for(;--l>=t&&e[l]===null;)u=l;let p=r(i[h]),_=u==h?p:r(i[u]),v=h-s;p=o<=0&&v>=0&&v<c?r(i[v]):p;let d=u+s;_=o>=0&&d>=0&&d<c?r(i[d]):_,_>=p&&a.push([p,_])}return a}function Xf(i){return i==0?td:i==1?Qt:e=>Ts(e,i)}function Ed(i){let e=i==0?ma:ga,t=i==0?(s,r,o,a,c,l)=>{s.arcTo(r,o,a,c,l)}:(s,r,o,a,c,l)=>{s.arcTo(o,r,c,a,l)},n=i==0?(s,r,o,a,c)=>{s.rect(r,o,a,c)}:(s,r,o,a,c)=>{s.rect(o,r,c,a)};return(s,r,o,a,c,l=0,f=0)=>{l==0&&f==0?n(s,r,o,a,c):(l=ui(l,a/2,c/2),f=ui(f,a/2,c/2),e(s,r+l,o),t(s,r+a,o,r+a,o+c,l),t(s,r+a,o+c,r,o+c,f),t(s,r,o+c,r,o,f),t(s,r,o,r+a,o,l),s.closePath())}}var ma=(i,e,t)=>{i.moveTo(e,t)},ga=(i,e,t)=>{i.moveTo(t,e)},pr=(i,e,t)=>{i.lineTo(e,t)},mr=(i,e,t)=>{i.lineTo(t,e)},_a=Ed(0),ph=Ed(1),Td=(i,e,t,n,s,r)=>{i.arc(e,t,n,s,r)},Ad=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},Cd=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},Rd=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function Id(i){return(e,t,n,s,r)=>Ps(e,t,(o,a,c,l,f,h,u,p,_,v,m)=>{let{pxRound:d,points:E}=o,T,M;l.ori==0?(T=ma,M=Td):(T=ga,M=Ad);let L=It(E.width*xt,3),A=(E.size-E.width)/2*xt,D=It(A*2,3),F=new Path2D,b=new Path2D,{left:S,top:C,width:O,height:k}=e.bbox;_a(b,S-D,C-D,O+D*2,k+D*2);let W=X=>{if(c[X]!=null){let q=d(h(a[X],l,v,p)),$=d(u(c[X],f,m,_));T(F,q+A,$),M(F,q,$,A,0,oa*2)}};if(r)r.forEach(W);else for(let X=n;X<=s;X++)W(X);return{stroke:L>0?F:null,fill:F,clip:b,flags:fr|Qc}})}function Pd(i){return(e,t,n,s,r,o)=>{n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var Z0=Pd(pr),$0=Pd(mr);function Ld(i){let e=mt(i?.alignGaps,0);return(t,n,s,r)=>Ps(t,n,(o,a,c,l,f,h,u,p,_,v,m)=>{[s,r]=ha(c,s,r);let d=o.pxRound,E=k=>d(h(k,l,v,p)),T=k=>d(u(k,f,m,_)),M,L;l.ori==0?(M=pr,L=Z0):(M=mr,L=$0);let A=l.dir*(l.ori==0?1:-1),D={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:fr},F=D.stroke,b=!1;if(r-s>=v*4){let k=pe=>t.posToVal(pe,l.key,!0),W=null,X=null,q,$,Q,re=E(a[A==1?s:r]),oe=E(a[s]),_e=E(a[r]),xe=k(A==1?oe+1:_e-1);for(let pe=A==1?s:r;pe>=s&&pe<=r;pe+=A){let Ke=a[pe],j=(A==1?Ke<xe:Ke>xe)?re:E(Ke),ee=c[pe];j==re?ee!=null?($=ee,W==null?(M(F,j,T($)),q=W=X=$):$<W?W=$:$>X&&(X=$)):ee===null&&(b=!0):(W!=null&&L(F,re,T(W),T(X),T(q),T($)),ee!=null?($=ee,M(F,j,T($)),W=X=q=$):(W=X=null,ee===null&&(b=!0)),re=j,xe=k(re+A))}W!=null&&W!=X&&Q!=re&&L(F,re,T(W),T(X),T(q),T($))}else for(let k=A==1?s:r;k>=s&&k<=r;k+=A){let W=c[k];W===null?b=!0:W!=null&&M(F,E(a[k]),T(W))}let[C,O]=fh(t,n);if(o.fill!=null||C!=0){let k=D.fill=new Path2D(F),W=o.fillTo(t,n,o.min,o.max,C),X=T(W),q=E(a[s]),$=E(a[r]);A==-1&&([$,q]=[q,$]),M(k,$,X),M(k,q,X)}if(!o.spanGaps){let k=[];b&&k.push(...dh(a,c,s,r,A,E,e)),D.gaps=k=o.gaps(t,n,s,r,k),D.clip=pa(k,l.ori,p,_,v,m)}return O!=0&&(D.band=O==2?[Fi(t,n,s,r,F,-1),Fi(t,n,s,r,F,1)]:Fi(t,n,s,r,F,O)),D})}function J0(i){let e=mt(i.align,1),t=mt(i.ascDesc,!1),n=mt(i.alignGaps,0),s=mt(i.extend,!1);return(r,o,a,c)=>Ps(r,o,(l,f,h,u,p,_,v,m,d,E,T)=>{[a,c]=ha(h,a,c);let M=l.pxRound,{left:L,width:A}=r.bbox,D=oe=>M(_(oe,u,E,m)),F=oe=>M(v(oe,p,T,d)),b=u.ori==0?pr:mr,S={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:fr},C=S.stroke,O=u.dir*(u.ori==0?1:-1),k=F(h[O==1?a:c]),W=D(f[O==1?a:c]),X=W,q=W;s&&e==-1&&(q=L,b(C,q,k)),b(C,W,k);for(let oe=O==1?a:c;oe>=a&&oe<=c;oe+=O){let _e=h[oe];if(_e==null)continue;let xe=D(f[oe]),pe=F(_e);e==1?b(C,xe,k):b(C,X,pe),b(C,xe,pe),k=pe,X=xe}let $=X;s&&e==1&&($=L+A,b(C,$,k));let[Q,re]=fh(r,o);if(l.fill!=null||Q!=0){let oe=S.fill=new Path2D(C),_e=l.fillTo(r,o,l.min,l.max,Q),xe=F(_e);b(oe,$,xe),b(oe,q,xe)}if(!l.spanGaps){let oe=[];oe.push(...dh(f,h,a,c,O,D,n));let _e=l.width*xt/2,xe=t||e==1?_e:-_e,pe=t||e==-1?-_e:_e;oe.forEach(Ke=>{Ke[0]+=xe,Ke[1]+=pe}),S.gaps=oe=l.gaps(r,o,a,c,oe),S.clip=pa(oe,u.ori,m,d,E,T)}return re!=0&&(S.band=re==2?[Fi(r,o,a,c,C,-1),Fi(r,o,a,c,C,1)]:Fi(r,o,a,c,C,re)),S})}function qf(i,e,t,n,s,r,o=Rt){if(i.length>1){let a=null;for(let c=0,l=1/0;c<i.length;c++)if(e[c]!==void 0){if(a!=null){let f=jt(i[c]-i[a]);f<l&&(l=f,o=jt(t(i[c],n,s,r)-t(i[a],n,s,r)))}a=c}}return o}function K0(i){i=i||so;let e=mt(i.size,[.6,Rt,1]),t=i.align||0,n=i.gap||0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=at(s),o=1-e[0],a=mt(e[1],Rt),c=mt(e[2],1),l=mt(i.disp,so),f=mt(i.each,p=>{}),{fill:h,stroke:u}=l;return(p,_,v,m)=>Ps(p,_,(d,E,T,M,L,A,D,F,b,S,C)=>{let O=d.pxRound,k=t,W=n*xt,X=a*xt,q=c*xt,$,Q;M.ori==0?[$,Q]=r(p,_):[Q,$]=r(p,_);let re=M.dir*(M.ori==0?1:-1),oe=M.ori==0?_a:ph,_e=M.ori==0?f:(N,J,ne,te,Ue,he,Ie)=>{f(N,J,ne,Ue,te,Ie,he)},xe=mt(p.bands,ah).find(N=>N.series[0]==_),pe=xe!=null?xe.dir:0,Ke=d.fillTo(p,_,d.min,d.max,pe),Xe=O(D(Ke,L,C,b)),j,ee,Me,Ne=S,ve=O(d.width*xt),$e=!1,St=null,U=null,ht=null,Ye=null;h!=null&&(ve==0||u!=null)&&($e=!0,St=h.values(p,_,v,m),U=new Map,new Set(St).forEach(N=>{N!=null&&U.set(N,new Path2D)}),ve>0&&(ht=u.values(p,_,v,m),Ye=new Map,new Set(ht).forEach(N=>{N!=null&&Ye.set(N,new Path2D)})));let{x0:He,size:De}=l;if(He!=null&&De!=null){k=1,E=He.values(p,_,v,m),He.unit==2&&(E=E.map(ne=>p.posToVal(F+ne*S,M.key,!0)));let N=De.values(p,_,v,m);De.unit==2?ee=N[0]*S:ee=A(N[0],M,S,F)-A(0,M,S,F),Ne=qf(E,T,A,M,S,F,Ne),Me=Ne-ee+W}else Ne=qf(E,T,A,M,S,F,Ne),Me=Ne*o+W,ee=Ne-Me;Me<1&&(Me=0),ve>=ee/2&&(ve=0),Me<5&&(O=td);let bt=Me>0,Ce=Ne-Me-(bt?ve:0);ee=O($c(Ce,q,X)),j=(k==0?ee/2:k==re?0:ee)-k*re*((k==0?W/2:0)+(bt?ve/2:0));let Ve={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},Ft=$e?null:new Path2D,gt=null;if(xe!=null)gt=p.data[xe.series[1]];else{let{y0:N,y1:J}=l;N!=null&&J!=null&&(T=J.values(p,_,v,m),gt=N.values(p,_,v,m))}let I=$*ee,x=Q*ee;for(let N=re==1?v:m;N>=v&&N<=m;N+=re){let J=T[N];if(J==null)continue;if(gt!=null){let ge=gt[N]??0;if(J-ge==0)continue;Xe=D(ge,L,C,b)}let ne=M.distr!=2||l!=null?E[N]:N,te=A(ne,M,S,F),Ue=D(mt(J,Ke),L,C,b),he=O(te-j),Ie=O(An(Ue,Xe)),Te=O(ui(Ue,Xe)),ae=Ie-Te;if(J!=null){let ge=J<0?x:I,Be=J<0?I:x;$e?(ve>0&&ht[N]!=null&&oe(Ye.get(ht[N]),he,Te+On(ve/2),ee,An(0,ae-ve),ge,Be),St[N]!=null&&oe(U.get(St[N]),he,Te+On(ve/2),ee,An(0,ae-ve),ge,Be)):oe(Ft,he,Te+On(ve/2),ee,An(0,ae-ve),ge,Be),_e(p,_,N,he-ve/2,Te,ee+ve,ae)}}return ve>0?Ve.stroke=$e?Ye:Ft:$e||(Ve._fill=d.width==0?d._fill:d._stroke??d._fill,Ve.width=0),Ve.fill=$e?U:Ft,Ve})}function Q0(i,e){let t=mt(e?.alignGaps,0);return(n,s,r,o)=>Ps(n,s,(a,c,l,f,h,u,p,_,v,m,d)=>{[r,o]=ha(l,r,o);let E=a.pxRound,T=$=>E(u($,f,m,_)),M=$=>E(p($,h,d,v)),L,A,D;f.ori==0?(L=ma,D=pr,A=Cd):(L=ga,D=mr,A=Rd);let F=f.dir*(f.ori==0?1:-1),b=T(c[F==1?r:o]),S=b,C=[],O=[];for(let $=F==1?r:o;$>=r&&$<=o;$+=F)if(l[$]!=null){let re=c[$],oe=T(re);C.push(S=oe),O.push(M(l[$]))}let k={stroke:i(C,O,L,D,A,E),fill:null,clip:null,band:null,gaps:null,flags:fr},W=k.stroke,[X,q]=fh(n,s);if(a.fill!=null||X!=0){let $=k.fill=new Path2D(W),Q=a.fillTo(n,s,a.min,a.max,X),re=M(Q);D($,S,re),D($,b,re)}if(!a.spanGaps){let $=[];$.push(...dh(c,l,r,o,F,T,t)),k.gaps=$=a.gaps(n,s,r,o,$),k.clip=pa($,f.ori,_,v,m,d)}return q!=0&&(k.band=q==2?[Fi(n,s,r,o,W,-1),Fi(n,s,r,o,W,1)]:Fi(n,s,r,o,W,q)),k})}function j0(i){return Q0(e_,i)}function e_(i,e,t,n,s,r){let o=i.length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let c=Array(o),l=Array(o-1),f=Array(o-1),h=Array(o-1);for(let u=0;u<o-1;u++)f[u]=e[u+1]-e[u],h[u]=i[u+1]-i[u],l[u]=f[u]/h[u];c[0]=l[0];for(let u=1;u<o-1;u++)l[u]===0||l[u-1]===0||l[u-1]>0!=l[u]>0?c[u]=0:(c[u]=3*(h[u-1]+h[u])/((2*h[u]+h[u-1])/l[u-1]+(h[u]+2*h[u-1])/l[u]),isFinite(c[u])||(c[u]=0));c[o-1]=l[o-2];for(let u=0;u<o-1;u++)s(a,i[u]+h[u]/3,e[u]+c[u]*h[u]/3,i[u+1]-h[u]/3,e[u+1]-c[u+1]*h[u]/3,i[u+1],e[u+1])}return a}var jc=new Set;function Yf(){for(let i of jc)i.syncRect(!0)}dr&&(Rs(Ug,lr,Yf),Rs(Ng,lr,Yf,!0),Rs(aa,lr,()=>{dn.pxRatio=xt}));var t_=Ld(),n_=Id();function Zf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>eh(r,o,e,t))}function i_(i,e){return i.map((t,n)=>n==0?{}:$t({},e,t))}function eh(i,e,t,n){return $t({},e==0?t:n,i)}function Dd(i,e,t){return e==null?hr:[e,t]}var s_=Dd;function r_(i,e,t){return e==null?hr:la(e,t,rh,!0)}function Ud(i,e,t,n){return e==null?hr:ua(e,t,i.scales[n].log,!1)}var o_=Ud;function Nd(i,e,t,n){return e==null?hr:sh(e,t,i.scales[n].log,!1)}var a_=Nd;function l_(i,e,t,n,s){let r=An(Tf(i),Tf(e)),o=e-i,a=hi(s/n*o,t);do{let c=t[a],l=n*c/o;if(l>=s&&r+(c<5?ss.get(c):0)<=17)return[c,l]}while(++a<t.length);return[0,0]}function $f(i){let e,t;return i=i.replace(/(\d+)px/,(n,s)=>(e=Qt((t=+s)*xt))+"px"),[i,e,t]}function c_(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=It(e[2]*xt,1);e[0]=e[0].replace(/[0-9.]+px/,t+"px"),e[1]=t})}function dn(i,e,t){let n={mode:mt(i.mode,1)},s=n.mode;function r(g,y,R,P){let z=y.valToPct(g);return P+R*(y.dir==-1?1-z:z)}function o(g,y,R,P){let z=y.valToPct(g);return P+R*(y.dir==-1?z:1-z)}function a(g,y,R,P){return y.ori==0?r(g,y,R,P):o(g,y,R,P)}n.valToPosH=r,n.valToPosV=o;let c=!1;n.status=0;let l=n.root=jn(gg);if(i.id!=null&&(l.id=i.id),Fn(l,i.class),i.title){let g=jn(xg,l);g.textContent=i.title}let f=ci("canvas"),h=n.ctx=f.getContext("2d"),u=jn(yg,l);Rs("click",u,g=>{g.target===_&&(Ot!=er||Ht!=tr)&&fn.click(n,g)},!0);let p=n.under=jn(Mg,u);u.appendChild(f);let _=n.over=jn(Sg,u);i=ur(i);let v=+mt(i.pxAlign,1),m=Xf(v);(i.plugins||[]).forEach(g=>{g.opts&&(i=g.opts(n,i)||i)});let d=i.ms||.001,E=n.series=s==1?Zf(i.series||[],Bf,Gf,!1):i_(i.series||[null],Hf),T=n.axes=Zf(i.axes||[],Of,kf,!0),M=n.scales={},L=n.bands=i.bands||[];L.forEach(g=>{g.fill=at(g.fill||null),g.dir=mt(g.dir,-1)});let A=s==2?E[1].facets[0].scale:E[0].scale,D={axes:km,series:Ss},F=(i.drawOrder||["axes","series"]).map(g=>D[g]);function b(g){let y=g.distr==3?R=>Ni(R>0?R:g.clamp(n,R,g.min,g.max,g.key)):g.distr==4?R=>Vc(R,g.asinh):g.distr==100?R=>g.fwd(R):R=>R;return R=>{let P=y(R),{_min:z,_max:Y}=g,ie=Y-z;return(P-z)/ie}}function S(g){let y=M[g];if(y==null){let R=(i.scales||so)[g]||so;if(R.from!=null){S(R.from);let P=$t({},M[R.from],R,{key:g});P.valToPct=b(P),M[g]=P}else{y=M[g]=$t({},g==A?bd:X0,R),y.key=g;let P=y.time,z=y.range,Y=is(z);if((g!=A||s==2&&!P)&&(Y&&(z[0]==null||z[1]==null)&&(z={min:z[0]==null?bf:{mode:1,hard:z[0],soft:z[0]},max:z[1]==null?bf:{mode:1,hard:z[1],soft:z[1]}},Y=!1),!Y&&da(z))){let ie=z;z=(le,me,Ee)=>me==null?hr:la(me,Ee,ie)}y.range=at(z||(P?s_:g==A?y.distr==3?o_:y.distr==4?a_:Dd:y.distr==3?Ud:y.distr==4?Nd:r_)),y.auto=at(Y?!1:y.auto),y.clamp=at(y.clamp||W0),y._min=y._max=null,y.valToPct=b(y)}}}S("x"),S("y"),s==1&&E.forEach(g=>{S(g.scale)}),T.forEach(g=>{S(g.scale)});for(let g in i.scales)S(g);let C=M[A],O=C.distr,k,W;C.ori==0?(Fn(l,_g),k=r,W=o):(Fn(l,vg),k=o,W=r);let X={};for(let g in M){let y=M[g];(y.min!=null||y.max!=null)&&(X[g]={min:y.min,max:y.max},y.min=y.max=null)}let q=i.tzDate||(g=>new Date(Qt(g/d))),$=i.fmtDate||lh,Q=d==1?_0(q):y0(q),re=Uf(q,Df(d==1?g0:x0,$)),oe=Ff(q,Nf(S0,$)),_e=[],xe=n.legend=$t({},E0,i.legend),pe=n.cursor=$t({},P0,{drag:{y:s==2}},i.cursor),Ke=xe.show,Xe=pe.show,j=xe.markers;xe.idxs=_e,j.width=at(j.width),j.dash=at(j.dash),j.stroke=at(j.stroke),j.fill=at(j.fill);let ee,Me,Ne,ve=[],$e=[],St,U=!1,ht={};if(xe.live){let g=E[1]?E[1].values:null;U=g!=null,St=U?g(n,1,0):{_:0};for(let y in St)ht[y]=nh}if(Ke)if(ee=ci("table",Cg,l),Ne=ci("tbody",null,ee),xe.mount(n,ee),U){Me=ci("thead",null,ee,Ne);let g=ci("tr",null,Me);ci("th",null,g);for(var Ye in St)ci("th",hf,g).textContent=Ye}else Fn(ee,Ig),xe.live&&Fn(ee,Rg);let He={show:!0},De={show:!1};function bt(g,y){if(y==0&&(U||!xe.live||s==2))return hr;let R=[],P=ci("tr",Pg,Ne,Ne.childNodes[y]);Fn(P,g.class),g.show||Fn(P,Cs);let z=ci("th",null,P);if(j.show){let le=jn(Lg,z);if(y>0){let me=j.width(n,y);me&&(le.style.border=me+"px "+j.dash(n,y)+" "+j.stroke(n,y)),le.style.background=j.fill(n,y)}}let Y=jn(hf,z);g.label instanceof HTMLElement?Y.appendChild(g.label):Y.textContent=g.label,y>0&&(j.show||(Y.style.color=g.width>0?j.stroke(n,y):j.fill(n,y)),Ve("click",z,le=>{if(pe._lock)return;un(le);let me=E.indexOf(g);if((le.ctrlKey||le.metaKey)!=xe.isolate){let Ee=E.some((Ae,Le)=>Le>0&&Le!=me&&Ae.show);E.forEach((Ae,Le)=>{Le>0&&Mi(Le,Ee?Le==me?He:De:He,!0,Zt.setSeries)})}else Mi(me,{show:!g.show},!0,Zt.setSeries)},!1),Rn&&Ve(pf,z,le=>{pe._lock||(un(le),Mi(E.indexOf(g),ir,!0,Zt.setSeries))},!1));for(var ie in St){let le=ci("td",Dg,P);le.textContent="--",R.push(le)}return[P,R]}let Ce=new Map;function Ve(g,y,R,P=!0){let z=Ce.get(y)||{},Y=pe.bind[g](n,y,R,P);Y&&(Rs(g,y,z[g]=Y),Ce.set(y,z))}function Ft(g,y,R){let P=Ce.get(y)||{};for(let z in P)(g==null||z==g)&&(Zc(z,y,P[z]),delete P[z]);g==null&&Ce.delete(y)}let gt=0,I=0,x=0,N=0,J=0,ne=0,te=J,Ue=ne,he=x,Ie=N,Te=0,ae=0,ge=0,Be=0;n.bbox={};let Oe=!1,ye=!1,Je=!1,B=!1,ue=!1,de=!1;function Re(g,y,R){(R||g!=n.width||y!=n.height)&&ce(g,y),Js(!1),Je=!0,ye=!0,Ks()}function ce(g,y){n.width=gt=x=g,n.height=I=N=y,J=ne=0,Tt(),ft();let R=n.bbox;Te=R.left=Ts(J*xt,.5),ae=R.top=Ts(ne*xt,.5),ge=R.width=Ts(x*xt,.5),Be=R.height=Ts(N*xt,.5)}let se=3;function Fe(){let g=!1,y=0;for(;!g;){y++;let R=Bm(y),P=zm(y);g=y==se||R&&P,g||(ce(n.width,n.height),ye=!0)}}function Qe({width:g,height:y}){Re(g,y)}n.setSize=Qe;function Tt(){let g=!1,y=!1,R=!1,P=!1;T.forEach((z,Y)=>{if(z.show&&z._show){let{side:ie,_size:le}=z,me=ie%2,Ee=z.label!=null?z.labelSize:0,Ae=le+Ee;Ae>0&&(me?(x-=Ae,ie==3?(J+=Ae,P=!0):R=!0):(N-=Ae,ie==0?(ne+=Ae,g=!0):y=!0))}}),Li[0]=g,Li[1]=R,Li[2]=y,Li[3]=P,x-=yi[1]+yi[3],J+=yi[3],N-=yi[2]+yi[0],ne+=yi[0]}function ft(){let g=J+x,y=ne+N,R=J,P=ne;function z(Y,ie){switch(Y){case 1:return g+=ie,g-ie;case 2:return y+=ie,y-ie;case 3:return R-=ie,R+ie;case 0:return P-=ie,P+ie}}T.forEach((Y,ie)=>{if(Y.show&&Y._show){let le=Y.side;Y._pos=z(le,Y._size),Y.label!=null&&(Y._lpos=z(le,Y.labelSize))}})}if(pe.dataIdx==null){let g=pe.hover,y=g.skip=new Set(g.skip??[]);y.add(void 0);let R=g.prox=at(g.prox),P=g.bias??(g.bias=0);pe.dataIdx=(z,Y,ie,le)=>{if(Y==0)return ie;let me=ie,Ee=R(z,Y,ie,le)??Rt,Ae=Ee>=0&&Ee<Rt,Le=C.ori==0?x:N,je=pe.left,_t=e[0],pt=e[Y];if(y.has(pt[ie])){me=null;let rt=null,Ze=null,ke;if(P==0||P==-1)for(ke=ie;rt==null&&ke-- >0;)y.has(pt[ke])||(rt=ke);if(P==0||P==1)for(ke=ie;Ze==null&&ke++<pt.length;)y.has(pt[ke])||(Ze=ke);if(rt!=null||Ze!=null)if(Ae){let zt=rt==null?-1/0:k(_t[rt],C,Le,0),Xt=Ze==null?1/0:k(_t[Ze],C,Le,0),cn=je-zt,At=Xt-je;cn<=At?cn<=Ee&&(me=rt):At<=Ee&&(me=Ze)}else me=Ze==null?rt:rt==null?Ze:ie-rt<=Ze-ie?rt:Ze}else Ae&&jt(je-k(_t[ie],C,Le,0))>Ee&&(me=null);return me}}let un=g=>{pe.event=g};pe.idxs=_e,pe._lock=!1;let Ct=pe.points;Ct.show=at(Ct.show),Ct.size=at(Ct.size),Ct.stroke=at(Ct.stroke),Ct.width=at(Ct.width),Ct.fill=at(Ct.fill);let Ln=n.focus=$t({},i.focus||{alpha:.3},pe.focus),Rn=Ln.prox>=0,xi=Rn&&Ct.one,Mn=[],Pi=[],si=[];function Wr(g,y){let R=Ct.show(n,y);if(R instanceof HTMLElement)return Fn(R,Ag),Fn(R,g.class),Ei(R,-10,-10,x,N),_.insertBefore(R,Mn[y]),R}function ys(g,y){if(s==1||y>0){let R=s==1&&M[g.scale].time,P=g.value;g.value=R?Rf(P)?Ff(q,Nf(P,$)):P||oe:P||V0,g.label=g.label||(R?D0:L0)}if(xi||y>0){g.width=g.width==null?1:g.width,g.paths=g.paths||t_||Xg,g.fillTo=at(g.fillTo||q0),g.pxAlign=+mt(g.pxAlign,v),g.pxRound=Xf(g.pxAlign),g.stroke=at(g.stroke||null),g.fill=at(g.fill||null),g._stroke=g._fill=g._paths=g._focus=null;let R=H0(An(1,g.width),1),P=g.points=$t({},{size:R,width:An(1,R*.2),stroke:g.stroke,space:R*2,paths:n_,_stroke:null,_fill:null},g.points);P.show=at(P.show),P.filter=at(P.filter),P.fill=at(P.fill),P.stroke=at(P.stroke),P.paths=at(P.paths),P.pxAlign=g.pxAlign}if(Ke){let R=bt(g,y);ve.splice(y,0,R[0]),$e.splice(y,0,R[1]),xe.values.push(null)}if(Xe){_e.splice(y,0,null);let R=null;xi?y==0&&(R=Wr(g,y)):y>0&&(R=Wr(g,y)),Mn.splice(y,0,R),Pi.splice(y,0,0),si.splice(y,0,0)}ln("addSeries",y)}function Zo(g,y){y=y??E.length,g=s==1?eh(g,y,Bf,Gf):eh(g,y,{},Hf),E.splice(y,0,g),ys(E[y],y)}n.addSeries=Zo;function $o(g){if(E.splice(g,1),Ke){xe.values.splice(g,1),$e.splice(g,1);let y=ve.splice(g,1)[0];Ft(null,y.firstChild),y.remove()}Xe&&(_e.splice(g,1),Mn.splice(g,1)[0].remove(),Pi.splice(g,1),si.splice(g,1)),ln("delSeries",g)}n.delSeries=$o;let Li=[!1,!1,!1,!1];function bc(g,y){if(g._show=g.show,g.show){let R=g.side%2,P=M[g.scale];P==null&&(g.scale=R?E[1].scale:A,P=M[g.scale]);let z=P.time;g.size=at(g.size),g.space=at(g.space),g.rotate=at(g.rotate),is(g.incrs)&&g.incrs.forEach(ie=>{!ss.has(ie)&&ss.set(ie,sd(ie))}),g.incrs=at(g.incrs||(P.distr==2?d0:z?d==1?m0:v0:As)),g.splits=at(g.splits||(z&&P.distr==1?Q:P.distr==3?Jc:P.distr==4?F0:N0)),g.stroke=at(g.stroke),g.grid.stroke=at(g.grid.stroke),g.ticks.stroke=at(g.ticks.stroke),g.border.stroke=at(g.border.stroke);let Y=g.values;g.values=is(Y)&&!is(Y[0])?at(Y):z?is(Y)?Uf(q,Df(Y,$)):Rf(Y)?M0(q,Y):Y||re:Y||U0,g.filter=at(g.filter||(P.distr>=3&&P.log==10?z0:P.distr==3&&P.log==2?k0:nd)),g.font=$f(g.font),g.labelFont=$f(g.labelFont),g._size=g.size(n,null,y,0),g._space=g._rotate=g._incrs=g._found=g._splits=g._values=null,g._size>0&&(Li[y]=!0,g._el=jn(bg,u))}}function Ms(g,y,R,P){let[z,Y,ie,le]=R,me=y%2,Ee=0;return me==0&&(le||Y)&&(Ee=y==0&&!z||y==2&&!ie?Qt(Of.size/3):0),me==1&&(z||ie)&&(Ee=y==1&&!Y||y==3&&!le?Qt(kf.size/2):0),Ee}let Jo=n.padding=(i.padding||[Ms,Ms,Ms,Ms]).map(g=>at(mt(g,Ms))),yi=n._padding=Jo.map((g,y)=>g(n,y,Li,0)),Kt,w=null,V=null,K=s==1?E[0].idxs:null,Z=null,G=!1;function fe(g,y){if(e=g??[],n.data=n._data=e,s==2){Kt=0;for(let R=1;R<E.length;R++)Kt+=e[R][0].length}else{e.length==0&&(n.data=n._data=e=[[]]),Z=e[0],Kt=Z.length;let R=e;if(O==2){R=e.slice();let P=R[0]=Array(Kt);for(let z=0;z<Kt;z++)P[z]=z}n._data=e=R}if(Js(!0),ln("setData"),O==2&&(Je=!0),y!==!1){let R=C;R.auto(n,G)?Se():es(A,R.min,R.max),B=B||pe.left>=0,de=!0,Ks()}}n.setData=fe;function Se(){G=!0;let g,y;s==1&&(Kt>0?(w=K[0]=0,V=K[1]=Kt-1,g=e[0][w],y=e[0][V],O==2?(g=w,y=V):g==y&&(O==3?[g,y]=ua(g,g,C.log,!1):O==4?[g,y]=sh(g,g,C.log,!1):C.time?y=g+Qt(86400/d):[g,y]=la(g,y,rh,!0))):(w=K[0]=g=null,V=K[1]=y=null)),es(A,g,y)}let Pe,we,We,qe,ze,it,dt,Pt,wt,tt;function Ge(g,y,R,P,z,Y){g??(g=ff),R??(R=ah),P??(P="butt"),z??(z=ff),Y??(Y="round"),g!=Pe&&(h.strokeStyle=Pe=g),z!=we&&(h.fillStyle=we=z),y!=We&&(h.lineWidth=We=y),Y!=ze&&(h.lineJoin=ze=Y),P!=it&&(h.lineCap=it=P),R!=qe&&h.setLineDash(qe=R)}function Lt(g,y,R,P){y!=we&&(h.fillStyle=we=y),g!=dt&&(h.font=dt=g),R!=Pt&&(h.textAlign=Pt=R),P!=wt&&(h.textBaseline=wt=P)}function ot(g,y,R,P,z=0){if(P.length>0&&g.auto(n,G)&&(y==null||y.min==null)){let Y=mt(w,0),ie=mt(V,P.length-1),le=R.min==null?zg(P,Y,ie,z,g.distr==3):[R.min,R.max];g.min=ui(g.min,R.min=le[0]),g.max=An(g.max,R.max=le[1])}}let gn={min:null,max:null};function Ki(){for(let P in M){let z=M[P];X[P]==null&&(z.min==null||X[A]!=null&&z.auto(n,G))&&(X[P]=gn)}for(let P in M){let z=M[P];X[P]==null&&z.from!=null&&X[z.from]!=null&&(X[P]=gn)}X[A]!=null&&Js(!0);let g={};for(let P in X){let z=X[P];if(z!=null){let Y=g[P]=ur(M[P],Zg);if(z.min!=null)$t(Y,z);else if(P!=A||s==2)if(Kt==0&&Y.from==null){let ie=Y.range(n,null,null,P);Y.min=ie[0],Y.max=ie[1]}else Y.min=Rt,Y.max=-Rt}}if(Kt>0){E.forEach((P,z)=>{if(s==1){let Y=P.scale,ie=X[Y];if(ie==null)return;let le=g[Y];if(z==0){let me=le.range(n,le.min,le.max,Y);le.min=me[0],le.max=me[1],w=hi(le.min,e[0]),V=hi(le.max,e[0]),V-w>1&&(e[0][w]<le.min&&w++,e[0][V]>le.max&&V--),P.min=Z[w],P.max=Z[V]}else P.show&&P.auto&&ot(le,ie,P,e[z],P.sorted);P.idxs[0]=w,P.idxs[1]=V}else if(z>0&&P.show&&P.auto){let[Y,ie]=P.facets,le=Y.scale,me=ie.scale,[Ee,Ae]=e[z],Le=g[le],je=g[me];Le!=null&&ot(Le,X[le],Y,Ee,Y.sorted),je!=null&&ot(je,X[me],ie,Ae,ie.sorted),P.min=ie.min,P.max=ie.max}});for(let P in g){let z=g[P],Y=X[P];if(z.from==null&&(Y==null||Y.min==null)){let ie=z.range(n,z.min==Rt?null:z.min,z.max==-Rt?null:z.max,P);z.min=ie[0],z.max=ie[1]}}}for(let P in g){let z=g[P];if(z.from!=null){let Y=g[z.from];if(Y.min==null)z.min=z.max=null;else{let ie=z.range(n,Y.min,Y.max,P);z.min=ie[0],z.max=ie[1]}}}let y={},R=!1;for(let P in g){let z=g[P],Y=M[P];if(Y.min!=z.min||Y.max!=z.max){Y.min=z.min,Y.max=z.max;let ie=Y.distr;Y._min=ie==3?Ni(Y.min):ie==4?Vc(Y.min,Y.asinh):ie==100?Y.fwd(Y.min):Y.min,Y._max=ie==3?Ni(Y.max):ie==4?Vc(Y.max,Y.asinh):ie==100?Y.fwd(Y.max):Y.max,y[P]=R=!0}}if(R){E.forEach((P,z)=>{s==2?z>0&&y.y&&(P._paths=null):y[P.scale]&&(P._paths=null)});for(let P in y)Je=!0,ln("setScale",P);Xe&&pe.left>=0&&(B=de=!0)}for(let P in X)X[P]=null}function Sn(g){let y=$c(w-1,0,Kt-1),R=$c(V+1,0,Kt-1);for(;g[y]==null&&y>0;)y--;for(;g[R]==null&&R<Kt-1;)R++;return[y,R]}function Ss(){if(Kt>0){let g=E.some(y=>y._focus)&&tt!=Ln.alpha;g&&(h.globalAlpha=tt=Ln.alpha),E.forEach((y,R)=>{if(R>0&&y.show&&(Dt(R,!1),Dt(R,!0),y._paths==null)){let P=tt;tt!=y.alpha&&(h.globalAlpha=tt=y.alpha);let z=s==2?[0,e[R][0].length-1]:Sn(e[R]);y._paths=y.paths(n,R,z[0],z[1]),tt!=P&&(h.globalAlpha=tt=P)}}),E.forEach((y,R)=>{if(R>0&&y.show){let P=tt;tt!=y.alpha&&(h.globalAlpha=tt=y.alpha),y._paths!=null&&bn(R,!1);{let z=y._paths!=null?y._paths.gaps:null,Y=y.points.show(n,R,w,V,z),ie=y.points.filter(n,R,Y,z);(Y||ie)&&(y.points._paths=y.points.paths(n,R,w,V,ie),bn(R,!0))}tt!=P&&(h.globalAlpha=tt=P),ln("drawSeries",R)}}),g&&(h.globalAlpha=tt=1)}}function Dt(g,y){let R=y?E[g].points:E[g];R._stroke=R.stroke(n,g),R._fill=R.fill(n,g)}function bn(g,y){let R=y?E[g].points:E[g],{stroke:P,fill:z,clip:Y,flags:ie,_stroke:le=R._stroke,_fill:me=R._fill,_width:Ee=R.width}=R._paths;Ee=It(Ee*xt,3);let Ae=null,Le=Ee%2/2;y&&me==null&&(me=Ee>0?"#fff":le);let je=R.pxAlign==1&&Le>0;if(je&&h.translate(Le,Le),!y){let _t=Te-Ee/2,pt=ae-Ee/2,rt=ge+Ee,Ze=Be+Ee;Ae=new Path2D,Ae.rect(_t,pt,rt,Ze)}y?rn(le,Ee,R.dash,R.cap,me,P,z,ie,Y):In(g,le,Ee,R.dash,R.cap,me,P,z,ie,Ae,Y),je&&h.translate(-Le,-Le)}function In(g,y,R,P,z,Y,ie,le,me,Ee,Ae){let Le=!1;me!=0&&L.forEach((je,_t)=>{if(je.series[0]==g){let pt=E[je.series[1]],rt=e[je.series[1]],Ze=(pt._paths||so).band;is(Ze)&&(Ze=je.dir==1?Ze[0]:Ze[1]);let ke,zt=null;pt.show&&Ze&&Vg(rt,w,V)?(zt=je.fill(n,_t)||Y,ke=pt._paths.clip):Ze=null,rn(y,R,P,z,zt,ie,le,me,Ee,Ae,ke,Ze),Le=!0}}),Le||rn(y,R,P,z,Y,ie,le,me,Ee,Ae)}let sn=fr|Qc;function rn(g,y,R,P,z,Y,ie,le,me,Ee,Ae,Le){Ge(g,y,R,P,z),(me||Ee||Le)&&(h.save(),me&&h.clip(me),Ee&&h.clip(Ee)),Le?(le&sn)==sn?(h.clip(Le),Ae&&h.clip(Ae),$n(z,ie),Qi(g,Y,y)):le&Qc?($n(z,ie),h.clip(Le),Qi(g,Y,y)):le&fr&&(h.save(),h.clip(Le),Ae&&h.clip(Ae),$n(z,ie),h.restore(),Qi(g,Y,y)):($n(z,ie),Qi(g,Y,y)),(me||Ee||Le)&&h.restore()}function Qi(g,y,R){R>0&&(y instanceof Map?y.forEach((P,z)=>{h.strokeStyle=Pe=z,h.stroke(P)}):y!=null&&g&&h.stroke(y))}function $n(g,y){y instanceof Map?y.forEach((R,P)=>{h.fillStyle=we=P,h.fill(R)}):y!=null&&g&&h.fill(y)}function Om(g,y,R,P){let z=T[g],Y;if(P<=0)Y=[0,0];else{let ie=z._space=z.space(n,g,y,R,P),le=z._incrs=z.incrs(n,g,y,R,P,ie);Y=l_(y,R,le,P,ie)}return z._found=Y}function wc(g,y,R,P,z,Y,ie,le,me,Ee){let Ae=ie%2/2;v==1&&h.translate(Ae,Ae),Ge(le,ie,me,Ee,le),h.beginPath();let Le,je,_t,pt,rt=z+(P==0||P==3?-Y:Y);R==0?(je=z,pt=rt):(Le=z,_t=rt);for(let Ze=0;Ze<g.length;Ze++)y[Ze]!=null&&(R==0?Le=_t=g[Ze]:je=pt=g[Ze],h.moveTo(Le,je),h.lineTo(_t,pt));h.stroke(),v==1&&h.translate(-Ae,-Ae)}function Bm(g){let y=!0;return T.forEach((R,P)=>{if(!R.show)return;let z=M[R.scale];if(z.min==null){R._show&&(y=!1,R._show=!1,Js(!1));return}else R._show||(y=!1,R._show=!0,Js(!1));let Y=R.side,ie=Y%2,{min:le,max:me}=z,[Ee,Ae]=Om(P,le,me,ie==0?x:N);if(Ae==0)return;let Le=z.distr==2,je=R._splits=R.splits(n,P,le,me,Ee,Ae,Le),_t=z.distr==2?je.map(ke=>Z[ke]):je,pt=z.distr==2?Z[je[1]]-Z[je[0]]:Ee,rt=R._values=R.values(n,R.filter(n,_t,P,Ae,pt),P,Ae,pt);R._rotate=Y==2?R.rotate(n,rt,P,Ae):0;let Ze=R._size;R._size=ei(R.size(n,rt,P,g)),Ze!=null&&R._size!=Ze&&(y=!1)}),y}function zm(g){let y=!0;return Jo.forEach((R,P)=>{let z=R(n,P,Li,g);z!=yi[P]&&(y=!1),yi[P]=z}),y}function km(){for(let g=0;g<T.length;g++){let y=T[g];if(!y.show||!y._show)continue;let R=y.side,P=R%2,z,Y,ie=y.stroke(n,g),le=R==0||R==3?-1:1,[me,Ee]=y._found;if(y.label!=null){let En=y.labelGap*le,Nn=Qt((y._lpos+En)*xt);Lt(y.labelFont[0],ie,"center",R==2?"top":uf),h.save(),P==1?(z=Y=0,h.translate(Nn,Qt(ae+Be/2)),h.rotate((R==3?-oa:oa)/2)):(z=Qt(Te+ge/2),Y=Nn);let Es=ed(y.label)?y.label(n,g,me,Ee):y.label;h.fillText(Es,z,Y),h.restore()}if(Ee==0)continue;let Ae=M[y.scale],Le=P==0?ge:Be,je=P==0?Te:ae,_t=y._splits,pt=Ae.distr==2?_t.map(En=>Z[En]):_t,rt=Ae.distr==2?Z[_t[1]]-Z[_t[0]]:me,Ze=y.ticks,ke=y.border,zt=Ze.show?Ze.size:0,Xt=Qt(zt*xt),cn=Qt((y.alignTo==2?y._size-zt-y.gap:y.gap)*xt),At=y._rotate*-oa/180,qt=m(y._pos*xt),Dn=(Xt+cn)*le,wn=qt+Dn;Y=P==0?wn:0,z=P==1?wn:0;let Jn=y.font[0],ri=y.align==1?or:y.align==2?Bc:At>0?or:At<0?Bc:P==0?"center":R==3?Bc:or,bi=At||P==1?"middle":R==2?"top":uf;Lt(Jn,ie,ri,bi);let Un=y.font[1]*y.lineGap,Kn=_t.map(En=>m(a(En,Ae,Le,je))),oi=y._values;for(let En=0;En<oi.length;En++){let Nn=oi[En];if(Nn!=null){P==0?z=Kn[En]:Y=Kn[En],Nn=""+Nn;let Es=Nn.indexOf(`
+`)==-1?[Nn]:Nn.split(/\n/gm);for(let Tn=0;Tn<Es.length;Tn++){let Qu=Es[Tn];At?(h.save(),h.translate(z,Y+Tn*Un),h.rotate(At),h.fillText(Qu,0,0),h.restore()):h.fillText(Qu,z,Y+Tn*Un)}}}Ze.show&&wc(Kn,Ze.filter(n,pt,g,Ee,rt),P,R,qt,Xt,It(Ze.width*xt,3),Ze.stroke(n,g),Ze.dash,Ze.cap);let wi=y.grid;wi.show&&wc(Kn,wi.filter(n,pt,g,Ee,rt),P,P==0?2:1,P==0?ae:Te,P==0?Be:ge,It(wi.width*xt,3),wi.stroke(n,g),wi.dash,wi.cap),ke.show&&wc([qt],[1],P==0?1:0,P==0?1:2,P==1?ae:Te,P==1?Be:ge,It(ke.width*xt,3),ke.stroke(n,g),ke.dash,ke.cap)}ln("drawAxes")}function Js(g){E.forEach((y,R)=>{R>0&&(y._paths=null,g&&(s==1?(y.min=null,y.max=null):y.facets.forEach(P=>{P.min=null,P.max=null})))})}let Ko=!1,Ec=!1,Xr=[];function Vm(){Ec=!1;for(let g=0;g<Xr.length;g++)ln(...Xr[g]);Xr.length=0}function Ks(){Ko||(t0(Uu),Ko=!0)}function Hm(g,y=!1){Ko=!0,Ec=y,g(n),Uu(),y&&Xr.length>0&&queueMicrotask(Vm)}n.batch=Hm;function Uu(){if(Oe&&(Ki(),Oe=!1),Je&&(Fe(),Je=!1),ye){if(kt(p,or,J),kt(p,"top",ne),kt(p,eo,x),kt(p,to,N),kt(_,or,J),kt(_,"top",ne),kt(_,eo,x),kt(_,to,N),kt(u,eo,gt),kt(u,to,I),f.width=Qt(gt*xt),f.height=Qt(I*xt),T.forEach(({_el:g,_show:y,_size:R,_pos:P,side:z})=>{if(g!=null)if(y){let Y=z===3||z===0?R:0,ie=z%2==1;kt(g,ie?"left":"top",P-Y),kt(g,ie?"width":"height",R),kt(g,ie?"top":"left",ie?ne:J),kt(g,ie?"height":"width",ie?N:x),Yc(g,Cs)}else Fn(g,Cs)}),Pe=we=We=ze=it=dt=Pt=wt=qe=null,tt=1,Zr(!0),J!=te||ne!=Ue||x!=he||N!=Ie){Js(!1);let g=x/he,y=N/Ie;if(Xe&&!B&&pe.left>=0){pe.left*=g,pe.top*=y,Qs&&Ei(Qs,Qt(pe.left),0,x,N),js&&Ei(js,0,Qt(pe.top),x,N);for(let R=0;R<Mn.length;R++){let P=Mn[R];P!=null&&(Pi[R]*=g,si[R]*=y,Ei(P,ei(Pi[R]),ei(si[R]),x,N))}}if(Bt.show&&!ue&&Bt.left>=0&&Bt.width>0){Bt.left*=g,Bt.width*=g,Bt.top*=y,Bt.height*=y;for(let R in Pc)kt(nr,R,Bt[R])}te=J,Ue=ne,he=x,Ie=N}ln("setSize"),ye=!1}gt>0&&I>0&&(h.clearRect(0,0,f.width,f.height),ln("drawClear"),F.forEach(g=>g()),ln("draw")),Bt.show&&ue&&(Qo(Bt),ue=!1),Xe&&B&&(ws(null,!0,!1),B=!1),xe.show&&xe.live&&de&&(Rc(),de=!1),c||(c=!0,n.status=1,ln("ready")),G=!1,Ko=!1}n.redraw=(g,y)=>{Je=y||!1,g!==!1?es(A,C.min,C.max):Ks()};function Tc(g,y){let R=M[g];if(R.from==null){if(Kt==0){let P=R.range(n,y.min,y.max,g);y.min=P[0],y.max=P[1]}if(y.min>y.max){let P=y.min;y.min=y.max,y.max=P}if(Kt>1&&y.min!=null&&y.max!=null&&y.max-y.min<1e-16)return;g==A&&R.distr==2&&Kt>0&&(y.min=hi(y.min,e[0]),y.max=hi(y.max,e[0]),y.min==y.max&&y.max++),X[g]=y,Oe=!0,Ks()}}n.setScale=Tc;let Ac,Cc,Qs,js,Nu,Fu,er,tr,Ou,Bu,Ot,Ht,ji=!1,fn=pe.drag,on=fn.x,an=fn.y;Xe&&(pe.x&&(Ac=jn(Eg,_)),pe.y&&(Cc=jn(Tg,_)),C.ori==0?(Qs=Ac,js=Cc):(Qs=Cc,js=Ac),Ot=pe.left,Ht=pe.top);let Bt=n.select=$t({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),nr=Bt.show?jn(wg,Bt.over?_:p):null;function Qo(g,y){if(Bt.show){for(let R in g)Bt[R]=g[R],R in Pc&&kt(nr,R,g[R]);y!==!1&&ln("setSelect")}}n.setSelect=Qo;function Gm(g){if(E[g].show)Ke&&Yc(ve[g],Cs);else if(Ke&&Fn(ve[g],Cs),Xe){let R=xi?Mn[0]:Mn[g];R!=null&&Ei(R,-10,-10,x,N)}}function es(g,y,R){Tc(g,{min:y,max:R})}function Mi(g,y,R,P){y.focus!=null&&Zm(g),y.show!=null&&E.forEach((z,Y)=>{Y>0&&(g==Y||g==null)&&(z.show=y.show,Gm(Y),s==2?(es(z.facets[0].scale,null,null),es(z.facets[1].scale,null,null)):es(z.scale,null,null),Ks())}),R!==!1&&ln("setSeries",g,y),P&&$r("setSeries",n,g,y)}n.setSeries=Mi;function Wm(g,y){$t(L[g],y)}function Xm(g,y){g.fill=at(g.fill||null),g.dir=mt(g.dir,-1),y=y??L.length,L.splice(y,0,g)}function qm(g){g==null?L.length=0:L.splice(g,1)}n.addBand=Xm,n.setBand=Wm,n.delBand=qm;function Ym(g,y){E[g].alpha=y,Xe&&Mn[g]!=null&&(Mn[g].style.opacity=y),Ke&&ve[g]&&(ve[g].style.opacity=y)}let Di,ts,bs,ir={focus:!0};function Zm(g){if(g!=bs){let y=g==null,R=Ln.alpha!=1;E.forEach((P,z)=>{if(s==1||z>0){let Y=y||z==0||z==g;P._focus=y?null:Y,R&&Ym(z,Y?1:Ln.alpha)}}),bs=g,R&&Ks()}}Ke&&Rn&&Ve(mf,ee,g=>{pe._lock||(un(g),bs!=null&&Mi(null,ir,!0,Zt.setSeries))});function Si(g,y,R){let P=M[y];R&&(g=g/xt-(P.ori==1?ne:J));let z=x;P.ori==1&&(z=N,g=z-g),P.dir==-1&&(g=z-g);let Y=P._min,ie=P._max,le=g/z,me=Y+(ie-Y)*le,Ee=P.distr;return Ee==3?cr(10,me):Ee==4?Gg(me,P.asinh):Ee==100?P.bwd(me):me}function $m(g,y){let R=Si(g,A,y);return hi(R,e[0],w,V)}n.valToIdx=g=>hi(g,e[0]),n.posToIdx=$m,n.posToVal=Si,n.valToPos=(g,y,R)=>M[y].ori==0?r(g,M[y],R?ge:x,R?Te:0):o(g,M[y],R?Be:N,R?ae:0),n.setCursor=(g,y,R)=>{Ot=g.left,Ht=g.top,ws(null,y,R)};function zu(g,y){kt(nr,or,Bt.left=g),kt(nr,eo,Bt.width=y)}function ku(g,y){kt(nr,"top",Bt.top=g),kt(nr,to,Bt.height=y)}let qr=C.ori==0?zu:ku,Yr=C.ori==1?zu:ku;function Jm(){if(Ke&&xe.live)for(let g=s==2?1:0;g<E.length;g++){if(g==0&&U)continue;let y=xe.values[g],R=0;for(let P in y)$e[g][R++].firstChild.nodeValue=y[P]}}function Rc(g,y){if(g!=null&&(g.idxs?g.idxs.forEach((R,P)=>{_e[P]=R}):Yg(g.idx)||_e.fill(g.idx),xe.idx=_e[0]),Ke&&xe.live){for(let R=0;R<E.length;R++)(R>0||s==1&&!U)&&Km(R,_e[R]);Jm()}de=!1,y!==!1&&ln("setLegend")}n.setLegend=Rc;function Km(g,y){let R=E[g],P=g==0&&O==2?Z:e[g],z;U?z=R.values(n,g,y)??ht:(z=R.value(n,y==null?null:P[y],g,y),z=z==null?ht:{_:z}),xe.values[g]=z}function ws(g,y,R){Ou=Ot,Bu=Ht,[Ot,Ht]=pe.move(n,Ot,Ht),pe.left=Ot,pe.top=Ht,Xe&&(Qs&&Ei(Qs,Qt(Ot),0,x,N),js&&Ei(js,0,Qt(Ht),x,N));let P,z=w>V;Di=Rt,ts=null;let Y=C.ori==0?x:N,ie=C.ori==1?x:N;if(Ot<0||Kt==0||z){P=pe.idx=null;for(let le=0;le<E.length;le++){let me=Mn[le];me!=null&&Ei(me,-10,-10,x,N)}Rn&&Mi(null,ir,!0,g==null&&Zt.setSeries),xe.live&&(_e.fill(P),de=!0)}else{let le,me,Ee;s==1&&(le=C.ori==0?Ot:Ht,me=Si(le,A),P=pe.idx=hi(me,e[0],w,V),Ee=k(e[0][P],C,Y,0));let Ae=-10,Le=-10,je=0,_t=0,pt=!0,rt="",Ze="";for(let ke=s==2?1:0;ke<E.length;ke++){let zt=E[ke],Xt=_e[ke],cn=Xt==null?null:s==1?e[ke][Xt]:e[ke][1][Xt],At=pe.dataIdx(n,ke,P,me),qt=At==null?null:s==1?e[ke][At]:e[ke][1][At];if(de=de||qt!=cn||At!=Xt,_e[ke]=At,ke>0&&zt.show){let Dn=At==null?-10:At==P?Ee:k(s==1?e[0][At]:e[ke][0][At],C,Y,0),wn=qt==null?-10:W(qt,s==1?M[zt.scale]:M[zt.facets[1].scale],ie,0);if(Rn&&qt!=null){let Jn=C.ori==1?Ot:Ht,ri=jt(Ln.dist(n,ke,At,wn,Jn));if(ri<Di){let bi=Ln.bias;if(bi!=0){let Un=Si(Jn,zt.scale),Kn=qt>=0?1:-1,oi=Un>=0?1:-1;oi==Kn&&(oi==1?bi==1?qt>=Un:qt<=Un:bi==1?qt<=Un:qt>=Un)&&(Di=ri,ts=ke)}else Di=ri,ts=ke}}if(de||xi){let Jn,ri;C.ori==0?(Jn=Dn,ri=wn):(Jn=wn,ri=Dn);let bi,Un,Kn,oi,wi,En,Nn=!0,Es=Ct.bbox;if(Es!=null){Nn=!1;let Tn=Es(n,ke);Kn=Tn.left,oi=Tn.top,bi=Tn.width,Un=Tn.height}else Kn=Jn,oi=ri,bi=Un=Ct.size(n,ke);if(En=Ct.fill(n,ke),wi=Ct.stroke(n,ke),xi)ke==ts&&Di<=Ln.prox&&(Ae=Kn,Le=oi,je=bi,_t=Un,pt=Nn,rt=En,Ze=wi);else{let Tn=Mn[ke];Tn!=null&&(Pi[ke]=Kn,si[ke]=oi,Sf(Tn,bi,Un,Nn),yf(Tn,En,wi),Ei(Tn,ei(Kn),ei(oi),x,N))}}}}if(xi){let ke=Ln.prox,zt=bs==null?Di<=ke:Di>ke||ts!=bs;if(de||zt){let Xt=Mn[0];Xt!=null&&(Pi[0]=Ae,si[0]=Le,Sf(Xt,je,_t,pt),yf(Xt,rt,Ze),Ei(Xt,ei(Ae),ei(Le),x,N))}}}if(Bt.show&&ji)if(g!=null){let[le,me]=Zt.scales,[Ee,Ae]=Zt.match,[Le,je]=g.cursor.sync.scales,_t=g.cursor.drag;if(on=_t._x,an=_t._y,on||an){let{left:pt,top:rt,width:Ze,height:ke}=g.select,zt=g.scales[Le].ori,Xt=g.posToVal,cn,At,qt,Dn,wn,Jn=le!=null&&Ee(le,Le),ri=me!=null&&Ae(me,je);Jn&&on?(zt==0?(cn=pt,At=Ze):(cn=rt,At=ke),qt=M[le],Dn=k(Xt(cn,Le),qt,Y,0),wn=k(Xt(cn+At,Le),qt,Y,0),qr(ui(Dn,wn),jt(wn-Dn))):qr(0,Y),ri&&an?(zt==1?(cn=pt,At=Ze):(cn=rt,At=ke),qt=M[me],Dn=W(Xt(cn,je),qt,ie,0),wn=W(Xt(cn+At,je),qt,ie,0),Yr(ui(Dn,wn),jt(wn-Dn))):Yr(0,ie)}else Lc()}else{let le=jt(Ou-Nu),me=jt(Bu-Fu);if(C.ori==1){let je=le;le=me,me=je}on=fn.x&&le>=fn.dist,an=fn.y&&me>=fn.dist;let Ee=fn.uni;Ee!=null?on&&an&&(on=le>=Ee,an=me>=Ee,!on&&!an&&(me>le?an=!0:on=!0)):fn.x&&fn.y&&(on||an)&&(on=an=!0);let Ae,Le;on&&(C.ori==0?(Ae=er,Le=Ot):(Ae=tr,Le=Ht),qr(ui(Ae,Le),jt(Le-Ae)),an||Yr(0,ie)),an&&(C.ori==1?(Ae=er,Le=Ot):(Ae=tr,Le=Ht),Yr(ui(Ae,Le),jt(Le-Ae)),on||qr(0,Y)),!on&&!an&&(qr(0,0),Yr(0,0))}if(fn._x=on,fn._y=an,g==null){if(R){if(Ku!=null){let[le,me]=Zt.scales;Zt.values[0]=le!=null?Si(C.ori==0?Ot:Ht,le):null,Zt.values[1]=me!=null?Si(C.ori==1?Ot:Ht,me):null}$r(zc,n,Ot,Ht,x,N,P)}if(Rn){let le=R&&Zt.setSeries,me=Ln.prox;bs==null?Di<=me&&Mi(ts,ir,!0,le):Di>me?Mi(null,ir,!0,le):ts!=bs&&Mi(ts,ir,!0,le)}}de&&(xe.idx=P,Rc()),y!==!1&&ln("setCursor")}let ns=null;Object.defineProperty(n,"rect",{get(){return ns==null&&Zr(!1),ns}});function Zr(g=!1){g?ns=null:(ns=_.getBoundingClientRect(),ln("syncRect",ns))}function Vu(g,y,R,P,z,Y,ie){pe._lock||ji&&g!=null&&g.movementX==0&&g.movementY==0||(Ic(g,y,R,P,z,Y,ie,!1,g!=null),g!=null?ws(null,!0,!0):ws(y,!0,!1))}function Ic(g,y,R,P,z,Y,ie,le,me){if(ns==null&&Zr(!1),un(g),g!=null)R=g.clientX-ns.left,P=g.clientY-ns.top;else{if(R<0||P<0){Ot=-10,Ht=-10;return}let[Ee,Ae]=Zt.scales,Le=y.cursor.sync,[je,_t]=Le.values,[pt,rt]=Le.scales,[Ze,ke]=Zt.match,zt=y.axes[0].side%2==1,Xt=C.ori==0?x:N,cn=C.ori==1?x:N,At=zt?Y:z,qt=zt?z:Y,Dn=zt?P:R,wn=zt?R:P;if(pt!=null?R=Ze(Ee,pt)?a(je,M[Ee],Xt,0):-10:R=Xt*(Dn/At),rt!=null?P=ke(Ae,rt)?a(_t,M[Ae],cn,0):-10:P=cn*(wn/qt),C.ori==1){let Jn=R;R=P,P=Jn}}me&&(y==null||y.cursor.event.type==zc)&&((R<=1||R>=x-1)&&(R=Ts(R,x)),(P<=1||P>=N-1)&&(P=Ts(P,N))),le?(Nu=R,Fu=P,[er,tr]=pe.move(n,R,P)):(Ot=R,Ht=P)}let Pc={width:0,height:0,left:0,top:0};function Lc(){Qo(Pc,!1)}let Hu,Gu,Wu,Xu;function qu(g,y,R,P,z,Y,ie){ji=!0,on=an=fn._x=fn._y=!1,Ic(g,y,R,P,z,Y,ie,!0,!1),g!=null&&(Ve(kc,Xc,Yu,!1),$r(df,n,er,tr,x,N,null));let{left:le,top:me,width:Ee,height:Ae}=Bt;Hu=le,Gu=me,Wu=Ee,Xu=Ae}function Yu(g,y,R,P,z,Y,ie){ji=fn._x=fn._y=!1,Ic(g,y,R,P,z,Y,ie,!1,!0);let{left:le,top:me,width:Ee,height:Ae}=Bt,Le=Ee>0||Ae>0,je=Hu!=le||Gu!=me||Wu!=Ee||Xu!=Ae;if(Le&&je&&Qo(Bt),fn.setScale&&Le&&je){let _t=le,pt=Ee,rt=me,Ze=Ae;if(C.ori==1&&(_t=me,pt=Ae,rt=le,Ze=Ee),on&&es(A,Si(_t,A),Si(_t+pt,A)),an)for(let ke in M){let zt=M[ke];ke!=A&&zt.from==null&&zt.min!=Rt&&es(ke,Si(rt+Ze,ke),Si(rt,ke))}Lc()}else pe.lock&&(pe._lock=!pe._lock,ws(y,!0,g!=null));g!=null&&(Ft(kc,Xc),$r(kc,n,Ot,Ht,x,N,null))}function Qm(g,y,R,P,z,Y,ie){if(pe._lock)return;un(g);let le=ji;if(ji){let me=!0,Ee=!0,Ae=10,Le,je;C.ori==0?(Le=on,je=an):(Le=an,je=on),Le&&je&&(me=Ot<=Ae||Ot>=x-Ae,Ee=Ht<=Ae||Ht>=N-Ae),Le&&me&&(Ot=Ot<er?0:x),je&&Ee&&(Ht=Ht<tr?0:N),ws(null,!0,!0),ji=!1}Ot=-10,Ht=-10,_e.fill(null),ws(null,!0,!0),le&&(ji=le)}function Zu(g,y,R,P,z,Y,ie){pe._lock||(un(g),Se(),Lc(),g!=null&&$r(gf,n,Ot,Ht,x,N,null))}function $u(){T.forEach(c_),Re(n.width,n.height,!0)}Rs(aa,lr,$u);let sr={};sr.mousedown=qu,sr.mousemove=Vu,sr.mouseup=Yu,sr.dblclick=Zu,sr.setSeries=(g,y,R,P)=>{let z=Zt.match[2];R=z(n,y,R),R!=-1&&Mi(R,P,!0,!1)},Xe&&(Ve(df,_,qu),Ve(zc,_,Vu),Ve(pf,_,g=>{un(g),Zr(!1)}),Ve(mf,_,Qm),Ve(gf,_,Zu),jc.add(n),n.syncRect=Zr);let jo=n.hooks=i.hooks||{};function ln(g,y,R){Ec?Xr.push([g,y,R]):g in jo&&jo[g].forEach(P=>{P.call(null,n,y,R)})}(i.plugins||[]).forEach(g=>{for(let y in g.hooks)jo[y]=(jo[y]||[]).concat(g.hooks[y])});let Ju=(g,y,R)=>R,Zt=$t({key:null,setSeries:!1,filters:{pub:Af,sub:Af},scales:[A,E[1]?E[1].scale:null],match:[Cf,Cf,Ju],values:[null,null]},pe.sync);Zt.match.length==2&&Zt.match.push(Ju),pe.sync=Zt;let Ku=Zt.key,Dc=wd(Ku);function $r(g,y,R,P,z,Y,ie){Zt.filters.pub(g,y,R,P,z,Y,ie)&&Dc.pub(g,y,R,P,z,Y,ie)}Dc.sub(n);function jm(g,y,R,P,z,Y,ie){Zt.filters.sub(g,y,R,P,z,Y,ie)&&sr[g](null,y,R,P,z,Y,ie)}n.pub=jm;function eg(){Dc.unsub(n),jc.delete(n),Ce.clear(),Zc(aa,lr,$u),l.remove(),ee?.remove(),ln("destroy")}n.destroy=eg;function Uc(){ln("init",i,e),fe(e||i.data,!1),X[A]?Tc(A,X[A]):Se(),ue=Bt.show&&(Bt.width>0||Bt.height>0),B=de=!0,Re(i.width,i.height)}return E.forEach(ys),T.forEach(bc),t?t instanceof HTMLElement?(t.appendChild(l),Uc()):t(n,Uc):Uc(),n}dn.assign=$t;dn.fmtNum=oh;dn.rangeNum=la;dn.rangeLog=ua;dn.rangeAsinh=sh;dn.orient=Ps;dn.pxRatio=xt;dn.join=e0;dn.fmtDate=lh,dn.tzDate=u0;dn.sync=wd;{dn.addGap=Y0,dn.clipGaps=pa;let i=dn.paths={points:Id};i.linear=Ld,i.stepped=J0,i.bars=K0,i.spline=j0}var Od=150,h_={truth:[],belief:[7,4],command:[2,3],second:[10,3,2,3],third:[4,2],v0:[],v1:[7,4],v2:[2,3],v3:[10,3,2,3],v4:[12,3],v5:[4,2]};function Fd(i){if(i==null||Number.isNaN(i))return"-";let e=Math.abs(i);return e>=100?i.toFixed(0):e>=10?i.toFixed(1):i.toFixed(2)}function u_(i,e){let{ctx:t}=i,{left:n,top:s,width:r,height:o}=i.bbox;t.save(),t.beginPath(),t.rect(n,s,r,o),t.clip();for(let{from_s:a,until_s:c,low:l,high:f,passed:h}of e.bands??[]){let u=i.valToPos(a,"x",!0),p=i.valToPos(c,"x",!0),_=i.valToPos(f,"y",!0),v=i.valToPos(l,"y",!0);t.fillStyle=yt(h?"band":"band-missed"),t.fillRect(u,_,p-u,v-_),t.strokeStyle=yt(h?"band-edge":"missed"),t.setLineDash(h?[]:[6,4]),t.lineWidth=devicePixelRatio,t.strokeRect(u,_,p-u,v-_),t.setLineDash([])}for(let{from_s:a,until_s:c}of e.missed??[]){let l=i.valToPos(a,"x",!0);t.fillStyle=yt("band-missed"),t.fillRect(l,s,Math.max(i.valToPos(c,"x",!0)-l,devicePixelRatio),o)}for(let a of e.limits??[]){let c=i.valToPos(a,"y",!0);t.strokeStyle=yt("limit"),t.setLineDash([2,4]),t.beginPath(),t.moveTo(n,c),t.lineTo(n+r,c),t.stroke(),t.setLineDash([])}for(let{time_s:a,style:c}of e.failures??[]){let l=i.valToPos(a,"x",!0);t.strokeStyle=yt(c),t.lineWidth=1.5*devicePixelRatio,t.beginPath(),t.moveTo(l,s),t.lineTo(l,s+o),t.stroke()}t.restore()}function va(i,e,t){let n=e.valToPos(t.now,"x");i.hidden=n<0||n>e.over.clientWidth,i.style.transform=`translateX(${n}px)`,(e.cursor.left==null||e.cursor.left<0)&&e.setLegend({idx:Qr(e.data[0],t.now)})}function f_(i,e,t){let n={stroke:yt("muted"),grid:{stroke:yt("grid"),width:1},ticks:{show:!1},font:"11px system-ui"};return{width:e,height:Od,padding:[8,8,0,0],cursor:{sync:{key:"time"},drag:{x:!0,y:!1},points:{size:5}},legend:{live:!0},scales:{x:{time:!1,range:()=>t.range},y:{range:(s,r,o)=>d_(i,r,o)}},axes:[{...n,size:24},{...n,size:46}],series:[{label:"t [s]",value:(s,r)=>Fd(r)},...i.series.map(({label:s,style:r})=>({label:s,stroke:yt(r),width:r==="truth"?1.6:1.4,dash:h_[r],points:{show:!1},value:(o,a)=>Fd(a)}))],hooks:{drawClear:[s=>u_(s,i)],setSelect:[s=>{s.select.width<5||(t.show(s.posToVal(s.select.left,"x"),s.posToVal(s.select.left+s.select.width,"x")),s.setSelect({left:0,width:0,top:0,height:0},!1))}],ready:[s=>{s.over.addEventListener("click",r=>t.go(s.posToVal(r.offsetX,"x"))),s.over.addEventListener("dblclick",()=>t.show(t.start,t.end))}]}}}function d_(i,e,t){if(e==null||t==null)return[0,1];if(i.range)return[Math.min(e,i.range[0]),Math.max(t,i.range[1])];let n=i.least??.1;for(let r of i.limits??[]){let o=.35*Math.max(t-e,n);r>t&&r-t<o&&(t=r),r<e&&e-r<o&&(e=r)}let s=Math.max(.06*(t-e),.5*(n-(t-e)));return[e-s,t+s]}var xa=class{constructor(e,t){this.columns=e,this.clock=t,this.made=[],t.listen(n=>this.follow(n)),new ResizeObserver(()=>this.resize()).observe(document.body)}add(e,t){let n=document.createElement("figure");n.className="panel",n.append(Object.assign(document.createElement("figcaption"),{textContent:t.title})),e.append(n);let s={box:n,panel:t,plot:null};return this.made.push(s),s.seen=new IntersectionObserver(([r])=>{r.isIntersecting&&this.draw(s)},{rootMargin:"200px"}),s.seen.observe(n),s}draw(e){e.seen.disconnect();let{box:t,panel:n}=e;e.plot?.destroy(),e.plot=new dn(f_(n,Math.max(t.clientWidth,120),this.clock),this.data(n),t);let s=t.querySelector("canvas");s.setAttribute("role","img"),s.setAttribute("aria-label",n.title),e.hand=document.createElement("i"),e.hand.className="hand",e.plot.over.append(e.hand),va(e.hand,e.plot,this.clock)}data(e){return[this.columns.time_s,...e.series.map(({column:t})=>this.columns[t])]}renew(e){this.columns=e;for(let{plot:t,panel:n,hand:s}of this.made.filter(r=>r.plot))t.setData(this.data(n)),va(s,t,this.clock)}redraw(){for(let e of this.made)e.plot&&this.draw(e)}resize(){for(let{plot:e,box:t,hand:n}of this.made)e&&e.width!==t.clientWidth&&t.clientWidth>0&&(e.setSize({width:t.clientWidth,height:Od}),va(n,e,this.clock))}follow(e){for(let{plot:t,box:n,hand:s}of this.made)!t||!n.offsetParent||(e==="range"&&t.setScale("x",{min:this.clock.range[0],max:this.clock.range[1]}),va(s,t,this.clock))}};var ya=class{constructor(e,t,n){this.canvas=e,this.flight=t,this.columns=n,this.row=0,new ResizeObserver(()=>this.draw()).observe(e.parentElement)}recolour(){this.draw()}look(){}show(e){this.row=e,this.draw()}draw(){let{clientWidth:e,clientHeight:t}=this.canvas.parentElement;this.canvas.width=e*devicePixelRatio,this.canvas.height=t*devicePixelRatio;let{east_m:n,north_m:s,altitude_m:r,time_s:o}=this.columns,a=this.canvas.width/2;this.curve(n,s,[0,a],!0,"track from above, north is up"),this.curve(o,r,[a,2*a],!1,"altitude over time")}curve(e,t,[n,s],r,o){let a=this.canvas.getContext("2d"),c=24*devicePixelRatio,l=M=>[M.reduce((L,A)=>Math.min(L,A),1/0),M.reduce((L,A)=>Math.max(L,A),-1/0)],[[f,h],[u,p]]=[l(e),l(t)],[_,v]=[s-n-2*c,this.canvas.height-2*c],[m,d]=[_/Math.max(h-f,1),v/Math.max(p-u,2)];r&&(m=d=Math.min(m,d));let E=M=>[n+c+(e[M]-f)*m,this.canvas.height-c-(t[M]-u)*d],T=0;for(let{name:M,until_s:L}of this.flight.phases){for(a.strokeStyle=yt(M),a.lineWidth=2*devicePixelRatio,a.beginPath(),a.moveTo(...E(Math.max(T-1,0)));T<e.length&&this.columns.time_s[T]<=L+1e-9;T++)a.lineTo(...E(T));a.stroke()}a.fillStyle=yt("text"),a.beginPath(),a.arc(...E(this.row),5*devicePixelRatio,0,2*Math.PI),a.fill(),a.font=`${12*devicePixelRatio}px system-ui`,a.fillText(o,n+c,c*.8)}};var lp=0,$h=1,cp=2;var Jh=1,hp=2,Ci=3,Wi=0,Cn=1,mn=2,Zi=0,Os=1,Kh=2,Qh=3,jh=4,up=5,fs=100,fp=101,dp=102,pp=103,mp=104,gp=200,_p=201,vp=202,xp=203,Ya=204,Za=205,yp=206,Mp=207,Sp=208,bp=209,wp=210,Ep=211,Tp=212,Ap=213,Cp=214,yl=0,Ml=1,Sl=2,Bs=3,bl=4,wl=5,El=6,Tl=7,Al=0,Rp=1,Ip=2,$i=0,Pp=1,Lp=2,Dp=3,Up=4,Np=5,Fp=6,Op=7;var eu=300,Gs=301,Ws=302,Cl=303,Rl=304,Bo=306,$a=1e3,us=1001,Ja=1002,ni=1003,Bp=1004;var zo=1005;var gi=1006,Il=1007;var _s=1008;var vi=1009,tu=1010,nu=1011,Fr=1012,Pl=1013,vs=1014,Ri=1015,Or=1016,Ll=1017,Dl=1018,Br=1020,iu=35902,su=35899,ru=1021,ou=1022,ii=1023,Rr=1026,zr=1027,au=1028,Ul=1029,lu=1030,Nl=1031;var Fl=1033,ko=33776,Vo=33777,Ho=33778,Go=33779,Ol=35840,Bl=35841,zl=35842,kl=35843,Vl=36196,Hl=37492,Gl=37496,Wl=37808,Xl=37809,ql=37810,Yl=37811,Zl=37812,$l=37813,Jl=37814,Kl=37815,Ql=37816,jl=37817,ec=37818,tc=37819,nc=37820,ic=37821,sc=36492,rc=36494,oc=36495,ac=36283,lc=36284,cc=36285,hc=36286;var fo=2300,Ka=2301,Xa=2302,Vh=2400,Hh=2401,Gh=2402;var zp=3200,kp=3201;var cu=0,Vp=1,Ji="",Vn="srgb",zs="srgb-linear",po="linear",Et="srgb";var Fs=7680;var Wh=519,Hp=512,Gp=513,Wp=514,hu=515,Xp=516,qp=517,Yp=518,Zp=519,Xh=35044;var uu="300 es",mi=2e3,mo=2001;var Xi=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},_n=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var qa=Math.PI/180,Qa=180/Math.PI;function Wo(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|0;return(_n[i&255]+_n[i>>8&255]+_n[i>>16&255]+_n[i>>24&255]+"-"+_n[e&255]+_n[e>>8&255]+"-"+_n[e>>16&15|64]+_n[e>>24&255]+"-"+_n[t&63|128]+_n[t>>8&255]+"-"+_n[t>>16&255]+_n[t>>24&255]+_n[n&255]+_n[n>>8&255]+_n[n>>16&255]+_n[n>>24&255]).toLowerCase()}function lt(i,e,t){return Math.max(e,Math.min(t,i))}function p_(i,e){return(i%e+e)%e}function mh(i,e,t){return(1-t)*i+t*e}function oo(i,e){switch(e.constructor){case Float32Array:return i;case Uint32Array:return i/4294967295;case Uint16Array:return i/65535;case Uint8Array:return i/255;case Int32Array:return Math.max(i/2147483647,-1);case Int16Array:return Math.max(i/32767,-1);case Int8Array:return Math.max(i/127,-1);default:throw new Error("Invalid component type.")}}function Pn(i,e){switch(e.constructor){case Float32Array:return i;case Uint32Array:return Math.round(i*4294967295);case Uint16Array:return Math.round(i*65535);case Uint8Array:return Math.round(i*255);case Int32Array:return Math.round(i*2147483647);case Int16Array:return Math.round(i*32767);case Int8Array:return Math.round(i*127);default:throw new Error("Invalid component type.")}}var ct=class i{constructor(e=0,t=0){i.prototype.isVector2=!0,this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,n=this.y,s=e.elements;return this.x=s[0]*t+s[3]*n+s[6],this.y=s[1]*t+s[4]*n+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=lt(this.x,e.x,t.x),this.y=lt(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=lt(this.x,e,t),this.y=lt(this.y,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(lt(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(lt(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y;return t*t+n*n}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Gn=class{constructor(e=0,t=0,n=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let c=n[s+0],l=n[s+1],f=n[s+2],h=n[s+3],u=r[o+0],p=r[o+1],_=r[o+2],v=r[o+3];if(a===0){e[t+0]=c,e[t+1]=l,e[t+2]=f,e[t+3]=h;return}if(a===1){e[t+0]=u,e[t+1]=p,e[t+2]=_,e[t+3]=v;return}if(h!==v||c!==u||l!==p||f!==_){let m=1-a,d=c*u+l*p+f*_+h*v,E=d>=0?1:-1,T=1-d*d;if(T>Number.EPSILON){let L=Math.sqrt(T),A=Math.atan2(L,d*E);m=Math.sin(m*A)/L,a=Math.sin(a*A)/L}let M=a*E;if(c=c*m+u*M,l=l*m+p*M,f=f*m+_*M,h=h*m+v*M,m===1-a){let L=1/Math.sqrt(c*c+l*l+f*f+h*h);c*=L,l*=L,f*=L,h*=L}}e[t]=c,e[t+1]=l,e[t+2]=f,e[t+3]=h}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],c=n[s+1],l=n[s+2],f=n[s+3],h=r[o],u=r[o+1],p=r[o+2],_=r[o+3];return e[t]=a*_+f*h+c*p-l*u,e[t+1]=c*_+f*u+l*h-a*p,e[t+2]=l*_+f*p+a*u-c*h,e[t+3]=f*_-a*h-c*u-l*p,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,n,s){return this._x=e,this._y=t,this._z=n,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let n=e._x,s=e._y,r=e._z,o=e._order,a=Math.cos,c=Math.sin,l=a(n/2),f=a(s/2),h=a(r/2),u=c(n/2),p=c(s/2),_=c(r/2);switch(o){case"XYZ":this._x=u*f*h+l*p*_,this._y=l*p*h-u*f*_,this._z=l*f*_+u*p*h,this._w=l*f*h-u*p*_;break;case"YXZ":this._x=u*f*h+l*p*_,this._y=l*p*h-u*f*_,this._z=l*f*_-u*p*h,this._w=l*f*h+u*p*_;break;case"ZXY":this._x=u*f*h-l*p*_,this._y=l*p*h+u*f*_,this._z=l*f*_+u*p*h,this._w=l*f*h-u*p*_;break;case"ZYX":this._x=u*f*h-l*p*_,this._y=l*p*h+u*f*_,this._z=l*f*_-u*p*h,this._w=l*f*h+u*p*_;break;case"YZX":this._x=u*f*h+l*p*_,this._y=l*p*h+u*f*_,this._z=l*f*_-u*p*h,this._w=l*f*h-u*p*_;break;case"XZY":this._x=u*f*h-l*p*_,this._y=l*p*h-u*f*_,this._z=l*f*_+u*p*h,this._w=l*f*h+u*p*_;break;default:console.warn("THREE.Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let n=t/2,s=Math.sin(n);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(n),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,n=t[0],s=t[4],r=t[8],o=t[1],a=t[5],c=t[9],l=t[2],f=t[6],h=t[10],u=n+a+h;if(u>0){let p=.5/Math.sqrt(u+1);this._w=.25/p,this._x=(f-c)*p,this._y=(r-l)*p,this._z=(o-s)*p}else if(n>a&&n>h){let p=2*Math.sqrt(1+n-a-h);this._w=(f-c)/p,this._x=.25*p,this._y=(s+o)/p,this._z=(r+l)/p}else if(a>h){let p=2*Math.sqrt(1+a-n-h);this._w=(r-l)/p,this._x=(s+o)/p,this._y=.25*p,this._z=(c+f)/p}else{let p=2*Math.sqrt(1+h-n-a);this._w=(o-s)/p,this._x=(r+l)/p,this._y=(c+f)/p,this._z=.25*p}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let n=e.dot(t)+1;return n<1e-8?(n=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=n):(this._x=0,this._y=-e.z,this._z=e.y,this._w=n)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=n),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(lt(this.dot(e),-1,1)))}rotateTowards(e,t){let n=this.angleTo(e);if(n===0)return this;let s=Math.min(1,t/n);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let n=e._x,s=e._y,r=e._z,o=e._w,a=t._x,c=t._y,l=t._z,f=t._w;return this._x=n*f+o*a+s*l-r*c,this._y=s*f+o*c+r*a-n*l,this._z=r*f+o*l+n*c-s*a,this._w=o*f-n*a-s*c-r*l,this._onChangeCallback(),this}slerp(e,t){if(t===0)return this;if(t===1)return this.copy(e);let n=this._x,s=this._y,r=this._z,o=this._w,a=o*e._w+n*e._x+s*e._y+r*e._z;if(a<0?(this._w=-e._w,this._x=-e._x,this._y=-e._y,this._z=-e._z,a=-a):this.copy(e),a>=1)return this._w=o,this._x=n,this._y=s,this._z=r,this;let c=1-a*a;if(c<=Number.EPSILON){let p=1-t;return this._w=p*o+t*this._w,this._x=p*n+t*this._x,this._y=p*s+t*this._y,this._z=p*r+t*this._z,this.normalize(),this}let l=Math.sqrt(c),f=Math.atan2(l,a),h=Math.sin((1-t)*f)/l,u=Math.sin(t*f)/l;return this._w=o*h+this._w*u,this._x=n*h+this._x*u,this._y=s*h+this._y*u,this._z=r*h+this._z*u,this._onChangeCallback(),this}slerpQuaternions(e,t,n){return this.copy(e).slerp(t,n)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),n=Math.random(),s=Math.sqrt(1-n),r=Math.sqrt(n);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},H=class i{constructor(e=0,t=0,n=0){i.prototype.isVector3=!0,this.x=e,this.y=t,this.z=n}set(e,t,n){return n===void 0&&(n=this.z),this.x=e,this.y=t,this.z=n,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Bd.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(Bd.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*t+r[4]*n+r[7]*s,this.z=r[2]*t+r[5]*n+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=e.elements,o=1/(r[3]*t+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*n+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*n+r[10]*s+r[14])*o,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,o=e.y,a=e.z,c=e.w,l=2*(o*s-a*n),f=2*(a*t-r*s),h=2*(r*n-o*t);return this.x=t+c*l+o*h-a*f,this.y=n+c*f+a*l-r*h,this.z=s+c*h+r*f-o*l,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*n+r[8]*s,this.y=r[1]*t+r[5]*n+r[9]*s,this.z=r[2]*t+r[6]*n+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=lt(this.x,e.x,t.x),this.y=lt(this.y,e.y,t.y),this.z=lt(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=lt(this.x,e,t),this.y=lt(this.y,e,t),this.z=lt(this.z,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(lt(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,s=e.y,r=e.z,o=t.x,a=t.y,c=t.z;return this.x=s*c-r*a,this.y=r*o-n*c,this.z=n*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){return gh.copy(this).projectOnVector(e),this.sub(gh)}reflect(e){return this.sub(gh.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(lt(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,n=this.y-e.y,s=this.z-e.z;return t*t+n*n+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,n){let s=Math.sin(t)*e;return this.x=s*Math.sin(n),this.y=Math.cos(t)*e,this.z=s*Math.cos(n),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,n){return this.x=e*Math.sin(t),this.y=n,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),n=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=n,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},gh=new H,Bd=new Gn,nt=class i{constructor(e,t,n,s,r,o,a,c,l){i.prototype.isMatrix3=!0,this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,c,l)}set(e,t,n,s,r,o,a,c,l){let f=this.elements;return f[0]=e,f[1]=s,f[2]=a,f[3]=t,f[4]=r,f[5]=c,f[6]=n,f[7]=o,f[8]=l,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],a=n[3],c=n[6],l=n[1],f=n[4],h=n[7],u=n[2],p=n[5],_=n[8],v=s[0],m=s[3],d=s[6],E=s[1],T=s[4],M=s[7],L=s[2],A=s[5],D=s[8];return r[0]=o*v+a*E+c*L,r[3]=o*m+a*T+c*A,r[6]=o*d+a*M+c*D,r[1]=l*v+f*E+h*L,r[4]=l*m+f*T+h*A,r[7]=l*d+f*M+h*D,r[2]=u*v+p*E+_*L,r[5]=u*m+p*T+_*A,r[8]=u*d+p*M+_*D,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],f=e[8];return t*o*f-t*a*l-n*r*f+n*a*c+s*r*l-s*o*c}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],f=e[8],h=f*o-a*l,u=a*c-f*r,p=l*r-o*c,_=t*h+n*u+s*p;if(_===0)return this.set(0,0,0,0,0,0,0,0,0);let v=1/_;return e[0]=h*v,e[1]=(s*l-f*n)*v,e[2]=(a*n-s*o)*v,e[3]=u*v,e[4]=(f*t-s*c)*v,e[5]=(s*r-a*t)*v,e[6]=p*v,e[7]=(n*c-l*t)*v,e[8]=(o*t-n*r)*v,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,o,a){let c=Math.cos(r),l=Math.sin(r);return this.set(n*c,n*l,-n*(c*o+l*a)+o+e,-s*l,s*c,-s*(-l*o+c*a)+a+t,0,0,1),this}scale(e,t){return this.premultiply(_h.makeScale(e,t)),this}rotate(e){return this.premultiply(_h.makeRotation(-e)),this}translate(e,t){return this.premultiply(_h.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},_h=new nt;function fu(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function go(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function $p(){let i=go("canvas");return i.style.display="block",i}var zd={};function Ir(i){i in zd||(zd[i]=!0,console.warn(i))}function Jp(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var kd=new nt().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),Vd=new nt().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function m_(){let i={enabled:!0,workingColorSpace:zs,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Et&&(s.r=Gi(s.r),s.g=Gi(s.g),s.b=Gi(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===Et&&(s.r=Cr(s.r),s.g=Cr(s.g),s.b=Cr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===Ji?po:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[r].toXYZ).multiply(this.spaces[o].fromXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace},fromWorkingColorSpace:function(s,r){return Ir("THREE.ColorManagement: .fromWorkingColorSpace() has been renamed to .workingToColorSpace()."),i.workingToColorSpace(s,r)},toWorkingColorSpace:function(s,r){return Ir("THREE.ColorManagement: .toWorkingColorSpace() has been renamed to .colorSpaceToWorking()."),i.colorSpaceToWorking(s,r)}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define({[zs]:{primaries:e,whitePoint:n,transfer:po,toXYZ:kd,fromXYZ:Vd,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Vn},outputColorSpaceConfig:{drawingBufferColorSpace:Vn}},[Vn]:{primaries:e,whitePoint:n,transfer:Et,toXYZ:kd,fromXYZ:Vd,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Vn}}}),i}var ut=m_();function Gi(i){return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Cr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var gr,ja=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{gr===void 0&&(gr=go("canvas")),gr.width=e.width,gr.height=e.height;let s=gr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=gr}return n.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=go("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=Gi(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(Gi(t[n]/255)*255):t[n]=Gi(t[n]);return{data:t,width:e.width,height:e.height}}else return console.warn("THREE.ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},g_=0,Pr=class{constructor(e=null){this.isSource=!0,Object.defineProperty(this,"id",{value:g_++}),this.uuid=Wo(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):t instanceof VideoFrame?e.set(t.displayHeight,t.displayWidth,0):t!==null?e.set(t.width,t.height,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(vh(s[o].image)):r.push(vh(s[o]))}else r=vh(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function vh(i){return typeof HTMLImageElement<"u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?ja.getDataURL(i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(console.warn("THREE.Texture: Unable to serialize Texture."),{})}var __=0,xh=new H,Wn=class i extends Xi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=us,s=us,r=gi,o=_s,a=ii,c=vi,l=i.DEFAULT_ANISOTROPY,f=Ji){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:__++}),this.uuid=Wo(),this.name="",this.source=new Pr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=l,this.format=a,this.internalFormat=null,this.type=c,this.offset=new ct(0,0),this.repeat=new ct(1,1),this.center=new ct(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new nt,this.generateMipmaps=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=f,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0}get width(){return this.source.getSize(xh).x}get height(){return this.source.getSize(xh).y}get depth(){return this.source.getSize(xh).z}get image(){return this.source.data}set image(e=null){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let n=e[t];if(n===void 0){console.warn(`THREE.Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){console.warn(`THREE.Texture.setValues(): property '${t}' does not exist.`);continue}s&&n&&s.isVector2&&n.isVector2||s&&n&&s.isVector3&&n.isVector3||s&&n&&s.isMatrix3&&n.isMatrix3?s.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let n={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(n.userData=this.userData),t||(e.textures[this.uuid]=n),n}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==eu)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case $a:e.x=e.x-Math.floor(e.x);break;case us:e.x=e.x<0?0:1;break;case Ja:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case $a:e.y=e.y-Math.floor(e.y);break;case us:e.y=e.y<0?0:1;break;case Ja:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};Wn.DEFAULT_IMAGE=null;Wn.DEFAULT_MAPPING=eu;Wn.DEFAULT_ANISOTROPY=1;var Wt=class i{constructor(e=0,t=0,n=0,s=1){i.prototype.isVector4=!0,this.x=e,this.y=t,this.z=n,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,n,s){return this.x=e,this.y=t,this.z=n,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,c=e.elements,l=c[0],f=c[4],h=c[8],u=c[1],p=c[5],_=c[9],v=c[2],m=c[6],d=c[10];if(Math.abs(f-u)<.01&&Math.abs(h-v)<.01&&Math.abs(_-m)<.01){if(Math.abs(f+u)<.1&&Math.abs(h+v)<.1&&Math.abs(_+m)<.1&&Math.abs(l+p+d-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let T=(l+1)/2,M=(p+1)/2,L=(d+1)/2,A=(f+u)/4,D=(h+v)/4,F=(_+m)/4;return T>M&&T>L?T<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(T),s=A/n,r=D/n):M>L?M<.01?(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),n=A/s,r=F/s):L<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(L),n=D/r,s=F/r),this.set(n,s,r,t),this}let E=Math.sqrt((m-_)*(m-_)+(h-v)*(h-v)+(u-f)*(u-f));return Math.abs(E)<.001&&(E=1),this.x=(m-_)/E,this.y=(h-v)/E,this.z=(u-f)/E,this.w=Math.acos((l+p+d-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=lt(this.x,e.x,t.x),this.y=lt(this.y,e.y,t.y),this.z=lt(this.z,e.z,t.z),this.w=lt(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=lt(this.x,e,t),this.y=lt(this.y,e,t),this.z=lt(this.z,e,t),this.w=lt(this.w,e,t),this}clampLength(e,t){let n=this.length();return this.divideScalar(n||1).multiplyScalar(lt(n,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.y)*n,this.z=e.z+(t.z-e.z)*n,this.w=e.w+(t.w-e.w)*n,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},el=class extends Xi{constructor(e=1,t=1,n={}){super(),n=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:gi,depthBuffer:!0,stencilBuffer:!1,resolveDepthBuffer:!0,resolveStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1},n),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=n.depth,this.scissor=new Wt(0,0,e,t),this.scissorTest=!1,this.viewport=new Wt(0,0,e,t);let s={width:e,height:t,depth:n.depth},r=new Wn(s);this.textures=[];let o=n.count;for(let a=0;a<o;a++)this.textures[a]=r.clone(),this.textures[a].isRenderTargetTexture=!0,this.textures[a].renderTarget=this;this._setTextureOptions(n),this.depthBuffer=n.depthBuffer,this.stencilBuffer=n.stencilBuffer,this.resolveDepthBuffer=n.resolveDepthBuffer,this.resolveStencilBuffer=n.resolveStencilBuffer,this._depthTexture=null,this.depthTexture=n.depthTexture,this.samples=n.samples,this.multiview=n.multiview}_setTextureOptions(e={}){let t={minFilter:gi,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let n=0;n<this.textures.length;n++)this.textures[n].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&(this._depthTexture.renderTarget=null),e!==null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,n=1){if(this.width!==e||this.height!==t||this.depth!==n){this.width=e,this.height=t,this.depth=n;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=n,this.textures[s].isArrayTexture=this.textures[s].image.depth>1;this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,n=e.textures.length;t<n;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Pr(s)}return this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,e.depthTexture!==null&&(this.depthTexture=e.depthTexture.clone()),this.samples=e.samples,this}dispose(){this.dispatchEvent({type:"dispose"})}},Ai=class extends el{constructor(e=1,t=1,n={}){super(e,t,n),this.isWebGLRenderTarget=!0}},_o=class extends Wn{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=ni,this.minFilter=ni,this.wrapR=us,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var tl=class extends Wn{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=ni,this.minFilter=ni,this.wrapR=us,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var ds=class{constructor(e=new H(1/0,1/0,1/0),t=new H(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(fi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,n=e.count;t<n;t++)this.expandByPoint(fi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let n=fi.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(n),this.max.copy(e).add(n),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let n=e.geometry;if(n!==void 0){let r=n.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,fi):fi.fromBufferAttribute(r,o),fi.applyMatrix4(e.matrixWorld),this.expandByPoint(fi);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),Ma.copy(e.boundingBox)):(n.boundingBox===null&&n.computeBoundingBox(),Ma.copy(n.boundingBox)),Ma.applyMatrix4(e.matrixWorld),this.union(Ma)}let s=e.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,fi),fi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(ao),Sa.subVectors(this.max,ao),_r.subVectors(e.a,ao),vr.subVectors(e.b,ao),xr.subVectors(e.c,ao),rs.subVectors(vr,_r),os.subVectors(xr,vr),Ls.subVectors(_r,xr);let t=[0,-rs.z,rs.y,0,-os.z,os.y,0,-Ls.z,Ls.y,rs.z,0,-rs.x,os.z,0,-os.x,Ls.z,0,-Ls.x,-rs.y,rs.x,0,-os.y,os.x,0,-Ls.y,Ls.x,0];return!yh(t,_r,vr,xr,Sa)||(t=[1,0,0,0,1,0,0,0,1],!yh(t,_r,vr,xr,Sa))?!1:(ba.crossVectors(rs,os),t=[ba.x,ba.y,ba.z],yh(t,_r,vr,xr,Sa))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,fi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(fi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(Oi[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),Oi[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),Oi[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),Oi[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),Oi[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),Oi[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),Oi[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),Oi[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(Oi),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},Oi=[new H,new H,new H,new H,new H,new H,new H,new H],fi=new H,Ma=new ds,_r=new H,vr=new H,xr=new H,rs=new H,os=new H,Ls=new H,ao=new H,Sa=new H,ba=new H,Ds=new H;function yh(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Ds.fromArray(i,r);let a=s.x*Math.abs(Ds.x)+s.y*Math.abs(Ds.y)+s.z*Math.abs(Ds.z),c=e.dot(Ds),l=t.dot(Ds),f=n.dot(Ds);if(Math.max(-Math.max(c,l,f),Math.min(c,l,f))>a)return!1}return!0}var v_=new ds,lo=new H,Mh=new H,ks=class{constructor(e=new H,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):v_.setFromPoints(e).getCenter(n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let n=this.center.distanceToSquared(e);return t.copy(e),n>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;lo.subVectors(e,this.center);let t=lo.lengthSq();if(t>this.radius*this.radius){let n=Math.sqrt(t),s=(n-this.radius)*.5;this.center.addScaledVector(lo,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(Mh.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(lo.copy(e.center).add(Mh)),this.expandByPoint(lo.copy(e.center).sub(Mh))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},Bi=new H,Sh=new H,wa=new H,as=new H,bh=new H,Ea=new H,wh=new H,vo=class{constructor(e=new H,t=new H(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,Bi)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=Bi.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(Bi.copy(this.origin).addScaledVector(this.direction,t),Bi.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){Sh.copy(e).add(t).multiplyScalar(.5),wa.copy(t).sub(e).normalize(),as.copy(this.origin).sub(Sh);let r=e.distanceTo(t)*.5,o=-this.direction.dot(wa),a=as.dot(this.direction),c=-as.dot(wa),l=as.lengthSq(),f=Math.abs(1-o*o),h,u,p,_;if(f>0)if(h=o*c-a,u=o*a-c,_=r*f,h>=0)if(u>=-_)if(u<=_){let v=1/f;h*=v,u*=v,p=h*(h+o*u+2*a)+u*(o*h+u+2*c)+l}else u=r,h=Math.max(0,-(o*u+a)),p=-h*h+u*(u+2*c)+l;else u=-r,h=Math.max(0,-(o*u+a)),p=-h*h+u*(u+2*c)+l;else u<=-_?(h=Math.max(0,-(-o*r+a)),u=h>0?-r:Math.min(Math.max(-r,-c),r),p=-h*h+u*(u+2*c)+l):u<=_?(h=0,u=Math.min(Math.max(-r,-c),r),p=u*(u+2*c)+l):(h=Math.max(0,-(o*r+a)),u=h>0?r:Math.min(Math.max(-r,-c),r),p=-h*h+u*(u+2*c)+l);else u=o>0?-r:r,h=Math.max(0,-(o*u+a)),p=-h*h+u*(u+2*c)+l;return n&&n.copy(this.origin).addScaledVector(this.direction,h),s&&s.copy(Sh).addScaledVector(wa,u),p}intersectSphere(e,t){Bi.subVectors(e.center,this.origin);let n=Bi.dot(this.direction),s=Bi.dot(Bi)-n*n,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=n-o,c=n+o;return c<0?null:a<0?this.at(c,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let n=-(this.origin.dot(e.normal)+e.constant)/t;return n>=0?n:null}intersectPlane(e,t){let n=this.distanceToPlane(e);return n===null?null:this.at(n,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let n,s,r,o,a,c,l=1/this.direction.x,f=1/this.direction.y,h=1/this.direction.z,u=this.origin;return l>=0?(n=(e.min.x-u.x)*l,s=(e.max.x-u.x)*l):(n=(e.max.x-u.x)*l,s=(e.min.x-u.x)*l),f>=0?(r=(e.min.y-u.y)*f,o=(e.max.y-u.y)*f):(r=(e.max.y-u.y)*f,o=(e.min.y-u.y)*f),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),h>=0?(a=(e.min.z-u.z)*h,c=(e.max.z-u.z)*h):(a=(e.max.z-u.z)*h,c=(e.min.z-u.z)*h),n>c||a>s)||((a>n||n!==n)&&(n=a),(c<s||s!==s)&&(s=c),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){return this.intersectBox(e,Bi)!==null}intersectTriangle(e,t,n,s,r){bh.subVectors(t,e),Ea.subVectors(n,e),wh.crossVectors(bh,Ea);let o=this.direction.dot(wh),a;if(o>0){if(s)return null;a=1}else if(o<0)a=-1,o=-o;else return null;as.subVectors(this.origin,e);let c=a*this.direction.dot(Ea.crossVectors(as,Ea));if(c<0)return null;let l=a*this.direction.dot(bh.cross(as));if(l<0||c+l>o)return null;let f=-a*as.dot(wh);return f<0?null:this.at(f/o,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},Ut=class i{constructor(e,t,n,s,r,o,a,c,l,f,h,u,p,_,v,m){i.prototype.isMatrix4=!0,this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,c,l,f,h,u,p,_,v,m)}set(e,t,n,s,r,o,a,c,l,f,h,u,p,_,v,m){let d=this.elements;return d[0]=e,d[4]=t,d[8]=n,d[12]=s,d[1]=r,d[5]=o,d[9]=a,d[13]=c,d[2]=l,d[6]=f,d[10]=h,d[14]=u,d[3]=p,d[7]=_,d[11]=v,d[15]=m,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),n.setFromMatrixColumn(this,2),this}makeBasis(e,t,n){return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractRotation(e){let t=this.elements,n=e.elements,s=1/yr.setFromMatrixColumn(e,0).length(),r=1/yr.setFromMatrixColumn(e,1).length(),o=1/yr.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=n[1]*s,t[2]=n[2]*s,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*o,t[9]=n[9]*o,t[10]=n[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),c=Math.cos(s),l=Math.sin(s),f=Math.cos(r),h=Math.sin(r);if(e.order==="XYZ"){let u=o*f,p=o*h,_=a*f,v=a*h;t[0]=c*f,t[4]=-c*h,t[8]=l,t[1]=p+_*l,t[5]=u-v*l,t[9]=-a*c,t[2]=v-u*l,t[6]=_+p*l,t[10]=o*c}else if(e.order==="YXZ"){let u=c*f,p=c*h,_=l*f,v=l*h;t[0]=u+v*a,t[4]=_*a-p,t[8]=o*l,t[1]=o*h,t[5]=o*f,t[9]=-a,t[2]=p*a-_,t[6]=v+u*a,t[10]=o*c}else if(e.order==="ZXY"){let u=c*f,p=c*h,_=l*f,v=l*h;t[0]=u-v*a,t[4]=-o*h,t[8]=_+p*a,t[1]=p+_*a,t[5]=o*f,t[9]=v-u*a,t[2]=-o*l,t[6]=a,t[10]=o*c}else if(e.order==="ZYX"){let u=o*f,p=o*h,_=a*f,v=a*h;t[0]=c*f,t[4]=_*l-p,t[8]=u*l+v,t[1]=c*h,t[5]=v*l+u,t[9]=p*l-_,t[2]=-l,t[6]=a*c,t[10]=o*c}else if(e.order==="YZX"){let u=o*c,p=o*l,_=a*c,v=a*l;t[0]=c*f,t[4]=v-u*h,t[8]=_*h+p,t[1]=h,t[5]=o*f,t[9]=-a*f,t[2]=-l*f,t[6]=p*h+_,t[10]=u-v*h}else if(e.order==="XZY"){let u=o*c,p=o*l,_=a*c,v=a*l;t[0]=c*f,t[4]=-h,t[8]=l*f,t[1]=u*h+v,t[5]=o*f,t[9]=p*h-_,t[2]=_*h-p,t[6]=a*f,t[10]=v*h+u}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(x_,e,y_)}lookAt(e,t,n){let s=this.elements;return zn.subVectors(e,t),zn.lengthSq()===0&&(zn.z=1),zn.normalize(),ls.crossVectors(n,zn),ls.lengthSq()===0&&(Math.abs(n.z)===1?zn.x+=1e-4:zn.z+=1e-4,zn.normalize(),ls.crossVectors(n,zn)),ls.normalize(),Ta.crossVectors(zn,ls),s[0]=ls.x,s[4]=Ta.x,s[8]=zn.x,s[1]=ls.y,s[5]=Ta.y,s[9]=zn.y,s[2]=ls.z,s[6]=Ta.z,s[10]=zn.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],a=n[4],c=n[8],l=n[12],f=n[1],h=n[5],u=n[9],p=n[13],_=n[2],v=n[6],m=n[10],d=n[14],E=n[3],T=n[7],M=n[11],L=n[15],A=s[0],D=s[4],F=s[8],b=s[12],S=s[1],C=s[5],O=s[9],k=s[13],W=s[2],X=s[6],q=s[10],$=s[14],Q=s[3],re=s[7],oe=s[11],_e=s[15];return r[0]=o*A+a*S+c*W+l*Q,r[4]=o*D+a*C+c*X+l*re,r[8]=o*F+a*O+c*q+l*oe,r[12]=o*b+a*k+c*$+l*_e,r[1]=f*A+h*S+u*W+p*Q,r[5]=f*D+h*C+u*X+p*re,r[9]=f*F+h*O+u*q+p*oe,r[13]=f*b+h*k+u*$+p*_e,r[2]=_*A+v*S+m*W+d*Q,r[6]=_*D+v*C+m*X+d*re,r[10]=_*F+v*O+m*q+d*oe,r[14]=_*b+v*k+m*$+d*_e,r[3]=E*A+T*S+M*W+L*Q,r[7]=E*D+T*C+M*X+L*re,r[11]=E*F+T*O+M*q+L*oe,r[15]=E*b+T*k+M*$+L*_e,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],c=e[9],l=e[13],f=e[2],h=e[6],u=e[10],p=e[14],_=e[3],v=e[7],m=e[11],d=e[15];return _*(+r*c*h-s*l*h-r*a*u+n*l*u+s*a*p-n*c*p)+v*(+t*c*p-t*l*u+r*o*u-s*o*p+s*l*f-r*c*f)+m*(+t*l*h-t*a*p-r*o*h+n*o*p+r*a*f-n*l*f)+d*(-s*a*f-t*c*h+t*a*u+s*o*h-n*o*u+n*c*f)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],f=e[8],h=e[9],u=e[10],p=e[11],_=e[12],v=e[13],m=e[14],d=e[15],E=h*m*l-v*u*l+v*c*p-a*m*p-h*c*d+a*u*d,T=_*u*l-f*m*l-_*c*p+o*m*p+f*c*d-o*u*d,M=f*v*l-_*h*l+_*a*p-o*v*p-f*a*d+o*h*d,L=_*h*c-f*v*c-_*a*u+o*v*u+f*a*m-o*h*m,A=t*E+n*T+s*M+r*L;if(A===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let D=1/A;return e[0]=E*D,e[1]=(v*u*r-h*m*r-v*s*p+n*m*p+h*s*d-n*u*d)*D,e[2]=(a*m*r-v*c*r+v*s*l-n*m*l-a*s*d+n*c*d)*D,e[3]=(h*c*r-a*u*r-h*s*l+n*u*l+a*s*p-n*c*p)*D,e[4]=T*D,e[5]=(f*m*r-_*u*r+_*s*p-t*m*p-f*s*d+t*u*d)*D,e[6]=(_*c*r-o*m*r-_*s*l+t*m*l+o*s*d-t*c*d)*D,e[7]=(o*u*r-f*c*r+f*s*l-t*u*l-o*s*p+t*c*p)*D,e[8]=M*D,e[9]=(_*h*r-f*v*r-_*n*p+t*v*p+f*n*d-t*h*d)*D,e[10]=(o*v*r-_*a*r+_*n*l-t*v*l-o*n*d+t*a*d)*D,e[11]=(f*a*r-o*h*r-f*n*l+t*h*l+o*n*p-t*a*p)*D,e[12]=L*D,e[13]=(f*v*s-_*h*s+_*n*u-t*v*u-f*n*m+t*h*m)*D,e[14]=(_*a*s-o*v*s-_*n*c+t*v*c+o*n*m-t*a*m)*D,e[15]=(o*h*s-f*a*s+f*n*c-t*h*c-o*n*u+t*a*u)*D,this}scale(e){let t=this.elements,n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,0,n,0,0,1,0,0,-n,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,c=e.z,l=r*o,f=r*a;return this.set(l*o+n,l*a-s*c,l*c+s*a,0,l*a+s*c,f*a+n,f*c-s*o,0,l*c-s*a,f*c+s*o,r*c*c+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,c=t._w,l=r+r,f=o+o,h=a+a,u=r*l,p=r*f,_=r*h,v=o*f,m=o*h,d=a*h,E=c*l,T=c*f,M=c*h,L=n.x,A=n.y,D=n.z;return s[0]=(1-(v+d))*L,s[1]=(p+M)*L,s[2]=(_-T)*L,s[3]=0,s[4]=(p-M)*A,s[5]=(1-(u+d))*A,s[6]=(m+E)*A,s[7]=0,s[8]=(_+T)*D,s[9]=(m-E)*D,s[10]=(1-(u+v))*D,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.elements,r=yr.set(s[0],s[1],s[2]).length(),o=yr.set(s[4],s[5],s[6]).length(),a=yr.set(s[8],s[9],s[10]).length();this.determinant()<0&&(r=-r),e.x=s[12],e.y=s[13],e.z=s[14],di.copy(this);let l=1/r,f=1/o,h=1/a;return di.elements[0]*=l,di.elements[1]*=l,di.elements[2]*=l,di.elements[4]*=f,di.elements[5]*=f,di.elements[6]*=f,di.elements[8]*=h,di.elements[9]*=h,di.elements[10]*=h,t.setFromRotationMatrix(di),n.x=r,n.y=o,n.z=a,this}makePerspective(e,t,n,s,r,o,a=mi,c=!1){let l=this.elements,f=2*r/(t-e),h=2*r/(n-s),u=(t+e)/(t-e),p=(n+s)/(n-s),_,v;if(c)_=r/(o-r),v=o*r/(o-r);else if(a===mi)_=-(o+r)/(o-r),v=-2*o*r/(o-r);else if(a===mo)_=-o/(o-r),v=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return l[0]=f,l[4]=0,l[8]=u,l[12]=0,l[1]=0,l[5]=h,l[9]=p,l[13]=0,l[2]=0,l[6]=0,l[10]=_,l[14]=v,l[3]=0,l[7]=0,l[11]=-1,l[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=mi,c=!1){let l=this.elements,f=2/(t-e),h=2/(n-s),u=-(t+e)/(t-e),p=-(n+s)/(n-s),_,v;if(c)_=1/(o-r),v=o/(o-r);else if(a===mi)_=-2/(o-r),v=-(o+r)/(o-r);else if(a===mo)_=-1/(o-r),v=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return l[0]=f,l[4]=0,l[8]=0,l[12]=u,l[1]=0,l[5]=h,l[9]=0,l[13]=p,l[2]=0,l[6]=0,l[10]=_,l[14]=v,l[3]=0,l[7]=0,l[11]=0,l[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},yr=new H,di=new Ut,x_=new H(0,0,0),y_=new H(1,1,1),ls=new H,Ta=new H,zn=new H,Hd=new Ut,Gd=new Gn,Xn=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,n=!0){let s=e.elements,r=s[0],o=s[4],a=s[8],c=s[1],l=s[5],f=s[9],h=s[2],u=s[6],p=s[10];switch(t){case"XYZ":this._y=Math.asin(lt(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-f,p),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(u,l),this._z=0);break;case"YXZ":this._x=Math.asin(-lt(f,-1,1)),Math.abs(f)<.9999999?(this._y=Math.atan2(a,p),this._z=Math.atan2(c,l)):(this._y=Math.atan2(-h,r),this._z=0);break;case"ZXY":this._x=Math.asin(lt(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(-h,p),this._z=Math.atan2(-o,l)):(this._y=0,this._z=Math.atan2(c,r));break;case"ZYX":this._y=Math.asin(-lt(h,-1,1)),Math.abs(h)<.9999999?(this._x=Math.atan2(u,p),this._z=Math.atan2(c,r)):(this._x=0,this._z=Math.atan2(-o,l));break;case"YZX":this._z=Math.asin(lt(c,-1,1)),Math.abs(c)<.9999999?(this._x=Math.atan2(-f,l),this._y=Math.atan2(-h,r)):(this._x=0,this._y=Math.atan2(a,p));break;case"XZY":this._z=Math.asin(-lt(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(u,l),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-f,p),this._y=0);break;default:console.warn("THREE.Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,n){return Hd.makeRotationFromQuaternion(e),this.setFromRotationMatrix(Hd,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return Gd.setFromEuler(this),this.setFromQuaternion(Gd,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};Xn.DEFAULT_ORDER="XYZ";var xo=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},M_=0,Wd=new H,Mr=new Gn,zi=new Ut,Aa=new H,co=new H,S_=new H,b_=new Gn,Xd=new H(1,0,0),qd=new H(0,1,0),Yd=new H(0,0,1),Zd={type:"added"},w_={type:"removed"},Sr={type:"childadded",child:null},Eh={type:"childremoved",child:null},pn=class i extends Xi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:M_++}),this.uuid=Wo(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new H,t=new Xn,n=new Gn,s=new H(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new Ut},normalMatrix:{value:new nt}}),this.matrix=new Ut,this.matrixWorld=new Ut,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new xo,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.userData={}}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Mr.setFromAxisAngle(e,t),this.quaternion.multiply(Mr),this}rotateOnWorldAxis(e,t){return Mr.setFromAxisAngle(e,t),this.quaternion.premultiply(Mr),this}rotateX(e){return this.rotateOnAxis(Xd,e)}rotateY(e){return this.rotateOnAxis(qd,e)}rotateZ(e){return this.rotateOnAxis(Yd,e)}translateOnAxis(e,t){return Wd.copy(e).applyQuaternion(this.quaternion),this.position.add(Wd.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Xd,e)}translateY(e){return this.translateOnAxis(qd,e)}translateZ(e){return this.translateOnAxis(Yd,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(zi.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Aa.copy(e):Aa.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),co.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?zi.lookAt(co,Aa,this.up):zi.lookAt(Aa,co,this.up),this.quaternion.setFromRotationMatrix(zi),s&&(zi.extractRotation(s.matrixWorld),Mr.setFromRotationMatrix(zi),this.quaternion.premultiply(Mr.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(console.error("THREE.Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(Zd),Sr.child=e,this.dispatchEvent(Sr),Sr.child=null):console.error("THREE.Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(w_),Eh.child=e,this.dispatchEvent(Eh),Eh.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),zi.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),zi.multiply(e.parent.matrixWorld)),e.applyMatrix4(zi),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(Zd),Sr.child=e,this.dispatchEvent(Sr),Sr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(co,e,S_),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(co,b_,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}traverse(e){e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale),this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let n=0,s=t.length;n<s;n++)t[n].updateMatrixWorld(e)}updateWorldMatrix(e,t){let n=this.parent;if(e===!0&&n!==null&&n.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),t===!0){let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].updateWorldMatrix(!1,!0)}}toJSON(e){let t=e===void 0||typeof e=="string",n={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},n.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,this.name!==""&&(s.name=this.name),this.castShadow===!0&&(s.castShadow=!0),this.receiveShadow===!0&&(s.receiveShadow=!0),this.visible===!1&&(s.visible=!1),this.frustumCulled===!1&&(s.frustumCulled=!1),this.renderOrder!==0&&(s.renderOrder=this.renderOrder),Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.matrixAutoUpdate===!1&&(s.matrixAutoUpdate=!1),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,c){return a[c.uuid]===void 0&&(a[c.uuid]=c.toJSON(e)),c.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let c=a.shapes;if(Array.isArray(c))for(let l=0,f=c.length;l<f;l++){let h=c[l];r(e.shapes,h)}else r(e.shapes,c)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let c=0,l=this.material.length;c<l;c++)a.push(r(e.materials,this.material[c]));s.material=a}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let c=this.animations[a];s.animations.push(r(e.animations,c))}}if(t){let a=o(e.geometries),c=o(e.materials),l=o(e.textures),f=o(e.images),h=o(e.shapes),u=o(e.skeletons),p=o(e.animations),_=o(e.nodes);a.length>0&&(n.geometries=a),c.length>0&&(n.materials=c),l.length>0&&(n.textures=l),f.length>0&&(n.images=f),h.length>0&&(n.shapes=h),u.length>0&&(n.skeletons=u),p.length>0&&(n.animations=p),_.length>0&&(n.nodes=_)}return n.object=s,n;function o(a){let c=[];for(let l in a){let f=a[l];delete f.metadata,c.push(f)}return c}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}};pn.DEFAULT_UP=new H(0,1,0);pn.DEFAULT_MATRIX_AUTO_UPDATE=!0;pn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var pi=new H,ki=new H,Th=new H,Vi=new H,br=new H,wr=new H,$d=new H,Ah=new H,Ch=new H,Rh=new H,Ih=new Wt,Ph=new Wt,Lh=new Wt,Hi=class i{constructor(e=new H,t=new H,n=new H){this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),pi.subVectors(e,t),s.cross(pi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){pi.subVectors(s,t),ki.subVectors(n,t),Th.subVectors(e,t);let o=pi.dot(pi),a=pi.dot(ki),c=pi.dot(Th),l=ki.dot(ki),f=ki.dot(Th),h=o*l-a*a;if(h===0)return r.set(0,0,0),null;let u=1/h,p=(l*c-a*f)*u,_=(o*f-a*c)*u;return r.set(1-p-_,_,p)}static containsPoint(e,t,n,s){return this.getBarycoord(e,t,n,s,Vi)===null?!1:Vi.x>=0&&Vi.y>=0&&Vi.x+Vi.y<=1}static getInterpolation(e,t,n,s,r,o,a,c){return this.getBarycoord(e,t,n,s,Vi)===null?(c.x=0,c.y=0,"z"in c&&(c.z=0),"w"in c&&(c.w=0),null):(c.setScalar(0),c.addScaledVector(r,Vi.x),c.addScaledVector(o,Vi.y),c.addScaledVector(a,Vi.z),c)}static getInterpolatedAttribute(e,t,n,s,r,o){return Ih.setScalar(0),Ph.setScalar(0),Lh.setScalar(0),Ih.fromBufferAttribute(e,t),Ph.fromBufferAttribute(e,n),Lh.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(Ih,r.x),o.addScaledVector(Ph,r.y),o.addScaledVector(Lh,r.z),o}static isFrontFacing(e,t,n,s){return pi.subVectors(n,t),ki.subVectors(e,t),pi.cross(ki).dot(s)<0}set(e,t,n){return this.a.copy(e),this.b.copy(t),this.c.copy(n),this}setFromPointsAndIndices(e,t,n,s){return this.a.copy(e[t]),this.b.copy(e[n]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,n,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,n),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return pi.subVectors(this.c,this.b),ki.subVectors(this.a,this.b),pi.cross(ki).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return i.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,n,s,r){return i.getInterpolation(e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;br.subVectors(s,n),wr.subVectors(r,n),Ah.subVectors(e,n);let c=br.dot(Ah),l=wr.dot(Ah);if(c<=0&&l<=0)return t.copy(n);Ch.subVectors(e,s);let f=br.dot(Ch),h=wr.dot(Ch);if(f>=0&&h<=f)return t.copy(s);let u=c*h-f*l;if(u<=0&&c>=0&&f<=0)return o=c/(c-f),t.copy(n).addScaledVector(br,o);Rh.subVectors(e,r);let p=br.dot(Rh),_=wr.dot(Rh);if(_>=0&&p<=_)return t.copy(r);let v=p*l-c*_;if(v<=0&&l>=0&&_<=0)return a=l/(l-_),t.copy(n).addScaledVector(wr,a);let m=f*_-p*h;if(m<=0&&h-f>=0&&p-_>=0)return $d.subVectors(r,s),a=(h-f)/(h-f+(p-_)),t.copy(s).addScaledVector($d,a);let d=1/(m+v+u);return o=v*d,a=u*d,t.copy(n).addScaledVector(br,o).addScaledVector(wr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},Kp={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},cs={h:0,s:0,l:0},Ca={h:0,s:0,l:0};function Dh(i,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var et=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Vn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,ut.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=ut.workingColorSpace){return this.r=e,this.g=t,this.b=n,ut.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=ut.workingColorSpace){if(e=p_(e,1),t=lt(t,0,1),n=lt(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=Dh(o,r,e+1/3),this.g=Dh(o,r,e),this.b=Dh(o,r,e-1/3)}return ut.colorSpaceToWorking(this,s),this}setStyle(e,t=Vn){function n(r){r!==void 0&&parseFloat(r)<1&&console.warn("THREE.Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+)\%\s*,\s*(\d+)\%\s*,\s*(\d+)\%\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(a))return n(r[4]),this.setRGB(Math.min(100,parseInt(r[1],10))/100,Math.min(100,parseInt(r[2],10))/100,Math.min(100,parseInt(r[3],10))/100,t);break;case"hsl":case"hsla":if(r=/^\s*(\d*\.?\d+)\s*,\s*(\d*\.?\d+)\%\s*,\s*(\d*\.?\d+)\%\s*(?:,\s*(\d*\.?\d+)\s*)?$/.exec(a))return n(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:console.warn("THREE.Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);console.warn("THREE.Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Vn){let n=Kp[e.toLowerCase()];return n!==void 0?this.setHex(n,t):console.warn("THREE.Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=Gi(e.r),this.g=Gi(e.g),this.b=Gi(e.b),this}copyLinearToSRGB(e){return this.r=Cr(e.r),this.g=Cr(e.g),this.b=Cr(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Vn){return ut.workingToColorSpace(vn.copy(this),e),Math.round(lt(vn.r*255,0,255))*65536+Math.round(lt(vn.g*255,0,255))*256+Math.round(lt(vn.b*255,0,255))}getHexString(e=Vn){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=ut.workingColorSpace){ut.workingToColorSpace(vn.copy(this),t);let n=vn.r,s=vn.g,r=vn.b,o=Math.max(n,s,r),a=Math.min(n,s,r),c,l,f=(a+o)/2;if(a===o)c=0,l=0;else{let h=o-a;switch(l=f<=.5?h/(o+a):h/(2-o-a),o){case n:c=(s-r)/h+(s<r?6:0);break;case s:c=(r-n)/h+2;break;case r:c=(n-s)/h+4;break}c/=6}return e.h=c,e.s=l,e.l=f,e}getRGB(e,t=ut.workingColorSpace){return ut.workingToColorSpace(vn.copy(this),t),e.r=vn.r,e.g=vn.g,e.b=vn.b,e}getStyle(e=Vn){ut.workingToColorSpace(vn.copy(this),e);let t=vn.r,n=vn.g,s=vn.b;return e!==Vn?`color(${e} ${t.toFixed(3)} ${n.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(n*255)},${Math.round(s*255)})`}offsetHSL(e,t,n){return this.getHSL(cs),this.setHSL(cs.h+e,cs.s+t,cs.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,n){return this.r=e.r+(t.r-e.r)*n,this.g=e.g+(t.g-e.g)*n,this.b=e.b+(t.b-e.b)*n,this}lerpHSL(e,t){this.getHSL(cs),e.getHSL(Ca);let n=mh(cs.h,Ca.h,t),s=mh(cs.s,Ca.s,t),r=mh(cs.l,Ca.l,t);return this.setHSL(n,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},vn=new et;et.NAMES=Kp;var E_=0,qi=class extends Xi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:E_++}),this.uuid=Wo(),this.name="",this.type="Material",this.blending=Os,this.side=Wi,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Ya,this.blendDst=Za,this.blendEquation=fs,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new et(0,0,0),this.blendAlpha=0,this.depthFunc=Bs,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Wh,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Fs,this.stencilZFail=Fs,this.stencilZPass=Fs,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let n=e[t];if(n===void 0){console.warn(`THREE.Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){console.warn(`THREE.Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(n):s&&s.isVector3&&n&&n.isVector3?s.copy(n):this[t]=n}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let n={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};n.uuid=this.uuid,n.type=this.type,this.name!==""&&(n.name=this.name),this.color&&this.color.isColor&&(n.color=this.color.getHex()),this.roughness!==void 0&&(n.roughness=this.roughness),this.metalness!==void 0&&(n.metalness=this.metalness),this.sheen!==void 0&&(n.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(n.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(n.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(n.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&this.emissiveIntensity!==1&&(n.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(n.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(n.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(n.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(n.shininess=this.shininess),this.clearcoat!==void 0&&(n.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(n.clearcoatRoughness=this.clearcoatRoughness),this.clearcoatMap&&this.clearcoatMap.isTexture&&(n.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(n.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(n.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,n.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(n.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(n.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(n.dispersion=this.dispersion),this.iridescence!==void 0&&(n.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(n.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessRange!==void 0&&(n.iridescenceThicknessRange=this.iridescenceThicknessRange),this.iridescenceMap&&this.iridescenceMap.isTexture&&(n.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(n.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(n.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(n.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(n.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(n.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(n.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(n.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(n.lightMap=this.lightMap.toJSON(e).uuid,n.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(n.aoMap=this.aoMap.toJSON(e).uuid,n.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(n.bumpMap=this.bumpMap.toJSON(e).uuid,n.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(n.normalMap=this.normalMap.toJSON(e).uuid,n.normalMapType=this.normalMapType,n.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(n.displacementMap=this.displacementMap.toJSON(e).uuid,n.displacementScale=this.displacementScale,n.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(n.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(n.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(n.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(n.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(n.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(n.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(n.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(n.combine=this.combine)),this.envMapRotation!==void 0&&(n.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(n.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(n.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(n.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(n.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(n.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(n.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(n.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(n.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&this.attenuationDistance!==1/0&&(n.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(n.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(n.size=this.size),this.shadowSide!==null&&(n.shadowSide=this.shadowSide),this.sizeAttenuation!==void 0&&(n.sizeAttenuation=this.sizeAttenuation),this.blending!==Os&&(n.blending=this.blending),this.side!==Wi&&(n.side=this.side),this.vertexColors===!0&&(n.vertexColors=!0),this.opacity<1&&(n.opacity=this.opacity),this.transparent===!0&&(n.transparent=!0),this.blendSrc!==Ya&&(n.blendSrc=this.blendSrc),this.blendDst!==Za&&(n.blendDst=this.blendDst),this.blendEquation!==fs&&(n.blendEquation=this.blendEquation),this.blendSrcAlpha!==null&&(n.blendSrcAlpha=this.blendSrcAlpha),this.blendDstAlpha!==null&&(n.blendDstAlpha=this.blendDstAlpha),this.blendEquationAlpha!==null&&(n.blendEquationAlpha=this.blendEquationAlpha),this.blendColor&&this.blendColor.isColor&&(n.blendColor=this.blendColor.getHex()),this.blendAlpha!==0&&(n.blendAlpha=this.blendAlpha),this.depthFunc!==Bs&&(n.depthFunc=this.depthFunc),this.depthTest===!1&&(n.depthTest=this.depthTest),this.depthWrite===!1&&(n.depthWrite=this.depthWrite),this.colorWrite===!1&&(n.colorWrite=this.colorWrite),this.stencilWriteMask!==255&&(n.stencilWriteMask=this.stencilWriteMask),this.stencilFunc!==Wh&&(n.stencilFunc=this.stencilFunc),this.stencilRef!==0&&(n.stencilRef=this.stencilRef),this.stencilFuncMask!==255&&(n.stencilFuncMask=this.stencilFuncMask),this.stencilFail!==Fs&&(n.stencilFail=this.stencilFail),this.stencilZFail!==Fs&&(n.stencilZFail=this.stencilZFail),this.stencilZPass!==Fs&&(n.stencilZPass=this.stencilZPass),this.stencilWrite===!0&&(n.stencilWrite=this.stencilWrite),this.rotation!==void 0&&this.rotation!==0&&(n.rotation=this.rotation),this.polygonOffset===!0&&(n.polygonOffset=!0),this.polygonOffsetFactor!==0&&(n.polygonOffsetFactor=this.polygonOffsetFactor),this.polygonOffsetUnits!==0&&(n.polygonOffsetUnits=this.polygonOffsetUnits),this.linewidth!==void 0&&this.linewidth!==1&&(n.linewidth=this.linewidth),this.dashSize!==void 0&&(n.dashSize=this.dashSize),this.gapSize!==void 0&&(n.gapSize=this.gapSize),this.scale!==void 0&&(n.scale=this.scale),this.dithering===!0&&(n.dithering=!0),this.alphaTest>0&&(n.alphaTest=this.alphaTest),this.alphaHash===!0&&(n.alphaHash=!0),this.alphaToCoverage===!0&&(n.alphaToCoverage=!0),this.premultipliedAlpha===!0&&(n.premultipliedAlpha=!0),this.forceSinglePass===!0&&(n.forceSinglePass=!0),this.wireframe===!0&&(n.wireframe=!0),this.wireframeLinewidth>1&&(n.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!=="round"&&(n.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!=="round"&&(n.wireframeLinejoin=this.wireframeLinejoin),this.flatShading===!0&&(n.flatShading=!0),this.visible===!1&&(n.visible=!1),this.toneMapped===!1&&(n.toneMapped=!1),this.fog===!1&&(n.fog=!1),Object.keys(this.userData).length>0&&(n.userData=this.userData);function s(r){let o=[];for(let a in r){let c=r[a];delete c.metadata,o.push(c)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(n.textures=r),o.length>0&&(n.images=o)}return n}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,n=null;if(t!==null){let s=t.length;n=new Array(s);for(let r=0;r!==s;++r)n[r]=t[r].clone()}return this.clippingPlanes=n,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}},qn=class extends qi{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new et(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Xn,this.combine=Al,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}};var Jt=new H,Ra=new ct,T_=0,en=class{constructor(e,t,n=!1){if(Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:T_++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=n,this.usage=Xh,this.updateRanges=[],this.gpuType=Ri,this.version=0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[n+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,n=this.count;t<n;t++)Ra.fromBufferAttribute(this,t),Ra.applyMatrix3(e),this.setXY(t,Ra.x,Ra.y);else if(this.itemSize===3)for(let t=0,n=this.count;t<n;t++)Jt.fromBufferAttribute(this,t),Jt.applyMatrix3(e),this.setXYZ(t,Jt.x,Jt.y,Jt.z);return this}applyMatrix4(e){for(let t=0,n=this.count;t<n;t++)Jt.fromBufferAttribute(this,t),Jt.applyMatrix4(e),this.setXYZ(t,Jt.x,Jt.y,Jt.z);return this}applyNormalMatrix(e){for(let t=0,n=this.count;t<n;t++)Jt.fromBufferAttribute(this,t),Jt.applyNormalMatrix(e),this.setXYZ(t,Jt.x,Jt.y,Jt.z);return this}transformDirection(e){for(let t=0,n=this.count;t<n;t++)Jt.fromBufferAttribute(this,t),Jt.transformDirection(e),this.setXYZ(t,Jt.x,Jt.y,Jt.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let n=this.array[e*this.itemSize+t];return this.normalized&&(n=oo(n,this.array)),n}setComponent(e,t,n){return this.normalized&&(n=Pn(n,this.array)),this.array[e*this.itemSize+t]=n,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=oo(t,this.array)),t}setX(e,t){return this.normalized&&(t=Pn(t,this.array)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=oo(t,this.array)),t}setY(e,t){return this.normalized&&(t=Pn(t,this.array)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=oo(t,this.array)),t}setZ(e,t){return this.normalized&&(t=Pn(t,this.array)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=oo(t,this.array)),t}setW(e,t){return this.normalized&&(t=Pn(t,this.array)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,n){return e*=this.itemSize,this.normalized&&(t=Pn(t,this.array),n=Pn(n,this.array)),this.array[e+0]=t,this.array[e+1]=n,this}setXYZ(e,t,n,s){return e*=this.itemSize,this.normalized&&(t=Pn(t,this.array),n=Pn(n,this.array),s=Pn(s,this.array)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,this.normalized&&(t=Pn(t,this.array),n=Pn(n,this.array),s=Pn(s,this.array),r=Pn(r,this.array)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return this.name!==""&&(e.name=this.name),this.usage!==Xh&&(e.usage=this.usage),e}};var yo=class extends en{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Mo=class extends en{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var Nt=class extends en{constructor(e,t,n){super(new Float32Array(e),t,n)}},A_=0,ti=new Ut,Uh=new pn,Er=new H,kn=new ds,ho=new ds,hn=new H,Yt=class i extends Xi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:A_++}),this.uuid=Wo(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={}}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(fu(e)?Mo:yo)(e,1):this.index=e,this}setIndirect(e){return this.indirect=e,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==void 0){let r=new nt().getNormalMatrix(e);n.applyNormalMatrix(r),n.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this}applyQuaternion(e){return ti.makeRotationFromQuaternion(e),this.applyMatrix4(ti),this}rotateX(e){return ti.makeRotationX(e),this.applyMatrix4(ti),this}rotateY(e){return ti.makeRotationY(e),this.applyMatrix4(ti),this}rotateZ(e){return ti.makeRotationZ(e),this.applyMatrix4(ti),this}translate(e,t,n){return ti.makeTranslation(e,t,n),this.applyMatrix4(ti),this}scale(e,t,n){return ti.makeScale(e,t,n),this.applyMatrix4(ti),this}lookAt(e){return Uh.lookAt(e),Uh.updateMatrix(),this.applyMatrix4(Uh.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(Er).negate(),this.translate(Er.x,Er.y,Er.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let n=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];n.push(o.x,o.y,o.z||0)}this.setAttribute("position",new Nt(n,3))}else{let n=Math.min(e.length,t.count);for(let s=0;s<n;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&console.warn("THREE.BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new ds);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){console.error("THREE.BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new H(-1/0,-1/0,-1/0),new H(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let n=0,s=t.length;n<s;n++){let r=t[n];kn.setFromBufferAttribute(r),this.morphTargetsRelative?(hn.addVectors(this.boundingBox.min,kn.min),this.boundingBox.expandByPoint(hn),hn.addVectors(this.boundingBox.max,kn.max),this.boundingBox.expandByPoint(hn)):(this.boundingBox.expandByPoint(kn.min),this.boundingBox.expandByPoint(kn.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&console.error('THREE.BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new ks);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){console.error("THREE.BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new H,1/0);return}if(e){let n=this.boundingSphere.center;if(kn.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];ho.setFromBufferAttribute(a),this.morphTargetsRelative?(hn.addVectors(kn.min,ho.min),kn.expandByPoint(hn),hn.addVectors(kn.max,ho.max),kn.expandByPoint(hn)):(kn.expandByPoint(ho.min),kn.expandByPoint(ho.max))}kn.getCenter(n);let s=0;for(let r=0,o=e.count;r<o;r++)hn.fromBufferAttribute(e,r),s=Math.max(s,n.distanceToSquared(hn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],c=this.morphTargetsRelative;for(let l=0,f=a.count;l<f;l++)hn.fromBufferAttribute(a,l),c&&(Er.fromBufferAttribute(e,l),hn.add(Er)),s=Math.max(s,n.distanceToSquared(hn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&console.error('THREE.BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){console.error("THREE.BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv;this.hasAttribute("tangent")===!1&&this.setAttribute("tangent",new en(new Float32Array(4*n.count),4));let o=this.getAttribute("tangent"),a=[],c=[];for(let F=0;F<n.count;F++)a[F]=new H,c[F]=new H;let l=new H,f=new H,h=new H,u=new ct,p=new ct,_=new ct,v=new H,m=new H;function d(F,b,S){l.fromBufferAttribute(n,F),f.fromBufferAttribute(n,b),h.fromBufferAttribute(n,S),u.fromBufferAttribute(r,F),p.fromBufferAttribute(r,b),_.fromBufferAttribute(r,S),f.sub(l),h.sub(l),p.sub(u),_.sub(u);let C=1/(p.x*_.y-_.x*p.y);isFinite(C)&&(v.copy(f).multiplyScalar(_.y).addScaledVector(h,-p.y).multiplyScalar(C),m.copy(h).multiplyScalar(p.x).addScaledVector(f,-_.x).multiplyScalar(C),a[F].add(v),a[b].add(v),a[S].add(v),c[F].add(m),c[b].add(m),c[S].add(m))}let E=this.groups;E.length===0&&(E=[{start:0,count:e.count}]);for(let F=0,b=E.length;F<b;++F){let S=E[F],C=S.start,O=S.count;for(let k=C,W=C+O;k<W;k+=3)d(e.getX(k+0),e.getX(k+1),e.getX(k+2))}let T=new H,M=new H,L=new H,A=new H;function D(F){L.fromBufferAttribute(s,F),A.copy(L);let b=a[F];T.copy(b),T.sub(L.multiplyScalar(L.dot(b))).normalize(),M.crossVectors(A,b);let C=M.dot(c[F])<0?-1:1;o.setXYZW(F,T.x,T.y,T.z,C)}for(let F=0,b=E.length;F<b;++F){let S=E[F],C=S.start,O=S.count;for(let k=C,W=C+O;k<W;k+=3)D(e.getX(k+0)),D(e.getX(k+1)),D(e.getX(k+2))}}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===void 0)n=new en(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let u=0,p=n.count;u<p;u++)n.setXYZ(u,0,0,0);let s=new H,r=new H,o=new H,a=new H,c=new H,l=new H,f=new H,h=new H;if(e)for(let u=0,p=e.count;u<p;u+=3){let _=e.getX(u+0),v=e.getX(u+1),m=e.getX(u+2);s.fromBufferAttribute(t,_),r.fromBufferAttribute(t,v),o.fromBufferAttribute(t,m),f.subVectors(o,r),h.subVectors(s,r),f.cross(h),a.fromBufferAttribute(n,_),c.fromBufferAttribute(n,v),l.fromBufferAttribute(n,m),a.add(f),c.add(f),l.add(f),n.setXYZ(_,a.x,a.y,a.z),n.setXYZ(v,c.x,c.y,c.z),n.setXYZ(m,l.x,l.y,l.z)}else for(let u=0,p=t.count;u<p;u+=3)s.fromBufferAttribute(t,u+0),r.fromBufferAttribute(t,u+1),o.fromBufferAttribute(t,u+2),f.subVectors(o,r),h.subVectors(s,r),f.cross(h),n.setXYZ(u+0,f.x,f.y,f.z),n.setXYZ(u+1,f.x,f.y,f.z),n.setXYZ(u+2,f.x,f.y,f.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<n;t++)hn.fromBufferAttribute(e,t),hn.normalize(),e.setXYZ(t,hn.x,hn.y,hn.z)}toNonIndexed(){function e(a,c){let l=a.array,f=a.itemSize,h=a.normalized,u=new l.constructor(c.length*f),p=0,_=0;for(let v=0,m=c.length;v<m;v++){a.isInterleavedBufferAttribute?p=c[v]*a.data.stride+a.offset:p=c[v]*f;for(let d=0;d<f;d++)u[_++]=l[p++]}return new en(u,f,h)}if(this.index===null)return console.warn("THREE.BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;for(let a in s){let c=s[a],l=e(c,n);t.setAttribute(a,l)}let r=this.morphAttributes;for(let a in r){let c=[],l=r[a];for(let f=0,h=l.length;f<h;f++){let u=l[f],p=e(u,n);c.push(p)}t.morphAttributes[a]=c}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,c=o.length;a<c;a++){let l=o[a];t.addGroup(l.start,l.count,l.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.type,this.name!==""&&(e.name=this.name),Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0){let c=this.parameters;for(let l in c)c[l]!==void 0&&(e[l]=c[l]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let n=this.attributes;for(let c in n){let l=n[c];e.data.attributes[c]=l.toJSON(e.data)}let s={},r=!1;for(let c in this.morphAttributes){let l=this.morphAttributes[c],f=[];for(let h=0,u=l.length;h<u;h++){let p=l[h];f.push(p.toJSON(e.data))}f.length>0&&(s[c]=f,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let n=e.index;n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let l in s){let f=s[l];this.setAttribute(l,f.clone(t))}let r=e.morphAttributes;for(let l in r){let f=[],h=r[l];for(let u=0,p=h.length;u<p;u++)f.push(h[u].clone(t));this.morphAttributes[l]=f}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let l=0,f=o.length;l<f;l++){let h=o[l];this.addGroup(h.start,h.count,h.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let c=e.boundingSphere;return c!==null&&(this.boundingSphere=c.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this}dispose(){this.dispatchEvent({type:"dispose"})}},Jd=new Ut,Us=new vo,Ia=new ks,Kd=new H,Pa=new H,La=new H,Da=new H,Nh=new H,Ua=new H,Qd=new H,Na=new H,Gt=class extends pn{constructor(e=new Yt,t=new qn){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0&&(this.morphTargetInfluences=e.morphTargetInfluences.slice()),e.morphTargetDictionary!==void 0&&(this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary)),this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&a){Ua.set(0,0,0);for(let c=0,l=r.length;c<l;c++){let f=a[c],h=r[c];f!==0&&(Nh.fromBufferAttribute(h,e),o?Ua.addScaledVector(Nh,f):Ua.addScaledVector(Nh.sub(t),f))}t.add(Ua)}return t}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===null&&n.computeBoundingSphere(),Ia.copy(n.boundingSphere),Ia.applyMatrix4(r),Us.copy(e.ray).recast(e.near),!(Ia.containsPoint(Us.origin)===!1&&(Us.intersectSphere(Ia,Kd)===null||Us.origin.distanceToSquared(Kd)>(e.far-e.near)**2))&&(Jd.copy(r).invert(),Us.copy(e.ray).applyMatrix4(Jd),!(n.boundingBox!==null&&Us.intersectsBox(n.boundingBox)===!1)&&this._computeIntersections(e,t,Us)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,c=r.attributes.position,l=r.attributes.uv,f=r.attributes.uv1,h=r.attributes.normal,u=r.groups,p=r.drawRange;if(a!==null)if(Array.isArray(o))for(let _=0,v=u.length;_<v;_++){let m=u[_],d=o[m.materialIndex],E=Math.max(m.start,p.start),T=Math.min(a.count,Math.min(m.start+m.count,p.start+p.count));for(let M=E,L=T;M<L;M+=3){let A=a.getX(M),D=a.getX(M+1),F=a.getX(M+2);s=Fa(this,d,e,n,l,f,h,A,D,F),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let _=Math.max(0,p.start),v=Math.min(a.count,p.start+p.count);for(let m=_,d=v;m<d;m+=3){let E=a.getX(m),T=a.getX(m+1),M=a.getX(m+2);s=Fa(this,o,e,n,l,f,h,E,T,M),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}else if(c!==void 0)if(Array.isArray(o))for(let _=0,v=u.length;_<v;_++){let m=u[_],d=o[m.materialIndex],E=Math.max(m.start,p.start),T=Math.min(c.count,Math.min(m.start+m.count,p.start+p.count));for(let M=E,L=T;M<L;M+=3){let A=M,D=M+1,F=M+2;s=Fa(this,d,e,n,l,f,h,A,D,F),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let _=Math.max(0,p.start),v=Math.min(c.count,p.start+p.count);for(let m=_,d=v;m<d;m+=3){let E=m,T=m+1,M=m+2;s=Fa(this,o,e,n,l,f,h,E,T,M),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function C_(i,e,t,n,s,r,o,a){let c;if(e.side===Cn?c=n.intersectTriangle(o,r,s,!0,a):c=n.intersectTriangle(s,r,o,e.side===Wi,a),c===null)return null;Na.copy(a),Na.applyMatrix4(i.matrixWorld);let l=t.ray.origin.distanceTo(Na);return l<t.near||l>t.far?null:{distance:l,point:Na.clone(),object:i}}function Fa(i,e,t,n,s,r,o,a,c,l){i.getVertexPosition(a,Pa),i.getVertexPosition(c,La),i.getVertexPosition(l,Da);let f=C_(i,e,t,n,Pa,La,Da,Qd);if(f){let h=new H;Hi.getBarycoord(Qd,Pa,La,Da,h),s&&(f.uv=Hi.getInterpolatedAttribute(s,a,c,l,h,new ct)),r&&(f.uv1=Hi.getInterpolatedAttribute(r,a,c,l,h,new ct)),o&&(f.normal=Hi.getInterpolatedAttribute(o,a,c,l,h,new H),f.normal.dot(n.direction)>0&&f.normal.multiplyScalar(-1));let u={a,b:c,c:l,normal:new H,materialIndex:0};Hi.getNormal(Pa,La,Da,u.normal),f.face=u,f.barycoord=h}return f}var Lr=class i extends Yt{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let c=[],l=[],f=[],h=[],u=0,p=0;_("z","y","x",-1,-1,n,t,e,o,r,0),_("z","y","x",1,-1,n,t,-e,o,r,1),_("x","z","y",1,1,e,n,t,s,o,2),_("x","z","y",1,-1,e,n,-t,s,o,3),_("x","y","z",1,-1,e,t,n,s,r,4),_("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(c),this.setAttribute("position",new Nt(l,3)),this.setAttribute("normal",new Nt(f,3)),this.setAttribute("uv",new Nt(h,2));function _(v,m,d,E,T,M,L,A,D,F,b){let S=M/D,C=L/F,O=M/2,k=L/2,W=A/2,X=D+1,q=F+1,$=0,Q=0,re=new H;for(let oe=0;oe<q;oe++){let _e=oe*C-k;for(let xe=0;xe<X;xe++){let pe=xe*S-O;re[v]=pe*E,re[m]=_e*T,re[d]=W,l.push(re.x,re.y,re.z),re[v]=0,re[m]=0,re[d]=A>0?1:-1,f.push(re.x,re.y,re.z),h.push(xe/D),h.push(1-oe/F),$+=1}}for(let oe=0;oe<F;oe++)for(let _e=0;_e<D;_e++){let xe=u+_e+X*oe,pe=u+_e+X*(oe+1),Ke=u+(_e+1)+X*(oe+1),Xe=u+(_e+1)+X*oe;c.push(xe,pe,Xe),c.push(pe,Ke,Xe),Q+=6}a.addGroup(p,Q,b),p+=Q,u+=$}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};function Xs(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];s&&(s.isColor||s.isMatrix3||s.isMatrix4||s.isVector2||s.isVector3||s.isVector4||s.isTexture||s.isQuaternion)?s.isRenderTargetTexture?(console.warn("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone():Array.isArray(s)?e[t][n]=s.slice():e[t][n]=s}}return e}function yn(i){let e={};for(let t=0;t<i.length;t++){let n=Xs(i[t]);for(let s in n)e[s]=n[s]}return e}function R_(i){let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function du(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:ut.workingColorSpace}var Qp={clone:Xs,merge:yn},I_=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,P_=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,_i=class extends qi{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=I_,this.fragmentShader=P_,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Xs(e.uniforms),this.uniformsGroups=R_(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?t.uniforms[s]={type:"t",value:o.toJSON(e).uuid}:o&&o.isColor?t.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?t.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?t.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?t.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?t.uniforms[s]={type:"m4",value:o.toArray()}:t.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let n={};for(let s in this.extensions)this.extensions[s]===!0&&(n[s]=!0);return Object.keys(n).length>0&&(t.extensions=n),t}},So=class extends pn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new Ut,this.projectionMatrix=new Ut,this.projectionMatrixInverse=new Ut,this.coordinateSystem=mi,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorldInverse.copy(this.matrixWorld).invert()}updateWorldMatrix(e,t){super.updateWorldMatrix(e,t),this.matrixWorldInverse.copy(this.matrixWorld).invert()}clone(){return new this.constructor().copy(this)}},hs=new H,jd=new ct,ep=new ct,xn=class extends So{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Qa*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(qa*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return Qa*2*Math.atan(Math.tan(qa*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){hs.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(hs.x,hs.y).multiplyScalar(-e/hs.z),hs.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(hs.x,hs.y).multiplyScalar(-e/hs.z)}getViewSize(e,t){return this.getViewBounds(e,jd,ep),t.subVectors(ep,jd)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(qa*.5*this.fov)/this.zoom,n=2*t,s=this.aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let c=o.fullWidth,l=o.fullHeight;r+=o.offsetX*s/c,t-=o.offsetY*n/l,s*=o.width/c,n*=o.height/l}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-n,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}},Tr=-90,Ar=1,nl=class extends pn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new xn(Tr,Ar,e,t);s.layers=this.layers,this.add(s);let r=new xn(Tr,Ar,e,t);r.layers=this.layers,this.add(r);let o=new xn(Tr,Ar,e,t);o.layers=this.layers,this.add(o);let a=new xn(Tr,Ar,e,t);a.layers=this.layers,this.add(a);let c=new xn(Tr,Ar,e,t);c.layers=this.layers,this.add(c);let l=new xn(Tr,Ar,e,t);l.layers=this.layers,this.add(l)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,c]=t;for(let l of t)this.remove(l);if(e===mi)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),c.up.set(0,1,0),c.lookAt(0,0,-1);else if(e===mo)n.up.set(0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),c.up.set(0,-1,0),c.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let l of t)this.add(l),l.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,c,l,f]=this.children,h=e.getRenderTarget(),u=e.getActiveCubeFace(),p=e.getActiveMipmapLevel(),_=e.xr.enabled;e.xr.enabled=!1;let v=n.texture.generateMipmaps;n.texture.generateMipmaps=!1,e.setRenderTarget(n,0,s),e.render(t,r),e.setRenderTarget(n,1,s),e.render(t,o),e.setRenderTarget(n,2,s),e.render(t,a),e.setRenderTarget(n,3,s),e.render(t,c),e.setRenderTarget(n,4,s),e.render(t,l),n.texture.generateMipmaps=v,e.setRenderTarget(n,5,s),e.render(t,f),e.setRenderTarget(h,u,p),e.xr.enabled=_,n.texture.needsPMREMUpdate=!0}},bo=class extends Wn{constructor(e=[],t=Gs,n,s,r,o,a,c,l,f){super(e,t,n,s,r,o,a,c,l,f),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}},il=class extends Ai{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new bo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new Lr(5,5,5),r=new _i({name:"CubemapFromEquirect",uniforms:Xs(n.uniforms),vertexShader:n.vertexShader,fragmentShader:n.fragmentShader,side:Cn,blending:Zi});r.uniforms.tEquirect.value=t;let o=new Gt(s,r),a=t.minFilter;return t.minFilter===_s&&(t.minFilter=gi),new nl(1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(this,o),e.clear(t,n,s);e.setRenderTarget(r)}},Hn=class extends pn{constructor(){super(),this.isGroup=!0,this.type="Group"}},L_={type:"move"},Dr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new Hn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new Hn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new H,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new H),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new Hn,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new H,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new H),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let n of e.hand.values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,r=null,o=null,a=this._targetRay,c=this._grip,l=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(l&&e.hand){o=!0;for(let v of e.hand.values()){let m=t.getJointPose(v,n),d=this._getHandJoint(l,v);m!==null&&(d.matrix.fromArray(m.transform.matrix),d.matrix.decompose(d.position,d.rotation,d.scale),d.matrixWorldNeedsUpdate=!0,d.jointRadius=m.radius),d.visible=m!==null}let f=l.joints["index-finger-tip"],h=l.joints["thumb-tip"],u=f.position.distanceTo(h.position),p=.02,_=.005;l.inputState.pinching&&u>p+_?(l.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!l.inputState.pinching&&u<=p-_&&(l.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else c!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(c.matrix.fromArray(r.transform.matrix),c.matrix.decompose(c.position,c.rotation,c.scale),c.matrixWorldNeedsUpdate=!0,r.linearVelocity?(c.hasLinearVelocity=!0,c.linearVelocity.copy(r.linearVelocity)):c.hasLinearVelocity=!1,r.angularVelocity?(c.hasAngularVelocity=!0,c.angularVelocity.copy(r.angularVelocity)):c.hasAngularVelocity=!1));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.rotation,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(L_)))}return a!==null&&(a.visible=s!==null),c!==null&&(c.visible=r!==null),l!==null&&(l.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let n=new Hn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}};var wo=class i{constructor(e,t=1,n=1e3){this.isFog=!0,this.name="",this.color=new et(e),this.near=t,this.far=n}clone(){return new i(this.color,this.near,this.far)}toJSON(){return{type:"Fog",name:this.name,color:this.color.getHex(),near:this.near,far:this.far}}},Eo=class extends pn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new Xn,this.environmentIntensity=1,this.environmentRotation=new Xn,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),e.background!==null&&(this.background=e.background.clone()),e.environment!==null&&(this.environment=e.environment.clone()),e.fog!==null&&(this.fog=e.fog.clone()),this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),e.overrideMaterial!==null&&(this.overrideMaterial=e.overrideMaterial.clone()),this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),this.backgroundBlurriness>0&&(t.object.backgroundBlurriness=this.backgroundBlurriness),this.backgroundIntensity!==1&&(t.object.backgroundIntensity=this.backgroundIntensity),t.object.backgroundRotation=this.backgroundRotation.toArray(),this.environmentIntensity!==1&&(t.object.environmentIntensity=this.environmentIntensity),t.object.environmentRotation=this.environmentRotation.toArray(),t}};var Fh=new H,D_=new H,U_=new nt,Ti=class{constructor(e=new H(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=Fh.subVectors(n,t).cross(D_.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t){let n=e.delta(Fh),s=this.normal.dot(n);if(s===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let r=-(e.start.dot(this.normal)+this.constant)/s;return r<0||r>1?null:t.copy(e.start).addScaledVector(n,r)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let n=t||U_.getNormalMatrix(e),s=this.coplanarPoint(Fh).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}},Ns=new ks,N_=new ct(.5,.5),Oa=new H,Ur=class{constructor(e=new Ti,t=new Ti,n=new Ti,s=new Ti,r=new Ti,o=new Ti){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(e.planes[n]);return this}setFromProjectionMatrix(e,t=mi,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],c=r[2],l=r[3],f=r[4],h=r[5],u=r[6],p=r[7],_=r[8],v=r[9],m=r[10],d=r[11],E=r[12],T=r[13],M=r[14],L=r[15];if(s[0].setComponents(l-o,p-f,d-_,L-E).normalize(),s[1].setComponents(l+o,p+f,d+_,L+E).normalize(),s[2].setComponents(l+a,p+h,d+v,L+T).normalize(),s[3].setComponents(l-a,p-h,d-v,L-T).normalize(),n)s[4].setComponents(c,u,m,M).normalize(),s[5].setComponents(l-c,p-u,d-m,L-M).normalize();else if(s[4].setComponents(l-c,p-u,d-m,L-M).normalize(),t===mi)s[5].setComponents(l+c,p+u,d+m,L+M).normalize();else if(t===mo)s[5].setComponents(c,u,m,M).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),Ns.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),Ns.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(Ns)}intersectsSprite(e){Ns.center.set(0,0,0);let t=N_.distanceTo(e.center);return Ns.radius=.7071067811865476+t,Ns.applyMatrix4(e.matrixWorld),this.intersectsSphere(Ns)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(Oa.x=s.normal.x>0?e.max.x:e.min.x,Oa.y=s.normal.y>0?e.max.y:e.min.y,Oa.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(Oa)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}};var Yn=class extends qi{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new et(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},sl=new H,rl=new H,tp=new Ut,uo=new vo,Ba=new ks,Oh=new H,np=new H,Vs=class extends pn{constructor(e=new Yt,t=new Yn){super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[0];for(let s=1,r=t.count;s<r;s++)sl.fromBufferAttribute(t,s-1),rl.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=sl.distanceTo(rl);e.setAttribute("lineDistance",new Nt(n,1))}else console.warn("THREE.Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}raycast(e,t){let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),Ba.copy(n.boundingSphere),Ba.applyMatrix4(s),Ba.radius+=r,e.ray.intersectsSphere(Ba)===!1)return;tp.copy(s).invert(),uo.copy(e.ray).applyMatrix4(tp);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),c=a*a,l=this.isLineSegments?2:1,f=n.index,u=n.attributes.position;if(f!==null){let p=Math.max(0,o.start),_=Math.min(f.count,o.start+o.count);for(let v=p,m=_-1;v<m;v+=l){let d=f.getX(v),E=f.getX(v+1),T=za(this,e,uo,c,d,E,v);T&&t.push(T)}if(this.isLineLoop){let v=f.getX(_-1),m=f.getX(p),d=za(this,e,uo,c,v,m,_-1);d&&t.push(d)}}else{let p=Math.max(0,o.start),_=Math.min(u.count,o.start+o.count);for(let v=p,m=_-1;v<m;v+=l){let d=za(this,e,uo,c,v,v+1,v);d&&t.push(d)}if(this.isLineLoop){let v=za(this,e,uo,c,_-1,p,_-1);v&&t.push(v)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function za(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(sl.fromBufferAttribute(a,s),rl.fromBufferAttribute(a,r),t.distanceSqToSegment(sl,rl,Oh,np)>n)return;Oh.applyMatrix4(i.matrixWorld);let l=e.ray.origin.distanceTo(Oh);if(!(l<e.near||l>e.far))return{distance:l,point:np.clone().applyMatrix4(i.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:i}}var ip=new H,sp=new H,ps=class extends Vs{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type="LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)ip.fromBufferAttribute(t,s),sp.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+ip.distanceTo(sp);e.setAttribute("lineDistance",new Nt(n,1))}else console.warn("THREE.LineSegments.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var To=class extends Wn{constructor(e,t,n=vs,s,r,o,a=ni,c=ni,l,f=Rr,h=1){if(f!==Rr&&f!==zr)throw new Error("DepthTexture format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let u={width:e,height:t,depth:h};super(u,s,r,o,a,c,f,n,l),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new Pr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return this.compareFunction!==null&&(t.compareFunction=this.compareFunction),t}},Ao=class extends Wn{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},Co=class i extends Yt{constructor(e=1,t=1,n=4,s=8,r=1){super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],c=[],l=[],f=t/2,h=Math.PI/2*e,u=t,p=2*h+u,_=n*2+r,v=s+1,m=new H,d=new H;for(let E=0;E<=_;E++){let T=0,M=0,L=0,A=0;if(E<=n){let b=E/n,S=b*Math.PI/2;M=-f-e*Math.cos(S),L=e*Math.sin(S),A=-e*Math.cos(S),T=b*h}else if(E<=n+r){let b=(E-n)/r;M=-f+b*t,L=e,A=0,T=h+b*u}else{let b=(E-n-r)/n,S=b*Math.PI/2;M=f+e*Math.sin(S),L=e*Math.cos(S),A=e*Math.sin(S),T=h+u+b*h}let D=Math.max(0,Math.min(1,T/p)),F=0;E===0?F=.5/s:E===_&&(F=-.5/s);for(let b=0;b<=s;b++){let S=b/s,C=S*Math.PI*2,O=Math.sin(C),k=Math.cos(C);d.x=-L*k,d.y=M,d.z=L*O,a.push(d.x,d.y,d.z),m.set(-L*k,A,L*O),m.normalize(),c.push(m.x,m.y,m.z),l.push(S+F,D)}if(E>0){let b=(E-1)*v;for(let S=0;S<s;S++){let C=b+S,O=b+S+1,k=E*v+S,W=E*v+S+1;o.push(C,O,k),o.push(O,W,k)}}}this.setIndex(o),this.setAttribute("position",new Nt(a,3)),this.setAttribute("normal",new Nt(c,3)),this.setAttribute("uv",new Nt(l,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}},Ro=class i extends Yt{constructor(e=1,t=32,n=0,s=Math.PI*2){super(),this.type="CircleGeometry",this.parameters={radius:e,segments:t,thetaStart:n,thetaLength:s},t=Math.max(3,t);let r=[],o=[],a=[],c=[],l=new H,f=new ct;o.push(0,0,0),a.push(0,0,1),c.push(.5,.5);for(let h=0,u=3;h<=t;h++,u+=3){let p=n+h/t*s;l.x=e*Math.cos(p),l.y=e*Math.sin(p),o.push(l.x,l.y,l.z),a.push(0,0,1),f.x=(o[u]/e+1)/2,f.y=(o[u+1]/e+1)/2,c.push(f.x,f.y)}for(let h=1;h<=t;h++)r.push(h,h+1,0);this.setIndex(r),this.setAttribute("position",new Nt(o,3)),this.setAttribute("normal",new Nt(a,3)),this.setAttribute("uv",new Nt(c,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.segments,e.thetaStart,e.thetaLength)}},ol=class i extends Yt{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,c=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:c};let l=this;s=Math.floor(s),r=Math.floor(r);let f=[],h=[],u=[],p=[],_=0,v=[],m=n/2,d=0;E(),o===!1&&(e>0&&T(!0),t>0&&T(!1)),this.setIndex(f),this.setAttribute("position",new Nt(h,3)),this.setAttribute("normal",new Nt(u,3)),this.setAttribute("uv",new Nt(p,2));function E(){let M=new H,L=new H,A=0,D=(t-e)/n;for(let F=0;F<=r;F++){let b=[],S=F/r,C=S*(t-e)+e;for(let O=0;O<=s;O++){let k=O/s,W=k*c+a,X=Math.sin(W),q=Math.cos(W);L.x=C*X,L.y=-S*n+m,L.z=C*q,h.push(L.x,L.y,L.z),M.set(X,D,q).normalize(),u.push(M.x,M.y,M.z),p.push(k,1-S),b.push(_++)}v.push(b)}for(let F=0;F<s;F++)for(let b=0;b<r;b++){let S=v[b][F],C=v[b+1][F],O=v[b+1][F+1],k=v[b][F+1];(e>0||b!==0)&&(f.push(S,C,k),A+=3),(t>0||b!==r-1)&&(f.push(C,O,k),A+=3)}l.addGroup(d,A,0),d+=A}function T(M){let L=_,A=new ct,D=new H,F=0,b=M===!0?e:t,S=M===!0?1:-1;for(let O=1;O<=s;O++)h.push(0,m*S,0),u.push(0,S,0),p.push(.5,.5),_++;let C=_;for(let O=0;O<=s;O++){let W=O/s*c+a,X=Math.cos(W),q=Math.sin(W);D.x=b*q,D.y=m*S,D.z=b*X,h.push(D.x,D.y,D.z),u.push(0,S,0),A.x=X*.5+.5,A.y=q*.5*S+.5,p.push(A.x,A.y),_++}for(let O=0;O<s;O++){let k=L+O,W=C+O;M===!0?f.push(W,W+1,k):f.push(W+1,W,k),F+=3}l.addGroup(d,F,M===!0?1:2),d+=F}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},al=class i extends ol{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}};var ka=new H,Va=new H,Bh=new H,Ha=new Hi,Nr=class extends Yt{constructor(e=null,t=1){if(super(),this.type="EdgesGeometry",this.parameters={geometry:e,thresholdAngle:t},e!==null){let s=Math.pow(10,4),r=Math.cos(qa*t),o=e.getIndex(),a=e.getAttribute("position"),c=o?o.count:a.count,l=[0,0,0],f=["a","b","c"],h=new Array(3),u={},p=[];for(let _=0;_<c;_+=3){o?(l[0]=o.getX(_),l[1]=o.getX(_+1),l[2]=o.getX(_+2)):(l[0]=_,l[1]=_+1,l[2]=_+2);let{a:v,b:m,c:d}=Ha;if(v.fromBufferAttribute(a,l[0]),m.fromBufferAttribute(a,l[1]),d.fromBufferAttribute(a,l[2]),Ha.getNormal(Bh),h[0]=`${Math.round(v.x*s)},${Math.round(v.y*s)},${Math.round(v.z*s)}`,h[1]=`${Math.round(m.x*s)},${Math.round(m.y*s)},${Math.round(m.z*s)}`,h[2]=`${Math.round(d.x*s)},${Math.round(d.y*s)},${Math.round(d.z*s)}`,!(h[0]===h[1]||h[1]===h[2]||h[2]===h[0]))for(let E=0;E<3;E++){let T=(E+1)%3,M=h[E],L=h[T],A=Ha[f[E]],D=Ha[f[T]],F=`${M}_${L}`,b=`${L}_${M}`;b in u&&u[b]?(Bh.dot(u[b].normal)<=r&&(p.push(A.x,A.y,A.z),p.push(D.x,D.y,D.z)),u[b]=null):F in u||(u[F]={index0:l[E],index1:l[T],normal:Bh.clone()})}}for(let _ in u)if(u[_]){let{index0:v,index1:m}=u[_];ka.fromBufferAttribute(a,v),Va.fromBufferAttribute(a,m),p.push(ka.x,ka.y,ka.z),p.push(Va.x,Va.y,Va.z)}this.setAttribute("position",new Nt(p,3))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}};var Yi=class i extends Yt{constructor(e=1,t=1,n=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),c=Math.floor(s),l=a+1,f=c+1,h=e/a,u=t/c,p=[],_=[],v=[],m=[];for(let d=0;d<f;d++){let E=d*u-o;for(let T=0;T<l;T++){let M=T*h-r;_.push(M,-E,0),v.push(0,0,1),m.push(T/a),m.push(1-d/c)}}for(let d=0;d<c;d++)for(let E=0;E<a;E++){let T=E+l*d,M=E+l*(d+1),L=E+1+l*(d+1),A=E+1+l*d;p.push(T,M,A),p.push(M,L,A)}this.setIndex(p),this.setAttribute("position",new Nt(_,3)),this.setAttribute("normal",new Nt(v,3)),this.setAttribute("uv",new Nt(m,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.widthSegments,e.heightSegments)}},Io=class i extends Yt{constructor(e=.5,t=1,n=32,s=1,r=0,o=Math.PI*2){super(),this.type="RingGeometry",this.parameters={innerRadius:e,outerRadius:t,thetaSegments:n,phiSegments:s,thetaStart:r,thetaLength:o},n=Math.max(3,n),s=Math.max(1,s);let a=[],c=[],l=[],f=[],h=e,u=(t-e)/s,p=new H,_=new ct;for(let v=0;v<=s;v++){for(let m=0;m<=n;m++){let d=r+m/n*o;p.x=h*Math.cos(d),p.y=h*Math.sin(d),c.push(p.x,p.y,p.z),l.push(0,0,1),_.x=(p.x/t+1)/2,_.y=(p.y/t+1)/2,f.push(_.x,_.y)}h+=u}for(let v=0;v<s;v++){let m=v*(n+1);for(let d=0;d<n;d++){let E=d+m,T=E,M=E+n+1,L=E+n+2,A=E+1;a.push(T,M,A),a.push(M,L,A)}}this.setIndex(a),this.setAttribute("position",new Nt(c,3)),this.setAttribute("normal",new Nt(l,3)),this.setAttribute("uv",new Nt(f,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.innerRadius,e.outerRadius,e.thetaSegments,e.phiSegments,e.thetaStart,e.thetaLength)}};var Po=class extends qi{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new et(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new et(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.bumpScale=1,this.normalMap=null,this.normalMapType=cu,this.normalScale=new ct(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Xn,this.combine=Al,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.emissive.copy(e.emissive),this.emissiveMap=e.emissiveMap,this.emissiveIntensity=e.emissiveIntensity,this.bumpMap=e.bumpMap,this.bumpScale=e.bumpScale,this.normalMap=e.normalMap,this.normalMapType=e.normalMapType,this.normalScale.copy(e.normalScale),this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.flatShading=e.flatShading,this.fog=e.fog,this}},ll=class extends qi{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=zp,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},cl=class extends qi{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function Ga(i,e){return!i||i.constructor===e?i:typeof e.BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function F_(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}var Hs=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=n+2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=t[++n],e<s)break e}o=t.length;break t}if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let c=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===c)break;if(s=r,r=t[--n-1],e>=r)break e}o=n,n=0;break t}break n}for(;n<o;){let a=n+o>>>1;e<t[a]?o=a:n=a+1}if(s=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=n[r+o];return t}interpolate_(){throw new Error("call to abstract method")}intervalChanged_(){}},hl=class extends Hs{constructor(e,t,n,s){super(e,t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Vh,endingEnd:Vh}}intervalChanged_(e,t,n){let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],c=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Hh:r=e,a=2*t-n;break;case Gh:r=s.length-2,a=t+s[r]-s[r+1];break;default:r=e,a=n}if(c===void 0)switch(this.getSettings_().endingEnd){case Hh:o=e,c=2*n-t;break;case Gh:o=1,c=n+s[1]-s[0];break;default:o=e-1,c=t}let l=(n-t)*.5,f=this.valueSize;this._weightPrev=l/(t-a),this._weightNext=l/(c-n),this._offsetPrev=r*f,this._offsetNext=o*f}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,f=this._offsetPrev,h=this._offsetNext,u=this._weightPrev,p=this._weightNext,_=(n-t)/(s-t),v=_*_,m=v*_,d=-u*m+2*u*v-u*_,E=(1+u)*m+(-1.5-2*u)*v+(-.5+u)*_+1,T=(-1-p)*m+(1.5+p)*v+.5*_,M=p*m-p*v;for(let L=0;L!==a;++L)r[L]=d*o[f+L]+E*o[l+L]+T*o[c+L]+M*o[h+L];return r}},ul=class extends Hs{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,f=(n-t)/(s-t),h=1-f;for(let u=0;u!==a;++u)r[u]=o[l+u]*h+o[c+u]*f;return r}},fl=class extends Hs{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Zn=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=Ga(t,this.TimeBufferType),this.values=Ga(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.toJSON(e);else{n={name:e.name,times:Ga(e.times,Array),values:Ga(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s)}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){return new fl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new ul(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new hl(this.times,this.values,this.getValueSize(),e)}setInterpolation(e){let t;switch(e){case fo:t=this.InterpolantFactoryMethodDiscrete;break;case Ka:t=this.InterpolantFactoryMethodLinear;break;case Xa:t=this.InterpolantFactoryMethodSmooth;break}if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return console.warn("THREE.KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return fo;case this.InterpolantFactoryMethodLinear:return Ka;case this.InterpolantFactoryMethodSmooth:return Xa}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,s=t.length;n!==s;++n)t[n]+=e}return this}scale(e){if(e!==1){let t=this.times;for(let n=0,s=t.length;n!==s;++n)t[n]*=e}return this}trim(e,t){let n=this.times,s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(console.error("THREE.KeyframeTrack: Invalid value size in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(console.error("THREE.KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let c=n[a];if(typeof c=="number"&&isNaN(c)){console.error("THREE.KeyframeTrack: Time is not a valid number.",this,a,c),e=!1;break}if(o!==null&&o>c){console.error("THREE.KeyframeTrack: Out of order keys.",this,a,c,o),e=!1;break}o=c}if(s!==void 0&&F_(s))for(let a=0,c=s.length;a!==c;++a){let l=s[a];if(isNaN(l)){console.error("THREE.KeyframeTrack: Value is not a valid number.",this,a,l),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===Xa,r=e.length-1,o=1;for(let a=1;a<r;++a){let c=!1,l=e[a],f=e[a+1];if(l!==f&&(a!==1||l!==e[0]))if(s)c=!0;else{let h=a*n,u=h-n,p=h+n;for(let _=0;_!==n;++_){let v=t[h+_];if(v!==t[u+_]||v!==t[p+_]){c=!0;break}}}if(c){if(a!==o){e[o]=e[a];let h=a*n,u=o*n;for(let p=0;p!==n;++p)t[u+p]=t[h+p]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,c=o*n,l=0;l!==n;++l)t[c+l]=t[a+l];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,s}};Zn.prototype.ValueTypeName="";Zn.prototype.TimeBufferType=Float32Array;Zn.prototype.ValueBufferType=Float32Array;Zn.prototype.DefaultInterpolation=Ka;var ms=class extends Zn{constructor(e,t,n){super(e,t,n)}};ms.prototype.ValueTypeName="bool";ms.prototype.ValueBufferType=Array;ms.prototype.DefaultInterpolation=fo;ms.prototype.InterpolantFactoryMethodLinear=void 0;ms.prototype.InterpolantFactoryMethodSmooth=void 0;var dl=class extends Zn{constructor(e,t,n,s){super(e,t,n,s)}};dl.prototype.ValueTypeName="color";var pl=class extends Zn{constructor(e,t,n,s){super(e,t,n,s)}};pl.prototype.ValueTypeName="number";var ml=class extends Hs{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=(n-t)/(s-t),l=e*a;for(let f=l+a;l!==f;l+=4)Gn.slerpFlat(r,0,o,l-a,o,l,c);return r}},Lo=class extends Zn{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new ml(this.times,this.values,this.getValueSize(),e)}};Lo.prototype.ValueTypeName="quaternion";Lo.prototype.InterpolantFactoryMethodSmooth=void 0;var gs=class extends Zn{constructor(e,t,n){super(e,t,n)}};gs.prototype.ValueTypeName="string";gs.prototype.ValueBufferType=Array;gs.prototype.DefaultInterpolation=fo;gs.prototype.InterpolantFactoryMethodLinear=void 0;gs.prototype.InterpolantFactoryMethodSmooth=void 0;var gl=class extends Zn{constructor(e,t,n,s){super(e,t,n,s)}};gl.prototype.ValueTypeName="vector";var _l=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,c,l=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this.abortController=new AbortController,this.itemStart=function(f){a++,r===!1&&s.onStart!==void 0&&s.onStart(f,o,a),r=!0},this.itemEnd=function(f){o++,s.onProgress!==void 0&&s.onProgress(f,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(f){s.onError!==void 0&&s.onError(f)},this.resolveURL=function(f){return c?c(f):f},this.setURLModifier=function(f){return c=f,this},this.addHandler=function(f,h){return l.push(f,h),this},this.removeHandler=function(f){let h=l.indexOf(f);return h!==-1&&l.splice(h,2),this},this.getHandler=function(f){for(let h=0,u=l.length;h<u;h+=2){let p=l[h],_=l[h+1];if(p.global&&(p.lastIndex=0),p.test(f))return _}return null},this.abort=function(){return this.abortController.abort(),this.abortController=new AbortController,this}}},jp=new _l,vl=class{constructor(e){this.manager=e!==void 0?e:jp,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={}}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}abort(){return this}};vl.DEFAULT_MATERIAL_NAME="__DEFAULT";var Do=class extends pn{constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new et(e),this.intensity=t}dispose(){}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.color.getHex(),t.object.intensity=this.intensity,this.groundColor!==void 0&&(t.object.groundColor=this.groundColor.getHex()),this.distance!==void 0&&(t.object.distance=this.distance),this.angle!==void 0&&(t.object.angle=this.angle),this.decay!==void 0&&(t.object.decay=this.decay),this.penumbra!==void 0&&(t.object.penumbra=this.penumbra),this.shadow!==void 0&&(t.object.shadow=this.shadow.toJSON()),this.target!==void 0&&(t.object.target=this.target.uuid),t}};var zh=new Ut,rp=new H,op=new H,qh=class{constructor(e){this.camera=e,this.intensity=1,this.bias=0,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new ct(512,512),this.mapType=vi,this.map=null,this.mapPass=null,this.matrix=new Ut,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Ur,this._frameExtents=new ct(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,1,1)]}getViewportCount(){return this._viewportCount}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera,n=this.matrix;rp.setFromMatrixPosition(e.matrixWorld),t.position.copy(rp),op.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(op),t.updateMatrixWorld(),zh.multiplyMatrices(t.projectionMatrix,t.matrixWorldInverse),this._frustum.setFromProjectionMatrix(zh,t.coordinateSystem,t.reversedDepth),t.reversedDepth?n.set(.5,0,0,.5,0,.5,0,.5,0,0,1,0,0,0,0,1):n.set(.5,0,0,.5,0,.5,0,.5,0,0,.5,.5,0,0,0,1),n.multiply(zh)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.camera=e.camera.clone(),this.intensity=e.intensity,this.bias=e.bias,this.radius=e.radius,this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this}clone(){return new this.constructor().copy(this)}toJSON(){let e={};return this.intensity!==1&&(e.intensity=this.intensity),this.bias!==0&&(e.bias=this.bias),this.normalBias!==0&&(e.normalBias=this.normalBias),this.radius!==1&&(e.radius=this.radius),(this.mapSize.x!==512||this.mapSize.y!==512)&&(e.mapSize=this.mapSize.toArray()),e.camera=this.camera.toJSON(!1).object,delete e.camera.matrix,e}};var Uo=class extends So{constructor(e=-1,t=1,n=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=n,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,n,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),n=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=n-e,o=n+e,a=s+t,c=s-t;if(this.view!==null&&this.view.enabled){let l=(this.right-this.left)/this.view.fullWidth/this.zoom,f=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=l*this.view.offsetX,o=r+l*this.view.width,a-=f*this.view.offsetY,c=a-f*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,c,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},Yh=class extends qh{constructor(){super(new Uo(-5,5,5,-5,.5,500)),this.isDirectionalLightShadow=!0}},No=class extends Do{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.copy(pn.DEFAULT_UP),this.updateMatrix(),this.target=new pn,this.shadow=new Yh}dispose(){this.shadow.dispose()}copy(e){return super.copy(e),this.target=e.target.clone(),this.shadow=e.shadow.clone(),this}},Fo=class extends Do{constructor(e,t){super(e,t),this.isAmbientLight=!0,this.type="AmbientLight"}};var xl=class extends xn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e}};var pu="\\[\\]\\.:\\/",O_=new RegExp("["+pu+"]","g"),mu="[^"+pu+"]",B_="[^"+pu.replace("\\.","")+"]",z_=/((?:WC+[\/:])*)/.source.replace("WC",mu),k_=/(WCOD+)?/.source.replace("WCOD",B_),V_=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",mu),H_=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",mu),G_=new RegExp("^"+z_+k_+V_+H_+"$"),W_=["material","materials","bones","map"],Zh=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},Vt=class i{constructor(e,t,n){this.path=t,this.parsedPath=n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(O_,"")}static parseTrackName(e){let t=G_.exec(e);if(t===null)throw new Error("PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);W_.indexOf(r)!==-1&&(n.nodeName=n.nodeName.substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("PropertyBinding: can not parse propertyName from trackName: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let c=n(a.children);if(c)return c}return null},s=n(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)e[t++]=n[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)n[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,n=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=i.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){console.warn("THREE.PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let l=t.objectIndex;switch(n){case"materials":if(!e.material){console.error("THREE.PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){console.error("THREE.PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){console.error("THREE.PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let f=0;f<e.length;f++)if(e[f].name===l){l=f;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){console.error("THREE.PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){console.error("THREE.PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[n]===void 0){console.error("THREE.PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[n]}if(l!==void 0){if(e[l]===void 0){console.error("THREE.PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[l]}}let o=e[s];if(o===void 0){let l=t.nodeName;console.error("THREE.PropertyBinding: Trying to update property for track: "+l+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let c=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){console.error("THREE.PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){console.error("THREE.PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}c=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(c=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(c=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[c],this.setValue=this.SetterByBindingTypeAndVersioning[c][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};Vt.Composite=Zh;Vt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};Vt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};Vt.prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getValue_array,Vt.prototype._getValue_arrayElement,Vt.prototype._getValue_toArray];Vt.prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype._setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var jS=new Float32Array(1);var ap=new H,Wa,kh,Oo=class extends pn{constructor(e=new H(0,0,1),t=new H(0,0,0),n=1,s=16776960,r=n*.2,o=r*.2){super(),this.type="ArrowHelper",Wa===void 0&&(Wa=new Yt,Wa.setAttribute("position",new Nt([0,0,0,0,1,0],3)),kh=new al(.5,1,5,1),kh.translate(0,-.5,0)),this.position.copy(t),this.line=new Vs(Wa,new Yn({color:s,toneMapped:!1})),this.line.matrixAutoUpdate=!1,this.add(this.line),this.cone=new Gt(kh,new qn({color:s,toneMapped:!1})),this.cone.matrixAutoUpdate=!1,this.add(this.cone),this.setDirection(e),this.setLength(n,r,o)}setDirection(e){if(e.y>.99999)this.quaternion.set(0,0,0,1);else if(e.y<-.99999)this.quaternion.set(1,0,0,0);else{ap.set(e.z,0,-e.x).normalize();let t=Math.acos(e.y);this.quaternion.setFromAxisAngle(ap,t)}}setLength(e,t=e*.2,n=t*.2){this.line.scale.set(1,Math.max(1e-4,e-t),1),this.line.updateMatrix(),this.cone.scale.set(n,t,n),this.cone.position.y=e,this.cone.updateMatrix()}setColor(e){this.line.material.color.set(e),this.cone.material.color.set(e)}copy(e){return super.copy(e,!1),this.line.copy(e.line),this.cone.copy(e.cone),this}dispose(){this.line.geometry.dispose(),this.line.material.dispose(),this.cone.geometry.dispose(),this.cone.material.dispose()}};function gu(i,e,t,n){let s=X_(n);switch(t){case ru:return i*e;case au:return i*e/s.components*s.byteLength;case Ul:return i*e/s.components*s.byteLength;case lu:return i*e*2/s.components*s.byteLength;case Nl:return i*e*2/s.components*s.byteLength;case ou:return i*e*3/s.components*s.byteLength;case ii:return i*e*4/s.components*s.byteLength;case Fl:return i*e*4/s.components*s.byteLength;case ko:case Vo:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case Ho:case Go:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case Bl:case kl:return Math.max(i,16)*Math.max(e,8)/4;case Ol:case zl:return Math.max(i,8)*Math.max(e,8)/2;case Vl:case Hl:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case Gl:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case Wl:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*16;case Xl:return Math.floor((i+4)/5)*Math.floor((e+3)/4)*16;case ql:return Math.floor((i+4)/5)*Math.floor((e+4)/5)*16;case Yl:return Math.floor((i+5)/6)*Math.floor((e+4)/5)*16;case Zl:return Math.floor((i+5)/6)*Math.floor((e+5)/6)*16;case $l:return Math.floor((i+7)/8)*Math.floor((e+4)/5)*16;case Jl:return Math.floor((i+7)/8)*Math.floor((e+5)/6)*16;case Kl:return Math.floor((i+7)/8)*Math.floor((e+7)/8)*16;case Ql:return Math.floor((i+9)/10)*Math.floor((e+4)/5)*16;case jl:return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case ec:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case tc:return Math.floor((i+9)/10)*Math.floor((e+9)/10)*16;case nc:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case ic:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case sc:case rc:case oc:return Math.ceil(i/4)*Math.ceil(e/4)*16;case ac:case lc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case cc:case hc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function X_(i){switch(i){case vi:case tu:return{byteLength:1,components:1};case Fr:case nu:case Or:return{byteLength:2,components:1};case Ll:case Dl:return{byteLength:2,components:4};case vs:case Pl:case Ri:return{byteLength:4,components:1};case iu:case su:return{byteLength:4,components:3}}throw new Error(`Unknown texture type ${i}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"180"}}));typeof window<"u"&&(window.__THREE__?console.warn("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="180");function bm(){let i=null,e=!1,t=null,n=null;function s(r,o){t(r,o),n=i.requestAnimationFrame(s)}return{start:function(){e!==!0&&t!==null&&(n=i.requestAnimationFrame(s),e=!0)},stop:function(){i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Y_(i){let e=new WeakMap;function t(a,c){let l=a.array,f=a.usage,h=l.byteLength,u=i.createBuffer();i.bindBuffer(c,u),i.bufferData(c,l,f),a.onUploadCallback();let p;if(l instanceof Float32Array)p=i.FLOAT;else if(typeof Float16Array<"u"&&l instanceof Float16Array)p=i.HALF_FLOAT;else if(l instanceof Uint16Array)a.isFloat16BufferAttribute?p=i.HALF_FLOAT:p=i.UNSIGNED_SHORT;else if(l instanceof Int16Array)p=i.SHORT;else if(l instanceof Uint32Array)p=i.UNSIGNED_INT;else if(l instanceof Int32Array)p=i.INT;else if(l instanceof Int8Array)p=i.BYTE;else if(l instanceof Uint8Array)p=i.UNSIGNED_BYTE;else if(l instanceof Uint8ClampedArray)p=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+l);return{buffer:u,type:p,bytesPerElement:l.BYTES_PER_ELEMENT,version:a.version,size:h}}function n(a,c,l){let f=c.array,h=c.updateRanges;if(i.bindBuffer(l,a),h.length===0)i.bufferSubData(l,0,f);else{h.sort((p,_)=>p.start-_.start);let u=0;for(let p=1;p<h.length;p++){let _=h[u],v=h[p];v.start<=_.start+_.count+1?_.count=Math.max(_.count,v.start+v.count-_.start):(++u,h[u]=v)}h.length=u+1;for(let p=0,_=h.length;p<_;p++){let v=h[p];i.bufferSubData(l,v.start*f.BYTES_PER_ELEMENT,f,v.start,v.count)}c.clearUpdateRanges()}c.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let c=e.get(a);c&&(i.deleteBuffer(c.buffer),e.delete(a))}function o(a,c){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let f=e.get(a);(!f||f.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let l=e.get(a);if(l===void 0)e.set(a,t(a,c));else if(l.version<a.version){if(l.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(l.buffer,a,c),l.version=a.version}}return{get:s,remove:r,update:o}}var Z_=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,$_=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,J_=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,K_=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,Q_=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,j_=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,ev=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,tv=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,nv=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec3 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 ).rgb;
+	}
+#endif`,iv=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,sv=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,rv=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,ov=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,av=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,lv=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,cv=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,hv=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,uv=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,fv=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,dv=`#if defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#elif defined( USE_COLOR )
+	diffuseColor.rgb *= vColor;
+#endif`,pv=`#if defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#elif defined( USE_COLOR )
+	varying vec3 vColor;
+#endif`,mv=`#if defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#elif defined( USE_COLOR ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec3 vColor;
+#endif`,gv=`#if defined( USE_COLOR_ALPHA )
+	vColor = vec4( 1.0 );
+#elif defined( USE_COLOR ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec3( 1.0 );
+#endif
+#ifdef USE_COLOR
+	vColor *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.xyz *= instanceColor.xyz;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vec3 batchingColor = getBatchingColor( getIndirectIndex( gl_DrawID ) );
+	vColor.xyz *= batchingColor.xyz;
+#endif`,_v=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+vec3 inverseTransformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * matrix ).xyz );
+}
+mat3 transposeMat3( const in mat3 m ) {
+	mat3 tmp;
+	tmp[ 0 ] = vec3( m[ 0 ].x, m[ 1 ].x, m[ 2 ].x );
+	tmp[ 1 ] = vec3( m[ 0 ].y, m[ 1 ].y, m[ 2 ].y );
+	tmp[ 2 ] = vec3( m[ 0 ].z, m[ 1 ].z, m[ 2 ].z );
+	return tmp;
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,vv=`#ifdef ENVMAP_TYPE_CUBE_UV
+	#define cubeUV_minMipLevel 4.0
+	#define cubeUV_minTileSize 16.0
+	float getFace( vec3 direction ) {
+		vec3 absDirection = abs( direction );
+		float face = - 1.0;
+		if ( absDirection.x > absDirection.z ) {
+			if ( absDirection.x > absDirection.y )
+				face = direction.x > 0.0 ? 0.0 : 3.0;
+			else
+				face = direction.y > 0.0 ? 1.0 : 4.0;
+		} else {
+			if ( absDirection.z > absDirection.y )
+				face = direction.z > 0.0 ? 2.0 : 5.0;
+			else
+				face = direction.y > 0.0 ? 1.0 : 4.0;
+		}
+		return face;
+	}
+	vec2 getUV( vec3 direction, float face ) {
+		vec2 uv;
+		if ( face == 0.0 ) {
+			uv = vec2( direction.z, direction.y ) / abs( direction.x );
+		} else if ( face == 1.0 ) {
+			uv = vec2( - direction.x, - direction.z ) / abs( direction.y );
+		} else if ( face == 2.0 ) {
+			uv = vec2( - direction.x, direction.y ) / abs( direction.z );
+		} else if ( face == 3.0 ) {
+			uv = vec2( - direction.z, direction.y ) / abs( direction.x );
+		} else if ( face == 4.0 ) {
+			uv = vec2( - direction.x, direction.z ) / abs( direction.y );
+		} else {
+			uv = vec2( direction.x, direction.y ) / abs( direction.z );
+		}
+		return 0.5 * ( uv + 1.0 );
+	}
+	vec3 bilinearCubeUV( sampler2D envMap, vec3 direction, float mipInt ) {
+		float face = getFace( direction );
+		float filterInt = max( cubeUV_minMipLevel - mipInt, 0.0 );
+		mipInt = max( mipInt, cubeUV_minMipLevel );
+		float faceSize = exp2( mipInt );
+		highp vec2 uv = getUV( direction, face ) * ( faceSize - 2.0 ) + 1.0;
+		if ( face > 2.0 ) {
+			uv.y += faceSize;
+			face -= 3.0;
+		}
+		uv.x += face * faceSize;
+		uv.x += filterInt * 3.0 * cubeUV_minTileSize;
+		uv.y += 4.0 * ( exp2( CUBEUV_MAX_MIP ) - faceSize );
+		uv.x *= CUBEUV_TEXEL_WIDTH;
+		uv.y *= CUBEUV_TEXEL_HEIGHT;
+		#ifdef texture2DGradEXT
+			return texture2DGradEXT( envMap, uv, vec2( 0.0 ), vec2( 0.0 ) ).rgb;
+		#else
+			return texture2D( envMap, uv ).rgb;
+		#endif
+	}
+	#define cubeUV_r0 1.0
+	#define cubeUV_m0 - 2.0
+	#define cubeUV_r1 0.8
+	#define cubeUV_m1 - 1.0
+	#define cubeUV_r4 0.4
+	#define cubeUV_m4 2.0
+	#define cubeUV_r5 0.305
+	#define cubeUV_m5 3.0
+	#define cubeUV_r6 0.21
+	#define cubeUV_m6 4.0
+	float roughnessToMip( float roughness ) {
+		float mip = 0.0;
+		if ( roughness >= cubeUV_r1 ) {
+			mip = ( cubeUV_r0 - roughness ) * ( cubeUV_m1 - cubeUV_m0 ) / ( cubeUV_r0 - cubeUV_r1 ) + cubeUV_m0;
+		} else if ( roughness >= cubeUV_r4 ) {
+			mip = ( cubeUV_r1 - roughness ) * ( cubeUV_m4 - cubeUV_m1 ) / ( cubeUV_r1 - cubeUV_r4 ) + cubeUV_m1;
+		} else if ( roughness >= cubeUV_r5 ) {
+			mip = ( cubeUV_r4 - roughness ) * ( cubeUV_m5 - cubeUV_m4 ) / ( cubeUV_r4 - cubeUV_r5 ) + cubeUV_m4;
+		} else if ( roughness >= cubeUV_r6 ) {
+			mip = ( cubeUV_r5 - roughness ) * ( cubeUV_m6 - cubeUV_m5 ) / ( cubeUV_r5 - cubeUV_r6 ) + cubeUV_m5;
+		} else {
+			mip = - 2.0 * log2( 1.16 * roughness );		}
+		return mip;
+	}
+	vec4 textureCubeUV( sampler2D envMap, vec3 sampleDir, float roughness ) {
+		float mip = clamp( roughnessToMip( roughness ), cubeUV_m0, CUBEUV_MAX_MIP );
+		float mipF = fract( mip );
+		float mipInt = floor( mip );
+		vec3 color0 = bilinearCubeUV( envMap, sampleDir, mipInt );
+		if ( mipF == 0.0 ) {
+			return vec4( color0, 1.0 );
+		} else {
+			vec3 color1 = bilinearCubeUV( envMap, sampleDir, mipInt + 1.0 );
+			return vec4( mix( color0, color1, mipF ), 1.0 );
+		}
+	}
+#endif`,xv=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+	#ifdef FLIP_SIDED
+		transformedTangent = - transformedTangent;
+	#endif
+#endif`,yv=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,Mv=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,Sv=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,bv=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,wv="gl_FragColor = linearToOutputTexel( gl_FragColor );",Ev=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,Tv=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * vec3( flipEnvMap * reflectVec.x, reflectVec.yz ) );
+	#else
+		vec4 envColor = vec4( 0.0 );
+	#endif
+	#ifdef ENVMAP_BLENDING_MULTIPLY
+		outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+	#elif defined( ENVMAP_BLENDING_MIX )
+		outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+	#elif defined( ENVMAP_BLENDING_ADD )
+		outgoingLight += envColor.xyz * specularStrength * reflectivity;
+	#endif
+#endif`,Av=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform float flipEnvMap;
+	uniform mat3 envMapRotation;
+	#ifdef ENVMAP_TYPE_CUBE
+		uniform samplerCube envMap;
+	#else
+		uniform sampler2D envMap;
+	#endif
+	
+#endif`,Cv=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,Rv=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,Iv=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = inverseTransformDirection( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,Pv=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,Lv=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,Dv=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,Uv=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,Nv=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,Fv=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,Ov=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,Bv=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,zv=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif`,kv=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_CUBE_UV
+			vec3 worldNormal = inverseTransformDirection( normal, viewMatrix );
+			vec4 envMapColor = textureCubeUV( envMap, envMapRotation * worldNormal, 1.0 );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_CUBE_UV
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, roughness * roughness) );
+			reflectVec = inverseTransformDirection( reflectVec, viewMatrix );
+			vec4 envMapColor = textureCubeUV( envMap, envMapRotation * reflectVec, roughness );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_CUBE_UV
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+#endif`,Vv=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,Hv=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,Gv=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,Wv=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,Xv=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.0525 );material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = mix( min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = mix( vec3( 0.04 ), diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.0525 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.07, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,qv=`struct PhysicalMaterial {
+	vec3 diffuseColor;
+	float roughness;
+	vec3 specularColor;
+	float specularF90;
+	float dispersion;
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		float v = 0.5 / ( gv + gl );
+		return saturate(v);
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = material.clearcoatRoughness;
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColor;
+	float f90 = material.specularF90;
+	float roughness = material.roughness;
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float V = V_GGX_SmithCorrelated_Anisotropic( material.alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( material.alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transposeMat3( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float a = roughness < 0.25 ? -339.2 * r2 + 161.4 * roughness - 25.9 : -8.48 * r2 + 14.3 * roughness - 9.95;
+	float b = roughness < 0.25 ? 44.0 * r2 - 23.7 * roughness + 3.26 : 1.97 * r2 - 3.27 * roughness + 0.72;
+	float DG = exp( a * dotNV + b ) + ( roughness < 0.25 ? 0.0 : 0.1 * ( roughness - 0.25 ) );
+	return saturate( DG * RECIPROCAL_PI );
+}
+vec2 DFGApprox( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	const vec4 c0 = vec4( - 1, - 0.0275, - 0.572, 0.022 );
+	const vec4 c1 = vec4( 1, 0.0425, 1.04, - 0.04 );
+	vec4 r = roughness * c0 + c1;
+	float a004 = min( r.x * r.x, exp2( - 9.28 * dotNV ) ) * r.x + r.y;
+	vec2 fab = vec2( - 1.04, 1.04 ) * a004 + r.zw;
+	return fab;
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	vec2 fab = DFGApprox( normal, viewDir, roughness );
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, const in float roughness, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	vec2 fab = DFGApprox( normal, viewDir, roughness );
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColor * t2.x + ( vec3( 1.0 ) - material.specularColor ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseColor * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+	#endif
+	reflectedLight.directSpecular += irradiance * BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+	#endif
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( geometryNormal, geometryViewDir, material.specularColor, material.specularF90, material.iridescence, material.iridescenceFresnel, material.roughness, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( geometryNormal, geometryViewDir, material.specularColor, material.specularF90, material.roughness, singleScattering, multiScattering );
+	#endif
+	vec3 totalScattering = singleScattering + multiScattering;
+	vec3 diffuse = material.diffuseColor * ( 1.0 - max( max( totalScattering.r, totalScattering.g ), totalScattering.b ) );
+	reflectedLight.indirectSpecular += radiance * singleScattering;
+	reflectedLight.indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	reflectedLight.indirectDiffuse += diffuse * cosineWeightedIrradiance;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,Yv=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		material.iridescenceFresnel = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		material.iridescenceF0 = Schlick_to_F0( material.iridescenceFresnel, 1.0, dotNVi );
+	}
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,Zv=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD ) && defined( ENVMAP_TYPE_CUBE_UV )
+		iblIrradiance += getIBLIrradiance( geometryNormal );
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		radiance += getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		radiance += getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,$v=`#if defined( RE_IndirectDiffuse )
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,Jv=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,Kv=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,Qv=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,jv=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,ex=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,tx=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,nx=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,ix=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,sx=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,rx=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,ox=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,ax=`#if defined( USE_MORPHCOLORS )
+	vColor *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,lx=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,cx=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,hx=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,ux=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#if defined( DOUBLE_SIDED ) && ! defined( FLAT_SHADED )
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#if defined( DOUBLE_SIDED ) && ! defined( FLAT_SHADED )
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,fx=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,dx=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,px=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,mx=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+	#endif
+#endif`,gx=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,_x=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,vx=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,xx=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,yx=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,Mx=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,Sx=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	return depth * ( near - far ) - near;
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	return ( near * far ) / ( ( far - near ) * depth - far );
+}`,bx=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,wx=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,Ex=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,Tx=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,Ax=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,Cx=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,Rx=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform sampler2D pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	float texture2DCompare( sampler2D depths, vec2 uv, float compare ) {
+		float depth = unpackRGBAToDepth( texture2D( depths, uv ) );
+		#ifdef USE_REVERSED_DEPTH_BUFFER
+			return step( depth, compare );
+		#else
+			return step( compare, depth );
+		#endif
+	}
+	vec2 texture2DDistribution( sampler2D shadow, vec2 uv ) {
+		return unpackRGBATo2Half( texture2D( shadow, uv ) );
+	}
+	float VSMShadow( sampler2D shadow, vec2 uv, float compare ) {
+		float occlusion = 1.0;
+		vec2 distribution = texture2DDistribution( shadow, uv );
+		#ifdef USE_REVERSED_DEPTH_BUFFER
+			float hard_shadow = step( distribution.x, compare );
+		#else
+			float hard_shadow = step( compare, distribution.x );
+		#endif
+		if ( hard_shadow != 1.0 ) {
+			float distance = compare - distribution.x;
+			float variance = max( 0.00000, distribution.y * distribution.y );
+			float softness_probability = variance / (variance + distance * distance );			softness_probability = clamp( ( softness_probability - 0.3 ) / ( 0.95 - 0.3 ), 0.0, 1.0 );			occlusion = clamp( max( hard_shadow, softness_probability ), 0.0, 1.0 );
+		}
+		return occlusion;
+	}
+	float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+		float shadow = 1.0;
+		shadowCoord.xyz /= shadowCoord.w;
+		shadowCoord.z += shadowBias;
+		bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+		bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+		if ( frustumTest ) {
+		#if defined( SHADOWMAP_TYPE_PCF )
+			vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+			float dx0 = - texelSize.x * shadowRadius;
+			float dy0 = - texelSize.y * shadowRadius;
+			float dx1 = + texelSize.x * shadowRadius;
+			float dy1 = + texelSize.y * shadowRadius;
+			float dx2 = dx0 / 2.0;
+			float dy2 = dy0 / 2.0;
+			float dx3 = dx1 / 2.0;
+			float dy3 = dy1 / 2.0;
+			shadow = (
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx0, dy0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx1, dy0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx2, dy2 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy2 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx3, dy2 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx0, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx2, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy, shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx3, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx1, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx2, dy3 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy3 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx3, dy3 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx0, dy1 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( 0.0, dy1 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, shadowCoord.xy + vec2( dx1, dy1 ), shadowCoord.z )
+			) * ( 1.0 / 17.0 );
+		#elif defined( SHADOWMAP_TYPE_PCF_SOFT )
+			vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+			float dx = texelSize.x;
+			float dy = texelSize.y;
+			vec2 uv = shadowCoord.xy;
+			vec2 f = fract( uv * shadowMapSize + 0.5 );
+			uv -= f * texelSize;
+			shadow = (
+				texture2DCompare( shadowMap, uv, shadowCoord.z ) +
+				texture2DCompare( shadowMap, uv + vec2( dx, 0.0 ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, uv + vec2( 0.0, dy ), shadowCoord.z ) +
+				texture2DCompare( shadowMap, uv + texelSize, shadowCoord.z ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( -dx, 0.0 ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, 0.0 ), shadowCoord.z ),
+					 f.x ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( -dx, dy ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, dy ), shadowCoord.z ),
+					 f.x ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( 0.0, -dy ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( 0.0, 2.0 * dy ), shadowCoord.z ),
+					 f.y ) +
+				mix( texture2DCompare( shadowMap, uv + vec2( dx, -dy ), shadowCoord.z ),
+					 texture2DCompare( shadowMap, uv + vec2( dx, 2.0 * dy ), shadowCoord.z ),
+					 f.y ) +
+				mix( mix( texture2DCompare( shadowMap, uv + vec2( -dx, -dy ), shadowCoord.z ),
+						  texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, -dy ), shadowCoord.z ),
+						  f.x ),
+					 mix( texture2DCompare( shadowMap, uv + vec2( -dx, 2.0 * dy ), shadowCoord.z ),
+						  texture2DCompare( shadowMap, uv + vec2( 2.0 * dx, 2.0 * dy ), shadowCoord.z ),
+						  f.x ),
+					 f.y )
+			) * ( 1.0 / 9.0 );
+		#elif defined( SHADOWMAP_TYPE_VSM )
+			shadow = VSMShadow( shadowMap, shadowCoord.xy, shadowCoord.z );
+		#else
+			shadow = texture2DCompare( shadowMap, shadowCoord.xy, shadowCoord.z );
+		#endif
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	vec2 cubeToUV( vec3 v, float texelSizeY ) {
+		vec3 absV = abs( v );
+		float scaleToCube = 1.0 / max( absV.x, max( absV.y, absV.z ) );
+		absV *= scaleToCube;
+		v *= scaleToCube * ( 1.0 - 2.0 * texelSizeY );
+		vec2 planar = v.xy;
+		float almostATexel = 1.5 * texelSizeY;
+		float almostOne = 1.0 - almostATexel;
+		if ( absV.z >= almostOne ) {
+			if ( v.z > 0.0 )
+				planar.x = 4.0 - v.x;
+		} else if ( absV.x >= almostOne ) {
+			float signX = sign( v.x );
+			planar.x = v.z * signX + 2.0 * signX;
+		} else if ( absV.y >= almostOne ) {
+			float signY = sign( v.y );
+			planar.x = v.x + 2.0 * signY + 2.0;
+			planar.y = v.z * signY - 2.0;
+		}
+		return vec2( 0.125, 0.25 ) * planar + vec2( 0.375, 0.75 );
+	}
+	float getPointShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		
+		float lightToPositionLength = length( lightToPosition );
+		if ( lightToPositionLength - shadowCameraFar <= 0.0 && lightToPositionLength - shadowCameraNear >= 0.0 ) {
+			float dp = ( lightToPositionLength - shadowCameraNear ) / ( shadowCameraFar - shadowCameraNear );			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			vec2 texelSize = vec2( 1.0 ) / ( shadowMapSize * vec2( 4.0, 2.0 ) );
+			#if defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_PCF_SOFT ) || defined( SHADOWMAP_TYPE_VSM )
+				vec2 offset = vec2( - 1, 1 ) * shadowRadius * texelSize.y;
+				shadow = (
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xyy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yyy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xyx, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yyx, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xxy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yxy, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.xxx, texelSize.y ), dp ) +
+					texture2DCompare( shadowMap, cubeToUV( bd3D + offset.yxx, texelSize.y ), dp )
+				) * ( 1.0 / 9.0 );
+			#else
+				shadow = texture2DCompare( shadowMap, cubeToUV( bd3D, texelSize.y ), dp );
+			#endif
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+#endif`,Ix=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,Px=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	vec3 shadowWorldNormal = inverseTransformDirection( transformedNormal, viewMatrix );
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,Lx=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,Dx=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,Ux=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,Nx=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,Fx=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,Ox=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,Bx=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,zx=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,kx=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,Vx=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = inverseTransformDirection( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseColor, material.specularColor, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,Hx=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,Gx=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Wx=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Xx=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,qx=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,Yx=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,Zx=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,$x=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,Jx=`#ifdef ENVMAP_TYPE_CUBE
+	uniform samplerCube envMap;
+#elif defined( ENVMAP_TYPE_CUBE_UV )
+	uniform sampler2D envMap;
+#endif
+uniform float flipEnvMap;
+uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <cube_uv_reflection_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 texColor = textureCube( envMap, backgroundRotation * vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) );
+	#elif defined( ENVMAP_TYPE_CUBE_UV )
+		vec4 texColor = textureCubeUV( envMap, backgroundRotation * vWorldDirection, backgroundBlurriness );
+	#else
+		vec4 texColor = vec4( 0.0, 0.0, 0.0, 1.0 );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Kx=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,Qx=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,jx=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,ey=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,ty=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,ny=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main () {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = packDepthToRGBA( dist );
+}`,iy=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,sy=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,ry=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,oy=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,ay=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,ly=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,cy=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,hy=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,uy=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,fy=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,dy=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,py=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <packing>
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( packNormalToRGB( normal ), diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,my=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,gy=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,_y=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,vy=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <cube_uv_reflection_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+		float sheenEnergyComp = 1.0 - 0.157 * max3( material.sheenColor );
+		outgoingLight = outgoingLight * sheenEnergyComp + sheenSpecularDirect + sheenSpecularIndirect;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,xy=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,yy=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,My=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,Sy=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,by=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,wy=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <packing>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,Ey=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,Ty=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,st={alphahash_fragment:Z_,alphahash_pars_fragment:$_,alphamap_fragment:J_,alphamap_pars_fragment:K_,alphatest_fragment:Q_,alphatest_pars_fragment:j_,aomap_fragment:ev,aomap_pars_fragment:tv,batching_pars_vertex:nv,batching_vertex:iv,begin_vertex:sv,beginnormal_vertex:rv,bsdfs:ov,iridescence_fragment:av,bumpmap_pars_fragment:lv,clipping_planes_fragment:cv,clipping_planes_pars_fragment:hv,clipping_planes_pars_vertex:uv,clipping_planes_vertex:fv,color_fragment:dv,color_pars_fragment:pv,color_pars_vertex:mv,color_vertex:gv,common:_v,cube_uv_reflection_fragment:vv,defaultnormal_vertex:xv,displacementmap_pars_vertex:yv,displacementmap_vertex:Mv,emissivemap_fragment:Sv,emissivemap_pars_fragment:bv,colorspace_fragment:wv,colorspace_pars_fragment:Ev,envmap_fragment:Tv,envmap_common_pars_fragment:Av,envmap_pars_fragment:Cv,envmap_pars_vertex:Rv,envmap_physical_pars_fragment:kv,envmap_vertex:Iv,fog_vertex:Pv,fog_pars_vertex:Lv,fog_fragment:Dv,fog_pars_fragment:Uv,gradientmap_pars_fragment:Nv,lightmap_pars_fragment:Fv,lights_lambert_fragment:Ov,lights_lambert_pars_fragment:Bv,lights_pars_begin:zv,lights_toon_fragment:Vv,lights_toon_pars_fragment:Hv,lights_phong_fragment:Gv,lights_phong_pars_fragment:Wv,lights_physical_fragment:Xv,lights_physical_pars_fragment:qv,lights_fragment_begin:Yv,lights_fragment_maps:Zv,lights_fragment_end:$v,logdepthbuf_fragment:Jv,logdepthbuf_pars_fragment:Kv,logdepthbuf_pars_vertex:Qv,logdepthbuf_vertex:jv,map_fragment:ex,map_pars_fragment:tx,map_particle_fragment:nx,map_particle_pars_fragment:ix,metalnessmap_fragment:sx,metalnessmap_pars_fragment:rx,morphinstance_vertex:ox,morphcolor_vertex:ax,morphnormal_vertex:lx,morphtarget_pars_vertex:cx,morphtarget_vertex:hx,normal_fragment_begin:ux,normal_fragment_maps:fx,normal_pars_fragment:dx,normal_pars_vertex:px,normal_vertex:mx,normalmap_pars_fragment:gx,clearcoat_normal_fragment_begin:_x,clearcoat_normal_fragment_maps:vx,clearcoat_pars_fragment:xx,iridescence_pars_fragment:yx,opaque_fragment:Mx,packing:Sx,premultiplied_alpha_fragment:bx,project_vertex:wx,dithering_fragment:Ex,dithering_pars_fragment:Tx,roughnessmap_fragment:Ax,roughnessmap_pars_fragment:Cx,shadowmap_pars_fragment:Rx,shadowmap_pars_vertex:Ix,shadowmap_vertex:Px,shadowmask_pars_fragment:Lx,skinbase_vertex:Dx,skinning_pars_vertex:Ux,skinning_vertex:Nx,skinnormal_vertex:Fx,specularmap_fragment:Ox,specularmap_pars_fragment:Bx,tonemapping_fragment:zx,tonemapping_pars_fragment:kx,transmission_fragment:Vx,transmission_pars_fragment:Hx,uv_pars_fragment:Gx,uv_pars_vertex:Wx,uv_vertex:Xx,worldpos_vertex:qx,background_vert:Yx,background_frag:Zx,backgroundCube_vert:$x,backgroundCube_frag:Jx,cube_vert:Kx,cube_frag:Qx,depth_vert:jx,depth_frag:ey,distanceRGBA_vert:ty,distanceRGBA_frag:ny,equirect_vert:iy,equirect_frag:sy,linedashed_vert:ry,linedashed_frag:oy,meshbasic_vert:ay,meshbasic_frag:ly,meshlambert_vert:cy,meshlambert_frag:hy,meshmatcap_vert:uy,meshmatcap_frag:fy,meshnormal_vert:dy,meshnormal_frag:py,meshphong_vert:my,meshphong_frag:gy,meshphysical_vert:_y,meshphysical_frag:vy,meshtoon_vert:xy,meshtoon_frag:yy,points_vert:My,points_frag:Sy,shadow_vert:by,shadow_frag:wy,sprite_vert:Ey,sprite_frag:Ty},be={common:{diffuse:{value:new et(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new nt},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new nt}},envmap:{envMap:{value:null},envMapRotation:{value:new nt},flipEnvMap:{value:-1},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new nt}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new nt}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new nt},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new nt},normalScale:{value:new ct(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new nt},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new nt}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new nt}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new nt}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new et(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMap:{value:[]},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotShadowMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMap:{value:[]},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null}},points:{diffuse:{value:new et(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0},uvTransform:{value:new nt}},sprite:{diffuse:{value:new et(16777215)},opacity:{value:1},center:{value:new ct(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new nt},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0}}},Ii={basic:{uniforms:yn([be.common,be.specularmap,be.envmap,be.aomap,be.lightmap,be.fog]),vertexShader:st.meshbasic_vert,fragmentShader:st.meshbasic_frag},lambert:{uniforms:yn([be.common,be.specularmap,be.envmap,be.aomap,be.lightmap,be.emissivemap,be.bumpmap,be.normalmap,be.displacementmap,be.fog,be.lights,{emissive:{value:new et(0)}}]),vertexShader:st.meshlambert_vert,fragmentShader:st.meshlambert_frag},phong:{uniforms:yn([be.common,be.specularmap,be.envmap,be.aomap,be.lightmap,be.emissivemap,be.bumpmap,be.normalmap,be.displacementmap,be.fog,be.lights,{emissive:{value:new et(0)},specular:{value:new et(1118481)},shininess:{value:30}}]),vertexShader:st.meshphong_vert,fragmentShader:st.meshphong_frag},standard:{uniforms:yn([be.common,be.envmap,be.aomap,be.lightmap,be.emissivemap,be.bumpmap,be.normalmap,be.displacementmap,be.roughnessmap,be.metalnessmap,be.fog,be.lights,{emissive:{value:new et(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:st.meshphysical_vert,fragmentShader:st.meshphysical_frag},toon:{uniforms:yn([be.common,be.aomap,be.lightmap,be.emissivemap,be.bumpmap,be.normalmap,be.displacementmap,be.gradientmap,be.fog,be.lights,{emissive:{value:new et(0)}}]),vertexShader:st.meshtoon_vert,fragmentShader:st.meshtoon_frag},matcap:{uniforms:yn([be.common,be.bumpmap,be.normalmap,be.displacementmap,be.fog,{matcap:{value:null}}]),vertexShader:st.meshmatcap_vert,fragmentShader:st.meshmatcap_frag},points:{uniforms:yn([be.points,be.fog]),vertexShader:st.points_vert,fragmentShader:st.points_frag},dashed:{uniforms:yn([be.common,be.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:st.linedashed_vert,fragmentShader:st.linedashed_frag},depth:{uniforms:yn([be.common,be.displacementmap]),vertexShader:st.depth_vert,fragmentShader:st.depth_frag},normal:{uniforms:yn([be.common,be.bumpmap,be.normalmap,be.displacementmap,{opacity:{value:1}}]),vertexShader:st.meshnormal_vert,fragmentShader:st.meshnormal_frag},sprite:{uniforms:yn([be.sprite,be.fog]),vertexShader:st.sprite_vert,fragmentShader:st.sprite_frag},background:{uniforms:{uvTransform:{value:new nt},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:st.background_vert,fragmentShader:st.background_frag},backgroundCube:{uniforms:{envMap:{value:null},flipEnvMap:{value:-1},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new nt}},vertexShader:st.backgroundCube_vert,fragmentShader:st.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:st.cube_vert,fragmentShader:st.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:st.equirect_vert,fragmentShader:st.equirect_frag},distanceRGBA:{uniforms:yn([be.common,be.displacementmap,{referencePosition:{value:new H},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:st.distanceRGBA_vert,fragmentShader:st.distanceRGBA_frag},shadow:{uniforms:yn([be.lights,be.fog,{color:{value:new et(0)},opacity:{value:1}}]),vertexShader:st.shadow_vert,fragmentShader:st.shadow_frag}};Ii.physical={uniforms:yn([Ii.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new nt},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new nt},clearcoatNormalScale:{value:new ct(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new nt},dispersion:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new nt},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new nt},sheen:{value:0},sheenColor:{value:new et(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new nt},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new nt},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new nt},transmissionSamplerSize:{value:new ct},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new nt},attenuationDistance:{value:0},attenuationColor:{value:new et(0)},specularColor:{value:new et(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new nt},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new nt},anisotropyVector:{value:new ct},anisotropyMap:{value:null},anisotropyMapTransform:{value:new nt}}]),vertexShader:st.meshphysical_vert,fragmentShader:st.meshphysical_frag};var uc={r:0,b:0,g:0},qs=new Xn,Ay=new Ut;function Cy(i,e,t,n,s,r,o){let a=new et(0),c=r===!0?0:1,l,f,h=null,u=0,p=null;function _(T){let M=T.isScene===!0?T.background:null;return M&&M.isTexture&&(M=(T.backgroundBlurriness>0?t:e).get(M)),M}function v(T){let M=!1,L=_(T);L===null?d(a,c):L&&L.isColor&&(d(L,1),M=!0);let A=i.xr.getEnvironmentBlendMode();A==="additive"?n.buffers.color.setClear(0,0,0,1,o):A==="alpha-blend"&&n.buffers.color.setClear(0,0,0,0,o),(i.autoClear||M)&&(n.buffers.depth.setTest(!0),n.buffers.depth.setMask(!0),n.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function m(T,M){let L=_(M);L&&(L.isCubeTexture||L.mapping===Bo)?(f===void 0&&(f=new Gt(new Lr(1,1,1),new _i({name:"BackgroundCubeMaterial",uniforms:Xs(Ii.backgroundCube.uniforms),vertexShader:Ii.backgroundCube.vertexShader,fragmentShader:Ii.backgroundCube.fragmentShader,side:Cn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),f.geometry.deleteAttribute("normal"),f.geometry.deleteAttribute("uv"),f.onBeforeRender=function(A,D,F){this.matrixWorld.copyPosition(F.matrixWorld)},Object.defineProperty(f.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),s.update(f)),qs.copy(M.backgroundRotation),qs.x*=-1,qs.y*=-1,qs.z*=-1,L.isCubeTexture&&L.isRenderTargetTexture===!1&&(qs.y*=-1,qs.z*=-1),f.material.uniforms.envMap.value=L,f.material.uniforms.flipEnvMap.value=L.isCubeTexture&&L.isRenderTargetTexture===!1?-1:1,f.material.uniforms.backgroundBlurriness.value=M.backgroundBlurriness,f.material.uniforms.backgroundIntensity.value=M.backgroundIntensity,f.material.uniforms.backgroundRotation.value.setFromMatrix4(Ay.makeRotationFromEuler(qs)),f.material.toneMapped=ut.getTransfer(L.colorSpace)!==Et,(h!==L||u!==L.version||p!==i.toneMapping)&&(f.material.needsUpdate=!0,h=L,u=L.version,p=i.toneMapping),f.layers.enableAll(),T.unshift(f,f.geometry,f.material,0,0,null)):L&&L.isTexture&&(l===void 0&&(l=new Gt(new Yi(2,2),new _i({name:"BackgroundMaterial",uniforms:Xs(Ii.background.uniforms),vertexShader:Ii.background.vertexShader,fragmentShader:Ii.background.fragmentShader,side:Wi,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),s.update(l)),l.material.uniforms.t2D.value=L,l.material.uniforms.backgroundIntensity.value=M.backgroundIntensity,l.material.toneMapped=ut.getTransfer(L.colorSpace)!==Et,L.matrixAutoUpdate===!0&&L.updateMatrix(),l.material.uniforms.uvTransform.value.copy(L.matrix),(h!==L||u!==L.version||p!==i.toneMapping)&&(l.material.needsUpdate=!0,h=L,u=L.version,p=i.toneMapping),l.layers.enableAll(),T.unshift(l,l.geometry,l.material,0,0,null))}function d(T,M){T.getRGB(uc,du(i)),n.buffers.color.setClear(uc.r,uc.g,uc.b,M,o)}function E(){f!==void 0&&(f.geometry.dispose(),f.material.dispose(),f=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return a},setClearColor:function(T,M=1){a.set(T),c=M,d(a,c)},getClearAlpha:function(){return c},setClearAlpha:function(T){c=T,d(a,c)},render:v,addToRenderList:m,dispose:E}}function Ry(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=u(null),r=s,o=!1;function a(S,C,O,k,W){let X=!1,q=h(k,O,C);r!==q&&(r=q,l(r.object)),X=p(S,k,O,W),X&&_(S,k,O,W),W!==null&&e.update(W,i.ELEMENT_ARRAY_BUFFER),(X||o)&&(o=!1,M(S,C,O,k),W!==null&&i.bindBuffer(i.ELEMENT_ARRAY_BUFFER,e.get(W).buffer))}function c(){return i.createVertexArray()}function l(S){return i.bindVertexArray(S)}function f(S){return i.deleteVertexArray(S)}function h(S,C,O){let k=O.wireframe===!0,W=n[S.id];W===void 0&&(W={},n[S.id]=W);let X=W[C.id];X===void 0&&(X={},W[C.id]=X);let q=X[k];return q===void 0&&(q=u(c()),X[k]=q),q}function u(S){let C=[],O=[],k=[];for(let W=0;W<t;W++)C[W]=0,O[W]=0,k[W]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:C,enabledAttributes:O,attributeDivisors:k,object:S,attributes:{},index:null}}function p(S,C,O,k){let W=r.attributes,X=C.attributes,q=0,$=O.getAttributes();for(let Q in $)if($[Q].location>=0){let oe=W[Q],_e=X[Q];if(_e===void 0&&(Q==="instanceMatrix"&&S.instanceMatrix&&(_e=S.instanceMatrix),Q==="instanceColor"&&S.instanceColor&&(_e=S.instanceColor)),oe===void 0||oe.attribute!==_e||_e&&oe.data!==_e.data)return!0;q++}return r.attributesNum!==q||r.index!==k}function _(S,C,O,k){let W={},X=C.attributes,q=0,$=O.getAttributes();for(let Q in $)if($[Q].location>=0){let oe=X[Q];oe===void 0&&(Q==="instanceMatrix"&&S.instanceMatrix&&(oe=S.instanceMatrix),Q==="instanceColor"&&S.instanceColor&&(oe=S.instanceColor));let _e={};_e.attribute=oe,oe&&oe.data&&(_e.data=oe.data),W[Q]=_e,q++}r.attributes=W,r.attributesNum=q,r.index=k}function v(){let S=r.newAttributes;for(let C=0,O=S.length;C<O;C++)S[C]=0}function m(S){d(S,0)}function d(S,C){let O=r.newAttributes,k=r.enabledAttributes,W=r.attributeDivisors;O[S]=1,k[S]===0&&(i.enableVertexAttribArray(S),k[S]=1),W[S]!==C&&(i.vertexAttribDivisor(S,C),W[S]=C)}function E(){let S=r.newAttributes,C=r.enabledAttributes;for(let O=0,k=C.length;O<k;O++)C[O]!==S[O]&&(i.disableVertexAttribArray(O),C[O]=0)}function T(S,C,O,k,W,X,q){q===!0?i.vertexAttribIPointer(S,C,O,W,X):i.vertexAttribPointer(S,C,O,k,W,X)}function M(S,C,O,k){v();let W=k.attributes,X=O.getAttributes(),q=C.defaultAttributeValues;for(let $ in X){let Q=X[$];if(Q.location>=0){let re=W[$];if(re===void 0&&($==="instanceMatrix"&&S.instanceMatrix&&(re=S.instanceMatrix),$==="instanceColor"&&S.instanceColor&&(re=S.instanceColor)),re!==void 0){let oe=re.normalized,_e=re.itemSize,xe=e.get(re);if(xe===void 0)continue;let pe=xe.buffer,Ke=xe.type,Xe=xe.bytesPerElement,j=Ke===i.INT||Ke===i.UNSIGNED_INT||re.gpuType===Pl;if(re.isInterleavedBufferAttribute){let ee=re.data,Me=ee.stride,Ne=re.offset;if(ee.isInstancedInterleavedBuffer){for(let ve=0;ve<Q.locationSize;ve++)d(Q.location+ve,ee.meshPerAttribute);S.isInstancedMesh!==!0&&k._maxInstanceCount===void 0&&(k._maxInstanceCount=ee.meshPerAttribute*ee.count)}else for(let ve=0;ve<Q.locationSize;ve++)m(Q.location+ve);i.bindBuffer(i.ARRAY_BUFFER,pe);for(let ve=0;ve<Q.locationSize;ve++)T(Q.location+ve,_e/Q.locationSize,Ke,oe,Me*Xe,(Ne+_e/Q.locationSize*ve)*Xe,j)}else{if(re.isInstancedBufferAttribute){for(let ee=0;ee<Q.locationSize;ee++)d(Q.location+ee,re.meshPerAttribute);S.isInstancedMesh!==!0&&k._maxInstanceCount===void 0&&(k._maxInstanceCount=re.meshPerAttribute*re.count)}else for(let ee=0;ee<Q.locationSize;ee++)m(Q.location+ee);i.bindBuffer(i.ARRAY_BUFFER,pe);for(let ee=0;ee<Q.locationSize;ee++)T(Q.location+ee,_e/Q.locationSize,Ke,oe,_e*Xe,_e/Q.locationSize*ee*Xe,j)}}else if(q!==void 0){let oe=q[$];if(oe!==void 0)switch(oe.length){case 2:i.vertexAttrib2fv(Q.location,oe);break;case 3:i.vertexAttrib3fv(Q.location,oe);break;case 4:i.vertexAttrib4fv(Q.location,oe);break;default:i.vertexAttrib1fv(Q.location,oe)}}}}E()}function L(){F();for(let S in n){let C=n[S];for(let O in C){let k=C[O];for(let W in k)f(k[W].object),delete k[W];delete C[O]}delete n[S]}}function A(S){if(n[S.id]===void 0)return;let C=n[S.id];for(let O in C){let k=C[O];for(let W in k)f(k[W].object),delete k[W];delete C[O]}delete n[S.id]}function D(S){for(let C in n){let O=n[C];if(O[S.id]===void 0)continue;let k=O[S.id];for(let W in k)f(k[W].object),delete k[W];delete O[S.id]}}function F(){b(),o=!0,r!==s&&(r=s,l(r.object))}function b(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:F,resetDefaultState:b,dispose:L,releaseStatesOfGeometry:A,releaseStatesOfProgram:D,initAttributes:v,enableAttribute:m,disableUnusedAttributes:E}}function Iy(i,e,t){let n;function s(l){n=l}function r(l,f){i.drawArrays(n,l,f),t.update(f,n,1)}function o(l,f,h){h!==0&&(i.drawArraysInstanced(n,l,f,h),t.update(f,n,h))}function a(l,f,h){if(h===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,f,0,h);let p=0;for(let _=0;_<h;_++)p+=f[_];t.update(p,n,1)}function c(l,f,h,u){if(h===0)return;let p=e.get("WEBGL_multi_draw");if(p===null)for(let _=0;_<l.length;_++)o(l[_],f[_],u[_]);else{p.multiDrawArraysInstancedWEBGL(n,l,0,f,0,u,0,h);let _=0;for(let v=0;v<h;v++)_+=f[v]*u[v];t.update(_,n,1)}}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a,this.renderMultiDrawInstances=c}function Py(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let D=e.get("EXT_texture_filter_anisotropic");s=i.getParameter(D.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(D){return!(D!==ii&&n.convert(D)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(D){let F=D===Or&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(D!==vi&&n.convert(D)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE)&&D!==Ri&&!F)}function c(D){if(D==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";D="mediump"}return D==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let l=t.precision!==void 0?t.precision:"highp",f=c(l);f!==l&&(console.warn("THREE.WebGLRenderer:",l,"not supported, using",f,"instead."),l=f);let h=t.logarithmicDepthBuffer===!0,u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),p=i.getParameter(i.MAX_TEXTURE_IMAGE_UNITS),_=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),v=i.getParameter(i.MAX_TEXTURE_SIZE),m=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),d=i.getParameter(i.MAX_VERTEX_ATTRIBS),E=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),T=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),L=_>0,A=i.getParameter(i.MAX_SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:c,textureFormatReadable:o,textureTypeReadable:a,precision:l,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:p,maxVertexTextures:_,maxTextureSize:v,maxCubemapSize:m,maxAttributes:d,maxVertexUniforms:E,maxVaryings:T,maxFragmentUniforms:M,vertexTextures:L,maxSamples:A}}function Ly(i){let e=this,t=null,n=0,s=!1,r=!1,o=new Ti,a=new nt,c={value:null,needsUpdate:!1};this.uniform=c,this.numPlanes=0,this.numIntersection=0,this.init=function(h,u){let p=h.length!==0||u||n!==0||s;return s=u,n=h.length,p},this.beginShadows=function(){r=!0,f(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(h,u){t=f(h,u,0)},this.setState=function(h,u,p){let _=h.clippingPlanes,v=h.clipIntersection,m=h.clipShadows,d=i.get(h);if(!s||_===null||_.length===0||r&&!m)r?f(null):l();else{let E=r?0:n,T=E*4,M=d.clippingState||null;c.value=M,M=f(_,u,T,p);for(let L=0;L!==T;++L)M[L]=t[L];d.clippingState=M,this.numIntersection=v?this.numPlanes:0,this.numPlanes+=E}};function l(){c.value!==t&&(c.value=t,c.needsUpdate=n>0),e.numPlanes=n,e.numIntersection=0}function f(h,u,p,_){let v=h!==null?h.length:0,m=null;if(v!==0){if(m=c.value,_!==!0||m===null){let d=p+v*4,E=u.matrixWorldInverse;a.getNormalMatrix(E),(m===null||m.length<d)&&(m=new Float32Array(d));for(let T=0,M=p;T!==v;++T,M+=4)o.copy(h[T]).applyMatrix4(E,a),o.normal.toArray(m,M),m[M+3]=o.constant}c.value=m,c.needsUpdate=!0}return e.numPlanes=v,e.numIntersection=0,m}}function Dy(i){let e=new WeakMap;function t(o,a){return a===Cl?o.mapping=Gs:a===Rl&&(o.mapping=Ws),o}function n(o){if(o&&o.isTexture){let a=o.mapping;if(a===Cl||a===Rl)if(e.has(o)){let c=e.get(o).texture;return t(c,o.mapping)}else{let c=o.image;if(c&&c.height>0){let l=new il(c.height);return l.fromEquirectangularTexture(i,o),e.set(o,l),o.addEventListener("dispose",s),t(l.texture,o.mapping)}else return null}}return o}function s(o){let a=o.target;a.removeEventListener("dispose",s);let c=e.get(a);c!==void 0&&(e.delete(a),c.dispose())}function r(){e=new WeakMap}return{get:n,dispose:r}}var Vr=4,em=[.125,.215,.35,.446,.526,.582],$s=20,_u=new Uo,tm=new et,vu=null,xu=0,yu=0,Mu=!1,Zs=(1+Math.sqrt(5))/2,kr=1/Zs,nm=[new H(-Zs,kr,0),new H(Zs,kr,0),new H(-kr,0,Zs),new H(kr,0,Zs),new H(0,Zs,-kr),new H(0,Zs,kr),new H(-1,1,-1),new H(1,1,-1),new H(-1,1,1),new H(1,1,1)],Uy=new H,pc=class{constructor(e){this._renderer=e,this._pingPongRenderTarget=null,this._lodMax=0,this._cubeSize=0,this._lodPlanes=[],this._sizeLods=[],this._sigmas=[],this._blurMaterial=null,this._cubemapMaterial=null,this._equirectMaterial=null,this._compileMaterial(this._blurMaterial)}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=Uy}=r;vu=this._renderer.getRenderTarget(),xu=this._renderer.getActiveCubeFace(),yu=this._renderer.getActiveMipmapLevel(),Mu=this._renderer.xr.enabled,this._renderer.xr.enabled=!1,this._setSize(o);let c=this._allocateTargets();return c.depthBuffer=!0,this._sceneToCubeUV(e,n,s,c,a),t>0&&this._blur(c,0,0,t),this._applyPMREM(c),this._cleanup(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=rm(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=sm(),this._compileMaterial(this._equirectMaterial))}dispose(){this._dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose()}_setSize(e){this._lodMax=Math.floor(Math.log2(e)),this._cubeSize=Math.pow(2,this._lodMax)}_dispose(){this._blurMaterial!==null&&this._blurMaterial.dispose(),this._pingPongRenderTarget!==null&&this._pingPongRenderTarget.dispose();for(let e=0;e<this._lodPlanes.length;e++)this._lodPlanes[e].dispose()}_cleanup(e){this._renderer.setRenderTarget(vu,xu,yu),this._renderer.xr.enabled=Mu,e.scissorTest=!1,fc(e,0,0,e.width,e.height)}_fromTexture(e,t){e.mapping===Gs||e.mapping===Ws?this._setSize(e.image.length===0?16:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4),vu=this._renderer.getRenderTarget(),xu=this._renderer.getActiveCubeFace(),yu=this._renderer.getActiveMipmapLevel(),Mu=this._renderer.xr.enabled,this._renderer.xr.enabled=!1;let n=t||this._allocateTargets();return this._textureToCubeUV(e,n),this._applyPMREM(n),this._cleanup(n),n}_allocateTargets(){let e=3*Math.max(this._cubeSize,112),t=4*this._cubeSize,n={magFilter:gi,minFilter:gi,generateMipmaps:!1,type:Or,format:ii,colorSpace:zs,depthBuffer:!1},s=im(e,t,n);if(this._pingPongRenderTarget===null||this._pingPongRenderTarget.width!==e||this._pingPongRenderTarget.height!==t){this._pingPongRenderTarget!==null&&this._dispose(),this._pingPongRenderTarget=im(e,t,n);let{_lodMax:r}=this;({sizeLods:this._sizeLods,lodPlanes:this._lodPlanes,sigmas:this._sigmas}=Ny(r)),this._blurMaterial=Fy(r,e,t)}return s}_compileMaterial(e){let t=new Gt(this._lodPlanes[0],e);this._renderer.compile(t,_u)}_sceneToCubeUV(e,t,n,s,r){let c=new xn(90,1,t,n),l=[1,-1,1,1,1,1],f=[1,1,1,-1,-1,-1],h=this._renderer,u=h.autoClear,p=h.toneMapping;h.getClearColor(tm),h.toneMapping=$i,h.autoClear=!1,h.state.buffers.depth.getReversed()&&(h.setRenderTarget(s),h.clearDepth(),h.setRenderTarget(null));let v=new qn({name:"PMREM.Background",side:Cn,depthWrite:!1,depthTest:!1}),m=new Gt(new Lr,v),d=!1,E=e.background;E?E.isColor&&(v.color.copy(E),e.background=null,d=!0):(v.color.copy(tm),d=!0);for(let T=0;T<6;T++){let M=T%3;M===0?(c.up.set(0,l[T],0),c.position.set(r.x,r.y,r.z),c.lookAt(r.x+f[T],r.y,r.z)):M===1?(c.up.set(0,0,l[T]),c.position.set(r.x,r.y,r.z),c.lookAt(r.x,r.y+f[T],r.z)):(c.up.set(0,l[T],0),c.position.set(r.x,r.y,r.z),c.lookAt(r.x,r.y,r.z+f[T]));let L=this._cubeSize;fc(s,M*L,T>2?L:0,L,L),h.setRenderTarget(s),d&&h.render(m,c),h.render(e,c)}m.geometry.dispose(),m.material.dispose(),h.toneMapping=p,h.autoClear=u,e.background=E}_textureToCubeUV(e,t){let n=this._renderer,s=e.mapping===Gs||e.mapping===Ws;s?(this._cubemapMaterial===null&&(this._cubemapMaterial=rm()),this._cubemapMaterial.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):this._equirectMaterial===null&&(this._equirectMaterial=sm());let r=s?this._cubemapMaterial:this._equirectMaterial,o=new Gt(this._lodPlanes[0],r),a=r.uniforms;a.envMap.value=e;let c=this._cubeSize;fc(t,0,0,3*c,2*c),n.setRenderTarget(t),n.render(o,_u)}_applyPMREM(e){let t=this._renderer,n=t.autoClear;t.autoClear=!1;let s=this._lodPlanes.length;for(let r=1;r<s;r++){let o=Math.sqrt(this._sigmas[r]*this._sigmas[r]-this._sigmas[r-1]*this._sigmas[r-1]),a=nm[(s-r-1)%nm.length];this._blur(e,r-1,r,o,a)}t.autoClear=n}_blur(e,t,n,s,r){let o=this._pingPongRenderTarget;this._halfBlur(e,o,t,n,s,"latitudinal",r),this._halfBlur(o,e,n,n,s,"longitudinal",r)}_halfBlur(e,t,n,s,r,o,a){let c=this._renderer,l=this._blurMaterial;o!=="latitudinal"&&o!=="longitudinal"&&console.error("blur direction must be either latitudinal or longitudinal!");let f=3,h=new Gt(this._lodPlanes[s],l),u=l.uniforms,p=this._sizeLods[n]-1,_=isFinite(r)?Math.PI/(2*p):2*Math.PI/(2*$s-1),v=r/_,m=isFinite(r)?1+Math.floor(f*v):$s;m>$s&&console.warn(`sigmaRadians, ${r}, is too large and will clip, as it requested ${m} samples when the maximum is set to ${$s}`);let d=[],E=0;for(let D=0;D<$s;++D){let F=D/v,b=Math.exp(-F*F/2);d.push(b),D===0?E+=b:D<m&&(E+=2*b)}for(let D=0;D<d.length;D++)d[D]=d[D]/E;u.envMap.value=e.texture,u.samples.value=m,u.weights.value=d,u.latitudinal.value=o==="latitudinal",a&&(u.poleAxis.value=a);let{_lodMax:T}=this;u.dTheta.value=_,u.mipInt.value=T-n;let M=this._sizeLods[s],L=3*M*(s>T-Vr?s-T+Vr:0),A=4*(this._cubeSize-M);fc(t,L,A,3*M,2*M),c.setRenderTarget(t),c.render(h,_u)}};function Ny(i){let e=[],t=[],n=[],s=i,r=i-Vr+1+em.length;for(let o=0;o<r;o++){let a=Math.pow(2,s);t.push(a);let c=1/a;o>i-Vr?c=em[o-i+Vr-1]:o===0&&(c=0),n.push(c);let l=1/(a-2),f=-l,h=1+l,u=[f,f,h,f,h,h,f,f,h,h,f,h],p=6,_=6,v=3,m=2,d=1,E=new Float32Array(v*_*p),T=new Float32Array(m*_*p),M=new Float32Array(d*_*p);for(let A=0;A<p;A++){let D=A%3*2/3-1,F=A>2?0:-1,b=[D,F,0,D+2/3,F,0,D+2/3,F+1,0,D,F,0,D+2/3,F+1,0,D,F+1,0];E.set(b,v*_*A),T.set(u,m*_*A);let S=[A,A,A,A,A,A];M.set(S,d*_*A)}let L=new Yt;L.setAttribute("position",new en(E,v)),L.setAttribute("uv",new en(T,m)),L.setAttribute("faceIndex",new en(M,d)),e.push(L),s>Vr&&s--}return{lodPlanes:e,sizeLods:t,sigmas:n}}function im(i,e,t){let n=new Ai(i,e,t);return n.texture.mapping=Bo,n.texture.name="PMREM.cubeUv",n.scissorTest=!0,n}function fc(i,e,t,n,s){i.viewport.set(e,t,n,s),i.scissor.set(e,t,n,s)}function Fy(i,e,t){let n=new Float32Array($s),s=new H(0,1,0);return new _i({name:"SphericalGaussianBlur",defines:{n:$s,CUBEUV_TEXEL_WIDTH:1/e,CUBEUV_TEXEL_HEIGHT:1/t,CUBEUV_MAX_MIP:`${i}.0`},uniforms:{envMap:{value:null},samples:{value:1},weights:{value:n},latitudinal:{value:!1},dTheta:{value:0},mipInt:{value:0},poleAxis:{value:s}},vertexShader:Pu(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			varying vec3 vOutputDirection;
+
+			uniform sampler2D envMap;
+			uniform int samples;
+			uniform float weights[ n ];
+			uniform bool latitudinal;
+			uniform float dTheta;
+			uniform float mipInt;
+			uniform vec3 poleAxis;
+
+			#define ENVMAP_TYPE_CUBE_UV
+			#include <cube_uv_reflection_fragment>
+
+			vec3 getSample( float theta, vec3 axis ) {
+
+				float cosTheta = cos( theta );
+				// Rodrigues' axis-angle rotation
+				vec3 sampleDirection = vOutputDirection * cosTheta
+					+ cross( axis, vOutputDirection ) * sin( theta )
+					+ axis * dot( axis, vOutputDirection ) * ( 1.0 - cosTheta );
+
+				return bilinearCubeUV( envMap, sampleDirection, mipInt );
+
+			}
+
+			void main() {
+
+				vec3 axis = latitudinal ? poleAxis : cross( poleAxis, vOutputDirection );
+
+				if ( all( equal( axis, vec3( 0.0 ) ) ) ) {
+
+					axis = vec3( vOutputDirection.z, 0.0, - vOutputDirection.x );
+
+				}
+
+				axis = normalize( axis );
+
+				gl_FragColor = vec4( 0.0, 0.0, 0.0, 1.0 );
+				gl_FragColor.rgb += weights[ 0 ] * getSample( 0.0, axis );
+
+				for ( int i = 1; i < n; i++ ) {
+
+					if ( i >= samples ) {
+
+						break;
+
+					}
+
+					float theta = dTheta * float( i );
+					gl_FragColor.rgb += weights[ i ] * getSample( -1.0 * theta, axis );
+					gl_FragColor.rgb += weights[ i ] * getSample( theta, axis );
+
+				}
+
+			}
+		`,blending:Zi,depthTest:!1,depthWrite:!1})}function sm(){return new _i({name:"EquirectangularToCubeUV",uniforms:{envMap:{value:null}},vertexShader:Pu(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			varying vec3 vOutputDirection;
+
+			uniform sampler2D envMap;
+
+			#include <common>
+
+			void main() {
+
+				vec3 outputDirection = normalize( vOutputDirection );
+				vec2 uv = equirectUv( outputDirection );
+
+				gl_FragColor = vec4( texture2D ( envMap, uv ).rgb, 1.0 );
+
+			}
+		`,blending:Zi,depthTest:!1,depthWrite:!1})}function rm(){return new _i({name:"CubemapToCubeUV",uniforms:{envMap:{value:null},flipEnvMap:{value:-1}},vertexShader:Pu(),fragmentShader:`
+
+			precision mediump float;
+			precision mediump int;
+
+			uniform float flipEnvMap;
+
+			varying vec3 vOutputDirection;
+
+			uniform samplerCube envMap;
+
+			void main() {
+
+				gl_FragColor = textureCube( envMap, vec3( flipEnvMap * vOutputDirection.x, vOutputDirection.yz ) );
+
+			}
+		`,blending:Zi,depthTest:!1,depthWrite:!1})}function Pu(){return`
+
+		precision mediump float;
+		precision mediump int;
+
+		attribute float faceIndex;
+
+		varying vec3 vOutputDirection;
+
+		// RH coordinate system; PMREM face-indexing convention
+		vec3 getDirection( vec2 uv, float face ) {
+
+			uv = 2.0 * uv - 1.0;
+
+			vec3 direction = vec3( uv, 1.0 );
+
+			if ( face == 0.0 ) {
+
+				direction = direction.zyx; // ( 1, v, u ) pos x
+
+			} else if ( face == 1.0 ) {
+
+				direction = direction.xzy;
+				direction.xz *= -1.0; // ( -u, 1, -v ) pos y
+
+			} else if ( face == 2.0 ) {
+
+				direction.x *= -1.0; // ( -u, v, 1 ) pos z
+
+			} else if ( face == 3.0 ) {
+
+				direction = direction.zyx;
+				direction.xz *= -1.0; // ( -1, v, -u ) neg x
+
+			} else if ( face == 4.0 ) {
+
+				direction = direction.xzy;
+				direction.xy *= -1.0; // ( -u, -1, v ) neg y
+
+			} else if ( face == 5.0 ) {
+
+				direction.z *= -1.0; // ( u, v, -1 ) neg z
+
+			}
+
+			return direction;
+
+		}
+
+		void main() {
+
+			vOutputDirection = getDirection( uv, faceIndex );
+			gl_Position = vec4( position, 1.0 );
+
+		}
+	`}function Oy(i){let e=new WeakMap,t=null;function n(a){if(a&&a.isTexture){let c=a.mapping,l=c===Cl||c===Rl,f=c===Gs||c===Ws;if(l||f){let h=e.get(a),u=h!==void 0?h.texture.pmremVersion:0;if(a.isRenderTargetTexture&&a.pmremVersion!==u)return t===null&&(t=new pc(i)),h=l?t.fromEquirectangular(a,h):t.fromCubemap(a,h),h.texture.pmremVersion=a.pmremVersion,e.set(a,h),h.texture;if(h!==void 0)return h.texture;{let p=a.image;return l&&p&&p.height>0||f&&p&&s(p)?(t===null&&(t=new pc(i)),h=l?t.fromEquirectangular(a):t.fromCubemap(a),h.texture.pmremVersion=a.pmremVersion,e.set(a,h),a.addEventListener("dispose",r),h.texture):null}}}return a}function s(a){let c=0,l=6;for(let f=0;f<l;f++)a[f]!==void 0&&c++;return c===l}function r(a){let c=a.target;c.removeEventListener("dispose",r);let l=e.get(c);l!==void 0&&(e.delete(c),l.dispose())}function o(){e=new WeakMap,t!==null&&(t.dispose(),t=null)}return{get:n,dispose:o}}function By(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s;switch(n){case"WEBGL_depth_texture":s=i.getExtension("WEBGL_depth_texture")||i.getExtension("MOZ_WEBGL_depth_texture")||i.getExtension("WEBKIT_WEBGL_depth_texture");break;case"EXT_texture_filter_anisotropic":s=i.getExtension("EXT_texture_filter_anisotropic")||i.getExtension("MOZ_EXT_texture_filter_anisotropic")||i.getExtension("WEBKIT_EXT_texture_filter_anisotropic");break;case"WEBGL_compressed_texture_s3tc":s=i.getExtension("WEBGL_compressed_texture_s3tc")||i.getExtension("MOZ_WEBGL_compressed_texture_s3tc")||i.getExtension("WEBKIT_WEBGL_compressed_texture_s3tc");break;case"WEBGL_compressed_texture_pvrtc":s=i.getExtension("WEBGL_compressed_texture_pvrtc")||i.getExtension("WEBKIT_WEBGL_compressed_texture_pvrtc");break;default:s=i.getExtension(n)}return e[n]=s,s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Ir("THREE.WebGLRenderer: "+n+" extension not supported."),s}}}function zy(i,e,t,n){let s={},r=new WeakMap;function o(h){let u=h.target;u.index!==null&&e.remove(u.index);for(let _ in u.attributes)e.remove(u.attributes[_]);u.removeEventListener("dispose",o),delete s[u.id];let p=r.get(u);p&&(e.remove(p),r.delete(u)),n.releaseStatesOfGeometry(u),u.isInstancedBufferGeometry===!0&&delete u._maxInstanceCount,t.memory.geometries--}function a(h,u){return s[u.id]===!0||(u.addEventListener("dispose",o),s[u.id]=!0,t.memory.geometries++),u}function c(h){let u=h.attributes;for(let p in u)e.update(u[p],i.ARRAY_BUFFER)}function l(h){let u=[],p=h.index,_=h.attributes.position,v=0;if(p!==null){let E=p.array;v=p.version;for(let T=0,M=E.length;T<M;T+=3){let L=E[T+0],A=E[T+1],D=E[T+2];u.push(L,A,A,D,D,L)}}else if(_!==void 0){let E=_.array;v=_.version;for(let T=0,M=E.length/3-1;T<M;T+=3){let L=T+0,A=T+1,D=T+2;u.push(L,A,A,D,D,L)}}else return;let m=new(fu(u)?Mo:yo)(u,1);m.version=v;let d=r.get(h);d&&e.remove(d),r.set(h,m)}function f(h){let u=r.get(h);if(u){let p=h.index;p!==null&&u.version<p.version&&l(h)}else l(h);return r.get(h)}return{get:a,update:c,getWireframeAttribute:f}}function ky(i,e,t){let n;function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function c(u,p){i.drawElements(n,p,r,u*o),t.update(p,n,1)}function l(u,p,_){_!==0&&(i.drawElementsInstanced(n,p,r,u*o,_),t.update(p,n,_))}function f(u,p,_){if(_===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,p,0,r,u,0,_);let m=0;for(let d=0;d<_;d++)m+=p[d];t.update(m,n,1)}function h(u,p,_,v){if(_===0)return;let m=e.get("WEBGL_multi_draw");if(m===null)for(let d=0;d<u.length;d++)l(u[d]/o,p[d],v[d]);else{m.multiDrawElementsInstancedWEBGL(n,p,0,r,u,0,v,0,_);let d=0;for(let E=0;E<_;E++)d+=p[E]*v[E];t.update(d,n,1)}}this.setMode=s,this.setIndex=a,this.render=c,this.renderInstances=l,this.renderMultiDraw=f,this.renderMultiDrawInstances=h}function Vy(i){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:console.error("THREE.WebGLInfo: Unknown draw mode:",o);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function Hy(i,e,t){let n=new WeakMap,s=new Wt;function r(o,a,c){let l=o.morphTargetInfluences,f=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,h=f!==void 0?f.length:0,u=n.get(a);if(u===void 0||u.count!==h){let b=function(){D.dispose(),n.delete(a),a.removeEventListener("dispose",b)};u!==void 0&&u.texture.dispose();let p=a.morphAttributes.position!==void 0,_=a.morphAttributes.normal!==void 0,v=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],d=a.morphAttributes.normal||[],E=a.morphAttributes.color||[],T=0;p===!0&&(T=1),_===!0&&(T=2),v===!0&&(T=3);let M=a.attributes.position.count*T,L=1;M>e.maxTextureSize&&(L=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);let A=new Float32Array(M*L*4*h),D=new _o(A,M,L,h);D.type=Ri,D.needsUpdate=!0;let F=T*4;for(let S=0;S<h;S++){let C=m[S],O=d[S],k=E[S],W=M*L*4*S;for(let X=0;X<C.count;X++){let q=X*F;p===!0&&(s.fromBufferAttribute(C,X),A[W+q+0]=s.x,A[W+q+1]=s.y,A[W+q+2]=s.z,A[W+q+3]=0),_===!0&&(s.fromBufferAttribute(O,X),A[W+q+4]=s.x,A[W+q+5]=s.y,A[W+q+6]=s.z,A[W+q+7]=0),v===!0&&(s.fromBufferAttribute(k,X),A[W+q+8]=s.x,A[W+q+9]=s.y,A[W+q+10]=s.z,A[W+q+11]=k.itemSize===4?s.w:1)}}u={count:h,texture:D,size:new ct(M,L)},n.set(a,u),a.addEventListener("dispose",b)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)c.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{let p=0;for(let v=0;v<l.length;v++)p+=l[v];let _=a.morphTargetsRelative?1:1-p;c.getUniforms().setValue(i,"morphTargetBaseInfluence",_),c.getUniforms().setValue(i,"morphTargetInfluences",l)}c.getUniforms().setValue(i,"morphTargetsTexture",u.texture,t),c.getUniforms().setValue(i,"morphTargetsTextureSize",u.size)}return{update:r}}function Gy(i,e,t,n){let s=new WeakMap;function r(c){let l=n.render.frame,f=c.geometry,h=e.get(c,f);if(s.get(h)!==l&&(e.update(h),s.set(h,l)),c.isInstancedMesh&&(c.hasEventListener("dispose",a)===!1&&c.addEventListener("dispose",a),s.get(c)!==l&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,i.ARRAY_BUFFER),s.set(c,l))),c.isSkinnedMesh){let u=c.skeleton;s.get(u)!==l&&(u.update(),s.set(u,l))}return h}function o(){s=new WeakMap}function a(c){let l=c.target;l.removeEventListener("dispose",a),t.remove(l.instanceMatrix),l.instanceColor!==null&&t.remove(l.instanceColor)}return{update:r,dispose:o}}var wm=new Wn,om=new To(1,1),Em=new _o,Tm=new tl,Am=new bo,am=[],lm=[],cm=new Float32Array(16),hm=new Float32Array(9),um=new Float32Array(4);function Gr(i,e,t){let n=i[0];if(n<=0||n>0)return i;let s=e*t,r=am[s];if(r===void 0&&(r=new Float32Array(s),am[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}function tn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function nn(i,e){for(let t=0,n=e.length;t<n;t++)i[t]=e[t]}function gc(i,e){let t=lm[e];t===void 0&&(t=new Int32Array(e),lm[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function Wy(i,e){let t=this.cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function Xy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(tn(t,e))return;i.uniform2fv(this.addr,e),nn(t,e)}}function qy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(tn(t,e))return;i.uniform3fv(this.addr,e),nn(t,e)}}function Yy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(tn(t,e))return;i.uniform4fv(this.addr,e),nn(t,e)}}function Zy(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(tn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),nn(t,e)}else{if(tn(t,n))return;um.set(n),i.uniformMatrix2fv(this.addr,!1,um),nn(t,n)}}function $y(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(tn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),nn(t,e)}else{if(tn(t,n))return;hm.set(n),i.uniformMatrix3fv(this.addr,!1,hm),nn(t,n)}}function Jy(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(tn(t,e))return;i.uniformMatrix4fv(this.addr,!1,e),nn(t,e)}else{if(tn(t,n))return;cm.set(n),i.uniformMatrix4fv(this.addr,!1,cm),nn(t,n)}}function Ky(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.addr,e),t[0]=e)}function Qy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(tn(t,e))return;i.uniform2iv(this.addr,e),nn(t,e)}}function jy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(tn(t,e))return;i.uniform3iv(this.addr,e),nn(t,e)}}function eM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(tn(t,e))return;i.uniform4iv(this.addr,e),nn(t,e)}}function tM(i,e){let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function nM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(tn(t,e))return;i.uniform2uiv(this.addr,e),nn(t,e)}}function iM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(tn(t,e))return;i.uniform3uiv(this.addr,e),nn(t,e)}}function sM(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(tn(t,e))return;i.uniform4uiv(this.addr,e),nn(t,e)}}function rM(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?(om.compareFunction=hu,r=om):r=wm,t.setTexture2D(e||r,s)}function oM(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Tm,s)}function aM(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTextureCube(e||Am,s)}function lM(i,e,t){let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Em,s)}function cM(i){switch(i){case 5126:return Wy;case 35664:return Xy;case 35665:return qy;case 35666:return Yy;case 35674:return Zy;case 35675:return $y;case 35676:return Jy;case 5124:case 35670:return Ky;case 35667:case 35671:return Qy;case 35668:case 35672:return jy;case 35669:case 35673:return eM;case 5125:return tM;case 36294:return nM;case 36295:return iM;case 36296:return sM;case 35678:case 36198:case 36298:case 36306:case 35682:return rM;case 35679:case 36299:case 36307:return oM;case 35680:case 36300:case 36308:case 36293:return aM;case 36289:case 36303:case 36311:case 36292:return lM}}function hM(i,e){i.uniform1fv(this.addr,e)}function uM(i,e){let t=Gr(e,this.size,2);i.uniform2fv(this.addr,t)}function fM(i,e){let t=Gr(e,this.size,3);i.uniform3fv(this.addr,t)}function dM(i,e){let t=Gr(e,this.size,4);i.uniform4fv(this.addr,t)}function pM(i,e){let t=Gr(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function mM(i,e){let t=Gr(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function gM(i,e){let t=Gr(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function _M(i,e){i.uniform1iv(this.addr,e)}function vM(i,e){i.uniform2iv(this.addr,e)}function xM(i,e){i.uniform3iv(this.addr,e)}function yM(i,e){i.uniform4iv(this.addr,e)}function MM(i,e){i.uniform1uiv(this.addr,e)}function SM(i,e){i.uniform2uiv(this.addr,e)}function bM(i,e){i.uniform3uiv(this.addr,e)}function wM(i,e){i.uniform4uiv(this.addr,e)}function EM(i,e,t){let n=this.cache,s=e.length,r=gc(t,s);tn(n,r)||(i.uniform1iv(this.addr,r),nn(n,r));for(let o=0;o!==s;++o)t.setTexture2D(e[o]||wm,r[o])}function TM(i,e,t){let n=this.cache,s=e.length,r=gc(t,s);tn(n,r)||(i.uniform1iv(this.addr,r),nn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Tm,r[o])}function AM(i,e,t){let n=this.cache,s=e.length,r=gc(t,s);tn(n,r)||(i.uniform1iv(this.addr,r),nn(n,r));for(let o=0;o!==s;++o)t.setTextureCube(e[o]||Am,r[o])}function CM(i,e,t){let n=this.cache,s=e.length,r=gc(t,s);tn(n,r)||(i.uniform1iv(this.addr,r),nn(n,r));for(let o=0;o!==s;++o)t.setTexture2DArray(e[o]||Em,r[o])}function RM(i){switch(i){case 5126:return hM;case 35664:return uM;case 35665:return fM;case 35666:return dM;case 35674:return pM;case 35675:return mM;case 35676:return gM;case 5124:case 35670:return _M;case 35667:case 35671:return vM;case 35668:case 35672:return xM;case 35669:case 35673:return yM;case 5125:return MM;case 36294:return SM;case 36295:return bM;case 36296:return wM;case 35678:case 36198:case 36298:case 36306:case 35682:return EM;case 35679:case 36299:case 36307:return TM;case 35680:case 36300:case 36308:case 36293:return AM;case 36289:case 36303:case 36311:case 36292:return CM}}var bu=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.setValue=cM(t.type)}},wu=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=RM(t.type)}},Eu=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(e,t[a.id],n)}}},Su=/(\w+)(\])?(\[|\.)?/g;function fm(i,e){i.seq.push(e),i.map[e.id]=e}function IM(i,e,t){let n=i.name,s=n.length;for(Su.lastIndex=0;;){let r=Su.exec(n),o=Su.lastIndex,a=r[1],c=r[2]==="]",l=r[3];if(c&&(a=a|0),l===void 0||l==="["&&o+2===s){fm(t,l===void 0?new bu(a,i,e):new wu(a,i,e));break}else{let h=t.map[a];h===void 0&&(h=new Eu(a),fm(t,h)),t=h}}}var Hr=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let s=0;s<n;++s){let r=e.getActiveUniform(t,s),o=e.getUniformLocation(t,r.name);IM(r,o,this)}}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],c=n[a.id];c.needsUpdate!==!1&&a.setValue(e,c.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function dm(i,e,t){let n=i.createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var PM=37297,LM=0;function DM(i,e){let t=i.split(`
+`),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let o=s;o<r;o++){let a=o+1;n.push(`${a===e?">":" "} ${a}: ${t[o]}`)}return n.join(`
+`)}var pm=new nt;function UM(i){ut._getMatrix(pm,ut.workingColorSpace,i);let e=`mat3( ${pm.elements.map(t=>t.toFixed(4))} )`;switch(ut.getTransfer(i)){case po:return[e,"LinearTransferOETF"];case Et:return[e,"sRGBTransferOETF"];default:return console.warn("THREE.WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function mm(i,e,t){let n=i.getShaderParameter(e,i.COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+DM(i.getShaderSource(e),a)}else return r}function NM(i,e){let t=UM(e);return[`vec4 ${i}( vec4 value ) {`,`	return ${t[1]}( vec4( value.rgb * ${t[0]}, value.a ) );`,"}"].join(`
+`)}function FM(i,e){let t;switch(e){case Pp:t="Linear";break;case Lp:t="Reinhard";break;case Dp:t="Cineon";break;case Up:t="ACESFilmic";break;case Fp:t="AgX";break;case Op:t="Neutral";break;case Np:t="Custom";break;default:console.warn("THREE.WebGLProgram: Unsupported toneMapping:",e),t="Linear"}return"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var dc=new H;function OM(){ut.getLuminanceCoefficients(dc);let i=dc.x.toFixed(4),e=dc.y.toFixed(4),t=dc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${i}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function BM(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(Xo).join(`
+`)}function zM(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.join(`
+`)}function kM(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&(a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function Xo(i){return i!==""}function gm(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows)}function _m(i,e){return i.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var VM=/^[ \t]*#include +<([\w\d./]+)>/gm;function Tu(i){return i.replace(VM,GM)}var HM=new Map;function GM(i,e){let t=st[e];if(t===void 0){let n=HM.get(e);if(n!==void 0)t=st[n],console.warn('THREE.WebGLRenderer: Shader chunk "%s" has been deprecated. Use "%s" instead.',e,n);else throw new Error("Can not resolve #include <"+e+">")}return Tu(t)}var WM=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function vm(i){return i.replace(WM,XM)}function XM(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function xm(i){let e=`precision ${i.precision} float;
+	precision ${i.precision} int;
+	precision ${i.precision} sampler2D;
+	precision ${i.precision} samplerCube;
+	precision ${i.precision} sampler3D;
+	precision ${i.precision} sampler2DArray;
+	precision ${i.precision} sampler2DShadow;
+	precision ${i.precision} samplerCubeShadow;
+	precision ${i.precision} sampler2DArrayShadow;
+	precision ${i.precision} isampler2D;
+	precision ${i.precision} isampler3D;
+	precision ${i.precision} isamplerCube;
+	precision ${i.precision} isampler2DArray;
+	precision ${i.precision} usampler2D;
+	precision ${i.precision} usampler3D;
+	precision ${i.precision} usamplerCube;
+	precision ${i.precision} usampler2DArray;
+	`;return i.precision==="highp"?e+=`
+#define HIGH_PRECISION`:i.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:i.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}function qM(i){let e="SHADOWMAP_TYPE_BASIC";return i.shadowMapType===Jh?e="SHADOWMAP_TYPE_PCF":i.shadowMapType===hp?e="SHADOWMAP_TYPE_PCF_SOFT":i.shadowMapType===Ci&&(e="SHADOWMAP_TYPE_VSM"),e}function YM(i){let e="ENVMAP_TYPE_CUBE";if(i.envMap)switch(i.envMapMode){case Gs:case Ws:e="ENVMAP_TYPE_CUBE";break;case Bo:e="ENVMAP_TYPE_CUBE_UV";break}return e}function ZM(i){let e="ENVMAP_MODE_REFLECTION";if(i.envMap)switch(i.envMapMode){case Ws:e="ENVMAP_MODE_REFRACTION";break}return e}function $M(i){let e="ENVMAP_BLENDING_NONE";if(i.envMap)switch(i.combine){case Al:e="ENVMAP_BLENDING_MULTIPLY";break;case Rp:e="ENVMAP_BLENDING_MIX";break;case Ip:e="ENVMAP_BLENDING_ADD";break}return e}function JM(i){let e=i.envMapCubeUVHeight;if(e===null)return null;let t=Math.log2(e)-2,n=1/e;return{texelWidth:1/(3*Math.max(Math.pow(2,t),112)),texelHeight:n,maxMip:t}}function KM(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,c=qM(t),l=YM(t),f=ZM(t),h=$M(t),u=JM(t),p=BM(t),_=zM(r),v=s.createProgram(),m,d,E=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(m=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,_].filter(Xo).join(`
+`),m.length>0&&(m+=`
+`),d=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,_].filter(Xo).join(`
+`),d.length>0&&(d+=`
+`)):(m=[xm(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,_,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+f:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(Xo).join(`
+`),d=[xm(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,_,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+l:"",t.envMap?"#define "+f:"",t.envMap?"#define "+h:"",u?"#define CUBEUV_TEXEL_WIDTH "+u.texelWidth:"",u?"#define CUBEUV_TEXEL_HEIGHT "+u.texelHeight:"",u?"#define CUBEUV_MAX_MIP "+u.maxMip+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor||t.batchingColor?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==$i?"#define TONE_MAPPING":"",t.toneMapping!==$i?st.tonemapping_pars_fragment:"",t.toneMapping!==$i?FM("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",st.colorspace_pars_fragment,NM("linearToOutputTexel",t.outputColorSpace),OM(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(Xo).join(`
+`)),o=Tu(o),o=gm(o,t),o=_m(o,t),a=Tu(a),a=gm(a,t),a=_m(a,t),o=vm(o),a=vm(a),t.isRawShaderMaterial!==!0&&(E=`#version 300 es
+`,m=[p,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+m,d=["#define varying in",t.glslVersion===uu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===uu?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+d);let T=E+m+o,M=E+d+a,L=dm(s,s.VERTEX_SHADER,T),A=dm(s,s.FRAGMENT_SHADER,M);s.attachShader(v,L),s.attachShader(v,A),t.index0AttributeName!==void 0?s.bindAttribLocation(v,0,t.index0AttributeName):t.morphTargets===!0&&s.bindAttribLocation(v,0,"position"),s.linkProgram(v);function D(C){if(i.debug.checkShaderErrors){let O=s.getProgramInfoLog(v)||"",k=s.getShaderInfoLog(L)||"",W=s.getShaderInfoLog(A)||"",X=O.trim(),q=k.trim(),$=W.trim(),Q=!0,re=!0;if(s.getProgramParameter(v,s.LINK_STATUS)===!1)if(Q=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(s,v,L,A);else{let oe=mm(s,L,"vertex"),_e=mm(s,A,"fragment");console.error("THREE.WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(v,s.VALIDATE_STATUS)+`
+
+Material Name: `+C.name+`
+Material Type: `+C.type+`
+
+Program Info Log: `+X+`
+`+oe+`
+`+_e)}else X!==""?console.warn("THREE.WebGLProgram: Program Info Log:",X):(q===""||$==="")&&(re=!1);re&&(C.diagnostics={runnable:Q,programLog:X,vertexShader:{log:q,prefix:m},fragmentShader:{log:$,prefix:d}})}s.deleteShader(L),s.deleteShader(A),F=new Hr(s,v),b=kM(s,v)}let F;this.getUniforms=function(){return F===void 0&&D(this),F};let b;this.getAttributes=function(){return b===void 0&&D(this),b};let S=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return S===!1&&(S=s.getProgramParameter(v,PM)),S},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(v),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=LM++,this.cacheKey=e,this.usedTimes=1,this.program=v,this.vertexShader=L,this.fragmentShader=A,this}var QM=0,Au=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e){let t=e.vertexShader,n=e.fragmentShader,s=this._getShaderStage(t),r=this._getShaderStage(n),o=this._getShaderCacheForMaterial(e);return o.has(s)===!1&&(o.add(s),s.usedTimes++),o.has(r)===!1&&(o.add(r),r.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderID(e){return this._getShaderStage(e.vertexShader).id}getFragmentShaderID(e){return this._getShaderStage(e.fragmentShader).id}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new Cu(e),t.set(e,n)),n}},Cu=class{constructor(e){this.id=QM++,this.code=e,this.usedTimes=0}};function jM(i,e,t,n,s,r,o){let a=new xo,c=new Au,l=new Set,f=[],h=s.logarithmicDepthBuffer,u=s.vertexTextures,p=s.precision,_={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distanceRGBA",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function v(b){return l.add(b),b===0?"uv":`uv${b}`}function m(b,S,C,O,k){let W=O.fog,X=k.geometry,q=b.isMeshStandardMaterial?O.environment:null,$=(b.isMeshStandardMaterial?t:e).get(b.envMap||q),Q=$&&$.mapping===Bo?$.image.height:null,re=_[b.type];b.precision!==null&&(p=s.getMaxPrecision(b.precision),p!==b.precision&&console.warn("THREE.WebGLProgram.getParameters:",b.precision,"not supported, using",p,"instead."));let oe=X.morphAttributes.position||X.morphAttributes.normal||X.morphAttributes.color,_e=oe!==void 0?oe.length:0,xe=0;X.morphAttributes.position!==void 0&&(xe=1),X.morphAttributes.normal!==void 0&&(xe=2),X.morphAttributes.color!==void 0&&(xe=3);let pe,Ke,Xe,j;if(re){let ft=Ii[re];pe=ft.vertexShader,Ke=ft.fragmentShader}else pe=b.vertexShader,Ke=b.fragmentShader,c.update(b),Xe=c.getVertexShaderID(b),j=c.getFragmentShaderID(b);let ee=i.getRenderTarget(),Me=i.state.buffers.depth.getReversed(),Ne=k.isInstancedMesh===!0,ve=k.isBatchedMesh===!0,$e=!!b.map,St=!!b.matcap,U=!!$,ht=!!b.aoMap,Ye=!!b.lightMap,He=!!b.bumpMap,De=!!b.normalMap,bt=!!b.displacementMap,Ce=!!b.emissiveMap,Ve=!!b.metalnessMap,Ft=!!b.roughnessMap,gt=b.anisotropy>0,I=b.clearcoat>0,x=b.dispersion>0,N=b.iridescence>0,J=b.sheen>0,ne=b.transmission>0,te=gt&&!!b.anisotropyMap,Ue=I&&!!b.clearcoatMap,he=I&&!!b.clearcoatNormalMap,Ie=I&&!!b.clearcoatRoughnessMap,Te=N&&!!b.iridescenceMap,ae=N&&!!b.iridescenceThicknessMap,ge=J&&!!b.sheenColorMap,Be=J&&!!b.sheenRoughnessMap,Oe=!!b.specularMap,ye=!!b.specularColorMap,Je=!!b.specularIntensityMap,B=ne&&!!b.transmissionMap,ue=ne&&!!b.thicknessMap,de=!!b.gradientMap,Re=!!b.alphaMap,ce=b.alphaTest>0,se=!!b.alphaHash,Fe=!!b.extensions,Qe=$i;b.toneMapped&&(ee===null||ee.isXRRenderTarget===!0)&&(Qe=i.toneMapping);let Tt={shaderID:re,shaderType:b.type,shaderName:b.name,vertexShader:pe,fragmentShader:Ke,defines:b.defines,customVertexShaderID:Xe,customFragmentShaderID:j,isRawShaderMaterial:b.isRawShaderMaterial===!0,glslVersion:b.glslVersion,precision:p,batching:ve,batchingColor:ve&&k._colorsTexture!==null,instancing:Ne,instancingColor:Ne&&k.instanceColor!==null,instancingMorph:Ne&&k.morphTexture!==null,supportsVertexTextures:u,outputColorSpace:ee===null?i.outputColorSpace:ee.isXRRenderTarget===!0?ee.texture.colorSpace:zs,alphaToCoverage:!!b.alphaToCoverage,map:$e,matcap:St,envMap:U,envMapMode:U&&$.mapping,envMapCubeUVHeight:Q,aoMap:ht,lightMap:Ye,bumpMap:He,normalMap:De,displacementMap:u&&bt,emissiveMap:Ce,normalMapObjectSpace:De&&b.normalMapType===Vp,normalMapTangentSpace:De&&b.normalMapType===cu,metalnessMap:Ve,roughnessMap:Ft,anisotropy:gt,anisotropyMap:te,clearcoat:I,clearcoatMap:Ue,clearcoatNormalMap:he,clearcoatRoughnessMap:Ie,dispersion:x,iridescence:N,iridescenceMap:Te,iridescenceThicknessMap:ae,sheen:J,sheenColorMap:ge,sheenRoughnessMap:Be,specularMap:Oe,specularColorMap:ye,specularIntensityMap:Je,transmission:ne,transmissionMap:B,thicknessMap:ue,gradientMap:de,opaque:b.transparent===!1&&b.blending===Os&&b.alphaToCoverage===!1,alphaMap:Re,alphaTest:ce,alphaHash:se,combine:b.combine,mapUv:$e&&v(b.map.channel),aoMapUv:ht&&v(b.aoMap.channel),lightMapUv:Ye&&v(b.lightMap.channel),bumpMapUv:He&&v(b.bumpMap.channel),normalMapUv:De&&v(b.normalMap.channel),displacementMapUv:bt&&v(b.displacementMap.channel),emissiveMapUv:Ce&&v(b.emissiveMap.channel),metalnessMapUv:Ve&&v(b.metalnessMap.channel),roughnessMapUv:Ft&&v(b.roughnessMap.channel),anisotropyMapUv:te&&v(b.anisotropyMap.channel),clearcoatMapUv:Ue&&v(b.clearcoatMap.channel),clearcoatNormalMapUv:he&&v(b.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:Ie&&v(b.clearcoatRoughnessMap.channel),iridescenceMapUv:Te&&v(b.iridescenceMap.channel),iridescenceThicknessMapUv:ae&&v(b.iridescenceThicknessMap.channel),sheenColorMapUv:ge&&v(b.sheenColorMap.channel),sheenRoughnessMapUv:Be&&v(b.sheenRoughnessMap.channel),specularMapUv:Oe&&v(b.specularMap.channel),specularColorMapUv:ye&&v(b.specularColorMap.channel),specularIntensityMapUv:Je&&v(b.specularIntensityMap.channel),transmissionMapUv:B&&v(b.transmissionMap.channel),thicknessMapUv:ue&&v(b.thicknessMap.channel),alphaMapUv:Re&&v(b.alphaMap.channel),vertexTangents:!!X.attributes.tangent&&(De||gt),vertexColors:b.vertexColors,vertexAlphas:b.vertexColors===!0&&!!X.attributes.color&&X.attributes.color.itemSize===4,pointsUvs:k.isPoints===!0&&!!X.attributes.uv&&($e||Re),fog:!!W,useFog:b.fog===!0,fogExp2:!!W&&W.isFogExp2,flatShading:b.flatShading===!0&&b.wireframe===!1,sizeAttenuation:b.sizeAttenuation===!0,logarithmicDepthBuffer:h,reversedDepthBuffer:Me,skinning:k.isSkinnedMesh===!0,morphTargets:X.morphAttributes.position!==void 0,morphNormals:X.morphAttributes.normal!==void 0,morphColors:X.morphAttributes.color!==void 0,morphTargetsCount:_e,morphTextureStride:xe,numDirLights:S.directional.length,numPointLights:S.point.length,numSpotLights:S.spot.length,numSpotLightMaps:S.spotLightMap.length,numRectAreaLights:S.rectArea.length,numHemiLights:S.hemi.length,numDirLightShadows:S.directionalShadowMap.length,numPointLightShadows:S.pointShadowMap.length,numSpotLightShadows:S.spotShadowMap.length,numSpotLightShadowsWithMaps:S.numSpotLightShadowsWithMaps,numLightProbes:S.numLightProbes,numClippingPlanes:o.numPlanes,numClipIntersection:o.numIntersection,dithering:b.dithering,shadowMapEnabled:i.shadowMap.enabled&&C.length>0,shadowMapType:i.shadowMap.type,toneMapping:Qe,decodeVideoTexture:$e&&b.map.isVideoTexture===!0&&ut.getTransfer(b.map.colorSpace)===Et,decodeVideoTextureEmissive:Ce&&b.emissiveMap.isVideoTexture===!0&&ut.getTransfer(b.emissiveMap.colorSpace)===Et,premultipliedAlpha:b.premultipliedAlpha,doubleSided:b.side===mn,flipSided:b.side===Cn,useDepthPacking:b.depthPacking>=0,depthPacking:b.depthPacking||0,index0AttributeName:b.index0AttributeName,extensionClipCullDistance:Fe&&b.extensions.clipCullDistance===!0&&n.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(Fe&&b.extensions.multiDraw===!0||ve)&&n.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:n.has("KHR_parallel_shader_compile"),customProgramCacheKey:b.customProgramCacheKey()};return Tt.vertexUv1s=l.has(1),Tt.vertexUv2s=l.has(2),Tt.vertexUv3s=l.has(3),l.clear(),Tt}function d(b){let S=[];if(b.shaderID?S.push(b.shaderID):(S.push(b.customVertexShaderID),S.push(b.customFragmentShaderID)),b.defines!==void 0)for(let C in b.defines)S.push(C),S.push(b.defines[C]);return b.isRawShaderMaterial===!1&&(E(S,b),T(S,b),S.push(i.outputColorSpace)),S.push(b.customProgramCacheKey),S.join()}function E(b,S){b.push(S.precision),b.push(S.outputColorSpace),b.push(S.envMapMode),b.push(S.envMapCubeUVHeight),b.push(S.mapUv),b.push(S.alphaMapUv),b.push(S.lightMapUv),b.push(S.aoMapUv),b.push(S.bumpMapUv),b.push(S.normalMapUv),b.push(S.displacementMapUv),b.push(S.emissiveMapUv),b.push(S.metalnessMapUv),b.push(S.roughnessMapUv),b.push(S.anisotropyMapUv),b.push(S.clearcoatMapUv),b.push(S.clearcoatNormalMapUv),b.push(S.clearcoatRoughnessMapUv),b.push(S.iridescenceMapUv),b.push(S.iridescenceThicknessMapUv),b.push(S.sheenColorMapUv),b.push(S.sheenRoughnessMapUv),b.push(S.specularMapUv),b.push(S.specularColorMapUv),b.push(S.specularIntensityMapUv),b.push(S.transmissionMapUv),b.push(S.thicknessMapUv),b.push(S.combine),b.push(S.fogExp2),b.push(S.sizeAttenuation),b.push(S.morphTargetsCount),b.push(S.morphAttributeCount),b.push(S.numDirLights),b.push(S.numPointLights),b.push(S.numSpotLights),b.push(S.numSpotLightMaps),b.push(S.numHemiLights),b.push(S.numRectAreaLights),b.push(S.numDirLightShadows),b.push(S.numPointLightShadows),b.push(S.numSpotLightShadows),b.push(S.numSpotLightShadowsWithMaps),b.push(S.numLightProbes),b.push(S.shadowMapType),b.push(S.toneMapping),b.push(S.numClippingPlanes),b.push(S.numClipIntersection),b.push(S.depthPacking)}function T(b,S){a.disableAll(),S.supportsVertexTextures&&a.enable(0),S.instancing&&a.enable(1),S.instancingColor&&a.enable(2),S.instancingMorph&&a.enable(3),S.matcap&&a.enable(4),S.envMap&&a.enable(5),S.normalMapObjectSpace&&a.enable(6),S.normalMapTangentSpace&&a.enable(7),S.clearcoat&&a.enable(8),S.iridescence&&a.enable(9),S.alphaTest&&a.enable(10),S.vertexColors&&a.enable(11),S.vertexAlphas&&a.enable(12),S.vertexUv1s&&a.enable(13),S.vertexUv2s&&a.enable(14),S.vertexUv3s&&a.enable(15),S.vertexTangents&&a.enable(16),S.anisotropy&&a.enable(17),S.alphaHash&&a.enable(18),S.batching&&a.enable(19),S.dispersion&&a.enable(20),S.batchingColor&&a.enable(21),S.gradientMap&&a.enable(22),b.push(a.mask),a.disableAll(),S.fog&&a.enable(0),S.useFog&&a.enable(1),S.flatShading&&a.enable(2),S.logarithmicDepthBuffer&&a.enable(3),S.reversedDepthBuffer&&a.enable(4),S.skinning&&a.enable(5),S.morphTargets&&a.enable(6),S.morphNormals&&a.enable(7),S.morphColors&&a.enable(8),S.premultipliedAlpha&&a.enable(9),S.shadowMapEnabled&&a.enable(10),S.doubleSided&&a.enable(11),S.flipSided&&a.enable(12),S.useDepthPacking&&a.enable(13),S.dithering&&a.enable(14),S.transmission&&a.enable(15),S.sheen&&a.enable(16),S.opaque&&a.enable(17),S.pointsUvs&&a.enable(18),S.decodeVideoTexture&&a.enable(19),S.decodeVideoTextureEmissive&&a.enable(20),S.alphaToCoverage&&a.enable(21),b.push(a.mask)}function M(b){let S=_[b.type],C;if(S){let O=Ii[S];C=Qp.clone(O.uniforms)}else C=b.uniforms;return C}function L(b,S){let C;for(let O=0,k=f.length;O<k;O++){let W=f[O];if(W.cacheKey===S){C=W,++C.usedTimes;break}}return C===void 0&&(C=new KM(i,S,b,r),f.push(C)),C}function A(b){if(--b.usedTimes===0){let S=f.indexOf(b);f[S]=f[f.length-1],f.pop(),b.destroy()}}function D(b){c.remove(b)}function F(){c.dispose()}return{getParameters:m,getProgramCacheKey:d,getUniforms:M,acquireProgram:L,releaseProgram:A,releaseShaderCache:D,programs:f,dispose:F}}function eS(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,c){i.get(o)[a]=c}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,dispose:r}}function tS(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==e.material.id?i.material.id-e.material.id:i.z!==e.z?i.z-e.z:i.id-e.id}function ym(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function Mm(){let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h,u,p,_,v,m){let d=i[e];return d===void 0?(d={id:h.id,object:h,geometry:u,material:p,groupOrder:_,renderOrder:h.renderOrder,z:v,group:m},i[e]=d):(d.id=h.id,d.object=h,d.geometry=u,d.material=p,d.groupOrder=_,d.renderOrder=h.renderOrder,d.z=v,d.group=m),e++,d}function a(h,u,p,_,v,m){let d=o(h,u,p,_,v,m);p.transmission>0?n.push(d):p.transparent===!0?s.push(d):t.push(d)}function c(h,u,p,_,v,m){let d=o(h,u,p,_,v,m);p.transmission>0?n.unshift(d):p.transparent===!0?s.unshift(d):t.unshift(d)}function l(h,u){t.length>1&&t.sort(h||tS),n.length>1&&n.sort(u||ym),s.length>1&&s.sort(u||ym)}function f(){for(let h=e,u=i.length;h<u;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,transparent:s,init:r,push:a,unshift:c,finish:f,sort:l}}function nS(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new Mm,i.set(n,[o])):s>=r.length?(o=new Mm,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function iS(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"DirectionalLight":t={direction:new H,color:new et};break;case"SpotLight":t={position:new H,direction:new H,color:new et,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new H,color:new et,distance:0,decay:0};break;case"HemisphereLight":t={direction:new H,skyColor:new et,groundColor:new et};break;case"RectAreaLight":t={color:new et,position:new H,halfWidth:new H,halfHeight:new H};break}return i[e.id]=t,t}}}function sS(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ct};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ct};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ct,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.id]=t,t}}}var rS=0;function oS(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function aS(i){let e=new iS,t=sS(),n={version:0,hash:{directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let l=0;l<9;l++)n.probe.push(new H);let s=new H,r=new Ut,o=new Ut;function a(l){let f=0,h=0,u=0;for(let b=0;b<9;b++)n.probe[b].set(0,0,0);let p=0,_=0,v=0,m=0,d=0,E=0,T=0,M=0,L=0,A=0,D=0;l.sort(oS);for(let b=0,S=l.length;b<S;b++){let C=l[b],O=C.color,k=C.intensity,W=C.distance,X=C.shadow&&C.shadow.map?C.shadow.map.texture:null;if(C.isAmbientLight)f+=O.r*k,h+=O.g*k,u+=O.b*k;else if(C.isLightProbe){for(let q=0;q<9;q++)n.probe[q].addScaledVector(C.sh.coefficients[q],k);D++}else if(C.isDirectionalLight){let q=e.get(C);if(q.color.copy(C.color).multiplyScalar(C.intensity),C.castShadow){let $=C.shadow,Q=t.get(C);Q.shadowIntensity=$.intensity,Q.shadowBias=$.bias,Q.shadowNormalBias=$.normalBias,Q.shadowRadius=$.radius,Q.shadowMapSize=$.mapSize,n.directionalShadow[p]=Q,n.directionalShadowMap[p]=X,n.directionalShadowMatrix[p]=C.shadow.matrix,E++}n.directional[p]=q,p++}else if(C.isSpotLight){let q=e.get(C);q.position.setFromMatrixPosition(C.matrixWorld),q.color.copy(O).multiplyScalar(k),q.distance=W,q.coneCos=Math.cos(C.angle),q.penumbraCos=Math.cos(C.angle*(1-C.penumbra)),q.decay=C.decay,n.spot[v]=q;let $=C.shadow;if(C.map&&(n.spotLightMap[L]=C.map,L++,$.updateMatrices(C),C.castShadow&&A++),n.spotLightMatrix[v]=$.matrix,C.castShadow){let Q=t.get(C);Q.shadowIntensity=$.intensity,Q.shadowBias=$.bias,Q.shadowNormalBias=$.normalBias,Q.shadowRadius=$.radius,Q.shadowMapSize=$.mapSize,n.spotShadow[v]=Q,n.spotShadowMap[v]=X,M++}v++}else if(C.isRectAreaLight){let q=e.get(C);q.color.copy(O).multiplyScalar(k),q.halfWidth.set(C.width*.5,0,0),q.halfHeight.set(0,C.height*.5,0),n.rectArea[m]=q,m++}else if(C.isPointLight){let q=e.get(C);if(q.color.copy(C.color).multiplyScalar(C.intensity),q.distance=C.distance,q.decay=C.decay,C.castShadow){let $=C.shadow,Q=t.get(C);Q.shadowIntensity=$.intensity,Q.shadowBias=$.bias,Q.shadowNormalBias=$.normalBias,Q.shadowRadius=$.radius,Q.shadowMapSize=$.mapSize,Q.shadowCameraNear=$.camera.near,Q.shadowCameraFar=$.camera.far,n.pointShadow[_]=Q,n.pointShadowMap[_]=X,n.pointShadowMatrix[_]=C.shadow.matrix,T++}n.point[_]=q,_++}else if(C.isHemisphereLight){let q=e.get(C);q.skyColor.copy(C.color).multiplyScalar(k),q.groundColor.copy(C.groundColor).multiplyScalar(k),n.hemi[d]=q,d++}}m>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=be.LTC_FLOAT_1,n.rectAreaLTC2=be.LTC_FLOAT_2):(n.rectAreaLTC1=be.LTC_HALF_1,n.rectAreaLTC2=be.LTC_HALF_2)),n.ambient[0]=f,n.ambient[1]=h,n.ambient[2]=u;let F=n.hash;(F.directionalLength!==p||F.pointLength!==_||F.spotLength!==v||F.rectAreaLength!==m||F.hemiLength!==d||F.numDirectionalShadows!==E||F.numPointShadows!==T||F.numSpotShadows!==M||F.numSpotMaps!==L||F.numLightProbes!==D)&&(n.directional.length=p,n.spot.length=v,n.rectArea.length=m,n.point.length=_,n.hemi.length=d,n.directionalShadow.length=E,n.directionalShadowMap.length=E,n.pointShadow.length=T,n.pointShadowMap.length=T,n.spotShadow.length=M,n.spotShadowMap.length=M,n.directionalShadowMatrix.length=E,n.pointShadowMatrix.length=T,n.spotLightMatrix.length=M+L-A,n.spotLightMap.length=L,n.numSpotLightShadowsWithMaps=A,n.numLightProbes=D,F.directionalLength=p,F.pointLength=_,F.spotLength=v,F.rectAreaLength=m,F.hemiLength=d,F.numDirectionalShadows=E,F.numPointShadows=T,F.numSpotShadows=M,F.numSpotMaps=L,F.numLightProbes=D,n.version=rS++)}function c(l,f){let h=0,u=0,p=0,_=0,v=0,m=f.matrixWorldInverse;for(let d=0,E=l.length;d<E;d++){let T=l[d];if(T.isDirectionalLight){let M=n.directional[h];M.direction.setFromMatrixPosition(T.matrixWorld),s.setFromMatrixPosition(T.target.matrixWorld),M.direction.sub(s),M.direction.transformDirection(m),h++}else if(T.isSpotLight){let M=n.spot[p];M.position.setFromMatrixPosition(T.matrixWorld),M.position.applyMatrix4(m),M.direction.setFromMatrixPosition(T.matrixWorld),s.setFromMatrixPosition(T.target.matrixWorld),M.direction.sub(s),M.direction.transformDirection(m),p++}else if(T.isRectAreaLight){let M=n.rectArea[_];M.position.setFromMatrixPosition(T.matrixWorld),M.position.applyMatrix4(m),o.identity(),r.copy(T.matrixWorld),r.premultiply(m),o.extractRotation(r),M.halfWidth.set(T.width*.5,0,0),M.halfHeight.set(0,T.height*.5,0),M.halfWidth.applyMatrix4(o),M.halfHeight.applyMatrix4(o),_++}else if(T.isPointLight){let M=n.point[u];M.position.setFromMatrixPosition(T.matrixWorld),M.position.applyMatrix4(m),u++}else if(T.isHemisphereLight){let M=n.hemi[v];M.direction.setFromMatrixPosition(T.matrixWorld),M.direction.transformDirection(m),v++}}}return{setup:a,setupView:c,state:n}}function Sm(i){let e=new aS(i),t=[],n=[];function s(f){l.camera=f,t.length=0,n.length=0}function r(f){t.push(f)}function o(f){n.push(f)}function a(){e.setup(t)}function c(f){e.setupView(t,f)}let l={lightsArray:t,shadowsArray:n,camera:null,lights:e,transmissionRenderTarget:{}};return{init:s,state:l,setupLights:a,setupLightsView:c,pushLight:r,pushShadow:o}}function lS(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?(a=new Sm(i),e.set(s,[a])):r>=o.length?(a=new Sm(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var cS=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,hS=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+#include <packing>
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = unpackRGBATo2Half( texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ) );
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = unpackRGBAToDepth( texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ) );
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( squared_mean - mean * mean );
+	gl_FragColor = pack2HalfToRGBA( vec2( mean, std_dev ) );
+}`;function uS(i,e,t){let n=new Ur,s=new ct,r=new ct,o=new Wt,a=new ll({depthPacking:kp}),c=new cl,l={},f=t.maxTextureSize,h={[Wi]:Cn,[Cn]:Wi,[mn]:mn},u=new _i({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new ct},radius:{value:4}},vertexShader:cS,fragmentShader:hS}),p=u.clone();p.defines.HORIZONTAL_PASS=1;let _=new Yt;_.setAttribute("position",new en(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let v=new Gt(_,u),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Jh;let d=this.type;this.render=function(A,D,F){if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||A.length===0)return;let b=i.getRenderTarget(),S=i.getActiveCubeFace(),C=i.getActiveMipmapLevel(),O=i.state;O.setBlending(Zi),O.buffers.depth.getReversed()===!0?O.buffers.color.setClear(0,0,0,0):O.buffers.color.setClear(1,1,1,1),O.buffers.depth.setTest(!0),O.setScissorTest(!1);let k=d!==Ci&&this.type===Ci,W=d===Ci&&this.type!==Ci;for(let X=0,q=A.length;X<q;X++){let $=A[X],Q=$.shadow;if(Q===void 0){console.warn("THREE.WebGLShadowMap:",$,"has no shadow.");continue}if(Q.autoUpdate===!1&&Q.needsUpdate===!1)continue;s.copy(Q.mapSize);let re=Q.getFrameExtents();if(s.multiply(re),r.copy(Q.mapSize),(s.x>f||s.y>f)&&(s.x>f&&(r.x=Math.floor(f/re.x),s.x=r.x*re.x,Q.mapSize.x=r.x),s.y>f&&(r.y=Math.floor(f/re.y),s.y=r.y*re.y,Q.mapSize.y=r.y)),Q.map===null||k===!0||W===!0){let _e=this.type!==Ci?{minFilter:ni,magFilter:ni}:{};Q.map!==null&&Q.map.dispose(),Q.map=new Ai(s.x,s.y,_e),Q.map.texture.name=$.name+".shadowMap",Q.camera.updateProjectionMatrix()}i.setRenderTarget(Q.map),i.clear();let oe=Q.getViewportCount();for(let _e=0;_e<oe;_e++){let xe=Q.getViewport(_e);o.set(r.x*xe.x,r.y*xe.y,r.x*xe.z,r.y*xe.w),O.viewport(o),Q.updateMatrices($,_e),n=Q.getFrustum(),M(D,F,Q.camera,$,this.type)}Q.isPointLightShadow!==!0&&this.type===Ci&&E(Q,F),Q.needsUpdate=!1}d=this.type,m.needsUpdate=!1,i.setRenderTarget(b,S,C)};function E(A,D){let F=e.update(v);u.defines.VSM_SAMPLES!==A.blurSamples&&(u.defines.VSM_SAMPLES=A.blurSamples,p.defines.VSM_SAMPLES=A.blurSamples,u.needsUpdate=!0,p.needsUpdate=!0),A.mapPass===null&&(A.mapPass=new Ai(s.x,s.y)),u.uniforms.shadow_pass.value=A.map.texture,u.uniforms.resolution.value=A.mapSize,u.uniforms.radius.value=A.radius,i.setRenderTarget(A.mapPass),i.clear(),i.renderBufferDirect(D,null,F,u,v,null),p.uniforms.shadow_pass.value=A.mapPass.texture,p.uniforms.resolution.value=A.mapSize,p.uniforms.radius.value=A.radius,i.setRenderTarget(A.map),i.clear(),i.renderBufferDirect(D,null,F,p,v,null)}function T(A,D,F,b){let S=null,C=F.isPointLight===!0?A.customDistanceMaterial:A.customDepthMaterial;if(C!==void 0)S=C;else if(S=F.isPointLight===!0?c:a,i.localClippingEnabled&&D.clipShadows===!0&&Array.isArray(D.clippingPlanes)&&D.clippingPlanes.length!==0||D.displacementMap&&D.displacementScale!==0||D.alphaMap&&D.alphaTest>0||D.map&&D.alphaTest>0||D.alphaToCoverage===!0){let O=S.uuid,k=D.uuid,W=l[O];W===void 0&&(W={},l[O]=W);let X=W[k];X===void 0&&(X=S.clone(),W[k]=X,D.addEventListener("dispose",L)),S=X}if(S.visible=D.visible,S.wireframe=D.wireframe,b===Ci?S.side=D.shadowSide!==null?D.shadowSide:D.side:S.side=D.shadowSide!==null?D.shadowSide:h[D.side],S.alphaMap=D.alphaMap,S.alphaTest=D.alphaToCoverage===!0?.5:D.alphaTest,S.map=D.map,S.clipShadows=D.clipShadows,S.clippingPlanes=D.clippingPlanes,S.clipIntersection=D.clipIntersection,S.displacementMap=D.displacementMap,S.displacementScale=D.displacementScale,S.displacementBias=D.displacementBias,S.wireframeLinewidth=D.wireframeLinewidth,S.linewidth=D.linewidth,F.isPointLight===!0&&S.isMeshDistanceMaterial===!0){let O=i.properties.get(S);O.light=F}return S}function M(A,D,F,b,S){if(A.visible===!1)return;if(A.layers.test(D.layers)&&(A.isMesh||A.isLine||A.isPoints)&&(A.castShadow||A.receiveShadow&&S===Ci)&&(!A.frustumCulled||n.intersectsObject(A))){A.modelViewMatrix.multiplyMatrices(F.matrixWorldInverse,A.matrixWorld);let k=e.update(A),W=A.material;if(Array.isArray(W)){let X=k.groups;for(let q=0,$=X.length;q<$;q++){let Q=X[q],re=W[Q.materialIndex];if(re&&re.visible){let oe=T(A,re,b,S);A.onBeforeShadow(i,A,D,F,k,oe,Q),i.renderBufferDirect(F,null,k,oe,A,Q),A.onAfterShadow(i,A,D,F,k,oe,Q)}}}else if(W.visible){let X=T(A,W,b,S);A.onBeforeShadow(i,A,D,F,k,X,null),i.renderBufferDirect(F,null,k,X,A,null),A.onAfterShadow(i,A,D,F,k,X,null)}}let O=A.children;for(let k=0,W=O.length;k<W;k++)M(O[k],D,F,b,S)}function L(A){A.target.removeEventListener("dispose",L);for(let F in l){let b=l[F],S=A.target.uuid;S in b&&(b[S].dispose(),delete b[S])}}}var fS={[yl]:Ml,[Sl]:El,[bl]:Tl,[Bs]:wl,[Ml]:yl,[El]:Sl,[Tl]:bl,[wl]:Bs};function dS(i,e){function t(){let B=!1,ue=new Wt,de=null,Re=new Wt(0,0,0,0);return{setMask:function(ce){de!==ce&&!B&&(i.colorMask(ce,ce,ce,ce),de=ce)},setLocked:function(ce){B=ce},setClear:function(ce,se,Fe,Qe,Tt){Tt===!0&&(ce*=Qe,se*=Qe,Fe*=Qe),ue.set(ce,se,Fe,Qe),Re.equals(ue)===!1&&(i.clearColor(ce,se,Fe,Qe),Re.copy(ue))},reset:function(){B=!1,de=null,Re.set(-1,0,0,0)}}}function n(){let B=!1,ue=!1,de=null,Re=null,ce=null;return{setReversed:function(se){if(ue!==se){let Fe=e.get("EXT_clip_control");se?Fe.clipControlEXT(Fe.LOWER_LEFT_EXT,Fe.ZERO_TO_ONE_EXT):Fe.clipControlEXT(Fe.LOWER_LEFT_EXT,Fe.NEGATIVE_ONE_TO_ONE_EXT),ue=se;let Qe=ce;ce=null,this.setClear(Qe)}},getReversed:function(){return ue},setTest:function(se){se?ee(i.DEPTH_TEST):Me(i.DEPTH_TEST)},setMask:function(se){de!==se&&!B&&(i.depthMask(se),de=se)},setFunc:function(se){if(ue&&(se=fS[se]),Re!==se){switch(se){case yl:i.depthFunc(i.NEVER);break;case Ml:i.depthFunc(i.ALWAYS);break;case Sl:i.depthFunc(i.LESS);break;case Bs:i.depthFunc(i.LEQUAL);break;case bl:i.depthFunc(i.EQUAL);break;case wl:i.depthFunc(i.GEQUAL);break;case El:i.depthFunc(i.GREATER);break;case Tl:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}Re=se}},setLocked:function(se){B=se},setClear:function(se){ce!==se&&(ue&&(se=1-se),i.clearDepth(se),ce=se)},reset:function(){B=!1,de=null,Re=null,ce=null,ue=!1}}}function s(){let B=!1,ue=null,de=null,Re=null,ce=null,se=null,Fe=null,Qe=null,Tt=null;return{setTest:function(ft){B||(ft?ee(i.STENCIL_TEST):Me(i.STENCIL_TEST))},setMask:function(ft){ue!==ft&&!B&&(i.stencilMask(ft),ue=ft)},setFunc:function(ft,un,Ct){(de!==ft||Re!==un||ce!==Ct)&&(i.stencilFunc(ft,un,Ct),de=ft,Re=un,ce=Ct)},setOp:function(ft,un,Ct){(se!==ft||Fe!==un||Qe!==Ct)&&(i.stencilOp(ft,un,Ct),se=ft,Fe=un,Qe=Ct)},setLocked:function(ft){B=ft},setClear:function(ft){Tt!==ft&&(i.clearStencil(ft),Tt=ft)},reset:function(){B=!1,ue=null,de=null,Re=null,ce=null,se=null,Fe=null,Qe=null,Tt=null}}}let r=new t,o=new n,a=new s,c=new WeakMap,l=new WeakMap,f={},h={},u=new WeakMap,p=[],_=null,v=!1,m=null,d=null,E=null,T=null,M=null,L=null,A=null,D=new et(0,0,0),F=0,b=!1,S=null,C=null,O=null,k=null,W=null,X=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),q=!1,$=0,Q=i.getParameter(i.VERSION);Q.indexOf("WebGL")!==-1?($=parseFloat(/^WebGL (\d)/.exec(Q)[1]),q=$>=1):Q.indexOf("OpenGL ES")!==-1&&($=parseFloat(/^OpenGL ES (\d)/.exec(Q)[1]),q=$>=2);let re=null,oe={},_e=i.getParameter(i.SCISSOR_BOX),xe=i.getParameter(i.VIEWPORT),pe=new Wt().fromArray(_e),Ke=new Wt().fromArray(xe);function Xe(B,ue,de,Re){let ce=new Uint8Array(4),se=i.createTexture();i.bindTexture(B,se),i.texParameteri(B,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(B,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Fe=0;Fe<de;Fe++)B===i.TEXTURE_3D||B===i.TEXTURE_2D_ARRAY?i.texImage3D(ue,0,i.RGBA,1,1,Re,0,i.RGBA,i.UNSIGNED_BYTE,ce):i.texImage2D(ue+Fe,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,ce);return se}let j={};j[i.TEXTURE_2D]=Xe(i.TEXTURE_2D,i.TEXTURE_2D,1),j[i.TEXTURE_CUBE_MAP]=Xe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),j[i.TEXTURE_2D_ARRAY]=Xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),j[i.TEXTURE_3D]=Xe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),ee(i.DEPTH_TEST),o.setFunc(Bs),He(!1),De($h),ee(i.CULL_FACE),ht(Zi);function ee(B){f[B]!==!0&&(i.enable(B),f[B]=!0)}function Me(B){f[B]!==!1&&(i.disable(B),f[B]=!1)}function Ne(B,ue){return h[B]!==ue?(i.bindFramebuffer(B,ue),h[B]=ue,B===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=ue),B===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=ue),!0):!1}function ve(B,ue){let de=p,Re=!1;if(B){de=u.get(ue),de===void 0&&(de=[],u.set(ue,de));let ce=B.textures;if(de.length!==ce.length||de[0]!==i.COLOR_ATTACHMENT0){for(let se=0,Fe=ce.length;se<Fe;se++)de[se]=i.COLOR_ATTACHMENT0+se;de.length=ce.length,Re=!0}}else de[0]!==i.BACK&&(de[0]=i.BACK,Re=!0);Re&&i.drawBuffers(de)}function $e(B){return _!==B?(i.useProgram(B),_=B,!0):!1}let St={[fs]:i.FUNC_ADD,[fp]:i.FUNC_SUBTRACT,[dp]:i.FUNC_REVERSE_SUBTRACT};St[pp]=i.MIN,St[mp]=i.MAX;let U={[gp]:i.ZERO,[_p]:i.ONE,[vp]:i.SRC_COLOR,[Ya]:i.SRC_ALPHA,[wp]:i.SRC_ALPHA_SATURATE,[Sp]:i.DST_COLOR,[yp]:i.DST_ALPHA,[xp]:i.ONE_MINUS_SRC_COLOR,[Za]:i.ONE_MINUS_SRC_ALPHA,[bp]:i.ONE_MINUS_DST_COLOR,[Mp]:i.ONE_MINUS_DST_ALPHA,[Ep]:i.CONSTANT_COLOR,[Tp]:i.ONE_MINUS_CONSTANT_COLOR,[Ap]:i.CONSTANT_ALPHA,[Cp]:i.ONE_MINUS_CONSTANT_ALPHA};function ht(B,ue,de,Re,ce,se,Fe,Qe,Tt,ft){if(B===Zi){v===!0&&(Me(i.BLEND),v=!1);return}if(v===!1&&(ee(i.BLEND),v=!0),B!==up){if(B!==m||ft!==b){if((d!==fs||M!==fs)&&(i.blendEquation(i.FUNC_ADD),d=fs,M=fs),ft)switch(B){case Os:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Kh:i.blendFunc(i.ONE,i.ONE);break;case Qh:i.blendFuncSeparate(i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case jh:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:console.error("THREE.WebGLState: Invalid blending: ",B);break}else switch(B){case Os:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Kh:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Qh:console.error("THREE.WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case jh:console.error("THREE.WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:console.error("THREE.WebGLState: Invalid blending: ",B);break}E=null,T=null,L=null,A=null,D.set(0,0,0),F=0,m=B,b=ft}return}ce=ce||ue,se=se||de,Fe=Fe||Re,(ue!==d||ce!==M)&&(i.blendEquationSeparate(St[ue],St[ce]),d=ue,M=ce),(de!==E||Re!==T||se!==L||Fe!==A)&&(i.blendFuncSeparate(U[de],U[Re],U[se],U[Fe]),E=de,T=Re,L=se,A=Fe),(Qe.equals(D)===!1||Tt!==F)&&(i.blendColor(Qe.r,Qe.g,Qe.b,Tt),D.copy(Qe),F=Tt),m=B,b=!1}function Ye(B,ue){B.side===mn?Me(i.CULL_FACE):ee(i.CULL_FACE);let de=B.side===Cn;ue&&(de=!de),He(de),B.blending===Os&&B.transparent===!1?ht(Zi):ht(B.blending,B.blendEquation,B.blendSrc,B.blendDst,B.blendEquationAlpha,B.blendSrcAlpha,B.blendDstAlpha,B.blendColor,B.blendAlpha,B.premultipliedAlpha),o.setFunc(B.depthFunc),o.setTest(B.depthTest),o.setMask(B.depthWrite),r.setMask(B.colorWrite);let Re=B.stencilWrite;a.setTest(Re),Re&&(a.setMask(B.stencilWriteMask),a.setFunc(B.stencilFunc,B.stencilRef,B.stencilFuncMask),a.setOp(B.stencilFail,B.stencilZFail,B.stencilZPass)),Ce(B.polygonOffset,B.polygonOffsetFactor,B.polygonOffsetUnits),B.alphaToCoverage===!0?ee(i.SAMPLE_ALPHA_TO_COVERAGE):Me(i.SAMPLE_ALPHA_TO_COVERAGE)}function He(B){S!==B&&(B?i.frontFace(i.CW):i.frontFace(i.CCW),S=B)}function De(B){B!==lp?(ee(i.CULL_FACE),B!==C&&(B===$h?i.cullFace(i.BACK):B===cp?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):Me(i.CULL_FACE),C=B}function bt(B){B!==O&&(q&&i.lineWidth(B),O=B)}function Ce(B,ue,de){B?(ee(i.POLYGON_OFFSET_FILL),(k!==ue||W!==de)&&(i.polygonOffset(ue,de),k=ue,W=de)):Me(i.POLYGON_OFFSET_FILL)}function Ve(B){B?ee(i.SCISSOR_TEST):Me(i.SCISSOR_TEST)}function Ft(B){B===void 0&&(B=i.TEXTURE0+X-1),re!==B&&(i.activeTexture(B),re=B)}function gt(B,ue,de){de===void 0&&(re===null?de=i.TEXTURE0+X-1:de=re);let Re=oe[de];Re===void 0&&(Re={type:void 0,texture:void 0},oe[de]=Re),(Re.type!==B||Re.texture!==ue)&&(re!==de&&(i.activeTexture(de),re=de),i.bindTexture(B,ue||j[B]),Re.type=B,Re.texture=ue)}function I(){let B=oe[re];B!==void 0&&B.type!==void 0&&(i.bindTexture(B.type,null),B.type=void 0,B.texture=void 0)}function x(){try{i.compressedTexImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function N(){try{i.compressedTexImage3D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function J(){try{i.texSubImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function ne(){try{i.texSubImage3D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function te(){try{i.compressedTexSubImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function Ue(){try{i.compressedTexSubImage3D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function he(){try{i.texStorage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function Ie(){try{i.texStorage3D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function Te(){try{i.texImage2D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function ae(){try{i.texImage3D(...arguments)}catch(B){console.error("THREE.WebGLState:",B)}}function ge(B){pe.equals(B)===!1&&(i.scissor(B.x,B.y,B.z,B.w),pe.copy(B))}function Be(B){Ke.equals(B)===!1&&(i.viewport(B.x,B.y,B.z,B.w),Ke.copy(B))}function Oe(B,ue){let de=l.get(ue);de===void 0&&(de=new WeakMap,l.set(ue,de));let Re=de.get(B);Re===void 0&&(Re=i.getUniformBlockIndex(ue,B.name),de.set(B,Re))}function ye(B,ue){let Re=l.get(ue).get(B);c.get(ue)!==Re&&(i.uniformBlockBinding(ue,Re,B.__bindingPointIndex),c.set(ue,Re))}function Je(){i.disable(i.BLEND),i.disable(i.CULL_FACE),i.disable(i.DEPTH_TEST),i.disable(i.POLYGON_OFFSET_FILL),i.disable(i.SCISSOR_TEST),i.disable(i.STENCIL_TEST),i.disable(i.SAMPLE_ALPHA_TO_COVERAGE),i.blendEquation(i.FUNC_ADD),i.blendFunc(i.ONE,i.ZERO),i.blendFuncSeparate(i.ONE,i.ZERO,i.ONE,i.ZERO),i.blendColor(0,0,0,0),i.colorMask(!0,!0,!0,!0),i.clearColor(0,0,0,0),i.depthMask(!0),i.depthFunc(i.LESS),o.setReversed(!1),i.clearDepth(1),i.stencilMask(4294967295),i.stencilFunc(i.ALWAYS,0,4294967295),i.stencilOp(i.KEEP,i.KEEP,i.KEEP),i.clearStencil(0),i.cullFace(i.BACK),i.frontFace(i.CCW),i.polygonOffset(0,0),i.activeTexture(i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),i.bindFramebuffer(i.READ_FRAMEBUFFER,null),i.useProgram(null),i.lineWidth(1),i.scissor(0,0,i.canvas.width,i.canvas.height),i.viewport(0,0,i.canvas.width,i.canvas.height),f={},re=null,oe={},h={},u=new WeakMap,p=[],_=null,v=!1,m=null,d=null,E=null,T=null,M=null,L=null,A=null,D=new et(0,0,0),F=0,b=!1,S=null,C=null,O=null,k=null,W=null,pe.set(0,0,i.canvas.width,i.canvas.height),Ke.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:ee,disable:Me,bindFramebuffer:Ne,drawBuffers:ve,useProgram:$e,setBlending:ht,setMaterial:Ye,setFlipSided:He,setCullFace:De,setLineWidth:bt,setPolygonOffset:Ce,setScissorTest:Ve,activeTexture:Ft,bindTexture:gt,unbindTexture:I,compressedTexImage2D:x,compressedTexImage3D:N,texImage2D:Te,texImage3D:ae,updateUBOMapping:Oe,uniformBlockBinding:ye,texStorage2D:he,texStorage3D:Ie,texSubImage2D:J,texSubImage3D:ne,compressedTexSubImage2D:te,compressedTexSubImage3D:Ue,scissor:ge,viewport:Be,reset:Je}}function pS(i,e,t,n,s,r,o){let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,c=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),l=new ct,f=new WeakMap,h,u=new WeakMap,p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function _(I,x){return p?new OffscreenCanvas(I,x):go("canvas")}function v(I,x,N){let J=1,ne=gt(I);if((ne.width>N||ne.height>N)&&(J=N/Math.max(ne.width,ne.height)),J<1)if(typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&I instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&I instanceof ImageBitmap||typeof VideoFrame<"u"&&I instanceof VideoFrame){let te=Math.floor(J*ne.width),Ue=Math.floor(J*ne.height);h===void 0&&(h=_(te,Ue));let he=x?_(te,Ue):h;return he.width=te,he.height=Ue,he.getContext("2d").drawImage(I,0,0,te,Ue),console.warn("THREE.WebGLRenderer: Texture has been resized from ("+ne.width+"x"+ne.height+") to ("+te+"x"+Ue+")."),he}else return"data"in I&&console.warn("THREE.WebGLRenderer: Image in DataTexture is too big ("+ne.width+"x"+ne.height+")."),I;return I}function m(I){return I.generateMipmaps}function d(I){i.generateMipmap(I)}function E(I){return I.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:I.isWebGL3DRenderTarget?i.TEXTURE_3D:I.isWebGLArrayRenderTarget||I.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function T(I,x,N,J,ne=!1){if(I!==null){if(i[I]!==void 0)return i[I];console.warn("THREE.WebGLRenderer: Attempt to use non-existing WebGL internal format '"+I+"'")}let te=x;if(x===i.RED&&(N===i.FLOAT&&(te=i.R32F),N===i.HALF_FLOAT&&(te=i.R16F),N===i.UNSIGNED_BYTE&&(te=i.R8)),x===i.RED_INTEGER&&(N===i.UNSIGNED_BYTE&&(te=i.R8UI),N===i.UNSIGNED_SHORT&&(te=i.R16UI),N===i.UNSIGNED_INT&&(te=i.R32UI),N===i.BYTE&&(te=i.R8I),N===i.SHORT&&(te=i.R16I),N===i.INT&&(te=i.R32I)),x===i.RG&&(N===i.FLOAT&&(te=i.RG32F),N===i.HALF_FLOAT&&(te=i.RG16F),N===i.UNSIGNED_BYTE&&(te=i.RG8)),x===i.RG_INTEGER&&(N===i.UNSIGNED_BYTE&&(te=i.RG8UI),N===i.UNSIGNED_SHORT&&(te=i.RG16UI),N===i.UNSIGNED_INT&&(te=i.RG32UI),N===i.BYTE&&(te=i.RG8I),N===i.SHORT&&(te=i.RG16I),N===i.INT&&(te=i.RG32I)),x===i.RGB_INTEGER&&(N===i.UNSIGNED_BYTE&&(te=i.RGB8UI),N===i.UNSIGNED_SHORT&&(te=i.RGB16UI),N===i.UNSIGNED_INT&&(te=i.RGB32UI),N===i.BYTE&&(te=i.RGB8I),N===i.SHORT&&(te=i.RGB16I),N===i.INT&&(te=i.RGB32I)),x===i.RGBA_INTEGER&&(N===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),N===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),N===i.UNSIGNED_INT&&(te=i.RGBA32UI),N===i.BYTE&&(te=i.RGBA8I),N===i.SHORT&&(te=i.RGBA16I),N===i.INT&&(te=i.RGBA32I)),x===i.RGB&&(N===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),N===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),x===i.RGBA){let Ue=ne?po:ut.getTransfer(J);N===i.FLOAT&&(te=i.RGBA32F),N===i.HALF_FLOAT&&(te=i.RGBA16F),N===i.UNSIGNED_BYTE&&(te=Ue===Et?i.SRGB8_ALPHA8:i.RGBA8),N===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),N===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function M(I,x){let N;return I?x===null||x===vs||x===Br?N=i.DEPTH24_STENCIL8:x===Ri?N=i.DEPTH32F_STENCIL8:x===Fr&&(N=i.DEPTH24_STENCIL8,console.warn("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):x===null||x===vs||x===Br?N=i.DEPTH_COMPONENT24:x===Ri?N=i.DEPTH_COMPONENT32F:x===Fr&&(N=i.DEPTH_COMPONENT16),N}function L(I,x){return m(I)===!0||I.isFramebufferTexture&&I.minFilter!==ni&&I.minFilter!==gi?Math.log2(Math.max(x.width,x.height))+1:I.mipmaps!==void 0&&I.mipmaps.length>0?I.mipmaps.length:I.isCompressedTexture&&Array.isArray(I.image)?x.mipmaps.length:1}function A(I){let x=I.target;x.removeEventListener("dispose",A),F(x),x.isVideoTexture&&f.delete(x)}function D(I){let x=I.target;x.removeEventListener("dispose",D),S(x)}function F(I){let x=n.get(I);if(x.__webglInit===void 0)return;let N=I.source,J=u.get(N);if(J){let ne=J[x.__cacheKey];ne.usedTimes--,ne.usedTimes===0&&b(I),Object.keys(J).length===0&&u.delete(N)}n.remove(I)}function b(I){let x=n.get(I);i.deleteTexture(x.__webglTexture);let N=I.source,J=u.get(N);delete J[x.__cacheKey],o.memory.textures--}function S(I){let x=n.get(I);if(I.depthTexture&&(I.depthTexture.dispose(),n.remove(I.depthTexture)),I.isWebGLCubeRenderTarget)for(let J=0;J<6;J++){if(Array.isArray(x.__webglFramebuffer[J]))for(let ne=0;ne<x.__webglFramebuffer[J].length;ne++)i.deleteFramebuffer(x.__webglFramebuffer[J][ne]);else i.deleteFramebuffer(x.__webglFramebuffer[J]);x.__webglDepthbuffer&&i.deleteRenderbuffer(x.__webglDepthbuffer[J])}else{if(Array.isArray(x.__webglFramebuffer))for(let J=0;J<x.__webglFramebuffer.length;J++)i.deleteFramebuffer(x.__webglFramebuffer[J]);else i.deleteFramebuffer(x.__webglFramebuffer);if(x.__webglDepthbuffer&&i.deleteRenderbuffer(x.__webglDepthbuffer),x.__webglMultisampledFramebuffer&&i.deleteFramebuffer(x.__webglMultisampledFramebuffer),x.__webglColorRenderbuffer)for(let J=0;J<x.__webglColorRenderbuffer.length;J++)x.__webglColorRenderbuffer[J]&&i.deleteRenderbuffer(x.__webglColorRenderbuffer[J]);x.__webglDepthRenderbuffer&&i.deleteRenderbuffer(x.__webglDepthRenderbuffer)}let N=I.textures;for(let J=0,ne=N.length;J<ne;J++){let te=n.get(N[J]);te.__webglTexture&&(i.deleteTexture(te.__webglTexture),o.memory.textures--),n.remove(N[J])}n.remove(I)}let C=0;function O(){C=0}function k(){let I=C;return I>=s.maxTextures&&console.warn("THREE.WebGLTextures: Trying to use "+I+" texture units while this GPU supports only "+s.maxTextures),C+=1,I}function W(I){let x=[];return x.push(I.wrapS),x.push(I.wrapT),x.push(I.wrapR||0),x.push(I.magFilter),x.push(I.minFilter),x.push(I.anisotropy),x.push(I.internalFormat),x.push(I.format),x.push(I.type),x.push(I.generateMipmaps),x.push(I.premultiplyAlpha),x.push(I.flipY),x.push(I.unpackAlignment),x.push(I.colorSpace),x.join()}function X(I,x){let N=n.get(I);if(I.isVideoTexture&&Ve(I),I.isRenderTargetTexture===!1&&I.isExternalTexture!==!0&&I.version>0&&N.__version!==I.version){let J=I.image;if(J===null)console.warn("THREE.WebGLRenderer: Texture marked for update but no image data found.");else if(J.complete===!1)console.warn("THREE.WebGLRenderer: Texture marked for update but image is incomplete");else{j(N,I,x);return}}else I.isExternalTexture&&(N.__webglTexture=I.sourceTexture?I.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,N.__webglTexture,i.TEXTURE0+x)}function q(I,x){let N=n.get(I);if(I.isRenderTargetTexture===!1&&I.version>0&&N.__version!==I.version){j(N,I,x);return}t.bindTexture(i.TEXTURE_2D_ARRAY,N.__webglTexture,i.TEXTURE0+x)}function $(I,x){let N=n.get(I);if(I.isRenderTargetTexture===!1&&I.version>0&&N.__version!==I.version){j(N,I,x);return}t.bindTexture(i.TEXTURE_3D,N.__webglTexture,i.TEXTURE0+x)}function Q(I,x){let N=n.get(I);if(I.version>0&&N.__version!==I.version){ee(N,I,x);return}t.bindTexture(i.TEXTURE_CUBE_MAP,N.__webglTexture,i.TEXTURE0+x)}let re={[$a]:i.REPEAT,[us]:i.CLAMP_TO_EDGE,[Ja]:i.MIRRORED_REPEAT},oe={[ni]:i.NEAREST,[Bp]:i.NEAREST_MIPMAP_NEAREST,[zo]:i.NEAREST_MIPMAP_LINEAR,[gi]:i.LINEAR,[Il]:i.LINEAR_MIPMAP_NEAREST,[_s]:i.LINEAR_MIPMAP_LINEAR},_e={[Hp]:i.NEVER,[Zp]:i.ALWAYS,[Gp]:i.LESS,[hu]:i.LEQUAL,[Wp]:i.EQUAL,[Yp]:i.GEQUAL,[Xp]:i.GREATER,[qp]:i.NOTEQUAL};function xe(I,x){if(x.type===Ri&&e.has("OES_texture_float_linear")===!1&&(x.magFilter===gi||x.magFilter===Il||x.magFilter===zo||x.magFilter===_s||x.minFilter===gi||x.minFilter===Il||x.minFilter===zo||x.minFilter===_s)&&console.warn("THREE.WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(I,i.TEXTURE_WRAP_S,re[x.wrapS]),i.texParameteri(I,i.TEXTURE_WRAP_T,re[x.wrapT]),(I===i.TEXTURE_3D||I===i.TEXTURE_2D_ARRAY)&&i.texParameteri(I,i.TEXTURE_WRAP_R,re[x.wrapR]),i.texParameteri(I,i.TEXTURE_MAG_FILTER,oe[x.magFilter]),i.texParameteri(I,i.TEXTURE_MIN_FILTER,oe[x.minFilter]),x.compareFunction&&(i.texParameteri(I,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),i.texParameteri(I,i.TEXTURE_COMPARE_FUNC,_e[x.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(x.magFilter===ni||x.minFilter!==zo&&x.minFilter!==_s||x.type===Ri&&e.has("OES_texture_float_linear")===!1)return;if(x.anisotropy>1||n.get(x).__currentAnisotropy){let N=e.get("EXT_texture_filter_anisotropic");i.texParameterf(I,N.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(x.anisotropy,s.getMaxAnisotropy())),n.get(x).__currentAnisotropy=x.anisotropy}}}function pe(I,x){let N=!1;I.__webglInit===void 0&&(I.__webglInit=!0,x.addEventListener("dispose",A));let J=x.source,ne=u.get(J);ne===void 0&&(ne={},u.set(J,ne));let te=W(x);if(te!==I.__cacheKey){ne[te]===void 0&&(ne[te]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,N=!0),ne[te].usedTimes++;let Ue=ne[I.__cacheKey];Ue!==void 0&&(ne[I.__cacheKey].usedTimes--,Ue.usedTimes===0&&b(x)),I.__cacheKey=te,I.__webglTexture=ne[te].texture}return N}function Ke(I,x,N){return Math.floor(Math.floor(I/N)/x)}function Xe(I,x,N,J){let te=I.updateRanges;if(te.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,x.width,x.height,N,J,x.data);else{te.sort((ae,ge)=>ae.start-ge.start);let Ue=0;for(let ae=1;ae<te.length;ae++){let ge=te[Ue],Be=te[ae],Oe=ge.start+ge.count,ye=Ke(Be.start,x.width,4),Je=Ke(ge.start,x.width,4);Be.start<=Oe+1&&ye===Je&&Ke(Be.start+Be.count-1,x.width,4)===ye?ge.count=Math.max(ge.count,Be.start+Be.count-ge.start):(++Ue,te[Ue]=Be)}te.length=Ue+1;let he=i.getParameter(i.UNPACK_ROW_LENGTH),Ie=i.getParameter(i.UNPACK_SKIP_PIXELS),Te=i.getParameter(i.UNPACK_SKIP_ROWS);i.pixelStorei(i.UNPACK_ROW_LENGTH,x.width);for(let ae=0,ge=te.length;ae<ge;ae++){let Be=te[ae],Oe=Math.floor(Be.start/4),ye=Math.ceil(Be.count/4),Je=Oe%x.width,B=Math.floor(Oe/x.width),ue=ye,de=1;i.pixelStorei(i.UNPACK_SKIP_PIXELS,Je),i.pixelStorei(i.UNPACK_SKIP_ROWS,B),t.texSubImage2D(i.TEXTURE_2D,0,Je,B,ue,de,N,J,x.data)}I.clearUpdateRanges(),i.pixelStorei(i.UNPACK_ROW_LENGTH,he),i.pixelStorei(i.UNPACK_SKIP_PIXELS,Ie),i.pixelStorei(i.UNPACK_SKIP_ROWS,Te)}}function j(I,x,N){let J=i.TEXTURE_2D;(x.isDataArrayTexture||x.isCompressedArrayTexture)&&(J=i.TEXTURE_2D_ARRAY),x.isData3DTexture&&(J=i.TEXTURE_3D);let ne=pe(I,x),te=x.source;t.bindTexture(J,I.__webglTexture,i.TEXTURE0+N);let Ue=n.get(te);if(te.version!==Ue.__version||ne===!0){t.activeTexture(i.TEXTURE0+N);let he=ut.getPrimaries(ut.workingColorSpace),Ie=x.colorSpace===Ji?null:ut.getPrimaries(x.colorSpace),Te=x.colorSpace===Ji||he===Ie?i.NONE:i.BROWSER_DEFAULT_WEBGL;i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,x.flipY),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,x.premultiplyAlpha),i.pixelStorei(i.UNPACK_ALIGNMENT,x.unpackAlignment),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Te);let ae=v(x.image,!1,s.maxTextureSize);ae=Ft(x,ae);let ge=r.convert(x.format,x.colorSpace),Be=r.convert(x.type),Oe=T(x.internalFormat,ge,Be,x.colorSpace,x.isVideoTexture);xe(J,x);let ye,Je=x.mipmaps,B=x.isVideoTexture!==!0,ue=Ue.__version===void 0||ne===!0,de=te.dataReady,Re=L(x,ae);if(x.isDepthTexture)Oe=M(x.format===zr,x.type),ue&&(B?t.texStorage2D(i.TEXTURE_2D,1,Oe,ae.width,ae.height):t.texImage2D(i.TEXTURE_2D,0,Oe,ae.width,ae.height,0,ge,Be,null));else if(x.isDataTexture)if(Je.length>0){B&&ue&&t.texStorage2D(i.TEXTURE_2D,Re,Oe,Je[0].width,Je[0].height);for(let ce=0,se=Je.length;ce<se;ce++)ye=Je[ce],B?de&&t.texSubImage2D(i.TEXTURE_2D,ce,0,0,ye.width,ye.height,ge,Be,ye.data):t.texImage2D(i.TEXTURE_2D,ce,Oe,ye.width,ye.height,0,ge,Be,ye.data);x.generateMipmaps=!1}else B?(ue&&t.texStorage2D(i.TEXTURE_2D,Re,Oe,ae.width,ae.height),de&&Xe(x,ae,ge,Be)):t.texImage2D(i.TEXTURE_2D,0,Oe,ae.width,ae.height,0,ge,Be,ae.data);else if(x.isCompressedTexture)if(x.isCompressedArrayTexture){B&&ue&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Re,Oe,Je[0].width,Je[0].height,ae.depth);for(let ce=0,se=Je.length;ce<se;ce++)if(ye=Je[ce],x.format!==ii)if(ge!==null)if(B){if(de)if(x.layerUpdates.size>0){let Fe=gu(ye.width,ye.height,x.format,x.type);for(let Qe of x.layerUpdates){let Tt=ye.data.subarray(Qe*Fe/ye.data.BYTES_PER_ELEMENT,(Qe+1)*Fe/ye.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ce,0,0,Qe,ye.width,ye.height,1,ge,Tt)}x.clearLayerUpdates()}else t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,ce,0,0,0,ye.width,ye.height,ae.depth,ge,ye.data)}else t.compressedTexImage3D(i.TEXTURE_2D_ARRAY,ce,Oe,ye.width,ye.height,ae.depth,0,ye.data,0,0);else console.warn("THREE.WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else B?de&&t.texSubImage3D(i.TEXTURE_2D_ARRAY,ce,0,0,0,ye.width,ye.height,ae.depth,ge,Be,ye.data):t.texImage3D(i.TEXTURE_2D_ARRAY,ce,Oe,ye.width,ye.height,ae.depth,0,ge,Be,ye.data)}else{B&&ue&&t.texStorage2D(i.TEXTURE_2D,Re,Oe,Je[0].width,Je[0].height);for(let ce=0,se=Je.length;ce<se;ce++)ye=Je[ce],x.format!==ii?ge!==null?B?de&&t.compressedTexSubImage2D(i.TEXTURE_2D,ce,0,0,ye.width,ye.height,ge,ye.data):t.compressedTexImage2D(i.TEXTURE_2D,ce,Oe,ye.width,ye.height,0,ye.data):console.warn("THREE.WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):B?de&&t.texSubImage2D(i.TEXTURE_2D,ce,0,0,ye.width,ye.height,ge,Be,ye.data):t.texImage2D(i.TEXTURE_2D,ce,Oe,ye.width,ye.height,0,ge,Be,ye.data)}else if(x.isDataArrayTexture)if(B){if(ue&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Re,Oe,ae.width,ae.height,ae.depth),de)if(x.layerUpdates.size>0){let ce=gu(ae.width,ae.height,x.format,x.type);for(let se of x.layerUpdates){let Fe=ae.data.subarray(se*ce/ae.data.BYTES_PER_ELEMENT,(se+1)*ce/ae.data.BYTES_PER_ELEMENT);t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,se,ae.width,ae.height,1,ge,Be,Fe)}x.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,ae.width,ae.height,ae.depth,ge,Be,ae.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,Oe,ae.width,ae.height,ae.depth,0,ge,Be,ae.data);else if(x.isData3DTexture)B?(ue&&t.texStorage3D(i.TEXTURE_3D,Re,Oe,ae.width,ae.height,ae.depth),de&&t.texSubImage3D(i.TEXTURE_3D,0,0,0,0,ae.width,ae.height,ae.depth,ge,Be,ae.data)):t.texImage3D(i.TEXTURE_3D,0,Oe,ae.width,ae.height,ae.depth,0,ge,Be,ae.data);else if(x.isFramebufferTexture){if(ue)if(B)t.texStorage2D(i.TEXTURE_2D,Re,Oe,ae.width,ae.height);else{let ce=ae.width,se=ae.height;for(let Fe=0;Fe<Re;Fe++)t.texImage2D(i.TEXTURE_2D,Fe,Oe,ce,se,0,ge,Be,null),ce>>=1,se>>=1}}else if(Je.length>0){if(B&&ue){let ce=gt(Je[0]);t.texStorage2D(i.TEXTURE_2D,Re,Oe,ce.width,ce.height)}for(let ce=0,se=Je.length;ce<se;ce++)ye=Je[ce],B?de&&t.texSubImage2D(i.TEXTURE_2D,ce,0,0,ge,Be,ye):t.texImage2D(i.TEXTURE_2D,ce,Oe,ge,Be,ye);x.generateMipmaps=!1}else if(B){if(ue){let ce=gt(ae);t.texStorage2D(i.TEXTURE_2D,Re,Oe,ce.width,ce.height)}de&&t.texSubImage2D(i.TEXTURE_2D,0,0,0,ge,Be,ae)}else t.texImage2D(i.TEXTURE_2D,0,Oe,ge,Be,ae);m(x)&&d(J),Ue.__version=te.version,x.onUpdate&&x.onUpdate(x)}I.__version=x.version}function ee(I,x,N){if(x.image.length!==6)return;let J=pe(I,x),ne=x.source;t.bindTexture(i.TEXTURE_CUBE_MAP,I.__webglTexture,i.TEXTURE0+N);let te=n.get(ne);if(ne.version!==te.__version||J===!0){t.activeTexture(i.TEXTURE0+N);let Ue=ut.getPrimaries(ut.workingColorSpace),he=x.colorSpace===Ji?null:ut.getPrimaries(x.colorSpace),Ie=x.colorSpace===Ji||Ue===he?i.NONE:i.BROWSER_DEFAULT_WEBGL;i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,x.flipY),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,x.premultiplyAlpha),i.pixelStorei(i.UNPACK_ALIGNMENT,x.unpackAlignment),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Ie);let Te=x.isCompressedTexture||x.image[0].isCompressedTexture,ae=x.image[0]&&x.image[0].isDataTexture,ge=[];for(let se=0;se<6;se++)!Te&&!ae?ge[se]=v(x.image[se],!0,s.maxCubemapSize):ge[se]=ae?x.image[se].image:x.image[se],ge[se]=Ft(x,ge[se]);let Be=ge[0],Oe=r.convert(x.format,x.colorSpace),ye=r.convert(x.type),Je=T(x.internalFormat,Oe,ye,x.colorSpace),B=x.isVideoTexture!==!0,ue=te.__version===void 0||J===!0,de=ne.dataReady,Re=L(x,Be);xe(i.TEXTURE_CUBE_MAP,x);let ce;if(Te){B&&ue&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Re,Je,Be.width,Be.height);for(let se=0;se<6;se++){ce=ge[se].mipmaps;for(let Fe=0;Fe<ce.length;Fe++){let Qe=ce[Fe];x.format!==ii?Oe!==null?B?de&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe,0,0,Qe.width,Qe.height,Oe,Qe.data):t.compressedTexImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe,Je,Qe.width,Qe.height,0,Qe.data):console.warn("THREE.WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):B?de&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe,0,0,Qe.width,Qe.height,Oe,ye,Qe.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe,Je,Qe.width,Qe.height,0,Oe,ye,Qe.data)}}}else{if(ce=x.mipmaps,B&&ue){ce.length>0&&Re++;let se=gt(ge[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Re,Je,se.width,se.height)}for(let se=0;se<6;se++)if(ae){B?de&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,0,0,0,ge[se].width,ge[se].height,Oe,ye,ge[se].data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,0,Je,ge[se].width,ge[se].height,0,Oe,ye,ge[se].data);for(let Fe=0;Fe<ce.length;Fe++){let Tt=ce[Fe].image[se].image;B?de&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe+1,0,0,Tt.width,Tt.height,Oe,ye,Tt.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe+1,Je,Tt.width,Tt.height,0,Oe,ye,Tt.data)}}else{B?de&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,0,0,0,Oe,ye,ge[se]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,0,Je,Oe,ye,ge[se]);for(let Fe=0;Fe<ce.length;Fe++){let Qe=ce[Fe];B?de&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe+1,0,0,Oe,ye,Qe.image[se]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+se,Fe+1,Je,Oe,ye,Qe.image[se])}}}m(x)&&d(i.TEXTURE_CUBE_MAP),te.__version=ne.version,x.onUpdate&&x.onUpdate(x)}I.__version=x.version}function Me(I,x,N,J,ne,te){let Ue=r.convert(N.format,N.colorSpace),he=r.convert(N.type),Ie=T(N.internalFormat,Ue,he,N.colorSpace),Te=n.get(x),ae=n.get(N);if(ae.__renderTarget=x,!Te.__hasExternalTextures){let ge=Math.max(1,x.width>>te),Be=Math.max(1,x.height>>te);ne===i.TEXTURE_3D||ne===i.TEXTURE_2D_ARRAY?t.texImage3D(ne,te,Ie,ge,Be,x.depth,0,Ue,he,null):t.texImage2D(ne,te,Ie,ge,Be,0,Ue,he,null)}t.bindFramebuffer(i.FRAMEBUFFER,I),Ce(x)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,J,ne,ae.__webglTexture,0,bt(x)):(ne===i.TEXTURE_2D||ne>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&ne<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,J,ne,ae.__webglTexture,te),t.bindFramebuffer(i.FRAMEBUFFER,null)}function Ne(I,x,N){if(i.bindRenderbuffer(i.RENDERBUFFER,I),x.depthBuffer){let J=x.depthTexture,ne=J&&J.isDepthTexture?J.type:null,te=M(x.stencilBuffer,ne),Ue=x.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,he=bt(x);Ce(x)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,he,te,x.width,x.height):N?i.renderbufferStorageMultisample(i.RENDERBUFFER,he,te,x.width,x.height):i.renderbufferStorage(i.RENDERBUFFER,te,x.width,x.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,Ue,i.RENDERBUFFER,I)}else{let J=x.textures;for(let ne=0;ne<J.length;ne++){let te=J[ne],Ue=r.convert(te.format,te.colorSpace),he=r.convert(te.type),Ie=T(te.internalFormat,Ue,he,te.colorSpace),Te=bt(x);N&&Ce(x)===!1?i.renderbufferStorageMultisample(i.RENDERBUFFER,Te,Ie,x.width,x.height):Ce(x)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,Te,Ie,x.width,x.height):i.renderbufferStorage(i.RENDERBUFFER,Ie,x.width,x.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function ve(I,x){if(x&&x.isWebGLCubeRenderTarget)throw new Error("Depth Texture with cube render targets is not supported");if(t.bindFramebuffer(i.FRAMEBUFFER,I),!(x.depthTexture&&x.depthTexture.isDepthTexture))throw new Error("renderTarget.depthTexture must be an instance of THREE.DepthTexture");let J=n.get(x.depthTexture);J.__renderTarget=x,(!J.__webglTexture||x.depthTexture.image.width!==x.width||x.depthTexture.image.height!==x.height)&&(x.depthTexture.image.width=x.width,x.depthTexture.image.height=x.height,x.depthTexture.needsUpdate=!0),X(x.depthTexture,0);let ne=J.__webglTexture,te=bt(x);if(x.depthTexture.format===Rr)Ce(x)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,i.DEPTH_ATTACHMENT,i.TEXTURE_2D,ne,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,i.DEPTH_ATTACHMENT,i.TEXTURE_2D,ne,0);else if(x.depthTexture.format===zr)Ce(x)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,i.DEPTH_STENCIL_ATTACHMENT,i.TEXTURE_2D,ne,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,i.DEPTH_STENCIL_ATTACHMENT,i.TEXTURE_2D,ne,0);else throw new Error("Unknown depthTexture format")}function $e(I){let x=n.get(I),N=I.isWebGLCubeRenderTarget===!0;if(x.__boundDepthTexture!==I.depthTexture){let J=I.depthTexture;if(x.__depthDisposeCallback&&x.__depthDisposeCallback(),J){let ne=()=>{delete x.__boundDepthTexture,delete x.__depthDisposeCallback,J.removeEventListener("dispose",ne)};J.addEventListener("dispose",ne),x.__depthDisposeCallback=ne}x.__boundDepthTexture=J}if(I.depthTexture&&!x.__autoAllocateDepthBuffer){if(N)throw new Error("target.depthTexture not supported in Cube render targets");let J=I.texture.mipmaps;J&&J.length>0?ve(x.__webglFramebuffer[0],I):ve(x.__webglFramebuffer,I)}else if(N){x.__webglDepthbuffer=[];for(let J=0;J<6;J++)if(t.bindFramebuffer(i.FRAMEBUFFER,x.__webglFramebuffer[J]),x.__webglDepthbuffer[J]===void 0)x.__webglDepthbuffer[J]=i.createRenderbuffer(),Ne(x.__webglDepthbuffer[J],I,!1);else{let ne=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,te=x.__webglDepthbuffer[J];i.bindRenderbuffer(i.RENDERBUFFER,te),i.framebufferRenderbuffer(i.FRAMEBUFFER,ne,i.RENDERBUFFER,te)}}else{let J=I.texture.mipmaps;if(J&&J.length>0?t.bindFramebuffer(i.FRAMEBUFFER,x.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,x.__webglFramebuffer),x.__webglDepthbuffer===void 0)x.__webglDepthbuffer=i.createRenderbuffer(),Ne(x.__webglDepthbuffer,I,!1);else{let ne=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,te=x.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,te),i.framebufferRenderbuffer(i.FRAMEBUFFER,ne,i.RENDERBUFFER,te)}}t.bindFramebuffer(i.FRAMEBUFFER,null)}function St(I,x,N){let J=n.get(I);x!==void 0&&Me(J.__webglFramebuffer,I,I.texture,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,0),N!==void 0&&$e(I)}function U(I){let x=I.texture,N=n.get(I),J=n.get(x);I.addEventListener("dispose",D);let ne=I.textures,te=I.isWebGLCubeRenderTarget===!0,Ue=ne.length>1;if(Ue||(J.__webglTexture===void 0&&(J.__webglTexture=i.createTexture()),J.__version=x.version,o.memory.textures++),te){N.__webglFramebuffer=[];for(let he=0;he<6;he++)if(x.mipmaps&&x.mipmaps.length>0){N.__webglFramebuffer[he]=[];for(let Ie=0;Ie<x.mipmaps.length;Ie++)N.__webglFramebuffer[he][Ie]=i.createFramebuffer()}else N.__webglFramebuffer[he]=i.createFramebuffer()}else{if(x.mipmaps&&x.mipmaps.length>0){N.__webglFramebuffer=[];for(let he=0;he<x.mipmaps.length;he++)N.__webglFramebuffer[he]=i.createFramebuffer()}else N.__webglFramebuffer=i.createFramebuffer();if(Ue)for(let he=0,Ie=ne.length;he<Ie;he++){let Te=n.get(ne[he]);Te.__webglTexture===void 0&&(Te.__webglTexture=i.createTexture(),o.memory.textures++)}if(I.samples>0&&Ce(I)===!1){N.__webglMultisampledFramebuffer=i.createFramebuffer(),N.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,N.__webglMultisampledFramebuffer);for(let he=0;he<ne.length;he++){let Ie=ne[he];N.__webglColorRenderbuffer[he]=i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,N.__webglColorRenderbuffer[he]);let Te=r.convert(Ie.format,Ie.colorSpace),ae=r.convert(Ie.type),ge=T(Ie.internalFormat,Te,ae,Ie.colorSpace,I.isXRRenderTarget===!0),Be=bt(I);i.renderbufferStorageMultisample(i.RENDERBUFFER,Be,ge,I.width,I.height),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+he,i.RENDERBUFFER,N.__webglColorRenderbuffer[he])}i.bindRenderbuffer(i.RENDERBUFFER,null),I.depthBuffer&&(N.__webglDepthRenderbuffer=i.createRenderbuffer(),Ne(N.__webglDepthRenderbuffer,I,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(te){t.bindTexture(i.TEXTURE_CUBE_MAP,J.__webglTexture),xe(i.TEXTURE_CUBE_MAP,x);for(let he=0;he<6;he++)if(x.mipmaps&&x.mipmaps.length>0)for(let Ie=0;Ie<x.mipmaps.length;Ie++)Me(N.__webglFramebuffer[he][Ie],I,x,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+he,Ie);else Me(N.__webglFramebuffer[he],I,x,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+he,0);m(x)&&d(i.TEXTURE_CUBE_MAP),t.unbindTexture()}else if(Ue){for(let he=0,Ie=ne.length;he<Ie;he++){let Te=ne[he],ae=n.get(Te),ge=i.TEXTURE_2D;(I.isWebGL3DRenderTarget||I.isWebGLArrayRenderTarget)&&(ge=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(ge,ae.__webglTexture),xe(ge,Te),Me(N.__webglFramebuffer,I,Te,i.COLOR_ATTACHMENT0+he,ge,0),m(Te)&&d(ge)}t.unbindTexture()}else{let he=i.TEXTURE_2D;if((I.isWebGL3DRenderTarget||I.isWebGLArrayRenderTarget)&&(he=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(he,J.__webglTexture),xe(he,x),x.mipmaps&&x.mipmaps.length>0)for(let Ie=0;Ie<x.mipmaps.length;Ie++)Me(N.__webglFramebuffer[Ie],I,x,i.COLOR_ATTACHMENT0,he,Ie);else Me(N.__webglFramebuffer,I,x,i.COLOR_ATTACHMENT0,he,0);m(x)&&d(he),t.unbindTexture()}I.depthBuffer&&$e(I)}function ht(I){let x=I.textures;for(let N=0,J=x.length;N<J;N++){let ne=x[N];if(m(ne)){let te=E(I),Ue=n.get(ne).__webglTexture;t.bindTexture(te,Ue),d(te),t.unbindTexture()}}}let Ye=[],He=[];function De(I){if(I.samples>0){if(Ce(I)===!1){let x=I.textures,N=I.width,J=I.height,ne=i.COLOR_BUFFER_BIT,te=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,Ue=n.get(I),he=x.length>1;if(he)for(let Te=0;Te<x.length;Te++)t.bindFramebuffer(i.FRAMEBUFFER,Ue.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+Te,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,Ue.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+Te,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,Ue.__webglMultisampledFramebuffer);let Ie=I.texture.mipmaps;Ie&&Ie.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,Ue.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,Ue.__webglFramebuffer);for(let Te=0;Te<x.length;Te++){if(I.resolveDepthBuffer&&(I.depthBuffer&&(ne|=i.DEPTH_BUFFER_BIT),I.stencilBuffer&&I.resolveStencilBuffer&&(ne|=i.STENCIL_BUFFER_BIT)),he){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.RENDERBUFFER,Ue.__webglColorRenderbuffer[Te]);let ae=n.get(x[Te]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,ae,0)}i.blitFramebuffer(0,0,N,J,0,0,N,J,ne,i.NEAREST),c===!0&&(Ye.length=0,He.length=0,Ye.push(i.COLOR_ATTACHMENT0+Te),I.depthBuffer&&I.resolveDepthBuffer===!1&&(Ye.push(te),He.push(te),i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,He)),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,Ye))}if(t.bindFramebuffer(i.READ_FRAMEBUFFER,null),t.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),he)for(let Te=0;Te<x.length;Te++){t.bindFramebuffer(i.FRAMEBUFFER,Ue.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+Te,i.RENDERBUFFER,Ue.__webglColorRenderbuffer[Te]);let ae=n.get(x[Te]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,Ue.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+Te,i.TEXTURE_2D,ae,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,Ue.__webglMultisampledFramebuffer)}else if(I.depthBuffer&&I.resolveDepthBuffer===!1&&c){let x=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[x])}}}function bt(I){return Math.min(s.maxSamples,I.samples)}function Ce(I){let x=n.get(I);return I.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&x.__useRenderToTexture!==!1}function Ve(I){let x=o.render.frame;f.get(I)!==x&&(f.set(I,x),I.update())}function Ft(I,x){let N=I.colorSpace,J=I.format,ne=I.type;return I.isCompressedTexture===!0||I.isVideoTexture===!0||N!==zs&&N!==Ji&&(ut.getTransfer(N)===Et?(J!==ii||ne!==vi)&&console.warn("THREE.WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):console.error("THREE.WebGLTextures: Unsupported texture color space:",N)),x}function gt(I){return typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement?(l.width=I.naturalWidth||I.width,l.height=I.naturalHeight||I.height):typeof VideoFrame<"u"&&I instanceof VideoFrame?(l.width=I.displayWidth,l.height=I.displayHeight):(l.width=I.width,l.height=I.height),l}this.allocateTextureUnit=k,this.resetTextureUnits=O,this.setTexture2D=X,this.setTexture2DArray=q,this.setTexture3D=$,this.setTextureCube=Q,this.rebindTextures=St,this.setupRenderTarget=U,this.updateRenderTargetMipmap=ht,this.updateMultisampleRenderTarget=De,this.setupDepthRenderbuffer=$e,this.setupFrameBufferTexture=Me,this.useMultisampledRTT=Ce}function mS(i,e){function t(n,s=Ji){let r,o=ut.getTransfer(s);if(n===vi)return i.UNSIGNED_BYTE;if(n===Ll)return i.UNSIGNED_SHORT_4_4_4_4;if(n===Dl)return i.UNSIGNED_SHORT_5_5_5_1;if(n===iu)return i.UNSIGNED_INT_5_9_9_9_REV;if(n===su)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===tu)return i.BYTE;if(n===nu)return i.SHORT;if(n===Fr)return i.UNSIGNED_SHORT;if(n===Pl)return i.INT;if(n===vs)return i.UNSIGNED_INT;if(n===Ri)return i.FLOAT;if(n===Or)return i.HALF_FLOAT;if(n===ru)return i.ALPHA;if(n===ou)return i.RGB;if(n===ii)return i.RGBA;if(n===Rr)return i.DEPTH_COMPONENT;if(n===zr)return i.DEPTH_STENCIL;if(n===au)return i.RED;if(n===Ul)return i.RED_INTEGER;if(n===lu)return i.RG;if(n===Nl)return i.RG_INTEGER;if(n===Fl)return i.RGBA_INTEGER;if(n===ko||n===Vo||n===Ho||n===Go)if(o===Et)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===ko)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(n===Vo)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(n===Ho)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(n===Go)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(n===ko)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(n===Vo)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(n===Ho)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(n===Go)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(n===Ol||n===Bl||n===zl||n===kl)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(n===Ol)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(n===Bl)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(n===zl)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(n===kl)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(n===Vl||n===Hl||n===Gl)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(n===Vl||n===Hl)return o===Et?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(n===Gl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC}else return null;if(n===Wl||n===Xl||n===ql||n===Yl||n===Zl||n===$l||n===Jl||n===Kl||n===Ql||n===jl||n===ec||n===tc||n===nc||n===ic)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(n===Wl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(n===Xl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(n===ql)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(n===Yl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(n===Zl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(n===$l)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(n===Jl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(n===Kl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(n===Ql)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(n===jl)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(n===ec)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(n===tc)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(n===nc)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===ic)return o===Et?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(n===sc||n===rc||n===oc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===sc)return o===Et?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(n===rc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===oc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===ac||n===lc||n===cc||n===hc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===ac)return r.COMPRESSED_RED_RGTC1_EXT;if(n===lc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===cc)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===hc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===Br?i.UNSIGNED_INT_24_8:i[n]!==void 0?i[n]:null}return{convert:t}}var gS=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,_S=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,Ru=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Ao(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,n=new _i({vertexShader:gS,fragmentShader:_S,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new Gt(new Yi(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},Iu=class extends Xi{constructor(e,t){super();let n=this,s=null,r=1,o=null,a="local-floor",c=1,l=null,f=null,h=null,u=null,p=null,_=null,v=typeof XRWebGLBinding<"u",m=new Ru,d={},E=t.getContextAttributes(),T=null,M=null,L=[],A=[],D=new ct,F=null,b=new xn;b.viewport=new Wt;let S=new xn;S.viewport=new Wt;let C=[b,S],O=new xl,k=null,W=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(j){let ee=L[j];return ee===void 0&&(ee=new Dr,L[j]=ee),ee.getTargetRaySpace()},this.getControllerGrip=function(j){let ee=L[j];return ee===void 0&&(ee=new Dr,L[j]=ee),ee.getGripSpace()},this.getHand=function(j){let ee=L[j];return ee===void 0&&(ee=new Dr,L[j]=ee),ee.getHandSpace()};function X(j){let ee=A.indexOf(j.inputSource);if(ee===-1)return;let Me=L[ee];Me!==void 0&&(Me.update(j.inputSource,j.frame,l||o),Me.dispatchEvent({type:j.type,data:j.inputSource}))}function q(){s.removeEventListener("select",X),s.removeEventListener("selectstart",X),s.removeEventListener("selectend",X),s.removeEventListener("squeeze",X),s.removeEventListener("squeezestart",X),s.removeEventListener("squeezeend",X),s.removeEventListener("end",q),s.removeEventListener("inputsourceschange",$);for(let j=0;j<L.length;j++){let ee=A[j];ee!==null&&(A[j]=null,L[j].disconnect(ee))}k=null,W=null,m.reset();for(let j in d)delete d[j];e.setRenderTarget(T),p=null,u=null,h=null,s=null,M=null,Xe.stop(),n.isPresenting=!1,e.setPixelRatio(F),e.setSize(D.width,D.height,!1),n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(j){r=j,n.isPresenting===!0&&console.warn("THREE.WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(j){a=j,n.isPresenting===!0&&console.warn("THREE.WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return l||o},this.setReferenceSpace=function(j){l=j},this.getBaseLayer=function(){return u!==null?u:p},this.getBinding=function(){return h===null&&v&&(h=new XRWebGLBinding(s,t)),h},this.getFrame=function(){return _},this.getSession=function(){return s},this.setSession=async function(j){if(s=j,s!==null){if(T=e.getRenderTarget(),s.addEventListener("select",X),s.addEventListener("selectstart",X),s.addEventListener("selectend",X),s.addEventListener("squeeze",X),s.addEventListener("squeezestart",X),s.addEventListener("squeezeend",X),s.addEventListener("end",q),s.addEventListener("inputsourceschange",$),E.xrCompatible!==!0&&await t.makeXRCompatible(),F=e.getPixelRatio(),e.getSize(D),v&&"createProjectionLayer"in XRWebGLBinding.prototype){let Me=null,Ne=null,ve=null;E.depth&&(ve=E.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,Me=E.stencil?zr:Rr,Ne=E.stencil?Br:vs);let $e={colorFormat:t.RGBA8,depthFormat:ve,scaleFactor:r};h=this.getBinding(),u=h.createProjectionLayer($e),s.updateRenderState({layers:[u]}),e.setPixelRatio(1),e.setSize(u.textureWidth,u.textureHeight,!1),M=new Ai(u.textureWidth,u.textureHeight,{format:ii,type:vi,depthTexture:new To(u.textureWidth,u.textureHeight,Ne,void 0,void 0,void 0,void 0,void 0,void 0,Me),stencilBuffer:E.stencil,colorSpace:e.outputColorSpace,samples:E.antialias?4:0,resolveDepthBuffer:u.ignoreDepthValues===!1,resolveStencilBuffer:u.ignoreDepthValues===!1})}else{let Me={antialias:E.antialias,alpha:!0,depth:E.depth,stencil:E.stencil,framebufferScaleFactor:r};p=new XRWebGLLayer(s,t,Me),s.updateRenderState({baseLayer:p}),e.setPixelRatio(1),e.setSize(p.framebufferWidth,p.framebufferHeight,!1),M=new Ai(p.framebufferWidth,p.framebufferHeight,{format:ii,type:vi,colorSpace:e.outputColorSpace,stencilBuffer:E.stencil,resolveDepthBuffer:p.ignoreDepthValues===!1,resolveStencilBuffer:p.ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(c),l=null,o=await s.requestReferenceSpace(a),Xe.setContext(s),Xe.start(),n.isPresenting=!0,n.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return m.getDepthTexture()};function $(j){for(let ee=0;ee<j.removed.length;ee++){let Me=j.removed[ee],Ne=A.indexOf(Me);Ne>=0&&(A[Ne]=null,L[Ne].disconnect(Me))}for(let ee=0;ee<j.added.length;ee++){let Me=j.added[ee],Ne=A.indexOf(Me);if(Ne===-1){for(let $e=0;$e<L.length;$e++)if($e>=A.length){A.push(Me),Ne=$e;break}else if(A[$e]===null){A[$e]=Me,Ne=$e;break}if(Ne===-1)break}let ve=L[Ne];ve&&ve.connect(Me)}}let Q=new H,re=new H;function oe(j,ee,Me){Q.setFromMatrixPosition(ee.matrixWorld),re.setFromMatrixPosition(Me.matrixWorld);let Ne=Q.distanceTo(re),ve=ee.projectionMatrix.elements,$e=Me.projectionMatrix.elements,St=ve[14]/(ve[10]-1),U=ve[14]/(ve[10]+1),ht=(ve[9]+1)/ve[5],Ye=(ve[9]-1)/ve[5],He=(ve[8]-1)/ve[0],De=($e[8]+1)/$e[0],bt=St*He,Ce=St*De,Ve=Ne/(-He+De),Ft=Ve*-He;if(ee.matrixWorld.decompose(j.position,j.quaternion,j.scale),j.translateX(Ft),j.translateZ(Ve),j.matrixWorld.compose(j.position,j.quaternion,j.scale),j.matrixWorldInverse.copy(j.matrixWorld).invert(),ve[10]===-1)j.projectionMatrix.copy(ee.projectionMatrix),j.projectionMatrixInverse.copy(ee.projectionMatrixInverse);else{let gt=St+Ve,I=U+Ve,x=bt-Ft,N=Ce+(Ne-Ft),J=ht*U/I*gt,ne=Ye*U/I*gt;j.projectionMatrix.makePerspective(x,N,J,ne,gt,I),j.projectionMatrixInverse.copy(j.projectionMatrix).invert()}}function _e(j,ee){ee===null?j.matrixWorld.copy(j.matrix):j.matrixWorld.multiplyMatrices(ee.matrixWorld,j.matrix),j.matrixWorldInverse.copy(j.matrixWorld).invert()}this.updateCamera=function(j){if(s===null)return;let ee=j.near,Me=j.far;m.texture!==null&&(m.depthNear>0&&(ee=m.depthNear),m.depthFar>0&&(Me=m.depthFar)),O.near=S.near=b.near=ee,O.far=S.far=b.far=Me,(k!==O.near||W!==O.far)&&(s.updateRenderState({depthNear:O.near,depthFar:O.far}),k=O.near,W=O.far),O.layers.mask=j.layers.mask|6,b.layers.mask=O.layers.mask&3,S.layers.mask=O.layers.mask&5;let Ne=j.parent,ve=O.cameras;_e(O,Ne);for(let $e=0;$e<ve.length;$e++)_e(ve[$e],Ne);ve.length===2?oe(O,b,S):O.projectionMatrix.copy(b.projectionMatrix),xe(j,O,Ne)};function xe(j,ee,Me){Me===null?j.matrix.copy(ee.matrixWorld):(j.matrix.copy(Me.matrixWorld),j.matrix.invert(),j.matrix.multiply(ee.matrixWorld)),j.matrix.decompose(j.position,j.quaternion,j.scale),j.updateMatrixWorld(!0),j.projectionMatrix.copy(ee.projectionMatrix),j.projectionMatrixInverse.copy(ee.projectionMatrixInverse),j.isPerspectiveCamera&&(j.fov=Qa*2*Math.atan(1/j.projectionMatrix.elements[5]),j.zoom=1)}this.getCamera=function(){return O},this.getFoveation=function(){if(!(u===null&&p===null))return c},this.setFoveation=function(j){c=j,u!==null&&(u.fixedFoveation=j),p!==null&&p.fixedFoveation!==void 0&&(p.fixedFoveation=j)},this.hasDepthSensing=function(){return m.texture!==null},this.getDepthSensingMesh=function(){return m.getMesh(O)},this.getCameraTexture=function(j){return d[j]};let pe=null;function Ke(j,ee){if(f=ee.getViewerPose(l||o),_=ee,f!==null){let Me=f.views;p!==null&&(e.setRenderTargetFramebuffer(M,p.framebuffer),e.setRenderTarget(M));let Ne=!1;Me.length!==O.cameras.length&&(O.cameras.length=0,Ne=!0);for(let U=0;U<Me.length;U++){let ht=Me[U],Ye=null;if(p!==null)Ye=p.getViewport(ht);else{let De=h.getViewSubImage(u,ht);Ye=De.viewport,U===0&&(e.setRenderTargetTextures(M,De.colorTexture,De.depthStencilTexture),e.setRenderTarget(M))}let He=C[U];He===void 0&&(He=new xn,He.layers.enable(U),He.viewport=new Wt,C[U]=He),He.matrix.fromArray(ht.transform.matrix),He.matrix.decompose(He.position,He.quaternion,He.scale),He.projectionMatrix.fromArray(ht.projectionMatrix),He.projectionMatrixInverse.copy(He.projectionMatrix).invert(),He.viewport.set(Ye.x,Ye.y,Ye.width,Ye.height),U===0&&(O.matrix.copy(He.matrix),O.matrix.decompose(O.position,O.quaternion,O.scale)),Ne===!0&&O.cameras.push(He)}let ve=s.enabledFeatures;if(ve&&ve.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&v){h=n.getBinding();let U=h.getDepthInformation(Me[0]);U&&U.isValid&&U.texture&&m.init(U,s.renderState)}if(ve&&ve.includes("camera-access")&&v){e.state.unbindTexture(),h=n.getBinding();for(let U=0;U<Me.length;U++){let ht=Me[U].camera;if(ht){let Ye=d[ht];Ye||(Ye=new Ao,d[ht]=Ye);let He=h.getCameraImage(ht);Ye.sourceTexture=He}}}}for(let Me=0;Me<L.length;Me++){let Ne=A[Me],ve=L[Me];Ne!==null&&ve!==void 0&&ve.update(Ne,ee,l||o)}pe&&pe(j,ee),ee.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:ee}),_=null}let Xe=new bm;Xe.setAnimationLoop(Ke),this.setAnimationLoop=function(j){pe=j},this.dispose=function(){}}},Ys=new Xn,vS=new Ut;function xS(i,e){function t(m,d){m.matrixAutoUpdate===!0&&m.updateMatrix(),d.value.copy(m.matrix)}function n(m,d){d.color.getRGB(m.fogColor.value,du(i)),d.isFog?(m.fogNear.value=d.near,m.fogFar.value=d.far):d.isFogExp2&&(m.fogDensity.value=d.density)}function s(m,d,E,T,M){d.isMeshBasicMaterial||d.isMeshLambertMaterial?r(m,d):d.isMeshToonMaterial?(r(m,d),h(m,d)):d.isMeshPhongMaterial?(r(m,d),f(m,d)):d.isMeshStandardMaterial?(r(m,d),u(m,d),d.isMeshPhysicalMaterial&&p(m,d,M)):d.isMeshMatcapMaterial?(r(m,d),_(m,d)):d.isMeshDepthMaterial?r(m,d):d.isMeshDistanceMaterial?(r(m,d),v(m,d)):d.isMeshNormalMaterial?r(m,d):d.isLineBasicMaterial?(o(m,d),d.isLineDashedMaterial&&a(m,d)):d.isPointsMaterial?c(m,d,E,T):d.isSpriteMaterial?l(m,d):d.isShadowMaterial?(m.color.value.copy(d.color),m.opacity.value=d.opacity):d.isShaderMaterial&&(d.uniformsNeedUpdate=!1)}function r(m,d){m.opacity.value=d.opacity,d.color&&m.diffuse.value.copy(d.color),d.emissive&&m.emissive.value.copy(d.emissive).multiplyScalar(d.emissiveIntensity),d.map&&(m.map.value=d.map,t(d.map,m.mapTransform)),d.alphaMap&&(m.alphaMap.value=d.alphaMap,t(d.alphaMap,m.alphaMapTransform)),d.bumpMap&&(m.bumpMap.value=d.bumpMap,t(d.bumpMap,m.bumpMapTransform),m.bumpScale.value=d.bumpScale,d.side===Cn&&(m.bumpScale.value*=-1)),d.normalMap&&(m.normalMap.value=d.normalMap,t(d.normalMap,m.normalMapTransform),m.normalScale.value.copy(d.normalScale),d.side===Cn&&m.normalScale.value.negate()),d.displacementMap&&(m.displacementMap.value=d.displacementMap,t(d.displacementMap,m.displacementMapTransform),m.displacementScale.value=d.displacementScale,m.displacementBias.value=d.displacementBias),d.emissiveMap&&(m.emissiveMap.value=d.emissiveMap,t(d.emissiveMap,m.emissiveMapTransform)),d.specularMap&&(m.specularMap.value=d.specularMap,t(d.specularMap,m.specularMapTransform)),d.alphaTest>0&&(m.alphaTest.value=d.alphaTest);let E=e.get(d),T=E.envMap,M=E.envMapRotation;T&&(m.envMap.value=T,Ys.copy(M),Ys.x*=-1,Ys.y*=-1,Ys.z*=-1,T.isCubeTexture&&T.isRenderTargetTexture===!1&&(Ys.y*=-1,Ys.z*=-1),m.envMapRotation.value.setFromMatrix4(vS.makeRotationFromEuler(Ys)),m.flipEnvMap.value=T.isCubeTexture&&T.isRenderTargetTexture===!1?-1:1,m.reflectivity.value=d.reflectivity,m.ior.value=d.ior,m.refractionRatio.value=d.refractionRatio),d.lightMap&&(m.lightMap.value=d.lightMap,m.lightMapIntensity.value=d.lightMapIntensity,t(d.lightMap,m.lightMapTransform)),d.aoMap&&(m.aoMap.value=d.aoMap,m.aoMapIntensity.value=d.aoMapIntensity,t(d.aoMap,m.aoMapTransform))}function o(m,d){m.diffuse.value.copy(d.color),m.opacity.value=d.opacity,d.map&&(m.map.value=d.map,t(d.map,m.mapTransform))}function a(m,d){m.dashSize.value=d.dashSize,m.totalSize.value=d.dashSize+d.gapSize,m.scale.value=d.scale}function c(m,d,E,T){m.diffuse.value.copy(d.color),m.opacity.value=d.opacity,m.size.value=d.size*E,m.scale.value=T*.5,d.map&&(m.map.value=d.map,t(d.map,m.uvTransform)),d.alphaMap&&(m.alphaMap.value=d.alphaMap,t(d.alphaMap,m.alphaMapTransform)),d.alphaTest>0&&(m.alphaTest.value=d.alphaTest)}function l(m,d){m.diffuse.value.copy(d.color),m.opacity.value=d.opacity,m.rotation.value=d.rotation,d.map&&(m.map.value=d.map,t(d.map,m.mapTransform)),d.alphaMap&&(m.alphaMap.value=d.alphaMap,t(d.alphaMap,m.alphaMapTransform)),d.alphaTest>0&&(m.alphaTest.value=d.alphaTest)}function f(m,d){m.specular.value.copy(d.specular),m.shininess.value=Math.max(d.shininess,1e-4)}function h(m,d){d.gradientMap&&(m.gradientMap.value=d.gradientMap)}function u(m,d){m.metalness.value=d.metalness,d.metalnessMap&&(m.metalnessMap.value=d.metalnessMap,t(d.metalnessMap,m.metalnessMapTransform)),m.roughness.value=d.roughness,d.roughnessMap&&(m.roughnessMap.value=d.roughnessMap,t(d.roughnessMap,m.roughnessMapTransform)),d.envMap&&(m.envMapIntensity.value=d.envMapIntensity)}function p(m,d,E){m.ior.value=d.ior,d.sheen>0&&(m.sheenColor.value.copy(d.sheenColor).multiplyScalar(d.sheen),m.sheenRoughness.value=d.sheenRoughness,d.sheenColorMap&&(m.sheenColorMap.value=d.sheenColorMap,t(d.sheenColorMap,m.sheenColorMapTransform)),d.sheenRoughnessMap&&(m.sheenRoughnessMap.value=d.sheenRoughnessMap,t(d.sheenRoughnessMap,m.sheenRoughnessMapTransform))),d.clearcoat>0&&(m.clearcoat.value=d.clearcoat,m.clearcoatRoughness.value=d.clearcoatRoughness,d.clearcoatMap&&(m.clearcoatMap.value=d.clearcoatMap,t(d.clearcoatMap,m.clearcoatMapTransform)),d.clearcoatRoughnessMap&&(m.clearcoatRoughnessMap.value=d.clearcoatRoughnessMap,t(d.clearcoatRoughnessMap,m.clearcoatRoughnessMapTransform)),d.clearcoatNormalMap&&(m.clearcoatNormalMap.value=d.clearcoatNormalMap,t(d.clearcoatNormalMap,m.clearcoatNormalMapTransform),m.clearcoatNormalScale.value.copy(d.clearcoatNormalScale),d.side===Cn&&m.clearcoatNormalScale.value.negate())),d.dispersion>0&&(m.dispersion.value=d.dispersion),d.iridescence>0&&(m.iridescence.value=d.iridescence,m.iridescenceIOR.value=d.iridescenceIOR,m.iridescenceThicknessMinimum.value=d.iridescenceThicknessRange[0],m.iridescenceThicknessMaximum.value=d.iridescenceThicknessRange[1],d.iridescenceMap&&(m.iridescenceMap.value=d.iridescenceMap,t(d.iridescenceMap,m.iridescenceMapTransform)),d.iridescenceThicknessMap&&(m.iridescenceThicknessMap.value=d.iridescenceThicknessMap,t(d.iridescenceThicknessMap,m.iridescenceThicknessMapTransform))),d.transmission>0&&(m.transmission.value=d.transmission,m.transmissionSamplerMap.value=E.texture,m.transmissionSamplerSize.value.set(E.width,E.height),d.transmissionMap&&(m.transmissionMap.value=d.transmissionMap,t(d.transmissionMap,m.transmissionMapTransform)),m.thickness.value=d.thickness,d.thicknessMap&&(m.thicknessMap.value=d.thicknessMap,t(d.thicknessMap,m.thicknessMapTransform)),m.attenuationDistance.value=d.attenuationDistance,m.attenuationColor.value.copy(d.attenuationColor)),d.anisotropy>0&&(m.anisotropyVector.value.set(d.anisotropy*Math.cos(d.anisotropyRotation),d.anisotropy*Math.sin(d.anisotropyRotation)),d.anisotropyMap&&(m.anisotropyMap.value=d.anisotropyMap,t(d.anisotropyMap,m.anisotropyMapTransform))),m.specularIntensity.value=d.specularIntensity,m.specularColor.value.copy(d.specularColor),d.specularColorMap&&(m.specularColorMap.value=d.specularColorMap,t(d.specularColorMap,m.specularColorMapTransform)),d.specularIntensityMap&&(m.specularIntensityMap.value=d.specularIntensityMap,t(d.specularIntensityMap,m.specularIntensityMapTransform))}function _(m,d){d.matcap&&(m.matcap.value=d.matcap)}function v(m,d){let E=e.get(d).light;m.referencePosition.value.setFromMatrixPosition(E.matrixWorld),m.nearDistance.value=E.shadow.camera.near,m.farDistance.value=E.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function yS(i,e,t,n){let s={},r={},o=[],a=i.getParameter(i.MAX_UNIFORM_BUFFER_BINDINGS);function c(E,T){let M=T.program;n.uniformBlockBinding(E,M)}function l(E,T){let M=s[E.id];M===void 0&&(_(E),M=f(E),s[E.id]=M,E.addEventListener("dispose",m));let L=T.program;n.updateUBOMapping(E,L);let A=e.render.frame;r[E.id]!==A&&(u(E),r[E.id]=A)}function f(E){let T=h();E.__bindingPointIndex=T;let M=i.createBuffer(),L=E.__size,A=E.usage;return i.bindBuffer(i.UNIFORM_BUFFER,M),i.bufferData(i.UNIFORM_BUFFER,L,A),i.bindBuffer(i.UNIFORM_BUFFER,null),i.bindBufferBase(i.UNIFORM_BUFFER,T,M),M}function h(){for(let E=0;E<a;E++)if(o.indexOf(E)===-1)return o.push(E),E;return console.error("THREE.WebGLRenderer: Maximum number of simultaneously usable uniforms groups reached."),0}function u(E){let T=s[E.id],M=E.uniforms,L=E.__cache;i.bindBuffer(i.UNIFORM_BUFFER,T);for(let A=0,D=M.length;A<D;A++){let F=Array.isArray(M[A])?M[A]:[M[A]];for(let b=0,S=F.length;b<S;b++){let C=F[b];if(p(C,A,b,L)===!0){let O=C.__offset,k=Array.isArray(C.value)?C.value:[C.value],W=0;for(let X=0;X<k.length;X++){let q=k[X],$=v(q);typeof q=="number"||typeof q=="boolean"?(C.__data[0]=q,i.bufferSubData(i.UNIFORM_BUFFER,O+W,C.__data)):q.isMatrix3?(C.__data[0]=q.elements[0],C.__data[1]=q.elements[1],C.__data[2]=q.elements[2],C.__data[3]=0,C.__data[4]=q.elements[3],C.__data[5]=q.elements[4],C.__data[6]=q.elements[5],C.__data[7]=0,C.__data[8]=q.elements[6],C.__data[9]=q.elements[7],C.__data[10]=q.elements[8],C.__data[11]=0):(q.toArray(C.__data,W),W+=$.storage/Float32Array.BYTES_PER_ELEMENT)}i.bufferSubData(i.UNIFORM_BUFFER,O,C.__data)}}}i.bindBuffer(i.UNIFORM_BUFFER,null)}function p(E,T,M,L){let A=E.value,D=T+"_"+M;if(L[D]===void 0)return typeof A=="number"||typeof A=="boolean"?L[D]=A:L[D]=A.clone(),!0;{let F=L[D];if(typeof A=="number"||typeof A=="boolean"){if(F!==A)return L[D]=A,!0}else if(F.equals(A)===!1)return F.copy(A),!0}return!1}function _(E){let T=E.uniforms,M=0,L=16;for(let D=0,F=T.length;D<F;D++){let b=Array.isArray(T[D])?T[D]:[T[D]];for(let S=0,C=b.length;S<C;S++){let O=b[S],k=Array.isArray(O.value)?O.value:[O.value];for(let W=0,X=k.length;W<X;W++){let q=k[W],$=v(q),Q=M%L,re=Q%$.boundary,oe=Q+re;M+=re,oe!==0&&L-oe<$.storage&&(M+=L-oe),O.__data=new Float32Array($.storage/Float32Array.BYTES_PER_ELEMENT),O.__offset=M,M+=$.storage}}}let A=M%L;return A>0&&(M+=L-A),E.__size=M,E.__cache={},this}function v(E){let T={boundary:0,storage:0};return typeof E=="number"||typeof E=="boolean"?(T.boundary=4,T.storage=4):E.isVector2?(T.boundary=8,T.storage=8):E.isVector3||E.isColor?(T.boundary=16,T.storage=12):E.isVector4?(T.boundary=16,T.storage=16):E.isMatrix3?(T.boundary=48,T.storage=48):E.isMatrix4?(T.boundary=64,T.storage=64):E.isTexture?console.warn("THREE.WebGLRenderer: Texture samplers can not be part of an uniforms group."):console.warn("THREE.WebGLRenderer: Unsupported uniform value type.",E),T}function m(E){let T=E.target;T.removeEventListener("dispose",m);let M=o.indexOf(T.__bindingPointIndex);o.splice(M,1),i.deleteBuffer(s[T.id]),delete s[T.id],delete r[T.id]}function d(){for(let E in s)i.deleteBuffer(s[E]);o=[],s={},r={}}return{bind:c,update:l,dispose:d}}var mc=class{constructor(e={}){let{canvas:t=$p(),context:n=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:c=!0,preserveDrawingBuffer:l=!1,powerPreference:f="default",failIfMajorPerformanceCaveat:h=!1,reversedDepthBuffer:u=!1}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let _=new Uint32Array(4),v=new Int32Array(4),m=null,d=null,E=[],T=[];this.domElement=t,this.debug={checkShaderErrors:!0,onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=$i,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let M=this,L=!1;this._outputColorSpace=Vn;let A=0,D=0,F=null,b=-1,S=null,C=new Wt,O=new Wt,k=null,W=new et(0),X=0,q=t.width,$=t.height,Q=1,re=null,oe=null,_e=new Wt(0,0,q,$),xe=new Wt(0,0,q,$),pe=!1,Ke=new Ur,Xe=!1,j=!1,ee=new Ut,Me=new H,Ne=new Wt,ve={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},$e=!1;function St(){return F===null?Q:1}let U=n;function ht(w,V){return t.getContext(w,V)}try{let w={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:c,preserveDrawingBuffer:l,powerPreference:f,failIfMajorPerformanceCaveat:h};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"180"}`),t.addEventListener("webglcontextlost",de,!1),t.addEventListener("webglcontextrestored",Re,!1),t.addEventListener("webglcontextcreationerror",ce,!1),U===null){let V="webgl2";if(U=ht(V,w),U===null)throw ht(V)?new Error("Error creating WebGL context with your selected attributes."):new Error("Error creating WebGL context.")}}catch(w){throw console.error("THREE.WebGLRenderer: "+w.message),w}let Ye,He,De,bt,Ce,Ve,Ft,gt,I,x,N,J,ne,te,Ue,he,Ie,Te,ae,ge,Be,Oe,ye,Je;function B(){Ye=new By(U),Ye.init(),Oe=new mS(U,Ye),He=new Py(U,Ye,e,Oe),De=new dS(U,Ye),He.reversedDepthBuffer&&u&&De.buffers.depth.setReversed(!0),bt=new Vy(U),Ce=new eS,Ve=new pS(U,Ye,De,Ce,He,Oe,bt),Ft=new Dy(M),gt=new Oy(M),I=new Y_(U),ye=new Ry(U,I),x=new zy(U,I,bt,ye),N=new Gy(U,x,I,bt),ae=new Hy(U,He,Ve),he=new Ly(Ce),J=new jM(M,Ft,gt,Ye,He,ye,he),ne=new xS(M,Ce),te=new nS,Ue=new lS(Ye),Te=new Cy(M,Ft,gt,De,N,p,c),Ie=new uS(M,N,He),Je=new yS(U,bt,He,De),ge=new Iy(U,Ye,bt),Be=new ky(U,Ye,bt),bt.programs=J.programs,M.capabilities=He,M.extensions=Ye,M.properties=Ce,M.renderLists=te,M.shadowMap=Ie,M.state=De,M.info=bt}B();let ue=new Iu(M,U);this.xr=ue,this.getContext=function(){return U},this.getContextAttributes=function(){return U.getContextAttributes()},this.forceContextLoss=function(){let w=Ye.get("WEBGL_lose_context");w&&w.loseContext()},this.forceContextRestore=function(){let w=Ye.get("WEBGL_lose_context");w&&w.restoreContext()},this.getPixelRatio=function(){return Q},this.setPixelRatio=function(w){w!==void 0&&(Q=w,this.setSize(q,$,!1))},this.getSize=function(w){return w.set(q,$)},this.setSize=function(w,V,K=!0){if(ue.isPresenting){console.warn("THREE.WebGLRenderer: Can't change size while VR device is presenting.");return}q=w,$=V,t.width=Math.floor(w*Q),t.height=Math.floor(V*Q),K===!0&&(t.style.width=w+"px",t.style.height=V+"px"),this.setViewport(0,0,w,V)},this.getDrawingBufferSize=function(w){return w.set(q*Q,$*Q).floor()},this.setDrawingBufferSize=function(w,V,K){q=w,$=V,Q=K,t.width=Math.floor(w*K),t.height=Math.floor(V*K),this.setViewport(0,0,w,V)},this.getCurrentViewport=function(w){return w.copy(C)},this.getViewport=function(w){return w.copy(_e)},this.setViewport=function(w,V,K,Z){w.isVector4?_e.set(w.x,w.y,w.z,w.w):_e.set(w,V,K,Z),De.viewport(C.copy(_e).multiplyScalar(Q).round())},this.getScissor=function(w){return w.copy(xe)},this.setScissor=function(w,V,K,Z){w.isVector4?xe.set(w.x,w.y,w.z,w.w):xe.set(w,V,K,Z),De.scissor(O.copy(xe).multiplyScalar(Q).round())},this.getScissorTest=function(){return pe},this.setScissorTest=function(w){De.setScissorTest(pe=w)},this.setOpaqueSort=function(w){re=w},this.setTransparentSort=function(w){oe=w},this.getClearColor=function(w){return w.copy(Te.getClearColor())},this.setClearColor=function(){Te.setClearColor(...arguments)},this.getClearAlpha=function(){return Te.getClearAlpha()},this.setClearAlpha=function(){Te.setClearAlpha(...arguments)},this.clear=function(w=!0,V=!0,K=!0){let Z=0;if(w){let G=!1;if(F!==null){let fe=F.texture.format;G=fe===Fl||fe===Nl||fe===Ul}if(G){let fe=F.texture.type,Se=fe===vi||fe===vs||fe===Fr||fe===Br||fe===Ll||fe===Dl,Pe=Te.getClearColor(),we=Te.getClearAlpha(),We=Pe.r,qe=Pe.g,ze=Pe.b;Se?(_[0]=We,_[1]=qe,_[2]=ze,_[3]=we,U.clearBufferuiv(U.COLOR,0,_)):(v[0]=We,v[1]=qe,v[2]=ze,v[3]=we,U.clearBufferiv(U.COLOR,0,v))}else Z|=U.COLOR_BUFFER_BIT}V&&(Z|=U.DEPTH_BUFFER_BIT),K&&(Z|=U.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),U.clear(Z)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.dispose=function(){t.removeEventListener("webglcontextlost",de,!1),t.removeEventListener("webglcontextrestored",Re,!1),t.removeEventListener("webglcontextcreationerror",ce,!1),Te.dispose(),te.dispose(),Ue.dispose(),Ce.dispose(),Ft.dispose(),gt.dispose(),N.dispose(),ye.dispose(),Je.dispose(),J.dispose(),ue.dispose(),ue.removeEventListener("sessionstart",Ct),ue.removeEventListener("sessionend",Ln),Rn.stop()};function de(w){w.preventDefault(),console.log("THREE.WebGLRenderer: Context Lost."),L=!0}function Re(){console.log("THREE.WebGLRenderer: Context Restored."),L=!1;let w=bt.autoReset,V=Ie.enabled,K=Ie.autoUpdate,Z=Ie.needsUpdate,G=Ie.type;B(),bt.autoReset=w,Ie.enabled=V,Ie.autoUpdate=K,Ie.needsUpdate=Z,Ie.type=G}function ce(w){console.error("THREE.WebGLRenderer: A WebGL context could not be created. Reason: ",w.statusMessage)}function se(w){let V=w.target;V.removeEventListener("dispose",se),Fe(V)}function Fe(w){Qe(w),Ce.remove(w)}function Qe(w){let V=Ce.get(w).programs;V!==void 0&&(V.forEach(function(K){J.releaseProgram(K)}),w.isShaderMaterial&&J.releaseShaderCache(w))}this.renderBufferDirect=function(w,V,K,Z,G,fe){V===null&&(V=ve);let Se=G.isMesh&&G.matrixWorld.determinant()<0,Pe=Li(w,V,K,Z,G);De.setMaterial(Z,Se);let we=K.index,We=1;if(Z.wireframe===!0){if(we=x.getWireframeAttribute(K),we===void 0)return;We=2}let qe=K.drawRange,ze=K.attributes.position,it=qe.start*We,dt=(qe.start+qe.count)*We;fe!==null&&(it=Math.max(it,fe.start*We),dt=Math.min(dt,(fe.start+fe.count)*We)),we!==null?(it=Math.max(it,0),dt=Math.min(dt,we.count)):ze!=null&&(it=Math.max(it,0),dt=Math.min(dt,ze.count));let Pt=dt-it;if(Pt<0||Pt===1/0)return;ye.setup(G,Z,Pe,K,we);let wt,tt=ge;if(we!==null&&(wt=I.get(we),tt=Be,tt.setIndex(wt)),G.isMesh)Z.wireframe===!0?(De.setLineWidth(Z.wireframeLinewidth*St()),tt.setMode(U.LINES)):tt.setMode(U.TRIANGLES);else if(G.isLine){let Ge=Z.linewidth;Ge===void 0&&(Ge=1),De.setLineWidth(Ge*St()),G.isLineSegments?tt.setMode(U.LINES):G.isLineLoop?tt.setMode(U.LINE_LOOP):tt.setMode(U.LINE_STRIP)}else G.isPoints?tt.setMode(U.POINTS):G.isSprite&&tt.setMode(U.TRIANGLES);if(G.isBatchedMesh)if(G._multiDrawInstances!==null)Ir("THREE.WebGLRenderer: renderMultiDrawInstances has been deprecated and will be removed in r184. Append to renderMultiDraw arguments and use indirection."),tt.renderMultiDrawInstances(G._multiDrawStarts,G._multiDrawCounts,G._multiDrawCount,G._multiDrawInstances);else if(Ye.get("WEBGL_multi_draw"))tt.renderMultiDraw(G._multiDrawStarts,G._multiDrawCounts,G._multiDrawCount);else{let Ge=G._multiDrawStarts,Lt=G._multiDrawCounts,ot=G._multiDrawCount,gn=we?I.get(we).bytesPerElement:1,Ki=Ce.get(Z).currentProgram.getUniforms();for(let Sn=0;Sn<ot;Sn++)Ki.setValue(U,"_gl_DrawID",Sn),tt.render(Ge[Sn]/gn,Lt[Sn])}else if(G.isInstancedMesh)tt.renderInstances(it,Pt,G.count);else if(K.isInstancedBufferGeometry){let Ge=K._maxInstanceCount!==void 0?K._maxInstanceCount:1/0,Lt=Math.min(K.instanceCount,Ge);tt.renderInstances(it,Pt,Lt)}else tt.render(it,Pt)};function Tt(w,V,K){w.transparent===!0&&w.side===mn&&w.forceSinglePass===!1?(w.side=Cn,w.needsUpdate=!0,ys(w,V,K),w.side=Wi,w.needsUpdate=!0,ys(w,V,K),w.side=mn):ys(w,V,K)}this.compile=function(w,V,K=null){K===null&&(K=w),d=Ue.get(K),d.init(V),T.push(d),K.traverseVisible(function(G){G.isLight&&G.layers.test(V.layers)&&(d.pushLight(G),G.castShadow&&d.pushShadow(G))}),w!==K&&w.traverseVisible(function(G){G.isLight&&G.layers.test(V.layers)&&(d.pushLight(G),G.castShadow&&d.pushShadow(G))}),d.setupLights();let Z=new Set;return w.traverse(function(G){if(!(G.isMesh||G.isPoints||G.isLine||G.isSprite))return;let fe=G.material;if(fe)if(Array.isArray(fe))for(let Se=0;Se<fe.length;Se++){let Pe=fe[Se];Tt(Pe,K,G),Z.add(Pe)}else Tt(fe,K,G),Z.add(fe)}),d=T.pop(),Z},this.compileAsync=function(w,V,K=null){let Z=this.compile(w,V,K);return new Promise(G=>{function fe(){if(Z.forEach(function(Se){Ce.get(Se).currentProgram.isReady()&&Z.delete(Se)}),Z.size===0){G(w);return}setTimeout(fe,10)}Ye.get("KHR_parallel_shader_compile")!==null?fe():setTimeout(fe,10)})};let ft=null;function un(w){ft&&ft(w)}function Ct(){Rn.stop()}function Ln(){Rn.start()}let Rn=new bm;Rn.setAnimationLoop(un),typeof self<"u"&&Rn.setContext(self),this.setAnimationLoop=function(w){ft=w,ue.setAnimationLoop(w),w===null?Rn.stop():Rn.start()},ue.addEventListener("sessionstart",Ct),ue.addEventListener("sessionend",Ln),this.render=function(w,V){if(V!==void 0&&V.isCamera!==!0){console.error("THREE.WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(L===!0)return;if(w.matrixWorldAutoUpdate===!0&&w.updateMatrixWorld(),V.parent===null&&V.matrixWorldAutoUpdate===!0&&V.updateMatrixWorld(),ue.enabled===!0&&ue.isPresenting===!0&&(ue.cameraAutoUpdate===!0&&ue.updateCamera(V),V=ue.getCamera()),w.isScene===!0&&w.onBeforeRender(M,w,V,F),d=Ue.get(w,T.length),d.init(V),T.push(d),ee.multiplyMatrices(V.projectionMatrix,V.matrixWorldInverse),Ke.setFromProjectionMatrix(ee,mi,V.reversedDepth),j=this.localClippingEnabled,Xe=he.init(this.clippingPlanes,j),m=te.get(w,E.length),m.init(),E.push(m),ue.enabled===!0&&ue.isPresenting===!0){let fe=M.xr.getDepthSensingMesh();fe!==null&&xi(fe,V,-1/0,M.sortObjects)}xi(w,V,0,M.sortObjects),m.finish(),M.sortObjects===!0&&m.sort(re,oe),$e=ue.enabled===!1||ue.isPresenting===!1||ue.hasDepthSensing()===!1,$e&&Te.addToRenderList(m,w),this.info.render.frame++,Xe===!0&&he.beginShadows();let K=d.state.shadowsArray;Ie.render(K,w,V),Xe===!0&&he.endShadows(),this.info.autoReset===!0&&this.info.reset();let Z=m.opaque,G=m.transmissive;if(d.setupLights(),V.isArrayCamera){let fe=V.cameras;if(G.length>0)for(let Se=0,Pe=fe.length;Se<Pe;Se++){let we=fe[Se];Pi(Z,G,w,we)}$e&&Te.render(w);for(let Se=0,Pe=fe.length;Se<Pe;Se++){let we=fe[Se];Mn(m,w,we,we.viewport)}}else G.length>0&&Pi(Z,G,w,V),$e&&Te.render(w),Mn(m,w,V);F!==null&&D===0&&(Ve.updateMultisampleRenderTarget(F),Ve.updateRenderTargetMipmap(F)),w.isScene===!0&&w.onAfterRender(M,w,V),ye.resetDefaultState(),b=-1,S=null,T.pop(),T.length>0?(d=T[T.length-1],Xe===!0&&he.setGlobalState(M.clippingPlanes,d.state.camera)):d=null,E.pop(),E.length>0?m=E[E.length-1]:m=null};function xi(w,V,K,Z){if(w.visible===!1)return;if(w.layers.test(V.layers)){if(w.isGroup)K=w.renderOrder;else if(w.isLOD)w.autoUpdate===!0&&w.update(V);else if(w.isLight)d.pushLight(w),w.castShadow&&d.pushShadow(w);else if(w.isSprite){if(!w.frustumCulled||Ke.intersectsSprite(w)){Z&&Ne.setFromMatrixPosition(w.matrixWorld).applyMatrix4(ee);let Se=N.update(w),Pe=w.material;Pe.visible&&m.push(w,Se,Pe,K,Ne.z,null)}}else if((w.isMesh||w.isLine||w.isPoints)&&(!w.frustumCulled||Ke.intersectsObject(w))){let Se=N.update(w),Pe=w.material;if(Z&&(w.boundingSphere!==void 0?(w.boundingSphere===null&&w.computeBoundingSphere(),Ne.copy(w.boundingSphere.center)):(Se.boundingSphere===null&&Se.computeBoundingSphere(),Ne.copy(Se.boundingSphere.center)),Ne.applyMatrix4(w.matrixWorld).applyMatrix4(ee)),Array.isArray(Pe)){let we=Se.groups;for(let We=0,qe=we.length;We<qe;We++){let ze=we[We],it=Pe[ze.materialIndex];it&&it.visible&&m.push(w,Se,it,K,Ne.z,ze)}}else Pe.visible&&m.push(w,Se,Pe,K,Ne.z,null)}}let fe=w.children;for(let Se=0,Pe=fe.length;Se<Pe;Se++)xi(fe[Se],V,K,Z)}function Mn(w,V,K,Z){let G=w.opaque,fe=w.transmissive,Se=w.transparent;d.setupLightsView(K),Xe===!0&&he.setGlobalState(M.clippingPlanes,K),Z&&De.viewport(C.copy(Z)),G.length>0&&si(G,V,K),fe.length>0&&si(fe,V,K),Se.length>0&&si(Se,V,K),De.buffers.depth.setTest(!0),De.buffers.depth.setMask(!0),De.buffers.color.setMask(!0),De.setPolygonOffset(!1)}function Pi(w,V,K,Z){if((K.isScene===!0?K.overrideMaterial:null)!==null)return;d.state.transmissionRenderTarget[Z.id]===void 0&&(d.state.transmissionRenderTarget[Z.id]=new Ai(1,1,{generateMipmaps:!0,type:Ye.has("EXT_color_buffer_half_float")||Ye.has("EXT_color_buffer_float")?Or:vi,minFilter:_s,samples:4,stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,colorSpace:ut.workingColorSpace}));let fe=d.state.transmissionRenderTarget[Z.id],Se=Z.viewport||C;fe.setSize(Se.z*M.transmissionResolutionScale,Se.w*M.transmissionResolutionScale);let Pe=M.getRenderTarget(),we=M.getActiveCubeFace(),We=M.getActiveMipmapLevel();M.setRenderTarget(fe),M.getClearColor(W),X=M.getClearAlpha(),X<1&&M.setClearColor(16777215,.5),M.clear(),$e&&Te.render(K);let qe=M.toneMapping;M.toneMapping=$i;let ze=Z.viewport;if(Z.viewport!==void 0&&(Z.viewport=void 0),d.setupLightsView(Z),Xe===!0&&he.setGlobalState(M.clippingPlanes,Z),si(w,K,Z),Ve.updateMultisampleRenderTarget(fe),Ve.updateRenderTargetMipmap(fe),Ye.has("WEBGL_multisampled_render_to_texture")===!1){let it=!1;for(let dt=0,Pt=V.length;dt<Pt;dt++){let wt=V[dt],tt=wt.object,Ge=wt.geometry,Lt=wt.material,ot=wt.group;if(Lt.side===mn&&tt.layers.test(Z.layers)){let gn=Lt.side;Lt.side=Cn,Lt.needsUpdate=!0,Wr(tt,K,Z,Ge,Lt,ot),Lt.side=gn,Lt.needsUpdate=!0,it=!0}}it===!0&&(Ve.updateMultisampleRenderTarget(fe),Ve.updateRenderTargetMipmap(fe))}M.setRenderTarget(Pe,we,We),M.setClearColor(W,X),ze!==void 0&&(Z.viewport=ze),M.toneMapping=qe}function si(w,V,K){let Z=V.isScene===!0?V.overrideMaterial:null;for(let G=0,fe=w.length;G<fe;G++){let Se=w[G],Pe=Se.object,we=Se.geometry,We=Se.group,qe=Se.material;qe.allowOverride===!0&&Z!==null&&(qe=Z),Pe.layers.test(K.layers)&&Wr(Pe,V,K,we,qe,We)}}function Wr(w,V,K,Z,G,fe){w.onBeforeRender(M,V,K,Z,G,fe),w.modelViewMatrix.multiplyMatrices(K.matrixWorldInverse,w.matrixWorld),w.normalMatrix.getNormalMatrix(w.modelViewMatrix),G.onBeforeRender(M,V,K,Z,w,fe),G.transparent===!0&&G.side===mn&&G.forceSinglePass===!1?(G.side=Cn,G.needsUpdate=!0,M.renderBufferDirect(K,V,Z,G,w,fe),G.side=Wi,G.needsUpdate=!0,M.renderBufferDirect(K,V,Z,G,w,fe),G.side=mn):M.renderBufferDirect(K,V,Z,G,w,fe),w.onAfterRender(M,V,K,Z,G,fe)}function ys(w,V,K){V.isScene!==!0&&(V=ve);let Z=Ce.get(w),G=d.state.lights,fe=d.state.shadowsArray,Se=G.state.version,Pe=J.getParameters(w,G.state,fe,V,K),we=J.getProgramCacheKey(Pe),We=Z.programs;Z.environment=w.isMeshStandardMaterial?V.environment:null,Z.fog=V.fog,Z.envMap=(w.isMeshStandardMaterial?gt:Ft).get(w.envMap||Z.environment),Z.envMapRotation=Z.environment!==null&&w.envMap===null?V.environmentRotation:w.envMapRotation,We===void 0&&(w.addEventListener("dispose",se),We=new Map,Z.programs=We);let qe=We.get(we);if(qe!==void 0){if(Z.currentProgram===qe&&Z.lightsStateVersion===Se)return $o(w,Pe),qe}else Pe.uniforms=J.getUniforms(w),w.onBeforeCompile(Pe,M),qe=J.acquireProgram(Pe,we),We.set(we,qe),Z.uniforms=Pe.uniforms;let ze=Z.uniforms;return(!w.isShaderMaterial&&!w.isRawShaderMaterial||w.clipping===!0)&&(ze.clippingPlanes=he.uniform),$o(w,Pe),Z.needsLights=Ms(w),Z.lightsStateVersion=Se,Z.needsLights&&(ze.ambientLightColor.value=G.state.ambient,ze.lightProbe.value=G.state.probe,ze.directionalLights.value=G.state.directional,ze.directionalLightShadows.value=G.state.directionalShadow,ze.spotLights.value=G.state.spot,ze.spotLightShadows.value=G.state.spotShadow,ze.rectAreaLights.value=G.state.rectArea,ze.ltc_1.value=G.state.rectAreaLTC1,ze.ltc_2.value=G.state.rectAreaLTC2,ze.pointLights.value=G.state.point,ze.pointLightShadows.value=G.state.pointShadow,ze.hemisphereLights.value=G.state.hemi,ze.directionalShadowMap.value=G.state.directionalShadowMap,ze.directionalShadowMatrix.value=G.state.directionalShadowMatrix,ze.spotShadowMap.value=G.state.spotShadowMap,ze.spotLightMatrix.value=G.state.spotLightMatrix,ze.spotLightMap.value=G.state.spotLightMap,ze.pointShadowMap.value=G.state.pointShadowMap,ze.pointShadowMatrix.value=G.state.pointShadowMatrix),Z.currentProgram=qe,Z.uniformsList=null,qe}function Zo(w){if(w.uniformsList===null){let V=w.currentProgram.getUniforms();w.uniformsList=Hr.seqWithValue(V.seq,w.uniforms)}return w.uniformsList}function $o(w,V){let K=Ce.get(w);K.outputColorSpace=V.outputColorSpace,K.batching=V.batching,K.batchingColor=V.batchingColor,K.instancing=V.instancing,K.instancingColor=V.instancingColor,K.instancingMorph=V.instancingMorph,K.skinning=V.skinning,K.morphTargets=V.morphTargets,K.morphNormals=V.morphNormals,K.morphColors=V.morphColors,K.morphTargetsCount=V.morphTargetsCount,K.numClippingPlanes=V.numClippingPlanes,K.numIntersection=V.numClipIntersection,K.vertexAlphas=V.vertexAlphas,K.vertexTangents=V.vertexTangents,K.toneMapping=V.toneMapping}function Li(w,V,K,Z,G){V.isScene!==!0&&(V=ve),Ve.resetTextureUnits();let fe=V.fog,Se=Z.isMeshStandardMaterial?V.environment:null,Pe=F===null?M.outputColorSpace:F.isXRRenderTarget===!0?F.texture.colorSpace:zs,we=(Z.isMeshStandardMaterial?gt:Ft).get(Z.envMap||Se),We=Z.vertexColors===!0&&!!K.attributes.color&&K.attributes.color.itemSize===4,qe=!!K.attributes.tangent&&(!!Z.normalMap||Z.anisotropy>0),ze=!!K.morphAttributes.position,it=!!K.morphAttributes.normal,dt=!!K.morphAttributes.color,Pt=$i;Z.toneMapped&&(F===null||F.isXRRenderTarget===!0)&&(Pt=M.toneMapping);let wt=K.morphAttributes.position||K.morphAttributes.normal||K.morphAttributes.color,tt=wt!==void 0?wt.length:0,Ge=Ce.get(Z),Lt=d.state.lights;if(Xe===!0&&(j===!0||w!==S)){let sn=w===S&&Z.id===b;he.setState(Z,w,sn)}let ot=!1;Z.version===Ge.__version?(Ge.needsLights&&Ge.lightsStateVersion!==Lt.state.version||Ge.outputColorSpace!==Pe||G.isBatchedMesh&&Ge.batching===!1||!G.isBatchedMesh&&Ge.batching===!0||G.isBatchedMesh&&Ge.batchingColor===!0&&G.colorTexture===null||G.isBatchedMesh&&Ge.batchingColor===!1&&G.colorTexture!==null||G.isInstancedMesh&&Ge.instancing===!1||!G.isInstancedMesh&&Ge.instancing===!0||G.isSkinnedMesh&&Ge.skinning===!1||!G.isSkinnedMesh&&Ge.skinning===!0||G.isInstancedMesh&&Ge.instancingColor===!0&&G.instanceColor===null||G.isInstancedMesh&&Ge.instancingColor===!1&&G.instanceColor!==null||G.isInstancedMesh&&Ge.instancingMorph===!0&&G.morphTexture===null||G.isInstancedMesh&&Ge.instancingMorph===!1&&G.morphTexture!==null||Ge.envMap!==we||Z.fog===!0&&Ge.fog!==fe||Ge.numClippingPlanes!==void 0&&(Ge.numClippingPlanes!==he.numPlanes||Ge.numIntersection!==he.numIntersection)||Ge.vertexAlphas!==We||Ge.vertexTangents!==qe||Ge.morphTargets!==ze||Ge.morphNormals!==it||Ge.morphColors!==dt||Ge.toneMapping!==Pt||Ge.morphTargetsCount!==tt)&&(ot=!0):(ot=!0,Ge.__version=Z.version);let gn=Ge.currentProgram;ot===!0&&(gn=ys(Z,V,G));let Ki=!1,Sn=!1,Ss=!1,Dt=gn.getUniforms(),bn=Ge.uniforms;if(De.useProgram(gn.program)&&(Ki=!0,Sn=!0,Ss=!0),Z.id!==b&&(b=Z.id,Sn=!0),Ki||S!==w){De.buffers.depth.getReversed()&&w.reversedDepth!==!0&&(w._reversedDepth=!0,w.updateProjectionMatrix()),Dt.setValue(U,"projectionMatrix",w.projectionMatrix),Dt.setValue(U,"viewMatrix",w.matrixWorldInverse);let rn=Dt.map.cameraPosition;rn!==void 0&&rn.setValue(U,Me.setFromMatrixPosition(w.matrixWorld)),He.logarithmicDepthBuffer&&Dt.setValue(U,"logDepthBufFC",2/(Math.log(w.far+1)/Math.LN2)),(Z.isMeshPhongMaterial||Z.isMeshToonMaterial||Z.isMeshLambertMaterial||Z.isMeshBasicMaterial||Z.isMeshStandardMaterial||Z.isShaderMaterial)&&Dt.setValue(U,"isOrthographic",w.isOrthographicCamera===!0),S!==w&&(S=w,Sn=!0,Ss=!0)}if(G.isSkinnedMesh){Dt.setOptional(U,G,"bindMatrix"),Dt.setOptional(U,G,"bindMatrixInverse");let sn=G.skeleton;sn&&(sn.boneTexture===null&&sn.computeBoneTexture(),Dt.setValue(U,"boneTexture",sn.boneTexture,Ve))}G.isBatchedMesh&&(Dt.setOptional(U,G,"batchingTexture"),Dt.setValue(U,"batchingTexture",G._matricesTexture,Ve),Dt.setOptional(U,G,"batchingIdTexture"),Dt.setValue(U,"batchingIdTexture",G._indirectTexture,Ve),Dt.setOptional(U,G,"batchingColorTexture"),G._colorsTexture!==null&&Dt.setValue(U,"batchingColorTexture",G._colorsTexture,Ve));let In=K.morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&ae.update(G,K,gn),(Sn||Ge.receiveShadow!==G.receiveShadow)&&(Ge.receiveShadow=G.receiveShadow,Dt.setValue(U,"receiveShadow",G.receiveShadow)),Z.isMeshGouraudMaterial&&Z.envMap!==null&&(bn.envMap.value=we,bn.flipEnvMap.value=we.isCubeTexture&&we.isRenderTargetTexture===!1?-1:1),Z.isMeshStandardMaterial&&Z.envMap===null&&V.environment!==null&&(bn.envMapIntensity.value=V.environmentIntensity),Sn&&(Dt.setValue(U,"toneMappingExposure",M.toneMappingExposure),Ge.needsLights&&bc(bn,Ss),fe&&Z.fog===!0&&ne.refreshFogUniforms(bn,fe),ne.refreshMaterialUniforms(bn,Z,Q,$,d.state.transmissionRenderTarget[w.id]),Hr.upload(U,Zo(Ge),bn,Ve)),Z.isShaderMaterial&&Z.uniformsNeedUpdate===!0&&(Hr.upload(U,Zo(Ge),bn,Ve),Z.uniformsNeedUpdate=!1),Z.isSpriteMaterial&&Dt.setValue(U,"center",G.center),Dt.setValue(U,"modelViewMatrix",G.modelViewMatrix),Dt.setValue(U,"normalMatrix",G.normalMatrix),Dt.setValue(U,"modelMatrix",G.matrixWorld),Z.isShaderMaterial||Z.isRawShaderMaterial){let sn=Z.uniformsGroups;for(let rn=0,Qi=sn.length;rn<Qi;rn++){let $n=sn[rn];Je.update($n,gn),Je.bind($n,gn)}}return gn}function bc(w,V){w.ambientLightColor.needsUpdate=V,w.lightProbe.needsUpdate=V,w.directionalLights.needsUpdate=V,w.directionalLightShadows.needsUpdate=V,w.pointLights.needsUpdate=V,w.pointLightShadows.needsUpdate=V,w.spotLights.needsUpdate=V,w.spotLightShadows.needsUpdate=V,w.rectAreaLights.needsUpdate=V,w.hemisphereLights.needsUpdate=V}function Ms(w){return w.isMeshLambertMaterial||w.isMeshToonMaterial||w.isMeshPhongMaterial||w.isMeshStandardMaterial||w.isShadowMaterial||w.isShaderMaterial&&w.lights===!0}this.getActiveCubeFace=function(){return A},this.getActiveMipmapLevel=function(){return D},this.getRenderTarget=function(){return F},this.setRenderTargetTextures=function(w,V,K){let Z=Ce.get(w);Z.__autoAllocateDepthBuffer=w.resolveDepthBuffer===!1,Z.__autoAllocateDepthBuffer===!1&&(Z.__useRenderToTexture=!1),Ce.get(w.texture).__webglTexture=V,Ce.get(w.depthTexture).__webglTexture=Z.__autoAllocateDepthBuffer?void 0:K,Z.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(w,V){let K=Ce.get(w);K.__webglFramebuffer=V,K.__useDefaultFramebuffer=V===void 0};let Jo=U.createFramebuffer();this.setRenderTarget=function(w,V=0,K=0){F=w,A=V,D=K;let Z=!0,G=null,fe=!1,Se=!1;if(w){let we=Ce.get(w);if(we.__useDefaultFramebuffer!==void 0)De.bindFramebuffer(U.FRAMEBUFFER,null),Z=!1;else if(we.__webglFramebuffer===void 0)Ve.setupRenderTarget(w);else if(we.__hasExternalTextures)Ve.rebindTextures(w,Ce.get(w.texture).__webglTexture,Ce.get(w.depthTexture).__webglTexture);else if(w.depthBuffer){let ze=w.depthTexture;if(we.__boundDepthTexture!==ze){if(ze!==null&&Ce.has(ze)&&(w.width!==ze.image.width||w.height!==ze.image.height))throw new Error("WebGLRenderTarget: Attached DepthTexture is initialized to the incorrect size.");Ve.setupDepthRenderbuffer(w)}}let We=w.texture;(We.isData3DTexture||We.isDataArrayTexture||We.isCompressedArrayTexture)&&(Se=!0);let qe=Ce.get(w).__webglFramebuffer;w.isWebGLCubeRenderTarget?(Array.isArray(qe[V])?G=qe[V][K]:G=qe[V],fe=!0):w.samples>0&&Ve.useMultisampledRTT(w)===!1?G=Ce.get(w).__webglMultisampledFramebuffer:Array.isArray(qe)?G=qe[K]:G=qe,C.copy(w.viewport),O.copy(w.scissor),k=w.scissorTest}else C.copy(_e).multiplyScalar(Q).floor(),O.copy(xe).multiplyScalar(Q).floor(),k=pe;if(K!==0&&(G=Jo),De.bindFramebuffer(U.FRAMEBUFFER,G)&&Z&&De.drawBuffers(w,G),De.viewport(C),De.scissor(O),De.setScissorTest(k),fe){let we=Ce.get(w.texture);U.framebufferTexture2D(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_CUBE_MAP_POSITIVE_X+V,we.__webglTexture,K)}else if(Se){let we=V;for(let We=0;We<w.textures.length;We++){let qe=Ce.get(w.textures[We]);U.framebufferTextureLayer(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0+We,qe.__webglTexture,K,we)}}else if(w!==null&&K!==0){let we=Ce.get(w.texture);U.framebufferTexture2D(U.FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,we.__webglTexture,K)}b=-1},this.readRenderTargetPixels=function(w,V,K,Z,G,fe,Se,Pe=0){if(!(w&&w.isWebGLRenderTarget)){console.error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let we=Ce.get(w).__webglFramebuffer;if(w.isWebGLCubeRenderTarget&&Se!==void 0&&(we=we[Se]),we){De.bindFramebuffer(U.FRAMEBUFFER,we);try{let We=w.textures[Pe],qe=We.format,ze=We.type;if(!He.textureFormatReadable(qe)){console.error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(!He.textureTypeReadable(ze)){console.error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}V>=0&&V<=w.width-Z&&K>=0&&K<=w.height-G&&(w.textures.length>1&&U.readBuffer(U.COLOR_ATTACHMENT0+Pe),U.readPixels(V,K,Z,G,Oe.convert(qe),Oe.convert(ze),fe))}finally{let We=F!==null?Ce.get(F).__webglFramebuffer:null;De.bindFramebuffer(U.FRAMEBUFFER,We)}}},this.readRenderTargetPixelsAsync=async function(w,V,K,Z,G,fe,Se,Pe=0){if(!(w&&w.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let we=Ce.get(w).__webglFramebuffer;if(w.isWebGLCubeRenderTarget&&Se!==void 0&&(we=we[Se]),we)if(V>=0&&V<=w.width-Z&&K>=0&&K<=w.height-G){De.bindFramebuffer(U.FRAMEBUFFER,we);let We=w.textures[Pe],qe=We.format,ze=We.type;if(!He.textureFormatReadable(qe))throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(!He.textureTypeReadable(ze))throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let it=U.createBuffer();U.bindBuffer(U.PIXEL_PACK_BUFFER,it),U.bufferData(U.PIXEL_PACK_BUFFER,fe.byteLength,U.STREAM_READ),w.textures.length>1&&U.readBuffer(U.COLOR_ATTACHMENT0+Pe),U.readPixels(V,K,Z,G,Oe.convert(qe),Oe.convert(ze),0);let dt=F!==null?Ce.get(F).__webglFramebuffer:null;De.bindFramebuffer(U.FRAMEBUFFER,dt);let Pt=U.fenceSync(U.SYNC_GPU_COMMANDS_COMPLETE,0);return U.flush(),await Jp(U,Pt,4),U.bindBuffer(U.PIXEL_PACK_BUFFER,it),U.getBufferSubData(U.PIXEL_PACK_BUFFER,0,fe),U.deleteBuffer(it),U.deleteSync(Pt),fe}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(w,V=null,K=0){let Z=Math.pow(2,-K),G=Math.floor(w.image.width*Z),fe=Math.floor(w.image.height*Z),Se=V!==null?V.x:0,Pe=V!==null?V.y:0;Ve.setTexture2D(w,0),U.copyTexSubImage2D(U.TEXTURE_2D,K,0,0,Se,Pe,G,fe),De.unbindTexture()};let yi=U.createFramebuffer(),Kt=U.createFramebuffer();this.copyTextureToTexture=function(w,V,K=null,Z=null,G=0,fe=null){fe===null&&(G!==0?(Ir("WebGLRenderer: copyTextureToTexture function signature has changed to support src and dst mipmap levels."),fe=G,G=0):fe=0);let Se,Pe,we,We,qe,ze,it,dt,Pt,wt=w.isCompressedTexture?w.mipmaps[fe]:w.image;if(K!==null)Se=K.max.x-K.min.x,Pe=K.max.y-K.min.y,we=K.isBox3?K.max.z-K.min.z:1,We=K.min.x,qe=K.min.y,ze=K.isBox3?K.min.z:0;else{let In=Math.pow(2,-G);Se=Math.floor(wt.width*In),Pe=Math.floor(wt.height*In),w.isDataArrayTexture?we=wt.depth:w.isData3DTexture?we=Math.floor(wt.depth*In):we=1,We=0,qe=0,ze=0}Z!==null?(it=Z.x,dt=Z.y,Pt=Z.z):(it=0,dt=0,Pt=0);let tt=Oe.convert(V.format),Ge=Oe.convert(V.type),Lt;V.isData3DTexture?(Ve.setTexture3D(V,0),Lt=U.TEXTURE_3D):V.isDataArrayTexture||V.isCompressedArrayTexture?(Ve.setTexture2DArray(V,0),Lt=U.TEXTURE_2D_ARRAY):(Ve.setTexture2D(V,0),Lt=U.TEXTURE_2D),U.pixelStorei(U.UNPACK_FLIP_Y_WEBGL,V.flipY),U.pixelStorei(U.UNPACK_PREMULTIPLY_ALPHA_WEBGL,V.premultiplyAlpha),U.pixelStorei(U.UNPACK_ALIGNMENT,V.unpackAlignment);let ot=U.getParameter(U.UNPACK_ROW_LENGTH),gn=U.getParameter(U.UNPACK_IMAGE_HEIGHT),Ki=U.getParameter(U.UNPACK_SKIP_PIXELS),Sn=U.getParameter(U.UNPACK_SKIP_ROWS),Ss=U.getParameter(U.UNPACK_SKIP_IMAGES);U.pixelStorei(U.UNPACK_ROW_LENGTH,wt.width),U.pixelStorei(U.UNPACK_IMAGE_HEIGHT,wt.height),U.pixelStorei(U.UNPACK_SKIP_PIXELS,We),U.pixelStorei(U.UNPACK_SKIP_ROWS,qe),U.pixelStorei(U.UNPACK_SKIP_IMAGES,ze);let Dt=w.isDataArrayTexture||w.isData3DTexture,bn=V.isDataArrayTexture||V.isData3DTexture;if(w.isDepthTexture){let In=Ce.get(w),sn=Ce.get(V),rn=Ce.get(In.__renderTarget),Qi=Ce.get(sn.__renderTarget);De.bindFramebuffer(U.READ_FRAMEBUFFER,rn.__webglFramebuffer),De.bindFramebuffer(U.DRAW_FRAMEBUFFER,Qi.__webglFramebuffer);for(let $n=0;$n<we;$n++)Dt&&(U.framebufferTextureLayer(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,Ce.get(w).__webglTexture,G,ze+$n),U.framebufferTextureLayer(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,Ce.get(V).__webglTexture,fe,Pt+$n)),U.blitFramebuffer(We,qe,Se,Pe,it,dt,Se,Pe,U.DEPTH_BUFFER_BIT,U.NEAREST);De.bindFramebuffer(U.READ_FRAMEBUFFER,null),De.bindFramebuffer(U.DRAW_FRAMEBUFFER,null)}else if(G!==0||w.isRenderTargetTexture||Ce.has(w)){let In=Ce.get(w),sn=Ce.get(V);De.bindFramebuffer(U.READ_FRAMEBUFFER,yi),De.bindFramebuffer(U.DRAW_FRAMEBUFFER,Kt);for(let rn=0;rn<we;rn++)Dt?U.framebufferTextureLayer(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,In.__webglTexture,G,ze+rn):U.framebufferTexture2D(U.READ_FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,In.__webglTexture,G),bn?U.framebufferTextureLayer(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,sn.__webglTexture,fe,Pt+rn):U.framebufferTexture2D(U.DRAW_FRAMEBUFFER,U.COLOR_ATTACHMENT0,U.TEXTURE_2D,sn.__webglTexture,fe),G!==0?U.blitFramebuffer(We,qe,Se,Pe,it,dt,Se,Pe,U.COLOR_BUFFER_BIT,U.NEAREST):bn?U.copyTexSubImage3D(Lt,fe,it,dt,Pt+rn,We,qe,Se,Pe):U.copyTexSubImage2D(Lt,fe,it,dt,We,qe,Se,Pe);De.bindFramebuffer(U.READ_FRAMEBUFFER,null),De.bindFramebuffer(U.DRAW_FRAMEBUFFER,null)}else bn?w.isDataTexture||w.isData3DTexture?U.texSubImage3D(Lt,fe,it,dt,Pt,Se,Pe,we,tt,Ge,wt.data):V.isCompressedArrayTexture?U.compressedTexSubImage3D(Lt,fe,it,dt,Pt,Se,Pe,we,tt,wt.data):U.texSubImage3D(Lt,fe,it,dt,Pt,Se,Pe,we,tt,Ge,wt):w.isDataTexture?U.texSubImage2D(U.TEXTURE_2D,fe,it,dt,Se,Pe,tt,Ge,wt.data):w.isCompressedTexture?U.compressedTexSubImage2D(U.TEXTURE_2D,fe,it,dt,wt.width,wt.height,tt,wt.data):U.texSubImage2D(U.TEXTURE_2D,fe,it,dt,Se,Pe,tt,Ge,wt);U.pixelStorei(U.UNPACK_ROW_LENGTH,ot),U.pixelStorei(U.UNPACK_IMAGE_HEIGHT,gn),U.pixelStorei(U.UNPACK_SKIP_PIXELS,Ki),U.pixelStorei(U.UNPACK_SKIP_ROWS,Sn),U.pixelStorei(U.UNPACK_SKIP_IMAGES,Ss),fe===0&&V.generateMipmaps&&U.generateMipmap(Lt),De.unbindTexture()},this.initRenderTarget=function(w){Ce.get(w).__webglFramebuffer===void 0&&Ve.setupRenderTarget(w)},this.initTexture=function(w){w.isCubeTexture?Ve.setTextureCube(w,0):w.isData3DTexture?Ve.setTexture3D(w,0):w.isDataArrayTexture||w.isCompressedArrayTexture?Ve.setTexture2DArray(w,0):Ve.setTexture2D(w,0),De.unbindTexture()},this.resetState=function(){A=0,D=0,F=null,De.reset(),ye.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return mi}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=ut._getDrawingBufferColorSpace(e),t.unpackColorSpace=ut._getUnpackColorSpace()}};var vc={chase:[Math.PI,.28,2],side:[Math.PI/2,.1,2.4],top:[Math.PI,1.57,12],whole:[Math.PI/2,.2,2.2]},Cm=1.57,[MS,SS]=[.7,2e4],bS=new H(0,1,0),_c=class{constructor(e,t){this.redraw=t,this.fingers=new Map,this.look("chase"),e.style.touchAction="pan-y",e.addEventListener("pointerdown",n=>{e.setPointerCapture(n.pointerId),this.fingers.set(n.pointerId,[n.offsetX,n.offsetY]),this.moved=0}),e.addEventListener("pointermove",n=>this.drag(n));for(let n of["pointerup","pointercancel"])e.addEventListener(n,s=>this.fingers.delete(s.pointerId));e.addEventListener("wheel",n=>this.wheel(n),{passive:!1})}look(e){this.view=e,[this.azimuth,this.elevation,this.distance]=vc[e]}drag({pointerId:e,offsetX:t,offsetY:n}){let s=this.fingers.get(e);if(!s)return;let r=this.spread();this.fingers.set(e,[t,n]);let[o,a]=[t-s[0],n-s[1]];this.moved+=Math.abs(o)+Math.abs(a),this.fingers.size===1?this.turn(-.008*o,.008*a):this.zoom(r/Math.max(this.spread(),1))}spread(){let[e,t]=[...this.fingers.values()];return t?Math.hypot(e[0]-t[0],e[1]-t[1]):1}turn(e,t){this.azimuth+=e,this.elevation=Math.min(Math.max(this.elevation+t,-Cm),Cm),this.redraw()}zoom(e){this.distance=Math.min(Math.max(this.distance*e,MS),SS),this.redraw()}wheel(e){!e.ctrlKey&&document.activeElement!==e.target||(e.preventDefault(),this.zoom(Math.exp(.0015*e.deltaY)))}place(e,t,n,s){let r=Math.cos(this.elevation),o=new H(r*Math.cos(this.azimuth),Math.sin(this.elevation),r*Math.sin(this.azimuth));o.multiplyScalar(this.distance*s).applyQuaternion(new Gn().setFromAxisAngle(bS,-n)),e.position.copy(t).add(o)}};function xs([i,e,t]){return new H(i,-t,e)}function Rm(i,e,t){return new Gn().setFromEuler(new Xn(i,-t,e,"YZX"))}function Im(i,e,t,n,s=1){let r=xs(i),o=xs(e).sub(r).normalize(),a=xs(t).sub(r),c=new H().crossVectors(o,a),f=((Math.abs(c.y)>.2*c.length()?-c.y:-c.z)<0?-n:n)*s;return new Ut().makeTranslation(r.x,r.y,r.z).multiply(new Ut().makeRotationAxis(o,f)).multiply(new Ut().makeTranslation(-r.x,-r.y,-r.z))}var qo=Math.PI/180,wS=7,ES=1,TS=2.5;function Pm(i){let e=new Yt,t=i.map(n=>xs(n));return e.setAttribute("position",new en(new Float32Array(t.flatMap(n=>[n.x,n.y,n.z])),3)),e.setIndex([0,1,2,0,2,3]),e.computeVertexNormals(),e}function AS([i,e,t,n]){let s=(r,o)=>o.map((a,c)=>r[c]+TS*(a-r[c]));return[i,e,s(e,t),s(i,n)]}function Lu(i){let e=Number.isFinite(i)?Math.min(Math.max(i,0),1):0;return new et(yt("failure")).lerp(new et(yt("whole")),e)}var xc=class{constructor(e,t,n="body",s=!1){Object.assign(this,{flight:e,columns:t,tint:n,faint:s}),this.size=e.shape.span_m,this.reach=Math.max(this.size,...e.shape.bodies.map(({start:c,end:l})=>Math.abs(c[0]-l[0]))),this.group=new Hn,this.parts=[];let{panels:r,bodies:o,propulsors:a}=e.shape;r.forEach(c=>this.panel(c)),o.forEach(c=>this.body(c)),a.forEach(c=>this.propulsor(c)),this.wind=this.arrow(.08),this.needle=this.arrow(.06),this.around=new Hn().add(this.wind,this.needle)}material(e={}){return new Po(this.faint?{side:mn,transparent:!0,opacity:.45,...e}:{side:mn,...e})}arrow(e){let t=new Oo(new H(1,0,0),new H,1,16777215,e*this.size,.6*e*this.size);return t.visible=!1,t}panel({points:e,actuator:t,sense:n}){let s=new Gt(Pm(e),this.material()),r=new ps(new Nr(s.geometry),new Yn),o=new Hn().add(s,r);o.matrixAutoUpdate=!t;let a=t&&!this.faint?new Gt(Pm(AS(e)),new qn({side:mn,transparent:!0,opacity:.55,depthWrite:!1})):null;a&&(a.add(new ps(new Nr(a.geometry),new Yn)),a.matrixAutoUpdate=a.visible=!1,this.group.add(a)),this.group.add(o),this.parts.push({kind:"panel",group:o,surface:s,edge:r,ghost:a,actuator:t,points:e,sense:n})}body({start:e,end:t,radius_m:n}){let[s,r]=[xs(e),xs(t)],o=s.distanceTo(r),a=new Gt(new Co(n,Math.max(o-2*n,.01),6,16),this.material());a.position.copy(s).add(r).multiplyScalar(.5),a.quaternion.setFromUnitVectors(new H(0,1,0),r.clone().sub(s).normalize()),this.group.add(a),this.parts.push({kind:"body",surface:a})}propulsor({at:e,diameter_m:t,actuator:n,jet:s}){let r=new Gt(new Io(.44*t,.5*t,40),this.material({transparent:!0,opacity:this.faint?.4:.85})),o=new Hn,a=new Gt(new Ro(.44*t,32),new qn({side:mn,transparent:!0,opacity:.16,depthWrite:!1}));s||o.add(new Gt(new Yi(.075*t,.92*t),this.material()),a);let c=new Hn().add(r,o);c.rotation.y=Math.PI/2,c.position.copy(xs(e));let l=this.arrow(.08);l.position.copy(c.position),this.group.add(c,l),this.parts.push({kind:"propulsor",surface:r,blades:o,haze:a,arrow:l,actuator:n})}recolour(){for(let{kind:e,surface:t,blades:n,edge:s}of this.parts)s?.material.color.set(yt("muted")),t.material.color.set(yt(e==="propulsor"?"whole":this.tint)),n?.children.forEach(r=>r.material.color.set(yt("text")));this.wind.setColor(new et(yt("third"))),this.needle.setColor(new et(yt("command")))}show(e,t){if(!Number.isFinite(t.x+t.y+t.z))return!1;let n=this.columns;this.group.position.copy(t),this.heading=n.heading_deg[e]*qo,this.group.quaternion.copy(Rm(n.roll_deg[e]*qo,n.pitch_deg[e]*qo,this.heading));let s=Math.min(Math.abs(n.time_s[e]-(this.time??n.time_s[e])),.1);this.time=n.time_s[e];for(let r of this.parts)r.actuator&&this.pose(r,e,s);return this.blow(e,t),this.point(e,t),!0}pose(e,t,n){let s=this.columns[`${e.actuator}_response`][t],r=this.believed(e.actuator,t,s);e.surface.material.color.copy(Lu(s)),e.kind==="panel"?this.deflect(e,t,s,r):this.push(e,t,r,n)}deflect(e,t,n,s){let[r,o,,a]=e.points,c=h=>Im(r,o,a,h*qo,e.sense),[l,f]=["position","command"].map(h=>this.columns[`${e.actuator}_${h}`]?.[t]);e.group.matrix.copy(c(l)),e.edge.material.color.copy(Lu(s)),e.ghost&&(e.ghost.visible=!(n>.99)&&Math.abs(f-l)>ES,e.ghost.visible&&(e.ghost.material.color.set(yt("command")),e.ghost.children[0].material.color.set(yt("text")),e.ghost.matrix.copy(c(f))))}push({actuator:e,arrow:t,blades:n,haze:s},r,o,a){let c=this.columns[`${e}_effectiveness`][r],l=this.columns[`${e}_position`][r]*c;n.visible=c>0;let[f,h]=this.flight.actuators[e].limits,u=l/Math.max(Math.abs(f),Math.abs(h));n.rotation.z-=2*Math.PI*wS*Math.sqrt(Math.min(Math.abs(u),1))*a,s.visible=t.visible=Math.abs(u)>.005,t.setDirection(new H(Math.sign(l)||1,0,0)),t.setLength(Math.max(Math.abs(u)*1.6*this.size,.001),.08*this.size,.05*this.size),t.setColor(Lu(o))}believed(e,t,n){let s=this.flight.beliefs?.[this.columns[`${e}_belief`]?.[t]];return["lost","held","reversed","swings"].includes(s)?0:this.flight.estimates?this.columns[`${e}_effectiveness_estimate`][t]:n}blow(e,t){let n=this.columns;if(!n.wind_north_m_s||this.faint)return;let s=new H(n.wind_north_m_s[e],-n.wind_down_m_s[e],n.wind_east_m_s[e]),r=s.length();this.wind.visible=r>.05,this.wind.visible&&(this.wind.position.copy(t).add(new H(0,.35*this.size,0)),this.wind.setDirection(s.normalize()),this.wind.setLength(r/5*this.size,.08*this.size,.05*this.size))}point(e,t){let n=this.columns.heading_command_deg?.[e]*qo;this.needle.visible=!this.faint&&Number.isFinite(n),this.needle.visible&&(this.needle.position.copy(t),this.needle.setDirection(new H(Math.cos(n),0,Math.sin(n))),this.needle.setLength(1.1*this.size,.06*this.size,.036*this.size))}};var Yo=6e4,Lm=60;function CS(){let i=Lm/2,e=[];for(let t=-i;t<=i;t++)for(let n=-i;n<i;n++)e.push(t,0,n,t,0,n+1,n,0,t,n+1,0,t);return new Yt().setAttribute("position",new en(new Float32Array(e),3))}var yc=class{constructor(e,t){this.three=e,this.level=t,this.plane=new Gt(new Yi(2*Yo,2*Yo).rotateX(-Math.PI/2),new qn({depthWrite:!1})),this.grid=new ps(CS(),new Yn({depthWrite:!1})),[this.plane.renderOrder,this.grid.renderOrder]=[-2,-1],e.fog=new wo(0,300,Yo),e.add(this.plane,this.grid)}recolour(){this.three.fog.color.copy(new et(yt("horizon"))),this.plane.material.color.set(yt("ground")),this.grid.material.color.set(yt("ground-line"))}follow(e){e.y=Math.max(e.y,this.level+.3);let t=Math.max(e.y-this.level,1),n=10**Math.round(Math.log10(.5*t)),s=r=>Math.round(r/n)*n;this.grid.scale.setScalar(n),this.grid.position.set(s(e.x),this.level,s(e.z)),this.plane.position.set(e.x,this.level,e.z),this.three.fog.near=3*t,this.three.fog.far=.45*Lm*n}};var Dm=(i,e)=>{let t=new Vs(new Yt,e);return t.geometry.setAttribute("position",i),t.frustumCulled=!1,t},Mc=class{constructor(e,t){let n=r=>new en(new Float32Array(r*t),3);[this.flown,this.ordered,this.between,this.colours]=[n(3),n(3),n(6),n(3)],this.line=Dm(this.flown,new Yn({vertexColors:!0})),this.line.geometry.setAttribute("color",this.colours),this.path=Dm(this.ordered,new Yn({depthWrite:!1})),this.line.renderOrder=1;let s=new Yt;s.setAttribute("position",this.between),s.setIndex(Array.from({length:t-1},(r,o)=>[2*o,2*o+1,2*o+2,2*o+1,2*o+3,2*o+2]).flat()),this.sheet=new Gt(s,new qn({side:mn,transparent:!0,opacity:.18,depthWrite:!1})),this.sheet.frustumCulled=!1,this.group=e,e.add(this.line,this.path,this.sheet),this.count=0}add(e,t,n){let s=this.count++;e.toArray(this.flown.array,3*s),[e.x,t,e.z].forEach((r,o)=>this.ordered.array[3*s+o]=r),e.toArray(this.between.array,6*s),[e.x,t,e.z].forEach((r,o)=>this.between.array[6*s+3+o]=r),this.shade(s,n)}shade(e,t){new et(t).toArray(this.colours.array,3*e)}changed(){for(let e of[this.flown,this.ordered,this.between,this.colours])e.needsUpdate=!0;this.line.geometry.setDrawRange(0,this.count)}orderedUntil(e){this.path.geometry.setDrawRange(0,e),this.sheet.geometry.setDrawRange(0,6*Math.max(e-1,0))}thin(){let e=[this.flown,this.ordered,this.colours,this.between].map(({array:t})=>[t,t===this.between.array?6:3]);for(let[t,n]of e)for(let s=0;2*s<this.count;s++)t.copyWithin(n*s,2*n*s,2*n*s+n);this.count=Math.ceil(this.count/2)}remove(){this.group.remove(this.line,this.path,this.sheet);for(let{geometry:e}of[this.line,this.path,this.sheet])e.dispose()}order(e){this.path.material.color.set(e),this.sheet.material.color.set(e)}};var RS=40,IS=4e3,PS=25,Sc=class{constructor(e,t){this.canvas=e,this.renderer=new mc({canvas:e,antialias:!0,alpha:!0}),this.renderer.setPixelRatio(Math.min(devicePixelRatio,2)),this.three=new Eo,this.camera=new xn(RS,1,.05,Yo),this.orbit=new _c(e,()=>this.draw()),this.three.add(new Fo(16777215,1.6));let n=new No(16777215,1.8);n.position.set(-3,10,-4),this.three.add(n);let{north_m:s,altitude_m:r,east_m:o}=t[0].columns;this.origin=new H(s[0],r[0],o[0]),this.ground=new yc(this.three,-this.origin.y),this.seen=t.map((a,c)=>this.add(a,t.length>1?`v${c%6}`:"body")),this.follows(0),this.recolour(),new ResizeObserver(()=>this.draw()).observe(e.parentElement)}add({flight:e,columns:t,name:n},s,r=!1){let o=new xc(e,t,s,r),a={craft:o,name:n,tint:s,last:na(t.north_m)};return this.three.add(o.group,o.around),n&&(a.label=this.label(n)),this.track(a),a}label(e){let t=Object.assign(document.createElement("span"),{className:"craft",textContent:e});return this.canvas.parentElement.append(t),t}track(e){let{craft:t,last:n}=e,s=Math.max(1,Math.ceil(n/IS));e.rows=Array.from({length:Math.floor(n/s)+1},(r,o)=>o*s),e.trail=new Mc(this.three,Math.max(e.rows.length,2));for(let r of e.rows)e.trail.add(this.place(t.columns,r),this.ordered(t.columns,r),0)}place(e,t){return new H(e.north_m[t],e.altitude_m[t],e.east_m[t]).sub(this.origin)}ordered({altitude_command_m:e,altitude_m:t},n){return(e??t)[n]-this.origin.y}recolour(){for(let e of this.seen)e.craft.recolour(),this.shade(e),e.trail.order(yt("command")),e.trail.changed(),e.label&&(e.label.style.borderColor=yt(e.tint));this.ground.recolour(),this.draw()}shade({craft:e,tint:t,rows:n,trail:s}){let{time_s:r}=e.columns,o=0,a=Object.fromEntries([...ta,t].map(l=>[l,yt(l)])),{phases:c}=e.flight;n.forEach((l,f)=>{for(;o<c.length-1&&r[l]>c[o].until_s+1e-9;)o+=1;s.shade(f,a[t==="body"?c[o].name:t])})}follows(e){this.one=this.seen[e];for(let t of this.seen)t.trail.sheet.visible=t.trail.path.visible=t===this.one,t.craft.needle.visible=!1}look(e){this.orbit.look(e),this.draw()}show(e){for(let{craft:t,last:n}of this.seen)t.show(Math.min(e,n),this.place(t.columns,Math.min(e,n)));for(let{craft:t}of this.seen)t!==this.one.craft&&(t.needle.visible=!1);this.one.trail.orderedUntil(this.flown(this.one,e)),this.draw()}flown({rows:e},t){return Math.min(Math.floor(t/(e[1]??1))+1,e.length)}draw(){let{clientWidth:e,clientHeight:t}=this.canvas.parentElement;if(!e||!t||!this.one)return;this.renderer.setSize(e,t,!1),this.camera.aspect=e/t;let{craft:n}=this.one,s=Math.max(1,1/this.camera.aspect),[r,o,a]=this.orbit.view==="whole"?this.all():[n.group.position,n.reach,n.heading??0];this.orbit.place(this.camera,r,a,o*s),this.camera.near=.05*this.orbit.distance*o,this.enlarge(this.orbit.distance*o),this.ground.follow(this.camera.position),this.camera.lookAt(r),this.camera.updateProjectionMatrix(),this.renderer.render(this.three,this.camera),this.name(e,t)}enlarge(e){for(let{craft:t}of this.seen)t.group.scale.setScalar(Math.max(1,e/(PS*t.size)))}all(){let[e,t]=[new H(1/0,1/0,1/0),new H(-1/0,-1/0,-1/0)];for(let{trail:s}of this.seen){let r=new H;for(let o=0;o<s.count;o++)r.fromBufferAttribute(s.flown,o),e.min(r),t.max(r)}let n=Math.max(t.distanceTo(e)/1.8,this.one.craft.size);return[e.add(t).multiplyScalar(.5),n,this.one.craft.columns.heading_deg[0]*(Math.PI/180)]}name(e,t){for(let{craft:n,label:s}of this.seen.filter(r=>r.label)){let r=n.group.position.clone().add(new H(0,.3*n.size,0)).project(this.camera);s.hidden=r.z>1,s.style.transform=`translate(${(r.x+1)/2*e}px, ${(1-r.y)/2*t}px)`}}};var LS=[.1,.25,.5,1,2,4,8];function DS(i,e){return new URLSearchParams(location.search).get("webgl")!=="0"&&document.createElement("canvas").getContext("webgl2")?new Sc(i,e):new ya(i,e[0].flight,e[0].columns)}var Um={p_dot:"roll",q_dot:"pitch",r_dot:"yaw",u_dot:"speed"};function US(i,e,t){let n=o=>e[o]?.[t],s=Object.entries(i.actuators).map(([o,{unit:a}])=>{let c=n(`${o}_believed_position`),l=i.beliefs[n(`${o}_belief`)]??"works",h=[n(`${o}_failed`)>0?"flagged":"",l==="works"?"":`believed ${l}${Number.isFinite(c)?` at ${c.toFixed(1)} ${a}`:""}`].filter(Boolean).join(", ");return h&&`${o.replaceAll("_"," ")}: ${h}`}),r=Object.keys(Um).filter(o=>n(`${o}_released`)>0);return r.length&&s.push(`given up: ${r.map(o=>Um[o]).join(", ")}`),s.filter(Boolean).map(o=>`
+${o}`).join("")}function Nm(i,e,t){let n=e.length>1?'<label>follow <select data-do="follow"></select></label>':"";i.innerHTML=`
+    <div class="picture"><canvas role="img" tabindex="0" aria-label="replay of the flight"></canvas><output></output></div>
+    <div class="buttons">
+      <button type="button" data-do="play" title="space">Play</button>
+      <label>speed <select data-do="speed">${LS.map(u=>`<option value="${u}"${u===1?" selected":""}>${u} x</option>`).join("")}</select></label>
+      ${Object.keys(vc).map((u,p)=>`<button type="button" data-view="${u}" title="key ${p+1}">${u}</button>`).join("")}
+      ${n}
+      <input type="range" min="${t.start}" max="${t.end}" step="any" value="${t.now}" aria-label="time">
+    </div>
+    <p class="note">Surfaces and discs are coloured by what they truly do for their command, edges and thrust arrows by the controller's belief; a ghost is where a surface that does not follow is commanded to be.
+    The sheet leads from the trail to the ordered height, the needle to the ordered heading. Drag to turn; wheel, two fingers, + and - zoom. Keys: space plays, arrows step, 1 to 4 choose the view.</p>`;let s=DS(i.querySelector("canvas"),e),r=e[0],o=i.querySelector("[data-do=follow]");o?.append(...e.map(({name:u},p)=>new Option(u,p))),o?.addEventListener("change",()=>{r=e[o.value],s.follows?.(Number(o.value)),t.go(t.now)});let[a,c,l]=["output","[data-do=play]","input"].map(u=>i.querySelector(u)),f=[...i.querySelectorAll("[data-view]")],h=u=>{s.look(u);for(let p of f)p.setAttribute("aria-pressed",p.dataset.view===u)};return f.forEach(u=>u.addEventListener("click",()=>h(u.dataset.view))),c.addEventListener("click",()=>t.play()),l.addEventListener("input",()=>t.go(Number(l.value))),i.querySelector("[data-do=speed]").addEventListener("change",u=>{t.speed=Number(u.target.value)}),document.addEventListener("keydown",u=>{if(u.target.matches("input:not([type=range]), select, textarea")||u.ctrlKey||u.metaKey||u.altKey)return;let p={" ":()=>t.play(),ArrowRight:()=>t.go(t.now+(u.shiftKey?1:.1)),ArrowLeft:()=>t.go(t.now-(u.shiftKey?1:.1)),"+":()=>s.orbit?.zoom(.8),"-":()=>s.orbit?.zoom(1.25)};Object.keys(vc).forEach((_,v)=>p[v+1]=()=>h(_)),!(!p[u.key]||u.key===" "&&u.target.matches("button, summary"))&&(u.preventDefault(),p[u.key]())}),t.listen(()=>{let{flight:u,columns:p}=r,_=Math.min(Qr(p.time_s,t.now),na(p.north_m));s.show(Qr(p.time_s,t.now)),l.value=t.now,l.setAttribute("aria-valuetext",`${t.now.toFixed(2)} s`),c.textContent=t.playing?"Pause":"Play";let{altitude_m:v,airspeed_m_s:m,roll_deg:d}=p;a.textContent=`${t.now.toFixed(2)} s   ${v[_].toFixed(1)} m   ${m[_].toFixed(1)} m/s   bank ${d[_].toFixed(1)} deg${US(u,p,_)}`}),h("chase"),s}var Du={healthy:"healthy",unnoticed:"broken, not noticed",unseen:"held, not noticed",flagged:"noticed",held:"noticed and held",recovered:"recovered",lost:"lost"};function Fm(i,e,t,n=e.phases[e.phases.length-1].until_s){let s=n-t.start||1,r=p=>`${100*(p-t.start)/s}%`,o=document.createElement("div");o.className="bar";for(let{name:p,from_s:_,until_s:v}of e.phases){let m=document.createElement("button");m.type="button",m.className=`phase ${p}`,m.dataset.phase=p,m.style.left=r(_),m.style.width=`${100*(v-_)/s}%`;let d=document.createElement("span");d.textContent=Du[p],m.append(d),m.title=`${Du[p]}: ${_.toFixed(2)} to ${v.toFixed(2)} s`,m.addEventListener("click",()=>{let E=Math.max(.15*(v-_),.5);t.show(_-E,v+E),t.go(_)}),o.append(m)}for(let p of e.events){let _=document.createElement("i");_.className=`mark ${p.kind}`,_.style.left=r(p.time_s),o.append(_)}let a=document.createElement("i");a.className="hand",o.append(a);let c=document.createElement("p");c.className="times";for(let p of[t.start,...e.failures_s.slice(0,3),t.start+s]){let _=document.createElement("span");_.textContent=`${+p.toFixed(1)} s`,_.style.left=r(p),c.append(_)}let l=document.createElement("p");l.className="legend";for(let p of ta.filter(_=>e.phases.some(v=>v.name===_)))l.insertAdjacentHTML("beforeend",`<span><i class="phase ${p}"></i>${Du[p]}</span>`);l.insertAdjacentHTML("beforeend","<span>strokes: events, listed below</span>");let f=document.createElement("p");f.className="buttons";let h=(p,_)=>{let v=document.createElement("button");v.type="button",v.textContent=p,v.addEventListener("click",_),f.append(v)};e.failures_s.length&&h("Zoom to failure",()=>{let p=e.failures_s[e.failures_s.length-1];t.show(p-1,p+5),t.go(p)}),h("Whole flight",()=>t.show(t.start,t.end)),i.append(o,c,l,f);let u=()=>o.querySelectorAll(".phase").forEach(p=>p.classList.toggle("narrow",p.clientWidth<p.firstChild.offsetWidth+12));new ResizeObserver(()=>{u(),NS(c)}).observe(o),t.listen(()=>{a.style.left=r(t.now)}),t.go(e.failures_s[0]??t.start)}function NS(i){let e=[...i.children];e.forEach(n=>n.style.visibility="");let t=[e[0],e[e.length-1]];for(let n of e.slice(1,-1))t.every(s=>FS(n.getBoundingClientRect(),s.getBoundingClientRect()))?t.push(n):n.style.visibility="hidden"}var FS=(i,e)=>i.right+4<e.left||e.right+4<i.left;function OS(){let i=performance.now(),e=JSON.parse(document.getElementById("comparison").textContent),t=cf(e.data,document.getElementById("columns").textContent),n=new ea(t.time_s[0],t.time_s[t.time_s.length-1]);document.body.classList.add("scripted");let s=new xa(t,n);for(let c of e.panels){let l=document.getElementById(`panels-${c.name}`);for(let f of c.panels)s.add(l,f)}let r=document.getElementById("timelines"),o=Math.max(...e.flights.map(({phases:c})=>c[c.length-1].until_s));e.flights.forEach((c,l)=>{let f=document.createElement("div");f.className="flight-bar",f.append(Object.assign(document.createElement("p"),{className:"note",textContent:c.name})),r.append(f),Fm(f,{...c,events:[]},n,o),l<e.flights.length-1&&f.querySelector(".buttons").remove()}),zS(r);let a=Nm(document.getElementById("replay"),e.flights.map((c,l)=>({flight:c,name:c.name,columns:BS(t,l)})),n);n.go(n.now),ju(()=>{a.recolour(),s.redraw()}),requestAnimationFrame(()=>{window.comparison={comparison:e,columns:t,clock:n,panels:s,scene:a,drawn_ms:performance.now()-i},document.body.dataset.drawn="yes"})}function BS(i,e){let t=Object.entries(i).filter(([n])=>n.startsWith(`${e}:`));return{time_s:i.time_s,...Object.fromEntries(t.map(([n,s])=>[n.slice(2),s]))}}function zS(i){let e=[...i.querySelectorAll(".legend")],t=e.pop(),n=()=>[...t.children].map(s=>s.textContent);for(let s of e){for(let r of[...s.children])n().includes(r.textContent)||t.append(r);s.remove()}}OS();})();

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from testbed.common.angles import wrap_deg
+from testbed.flight.breakage import failures_of
 from testbed.flight.flight import Flight
+from testbed.reporting.words import broke, joined, setting
 from testbed.scenario.load import Scenario
 
 if TYPE_CHECKING:
@@ -19,6 +21,7 @@ FLOWN = (
     "p_deg_s", "q_deg_s", "r_deg_s",
 )  # fmt: skip
 """Columns of how the aircraft truly moves."""
+_MOST_NAMED = 2  # failures in the name of a flight
 _SAME_TIME = 1e-6  # rows of two logs belong together if their times differ by no more [s]
 
 
@@ -44,10 +47,12 @@ class FirstDifference(NamedTuple):
 class Compared:
     """Flights side by side, each with a name. The first is the one that the others are compared with."""
 
-    def __init__(self, flights: Sequence[Flight], names: Sequence[str] | None = None) -> None:
-        """Without `names` each flight gets one that says what is different about it."""
+    def __init__(
+        self, flights: Sequence[Flight], names: Sequence[str] | None = None, folders: Sequence[str] = ()
+    ) -> None:
+        """Without `names` each flight is named by what is different about it, else by its folder if those are given."""
         self.flights = tuple(flights)
-        self.names = names_of(self.flights) if names is None else list(names)
+        self.names = names_of(self.flights, folders) if names is None else list(names)
 
     @property
     def settings(self) -> list[Setting]:
@@ -68,23 +73,41 @@ class Compared:
         return pd.DataFrame({name: dict(flight.metrics) for name, flight in named})
 
 
-def names_of(flights: Sequence[Flight]) -> list[str]:
-    """A name for each flight that no other has: its controller, its scenario, what is set otherwise, or a number."""
+def names_of(flights: Sequence[Flight], folders: Sequence[str] = ()) -> list[str]:
+    """A name for each flight that no other has, by what differs: controller, scenario, failures; else its folder, or a number."""
+    controllers, broken, when = (
+        [of(flight) for flight in flights]
+        for of in (lambda flight: flight.controller, _broken, lambda flight: _broken(flight, True))
+    )
     for named in (
-        [flight.controller for flight in flights],
+        controllers,
         [flight.scenario.name for flight in flights],
+        broken,
+        when,
+        [f"{by}: {what}" for by, what in zip(controllers, broken, strict=True)],
         _by_settings(flights),
+        list(folders),
     ):
         if len(set(named)) == len(flights):
             return named
     return [f"flight {i + 1}" for i in range(len(flights))]
 
 
+def _broken(flight: Flight, timed: bool = False) -> str:
+    """What broke in a flight, in words, and when if asked for."""
+    said = [
+        broke(flight, each.number).removeprefix("the ") + (f" at {each.from_s:g} s" if timed else "")
+        for each in failures_of(flight.events)
+    ]
+    more = f", and {len(said) - _MOST_NAMED} more" if len(said) > _MOST_NAMED else ""
+    return (joined(said[:_MOST_NAMED]) + more) if said else "nothing broken"
+
+
 def _by_settings(flights: Sequence[Flight]) -> list[str]:
     differing = [s for s in settings(flights) if s.path != "name"]
     if not 1 <= len(differing) <= 2:
         return [""] * len(flights)
-    return [", ".join(f"{s.path} {s.values[i]}" for s in differing) for i in range(len(flights))]
+    return [", ".join(f"{setting(s.path)} {s.values[i]}" for s in differing) for i in range(len(flights))]
 
 
 def settings(flights: Sequence[Flight]) -> list[Setting]:

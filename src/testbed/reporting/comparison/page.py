@@ -7,16 +7,16 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from testbed.flight.breakage import failure_times_s
 from testbed.reporting import html
 from testbed.reporting.comparison.differences import Compared
 from testbed.reporting.comparison.panels import columns_of, groups
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.numbers import rounded
 from testbed.reporting.page.columns import packed
-from testbed.reporting.page.phases import of_flight
+from testbed.reporting.page.drawn import drawn
 from testbed.reporting.page.sections import definition
 from testbed.reporting.story import story
+from testbed.reporting.words import VERDICTS, setting
 
 _MOST_COLUMNS = 4  # named where logs differ first
 
@@ -38,7 +38,7 @@ def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]]) -> Ite
     yield html.opening(title, sentences(comparison))
     panels = [
         tag("h2", "The flights"),
-        tag("div", id="timelines"),
+        [tag("div", id=place) for place in ("timelines", "replay")],
         html.legend(comparison.names),
         *map(html.panels, shown),
     ]
@@ -52,11 +52,7 @@ def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]]) -> Ite
 
 def _flights(comparison: Compared) -> Iterator[dict[str, Any]]:
     for name, flight in zip(comparison.names, comparison.flights, strict=True):
-        yield {
-            "name": name,
-            "phases": of_flight(flight),
-            "failures_s": failure_times_s(flight.events),
-        }
+        yield {"name": name, **drawn(flight, flight.signals)}
 
 
 def sentences(comparison: Compared) -> list[str]:
@@ -83,16 +79,15 @@ def sentences(comparison: Compared) -> list[str]:
 
 def _paths(comparison: Compared) -> list[str]:
     """The settings that differ; those of controllers of another type are not named one by one."""
-    paths = [setting.path for setting in comparison.settings]
+    paths = [each.path for each in comparison.settings]
     if "controller.type" not in paths:
-        return paths
+        return list(map(setting, paths))
     others = [path for path in paths if not path.startswith("controller.")]
-    return ["controller.type and what belongs to it", *others]
+    return ["the controller and what belongs to it", *map(setting, others)]
 
 
 def _ended(i: int, comparison: Compared) -> str:
     flight = comparison.flights[i]
-    met = sum(bool(r["passed"]) for r in flight.requirements)
     worst = ", ".join(
         f"{flight.metrics[name]:.3g} {unit}"
         for name, unit in (
@@ -102,9 +97,8 @@ def _ended(i: int, comparison: Compared) -> str:
         if name in flight.metrics and math.isfinite(flight.metrics[name])
     )
     errors = f"; at worst {worst}" if worst else ""
-    verdict = "passed" if flight.passed else "not passed"
-    requirements = f"; {met} of {len(flight.requirements)} requirements met" if flight.requirements else ""
-    return f"{comparison.names[i]}: {verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
+    requirements = f"; {flight.counted}" if flight.requirements else ""
+    return f"{comparison.names[i]}: {flight.verdict}. It {flight.outcome.sentence} ({flight.end_time_s:g} s){errors}{requirements}."
 
 
 def summary(comparison: Compared) -> Html:
@@ -125,10 +119,12 @@ def _requirements(comparison: Compared) -> Iterator[Html]:
     for name in dict.fromkeys(name for one in verdicts for name in one):
         found = [one.get(name) for one in verdicts]
         cells = [
-            "" if r is None else f"{'met' if r['passed'] else 'NOT MET'} ({rounded(r['value'])})"
+            ""
+            if r is None
+            else VERDICTS[r["passed"]] + ("" if r["passed"] is None else f" ({rounded(r['value'])})")
             for r in found
         ]
-        missed = any(r is not None and not r["passed"] for r in found)
+        missed = any(r is not None and r["passed"] is False for r in found)
         rows.append((not missed, html.row([name, *cells], "missed" if missed else "")))
     if rows:
         yield tag("h2", "Requirements")
@@ -153,8 +149,8 @@ def _metrics(comparison: Compared) -> Iterator[Html]:
 
 def _settings(comparison: Compared) -> Iterator[Html]:
     rows = [
-        html.row([setting.path, *("-" if value is None else str(value) for value in setting.values)])
-        for setting in comparison.settings
+        html.row([setting(each.path), *("-" if value is None else str(value) for value in each.values)])
+        for each in comparison.settings
     ]
     if rows:
         yield html.folded("Settings that differ", html.table(["setting", *comparison.names], rows))

@@ -50,7 +50,7 @@ def columns_of(flights: Sequence[Flight]) -> dict[str, np.ndarray]:
 def groups(comparison: Compared, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group, as `web/src/panels.js` draws them."""
     flights, names = comparison.flights, comparison.names
-    failures = sorted({t for flight in flights for t in failure_times_s(flight.events)})
+    failures = list(_failures(comparison))
     made = [
         ("errors", "Errors against the references", False, _all_panels(flights, errors)),
         ("differences", f"Differences from {names[0]}", False, list(_differences())),
@@ -64,12 +64,28 @@ def groups(comparison: Compared, log: Mapping[str, np.ndarray]) -> list[dict[str
     return drawn
 
 
+def _failures(comparison: Compared) -> Iterator[dict[str, Any]]:
+    """{time_s, style} of each failure: of all flights, or in the colour of the one that it belongs to."""
+    times = [failure_times_s(flight.events) for flight in comparison.flights]
+    for time in sorted({time for each in times for time in each}):
+        having = [i for i, each in enumerate(times) if time in each]
+        every = len(having) == len(times)
+        yield from (
+            {"time_s": time, "style": style}
+            for style in (["failure"] if every else [f"v{i % _STYLES}" for i in having])
+        )
+
+
 def _all_panels(flights: Sequence[Flight], make: Callable[[Flight], Iterator[Panel]]) -> list[Panel]:
-    """The panels that any of the flights has, each with all the series that it has in one of them."""
+    """The panels that any of the flights has, each with all the series that it has in one of them.
+
+    Levels, such as the limits of an actuator, are drawn where they are those of all the flights.
+    """
     known: dict[str, Panel] = {}
     for panel in (panel for flight in flights for panel in make(flight)):
         before = known.setdefault(panel.title, panel)
-        known[panel.title] = max(before, panel, key=lambda each: len(each.series))
+        levels = panel.levels if panel.levels == before.levels else None
+        known[panel.title] = replace(max(before, panel, key=lambda each: len(each.series)), levels=levels)
     return list(known.values())
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable
 from typing import BinaryIO
@@ -30,7 +31,7 @@ def write(flight: Flight, stream: BinaryIO, _: Origin) -> None:
             "controller": flight.controller,
             "outcome": str(flight.outcome),
             "end_time_s": float(flight.end_time_s),
-            "passed": bool(flight.passed),
+            "passed": math.nan if flight.passed is None else flight.passed,
             "metrics": {name: float(value) for name, value in flight.metrics.items()},
         },
         "events": _events(flight),

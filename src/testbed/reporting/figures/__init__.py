@@ -65,7 +65,7 @@ def _shown(flight: Flight) -> Shown:
     end_s = max(flight.end_time_s, 1e-3)
     return Shown(
         f"{flight.scenario.name} — {flight.controller}",
-        f"{flight.outcome.sentence}, {flight.end_time_s:g} s; {'passed' if flight.passed else 'not passed'}",
+        f"{flight.outcome.sentence}, {flight.end_time_s:g} s; {flight.verdict}",
         end_s, shown_log(flight), marks(flight.events, flight), zoom_span(flight.events, end_s),
         flight.scenario.requirements,
     )  # fmt: skip

@@ -13,7 +13,7 @@ from testbed.flight.flight import Flight
 from testbed.reporting.panels import GROUPS, Panel, Series, error_of, reference_of
 from testbed.scenario.requirement import Requirement
 
-SHOWN = ("errors", "effectiveness", "actuators", "attitude", "rates")
+SHOWN = ("errors", "effectiveness", "actuators", "own", "attitude", "rates")
 """The groups of `reporting.panels` on the page of a flight."""
 _NOTES = 2  # of a panel that its title has, the last ones
 _STYLES = {"position": "truth", "reference": "command"}

@@ -15,7 +15,7 @@ from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import rounded
 from testbed.reporting.page.unmet import unmet
 from testbed.reporting.story import diagnoses, story
-from testbed.reporting.words import describe, kind_of
+from testbed.reporting.words import DIGITS, VERDICTS, describe, kind_of
 from testbed.scenario.load import dump
 
 _THEMES = {
@@ -25,6 +25,7 @@ _THEMES = {
     "effort": "Effort of the actuators",
 }
 """Titles of the metrics' modules."""
+_CLASSES = {True: "met", False: "missed", None: ""}
 AGAIN = Html("""<p>Run this in the folder of this report.
 With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
 <pre>python -m testbed run scenario.yaml --out again</pre>""")
@@ -32,8 +33,8 @@ With the same versions of testbed and JSBSim the log is the same to the last dig
 
 def head(flight: Flight) -> Iterator[Html]:
     """Title, chips, verdict, story, what the controller said, and warnings."""
-    said, met = diagnoses(flight), "met" if flight.passed else "missed"
-    sentence = tag("p", verdict(flight), class_=f"verdict {met}")
+    said = diagnoses(flight)
+    sentence = tag("p", verdict(flight), class_=f"verdict {_CLASSES[flight.passed]}".rstrip())
     yield html.opening(flight.scenario.name, story(flight), facts(flight), sentence)
     if said:
         yield html.folded(said[0], html.listed(said[1:])) if said[1:] else tag("p", said[0])
@@ -43,11 +44,10 @@ def head(flight: Flight) -> Iterator[Html]:
 
 def verdict(flight: Flight) -> Html:
     """Whether it passed, how it ended, how many requirements are met, and which are not."""
-    total, met = len(flight.requirements), sum(bool(r["passed"]) for r in flight.requirements)
-    counted = f"{met} of {total} requirements met." if total else "the scenario has no requirements."
-    word = tag("strong", "Passed." if flight.passed else "Not passed.")
+    counted = flight.counted if flight.requirements else "the scenario has no requirements"
+    word = tag("strong", f"{flight.verdict.capitalize()}.")
     return html.joined(
-        [word, f" It {flight.outcome.sentence} ({flight.end_time_s:g} s); {counted}", unmet(flight)]
+        [word, f" It {flight.outcome.sentence} ({flight.end_time_s:g} s); {counted}.", unmet(flight)]
     )
 
 
@@ -56,9 +56,11 @@ def facts(flight: Flight) -> dict[str, str]:
     scenario = flight.scenario
     air = scenario.atmosphere
     w20 = air.turbulence_w20_m_s
+    code = {"its code": flight.flown_by_sha256[:DIGITS]} if flight.flown_by_sha256 else {}
     return {
         "aircraft": str(scenario.aircraft),
         "controller": flight.controller,
+        **code,
         "air": "calm" if air.is_calm else f"turbulence, W20 {w20:.3g} m/s" if w20 else "wind",
         "sensors": "ideal" if scenario.sensors.is_ideal else "with errors",
         "seed": str(scenario.seed),
@@ -67,8 +69,8 @@ def facts(flight: Flight) -> dict[str, str]:
 
 
 def in_order(flight: Flight) -> list[Mapping[str, Any]]:
-    """The verdicts on its requirements, missed ones first."""
-    return sorted(flight.requirements, key=lambda r: bool(r["passed"]))
+    """The verdicts on its requirements: missed ones first, then those not judged."""
+    return sorted(flight.requirements, key=lambda r: list(VERDICTS).index(r["passed"]))
 
 
 def requirements(flight: Flight) -> Iterator[Html]:
@@ -80,7 +82,7 @@ def requirements(flight: Flight) -> Iterator[Html]:
         "Robustness: the distance from the limit in units of its scale, negative where it is not met."
     )
     columns: dict[str, Callable[[Mapping[str, Any]], html.Cell]] = {
-        "verdict": lambda r: "met" if r["passed"] else "NOT MET",
+        "verdict": lambda r: VERDICTS[r["passed"]],
         "requirement": lambda r: r["name"],
         "value": lambda r: rounded(r["value"]),
         "share of the limit": _bar,
@@ -88,7 +90,7 @@ def requirements(flight: Flight) -> Iterator[Html]:
         "remark": lambda r: r.get("reason", ""),
     }
     yield tag("h2", "Requirements", id="requirements")
-    yield html.listing(in_order(flight), columns, caption, lambda r: "met" if r["passed"] else "missed")
+    yield html.listing(in_order(flight), columns, caption, lambda r: _CLASSES[r["passed"]])
 
 
 def _bar(requirement: Mapping[str, Any]) -> str:

@@ -30,7 +30,7 @@ def _links(flight: Flight) -> Iterator[Html]:
     judged = flight.requirements
     asked = [*flight.scenario.requirements, *[None] * len(judged)]  # another version may have judged others
     for requirement, verdict in zip(asked, judged, strict=False):
-        if not verdict["passed"]:
+        if verdict["passed"] is False:
             time_s = moment_s(requirement, flight.signals)
             at = "" if time_s is None else f", worst at {time_s:.1f} s"
             name = verdict["name"]

@@ -52,6 +52,7 @@ class Benchmark(Plan):
     Attributes:
         said: the tree of the suite's file.
         file: by which the suite was given.
+        law: SHA-256 of the code of the shipped controllers; empty where a folder does not say with which it was flown.
         word: from which the seed was made; empty where it was given.
         entry: the file of the entry that is to be written.
     """
@@ -59,6 +60,7 @@ class Benchmark(Plan):
     suite: Suite
     said: Mapping[str, Any]
     file: str
+    law: str
     word: str = ""
     entry: Path | None = None
     _draws: dict[int, tuple[Drawn, int]] = field(default_factory=dict, compare=False, repr=False)
@@ -132,6 +134,7 @@ class Benchmark(Plan):
             "file": self.file,
             **word,
             "seed": self.study.seed,
+            **({"law_sha256": self.law} if self.law else {}),
             "draws": self.runs,
             "controllers": {variant.label: self._said(variant) for variant in self.variants},
             "suite": dict(self.said),
@@ -151,6 +154,7 @@ def benchmark_of(
     draws: int,
     seed: int,
     file: str,
+    law: str,
     word: str = "",
     entry: Path | None = None,
 ) -> Benchmark:
@@ -158,7 +162,7 @@ def benchmark_of(
 
     Args:
         said: the tree of the suite's file.
-        file, word, entry: as of `Benchmark`.
+        file, law, word, entry: as of `Benchmark`.
     """
     own = {name: each for name, each in compared.items() if isinstance(each, OwnController)}
     variants = tuple(
@@ -175,6 +179,7 @@ def benchmark_of(
         suite=suite,
         said=said,
         file=file,
+        law=law,
         word=word,
         entry=entry,
     )

@@ -15,9 +15,9 @@ import numpy as np
 import pandas as pd
 
 from testbed.common.files import plain
-from testbed.common.statistics import mean, paired, proportion
+from testbed.common.statistics import mean, paired, proportion, rate
 from testbed.flight.flight import Outcome
-from testbed.studies.benchmark.law import law_sha256
+from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.benchmark.plan import Benchmark
 from testbed.studies.folder.histories import CHANNELS, SHAPE
 from testbed.studies.folder.store import Store
@@ -33,17 +33,27 @@ _METRICS = (
 )  # fmt: skip
 _WORST = 5
 """Draws of each controller that are named as lost."""
+_RESAMPLES = 2000
+"""Resamples of the draws from which the interval of a rank is."""
 Summary = dict[str, Any]
 
 
 def table(plan: Benchmark, store: Store) -> pd.DataFrame:
-    """A row for each flight, in the order of draws and controllers; draws that not every controller has flown are left out."""
+    """A row for each flight, in the order of draws and controllers; draws that not every controller has flown are left out.
+
+    Raises BadInput where a flight was of another draw than the suite has now, as of another version of the program.
+    """
     rows = []
     for number in range(plan.runs):
         keys = [key_of(number * len(plan.variants) + j) for j in range(len(plan.variants))]
         if all(key in store for key in keys):
-            limits = [each["at_most"] for each in plan.task(number * len(keys)).values["requirements"]]
-            rows += [_row(plan, store.record(key), store.history(key), limits) for key in keys]
+            values = plan.task(number * len(keys)).values
+            limits = [each["at_most"] for each in values["requirements"]]
+            records = [store.record(key) for key in keys]
+            if any(record.values != plain(values) for record in records):
+                raise BadInput([Problem(f"draw {number} was drawn otherwise than this version does")])
+            flown = zip(records, map(store.history, keys), strict=True)
+            rows += [_row(plan, record, history, limits) for record, history in flown]
     return pd.DataFrame(rows)
 
 
@@ -54,7 +64,7 @@ def _row(plan: Benchmark, record: Record, history: bytes, limits: Sequence[float
         **{factor: plan.groups(record.run)[factor] for factor in FACTORS},
         "outcome": record.outcome,
         "survived": record.outcome == Outcome.completed,
-        "held": record.passed,
+        "held": bool(record.passed),
         "inside": _inside(history, limits),
         "end_time_s": record.end_time_s,
         **{name: record.metrics.get(name, math.nan) for name in _METRICS},
@@ -84,12 +94,13 @@ def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
             "suite": plan.suite.suite,
             "version": plan.suite.version,
             "suite_sha256": plan.digest,
-            "law_sha256": law_sha256(),
+            "law_sha256": plan.law,
             "draws": len(wide["held"]),
             "reference": plan.labels[0],
             "order": [*plan.labels, BOUND],
             "told": [name for name in plan.suite.told if name in plan.labels],
             "scores": {name: _score(plan, frame, wide, name) for name in [*plan.labels, BOUND]},
+            "halves": _halves(plan, wide),
             "by": {factor: _by(frame, wide["held"], factor) for factor in FACTORS},
             "lost": {name: list(_lost(plan, frame, wide, name)) for name in plan.labels},
         }
@@ -101,11 +112,9 @@ def _score(plan: Benchmark, frame: pd.DataFrame, wide: Mapping[str, pd.DataFrame
     """The shares and means of one controller, and its differences from the reference."""
     first = plan.labels[0]
     survived, held, inside = (wide[each][name] for each in ("survived", "held", "inside"))
-    half = len(held) // 2
     score = {
         "survived": _share(survived),
         "held": _share(held),
-        "held_in_each_half": [_share(held[:half]), _share(held[half:])],
         "inside": _mean(inside),
         "short_of_bound": _mean(wide["inside"][BOUND] - inside),
         "against_reference": {
@@ -117,16 +126,50 @@ def _score(plan: Benchmark, frame: pd.DataFrame, wide: Mapping[str, pd.DataFrame
     return score if name == BOUND else score | _noticed(frame[frame["controller"] == name])
 
 
+def _halves(plan: Benchmark, wide: Mapping[str, pd.DataFrame]) -> list[Summary]:
+    """The scores and the rank by *inside* in the first and in the second half of the draws, of who is told nothing."""
+    names = [name for name in plan.labels if name not in plan.suite.told]
+    held, inside = (wide[name][names] for name in ("held", "inside"))
+    half = len(held) // 2
+    found = []
+    for part in (slice(half), slice(half, None)) if half else ():
+        ranks = _ranks(inside[part].to_numpy())
+        found.append({
+            name: {"held": _share(held[name][part]), "inside": _mean(inside[name][part]), "rank": rank}
+            for name, rank in zip(names, ranks, strict=True)
+        })  # fmt: skip
+    return found
+
+
+def _ranks(inside: np.ndarray) -> list[Summary]:
+    """The rank of each column [draws, n] by its mean, 1 the largest, with the interval of 95 % of the bootstrap of the rows."""
+    draws = len(inside)
+    counts = np.random.default_rng(draws).multinomial(draws, [1.0 / draws] * draws, size=_RESAMPLES)
+    low, high = np.quantile(_places(counts @ inside), [0.025, 0.975], axis=0)
+    known = zip(_places(inside.sum(axis=0)), low, high, strict=True)
+    return [{"estimate": int(a), "low": float(b), "high": float(c)} for a, b, c in known]
+
+
+def _places(sums: np.ndarray) -> np.ndarray:
+    """The place of each along the last axis, 1 the largest; of equal ones the first comes first."""
+    return np.argsort(np.argsort(-sums, axis=-1, kind="stable"), axis=-1) + 1
+
+
 def _noticed(rows: pd.DataFrame) -> Summary:
     """What was flagged, how soon, and what control cost, of the flights of one controller."""
     healthy, broken = (rows[(rows["failures"] == "none") == flag] for flag in (True, False))
+    hours = float(healthy["end_time_s"].sum() / 3600.0)
+    flags = bool(rows["false_alarms"].notna().any())
+    broken = broken if flags else broken[:0]  # one that says nothing of failures is not judged by them
+    alarms = int(healthy["false_alarms"].sum()) if flags else None
     return {
         "noticed": _share(broken["detection_delay_s"].notna()),
         "missed": _share(broken["missed_detections"] > 0),
         "named_wrongly": _share(broken["false_alarms"] > 0),
         "delay_s": {f"p{100 * q:g}": rows["detection_delay_s"].quantile(q) for q in (0.5, 0.9)},
-        "healthy_hours": float(healthy["end_time_s"].sum() / 3600.0),
-        "healthy_false_alarms": int(healthy["false_alarms"].sum()),
+        "healthy_hours": hours,
+        "healthy_false_alarms": alarms,
+        "healthy_false_alarms_per_h": None if alarms is None else rate(alarms, hours).plain,
         "effort_per_s": rows["control_effort_per_s"].median(),
         "saturated_s": rows["saturated_time_s"].mean(),
         "without_result": rows[rows["outcome"].isin(NO_RESULT)]["reason"].value_counts().to_dict(),

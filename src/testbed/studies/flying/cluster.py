@@ -38,6 +38,8 @@ _TRIES = 5
 """How often a flight is sent at most if its Dask workers die."""
 _OWN = "own controllers"
 """Folder of the users' controllers among the unpacked files, with a folder for each."""
+_PARTS = "own parts"
+"""The same of the users' parts."""
 
 
 def pack(job: Job) -> bytes:
@@ -48,30 +50,38 @@ def pack(job: Job) -> bytes:
     contents = {
         str(Path(_OWN, name, file)): code for name, own in job.builder.own.items() for file, code in own.code
     }
+    contents |= {
+        str(Path(_PARTS, parts.name, file)): code for parts in job.parts for file, code in parts.code
+    }
     contents |= {str(file.relative_to(folder.parent)): file.read_bytes() for file in files}
     return zlib.compress(pickle.dumps((job, folder.name, contents)))
 
 
-def refuse_dead(address: str) -> None:
-    """Raise BadInput when no Dask cluster answers at an address; before anything is written, and within _ANSWER_S."""
+def refuse_dead(address: str, within_s: float | None = None) -> None:
+    """Raise BadInput when no Dask cluster answers at an address; before anything is written.
+
+    Args:
+        within_s: how long to wait for an answer [s], as for a cluster that starts; by default _ANSWER_S.
+    """
+    wait_s = _ANSWER_S if within_s is None else within_s
     try:
         from distributed import rpc
     except ImportError:
         raise BadInput([_NO_DASK]) from None
 
     async def answer() -> None:
-        async with rpc(address, timeout=_ANSWER_S) as scheduler:
-            await asyncio.wait_for(scheduler.identity(), _ANSWER_S)
+        async with rpc(address, timeout=wait_s) as scheduler:
+            await asyncio.wait_for(scheduler.identity(), wait_s)
 
     try:
         with ThreadPoolExecutor(1) as beside:  # a notebook has a loop of its own in this thread
             beside.submit(asyncio.run, answer()).result()
     except (OSError, ValueError) as error:
-        raise _dead(address, error) from None
+        raise _dead(address, error, wait_s) from None
 
 
-def _dead(address: str, error: Exception) -> BadInput:
-    what = f"no cluster answers at {address}: {str(error) or f'no answer within {_ANSWER_S} s'}"
+def _dead(address: str, error: Exception, wait_s: float) -> BadInput:
+    what = f"no cluster answers at {address}: {str(error) or f'no answer within {wait_s:g} s'}"
     expected = "the address that `dask scheduler` prints, as tcp://host:8786"
     return BadInput([Problem(what, "--cluster", expected=expected)])
 
@@ -94,7 +104,7 @@ class Connection:
             self._client = Client(address, timeout=_ANSWER_S, set_as_default=False)
         except (OSError, ValueError) as error:
             self._quiet.close()
-            raise _dead(address, error) from None
+            raise _dead(address, error, _ANSWER_S) from None
 
     def room(self) -> int:
         """How many flights to send before the first has returned."""
@@ -158,4 +168,5 @@ def _children(packed: bytes) -> tuple[Children, tempfile.TemporaryDirectory[str]
         write(Path(folder.name, file), content, within=Path(folder.name))
     own = {name: each.unpacked(Path(folder.name, _OWN, name)) for name, each in job.builder.own.items()}
     builder = job.builder.with_aircraft(str(Path(folder.name, name))).with_own(own)
-    return Children(replace(job, builder=builder, search_path=())), folder
+    parts = tuple(each.sent(Path(folder.name, _PARTS, each.name)) for each in job.parts)
+    return Children(replace(job, builder=builder, parts=parts, search_path=())), folder

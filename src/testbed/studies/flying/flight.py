@@ -12,6 +12,7 @@ from typing import Any
 
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
+from testbed.parts import Parts, in_use
 from testbed.scenario.load import Scenario
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.folder import logs
@@ -34,6 +35,7 @@ class Job:
     """Function that flies, as `module:name`."""
     save_logs: str = "failed"
     time_limit_s: float = 300.0
+    parts: tuple[Parts, ...] = field(default_factory=in_use)
     search_path: tuple[str, ...] = field(default_factory=lambda: tuple(sys.path))
 
 
@@ -84,16 +86,15 @@ def _flown(job: Job, task: Task, flight: Flight) -> Flown:
         task.seed,
         dict(task.values),
         str(flight.outcome),
-        bool(flight.passed),
+        flight.passed,
         end_time_s=float(flight.end_time_s),
         robustness=float(flight.robustness),
         metrics={name: float(value) for name, value in flight.metrics.items()},
         requirements=tuple(
-            (bool(r["passed"]), _number(r["value"]), _number(r.get("robustness")))
-            for r in flight.requirements
+            (r["passed"], _number(r["value"]), _number(r.get("robustness"))) for r in flight.requirements
         ),
     )
-    wanted = job.save_logs == "all" or (job.save_logs == "failed" and not flight.passed)
+    wanted = job.save_logs == "all" or (job.save_logs == "failed" and flight.passed is False)
     return Flown(record, history(flight), logs.encode(flight) if wanted else b"")
 
 

@@ -21,6 +21,7 @@ from typing import IO
 
 from testbed.common.child import command, end_with_parent, environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
+from testbed.parts import take
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job, fly_task, not_flown
 from testbed.studies.record import Flown
@@ -203,6 +204,7 @@ def main(pipe: int, lifeline: int) -> None:
     parent = Connection(pipe)
     job: Job = pickle.loads(parent.recv_bytes())
     sys.path += [entry for entry in job.search_path if entry not in sys.path]
+    take(job.parts)
     parent.send(True)
     with contextlib.suppress(EOFError, OSError):  # the parent is gone
         while True:

@@ -26,6 +26,7 @@ from testbed.inputs.input_file import read_text
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import refuse_links
 from testbed.inputs.yaml_source import Source, describe
+from testbed.parts import digests
 from testbed.studies.drawing.cases import LARGEST_TABLE
 from testbed.studies.folder import store
 from testbed.studies.plan import Plan
@@ -104,6 +105,7 @@ def begun_with(plan: Plan, fly: str) -> dict[str, Any]:
         "versions": {name: _version(name) for name in _VERSIONS},
         "arithmetic": dict(arithmetic()),
         "controllers_sha256": {name: own.digest for name, own in plan.builder.own.items()},
+        "parts_sha256": digests(),
     }
 
 
@@ -198,10 +200,32 @@ def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]
     for name, digest in now["controllers_sha256"].items():
         if digests.get(name) != digest:
             yield f"other code of {name}, which has changed since"
+    yield from _other_parts(before, now.get("parts_sha256", {}))
     for name, version in now["versions"].items():
         if (old := versions.get(name)) != version:
             yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
     yield from differences(before.get("arithmetic"), now["arithmetic"])
+
+
+def refuse_other_parts(folder: Path) -> None:
+    """Raise BadInput unless the parts of the user's own that are used now are those with which a folder's study was begun."""
+    with store.reading(folder) as stored:
+        differences = list(_other_parts(stored.inputs, digests()))
+    if differences:
+        raise BadInput([Problem(f"was begun with {what}", str(folder)) for what in differences])
+
+
+def _other_parts(inputs: Mapping[str, Any], now: Mapping[str, str]) -> Iterator[str]:
+    """What differs in the parts of the user's own; a folder of an earlier version was begun with none."""
+    said = inputs.get("parts_sha256")
+    before = said if isinstance(said, dict) else {}
+    for name in sorted({*before, *now}):
+        if name not in before:
+            yield f"no parts {name}, which are used now"
+        elif name not in now:
+            yield f"the parts {name}, which --with has to give"
+        elif before[name] != now[name]:
+            yield f"other code of {name}, which has changed since"
 
 
 def _version(name: str) -> str:

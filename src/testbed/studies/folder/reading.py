@@ -17,6 +17,7 @@ from testbed.studies.folder import store, table
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record, key_of
+from testbed.studies.verdicts import counted
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -67,7 +68,8 @@ def _wrong(plan: Plan, frame: pd.DataFrame) -> str:
         return f"has {len(frame)} rows for {plan.size} flights"
     if len(frame) and not (run.dtype == "int64" and run.between(0, plan.runs - 1).all()):
         return f"has runs other than 0 to {plan.runs - 1}"
-    if len(frame) and frame["passed"].dtype != bool:
+    passed = frame["passed"].dropna()  # a flight of which nothing can be judged has none
+    if not passed.map(lambda value: isinstance(value, bool)).all():
         return "does not say of each flight whether it passed"
     return ""
 
@@ -83,10 +85,7 @@ def load_plan(folder: Path) -> Plan:
 
 def _sentence(plan: Plan, frame: pd.DataFrame) -> str:
     """`small: 12 of 12 runs flown; passed: adaptive_inversion 11 of 12, pid 3 of 12`."""
-    shares = ", ".join(
-        f"{label} {int(np.count_nonzero(rows['passed']))} of {len(rows)}".strip()
-        for label, rows in groups_of(plan, frame)
-    )
+    shares = ", ".join(f"{label} {counted(rows['passed'])}".strip() for label, rows in groups_of(plan, frame))
     return f"{plan.name}: {frame['run'].nunique()} of {plan.runs} runs flown; passed: {shares}"
 
 

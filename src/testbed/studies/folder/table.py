@@ -60,6 +60,9 @@ def columns(plan: Plan, records: Iterable[Record]) -> dict[str, type]:
     head = ["run", "seed", *plan.study.compare, "outcome", "passed", *plan.paths, "end_time_s", "robustness"]
     rest = [name for name in middle if name not in head and name != "reason"]
     order = sorted(verdicts, key=lambda name: (int(name.split(".")[1]), name))
+    for name in ["passed", *verdicts]:
+        if name.endswith("passed"):
+            kinds.setdefault(name, {bool})  # also where nothing was judged
     return {name: _type(kinds.get(name, set())) for name in dict.fromkeys([*head, *rest, *order, "reason"])}
 
 

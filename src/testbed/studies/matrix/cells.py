@@ -11,11 +11,8 @@ from pydantic import ValidationError
 from testbed.aircraft.description import Aircraft, AnyActuator
 from testbed.common.text import with_article
 from testbed.failures import TABLE
-from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.inputs.problems import OWN_PART, BadInput, Problem, guess
 from testbed.studies.matrix.model import Matrix
-
-_TYPES = [name for name, kind in TABLE.items() if kind.examples]
-"""Those that break an actuator."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +35,7 @@ class Cell:
 
 def cells(matrix: Matrix, aircraft: Aircraft, at_s: float, rate_hz: float) -> Iterator[Cell]:
     """Every cell, by weather, actuator, failure and severity. Raises BadInput for a failure that is none."""
-    kinds = [_asked(each) for each in matrix.failures or _TYPES]
+    kinds = [_asked(each) for each in matrix.failures or _types()]
     for weather in matrix.weather or [""]:
         for name, actuator in aircraft.actuators.items():
             for label, kind, given in kinds:
@@ -53,15 +50,22 @@ def _asked(said: str | dict[str, Any]) -> tuple[str, str, dict[str, Any]]:
     """(label, type, values) of a failure as the file has it."""
     given = {"type": said} if isinstance(said, str) else dict(said)
     kind = str(given.pop("type", ""))
-    if kind not in _TYPES:
-        expected, suggestion = guess(kind, _TYPES)
-        problem = Problem(f"is {kind!r}", path="failures", expected=expected, suggestion=suggestion)
+    if kind not in _types():
+        expected, suggestion = guess(kind, _types())
+        problem = Problem(
+            f"is {kind!r} ({OWN_PART})", path="failures", expected=expected, suggestion=suggestion
+        )
         raise BadInput([problem])
     own = {"actuator", "at_s", "until_s", "when"} & set(given)
     if own:
         what = f"has {', '.join(sorted(own))}"
         raise BadInput([Problem(what, path="failures", expected="type and values: the matrix sets the rest")])
     return " ".join([kind, *(f"{key}={value}" for key, value in given.items())]), kind, given
+
+
+def _types() -> list[str]:
+    """Those that break an actuator."""
+    return [name for name, kind in TABLE.items() if kind.examples]
 
 
 def _strengths(

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     import pandas as pd
 
 Summary = dict[str, Any]
-_OF_A_STATE = {"passed": "held", "missed": "survived", "lost": "lost", "no result": "no result"}
+_OF_A_STATE = {"passed": "held", "missed": "survived", "lost": "lost", "no result": "no result",
+               "not judged": "survived"}  # fmt: skip
 
 
 def summarize(plan: MatrixPlan, frame: pd.DataFrame) -> Summary:
@@ -63,7 +64,7 @@ def _flown(plan: MatrixPlan, number: int, variant: int, rows: Sequence[Mapping[A
     """What came of a cell's flights: the result of the worst, how many were held and lost, and why."""
     runs = range(number * plan.study.seeds, (number + 1) * plan.study.seeds)
     each = {run: rows[run * len(plan.variants) + variant] for run in runs}
-    results = {run: _OF_A_STATE[state(row["outcome"], bool(row["passed"]))] for run, row in each.items()}
+    results = {run: _OF_A_STATE[state(row["outcome"], row["passed"])] for run, row in each.items()}
     worst = max(runs, key=lambda run: (RESULTS.index(results[run]), -_robustness(each[run])))
     flown = list(results.values())
     return {

@@ -63,7 +63,10 @@ class LimitState:
 
 
 def robustness(record: Record) -> float:
-    """The robustness in a flight's record, with the sign of its verdict: above 0 exactly if it passed; NaN without a result."""
+    """The robustness in a flight's record, with the sign of its verdict: above 0 exactly if it passed; NaN without a result, or
+    where nothing was judged."""
+    if record.passed is None:
+        return math.nan
     return max(record.robustness, _LEAST) if record.passed else min(record.robustness, 0.0)
 
 

@@ -80,7 +80,8 @@ def _refuse_broken(plan: SearchPlan, states: Sequence[LimitState]) -> None:
         label = plan.label(state.part)
         whose = f"the flight at the origin of the search{f' ({label})' if label else ''}"
         if np.isnan(value):
-            problems.append(Problem(f"{whose} has no result: {record.reason}", plan.name))
+            why = record.reason or "its controller says nothing of what is required"
+            problems.append(Problem(f"{whose} has no result: {why}", plan.name))
         broken += value <= 0.0
     if broken == len(states):
         what = f"{whose} breaks {' and '.join(broken_names(plan, record))} already"
@@ -94,7 +95,7 @@ def broken_names(plan: SearchPlan, record: Record) -> list[str]:
     """What a flight did not meet, by the requirements' names; that the aircraft was lost, if each was met until then."""
     scenario = plan.builder.scenario(Task(record.run, record.variant, record.seed, record.values))
     verdicts = zip(scenario.requirements, record.requirements, strict=False)
-    names = [repr(requirement.title) for requirement, (passed, *_) in verdicts if not passed]
+    names = [repr(requirement.title) for requirement, (passed, *_) in verdicts if passed is False]
     return names or [f"no requirement, but the flight ended early ({record.outcome})"]
 
 

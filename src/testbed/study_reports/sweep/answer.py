@@ -16,11 +16,21 @@ def answer(summary: Mapping[str, Any]) -> list[str]:
     """How often the best variant passed, how it compares with the others, what it missed, and what that depends on."""
     variants = [v for v in summary["variants"] if v["all_requirements"]["estimate"] is not None]
     if not variants:
-        return ["No flight has finished."]
+        return list(_unjudged(summary)) or ["No flight has finished."]
     best = max(variants, key=lambda v: v["all_requirements"]["estimate"])
     others = [v for v in variants if v is not best]
     lines = [_first(summary, best), *(_against(summary, best, other) for other in others)]
-    return [*lines, " ".join(_misses(best)), *_drivers(best)]
+    return [*lines, " ".join(_misses(best)), *_unjudged(summary), *_drivers(best)]
+
+
+def _unjudged(summary: Mapping[str, Any]) -> Iterator[str]:
+    """`Not judged in flights of pid: 3 of 5 requirements. It does not say what they limit.`"""
+    for variant in summary["variants"]:
+        each = variant["requirements"]
+        silent = sum(bool(share.get("not_judged")) for share in each)
+        if silent:
+            who = f" in flights of {variant['label']}" if variant["label"] else ""
+            yield f"Not judged{who}: {silent} of {count(len(each), 'requirement')}. It does not say what they limit."
 
 
 def _first(summary: Mapping[str, Any], best: Mapping[str, Any]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from testbed.common import statistics
 from testbed.common.statistics import Paired
@@ -26,6 +26,7 @@ SIGNIFICANT = 0.05
 """Above this p-value, a difference is called one that chance may explain."""
 _SHOWN = 20
 """Changed flights that are printed of each variant; the page has all of them."""
+_PASSED = {True: "passed", False: "not passed", None: "not judged"}
 _MARKED = ("_before", "_after")
 
 
@@ -57,7 +58,8 @@ class Change:
     def changed(self) -> pd.DataFrame:
         """The pairs of flights that ended in different ways: passed or not, or another outcome."""
         pairs = self.pairs
-        differ = (pairs["passed_before"] != pairs["passed_after"]) | (
+        before, after = (pairs[f"passed{mark}"].map(_PASSED.get) for mark in _MARKED)
+        differ = (before != after) | (
             pairs["outcome_before"].astype(str) != pairs["outcome_after"].astype(str)
         )
         return pairs[differ]
@@ -88,7 +90,8 @@ def _change(label: str, one: pd.DataFrame, other: pd.DataFrame, plans: list[Plan
             raise BadInput([Problem(what, str(place), expected="the same seed, and the same vary or cases")])
     if not len(pairs):
         raise BadInput([Problem("has no run that the other has flown", str(place))])
-    passes = statistics.paired(pairs["passed_after"].tolist(), pairs["passed_before"].tolist())
+    both = pairs.dropna(subset=["passed_before", "passed_after"])
+    passes = statistics.paired(both["passed_after"].tolist(), both["passed_before"].tolist())
     names = [name for name in metric_names(plans[0], one) if name in other]
     metrics = {
         name: statistics.mean(_difference(pairs, name).tolist()) for name in names if _differs(pairs, name)
@@ -135,12 +138,10 @@ def _shares(change: Change) -> Iterator[str]:
         yield f"  {count(change.missing, 'flight')} of one sweep only, not compared"
 
 
-def _said(row: dict[object, object]) -> str:
+def _said(row: dict[Any, Any]) -> str:
     """`run 17: completed, passed -> ground_contact, not passed; robustness 0.21 -> -1.3`."""
-    ends = [
-        f"{row[f'outcome{mark}']}, {'passed' if row[f'passed{mark}'] else 'not passed'}" for mark in _MARKED
-    ]
-    least = [number(row[f"robustness{mark}"], ".3g") for mark in _MARKED]  # type: ignore[arg-type]
+    ends = [f"{row[f'outcome{mark}']}, {_PASSED[row[f'passed{mark}']]}" for mark in _MARKED]
+    least = [number(row[f"robustness{mark}"], ".3g") for mark in _MARKED]
     return f"run {row['run']}: {' -> '.join(ends)}; robustness {' -> '.join(least)}"
 
 

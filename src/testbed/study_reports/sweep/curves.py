@@ -10,6 +10,7 @@ import numpy as np
 from testbed.common.angles import unwrapped_deg
 from testbed.common.statistics import Proportion, proportion
 from testbed.studies.folder import histories
+from testbed.studies.verdicts import judged
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -61,7 +62,8 @@ def pass_shares(rows: pd.DataFrame, path: str) -> list[Point]:
     The parts have as equal numbers of flights as can be: ten, or fewer so that each has 8 flights. Of ten different numbers or
     fewer, such as those of a choice, each is a part.
     """
-    values, passed = rows[path], rows["passed"].astype(bool)
+    passed = judged(rows["passed"])
+    values = rows[path][passed.index]
     names = None if is_number(values) else values.astype(str)
     return [
         Point(

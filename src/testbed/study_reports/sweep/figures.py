@@ -14,8 +14,8 @@ from testbed.reporting.palette import COLOURS, MET, MISSED, nth
 from testbed.studies.folder.reading import groups_of, unit
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
-from testbed.studies.summary import requirement_titles
-from testbed.studies.verdicts import state
+from testbed.studies.summary import requirement_shares, requirement_titles
+from testbed.studies.verdicts import judged, state
 from testbed.study_reports.drawing import Draw, draw_all, figure, legend
 from testbed.study_reports.sweep.curves import is_number
 from testbed.study_reports.sweep.flights import errors, shares
@@ -28,6 +28,7 @@ _ENDINGS: dict[str, dict[str, Any]] = {
     "missed": {"marker": "^", "color": MISSED, "s": 24},
     "lost": {"marker": "x", "color": "black", "s": 30, "linewidths": 2},
     "no result": {"marker": "s", "facecolors": "none", "edgecolors": "0.5", "s": 22},
+    "not judged": {"marker": "D", "facecolors": "none", "edgecolors": "0.5", "s": 22},
 }
 _HATCHES = ("", "//", "..", "xx")
 _MOST_PANELS, _MOST_POINTS = 9, 3000
@@ -41,11 +42,14 @@ def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
 def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """Probability that all requirements are met, and that each is met, with 95 % intervals."""
     names = ["all requirements", *requirement_titles(plan)]
-    columns = ["passed", *(f"requirements.{j}.passed" for j in range(len(names) - 1))]
     drawn, ((axes,),) = figure(8.0, 0.9 + 0.42 * len(names))
     for i, (label, rows) in enumerate(groups_of(plan, frame)):
-        met = [int((rows[column] == True).sum()) if column in rows else 0 for column in columns]  # noqa: E712
-        known = [proportion(count, len(rows)) for count in met]
+        total = judged(rows["passed"])
+        counts = [
+            (int(total.sum()), len(total)),
+            *(requirement_shares(rows, j) for j in range(len(names) - 1)),
+        ]
+        known = [proportion(*count) for count in counts]
         at = np.array([(share.estimate, share.low, share.high) for share in known])
         _intervals(axes, at, i, label, len(plan.variants), "x")
     axes.set(yticks=range(len(names)), yticklabels=[_short(n) for n in names], xlim=(-0.02, 1.02))
@@ -99,6 +103,8 @@ def _share(axes: Axes, points: list[list[Any]], i: int, label: str, variants: in
         axes.set_xticks(range(len(at)), [_short(name) for name in at])
         axes.set_xlim(-0.5, len(at) - 0.5)
         return
+    if not at:  # no flight of it was judged
+        return
     share, low, high = known.T
     axes.plot(at, share, ms=4, label=label or None, **nth(i, "marker", "ls"))
     axes.fill_between(at, low, high, color=COLOURS[i % 6], alpha=0.2)
@@ -111,9 +117,7 @@ def flight_map(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
         return None
     drawn, (cells,) = figure(1.0 + 3.4 * len(plan.variants), 3.6, 1, len(plan.variants), share=True)
     for axes, (label, rows) in zip(cells, groups_of(plan, frame), strict=True):
-        ended = np.array(
-            [state(str(o), bool(p)) for o, p in zip(rows["outcome"], rows["passed"], strict=True)]
-        )
+        ended = np.array([state(str(o), p) for o, p in zip(rows["outcome"], rows["passed"], strict=True)])
         for name, style in _ENDINGS.items():
             if (count := int((ended == name).sum())) > 0:
                 first = rows[ended == name].head(_MOST_POINTS)

@@ -90,7 +90,7 @@ def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str
         yield {
             "run": run,
             "variant": variant,
-            "state": STATES.index(state(str(row["outcome"]), bool(row["passed"]))),
+            "state": STATES.index(state(str(row["outcome"]), row["passed"])),
             "missed": None if worst is None else worst.number,
             "value": None if worst is None else _rounded(worst.value),
             "margin": None if worst is None else _rounded(worst.margin),

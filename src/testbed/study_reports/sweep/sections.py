@@ -9,7 +9,7 @@ from typing import Any
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import title
+from testbed.reporting.words import DIGITS, title
 from testbed.study_reports.sweep.answer import answer, ranked
 from testbed.study_reports.sweep.flight_page import only
 
@@ -36,7 +36,10 @@ def _facts(summary: Summary) -> dict[str, str]:
     }
     if len(summary["variants"]) > 1:
         facts["compared"] = ", ".join(variant["label"] for variant in summary["variants"])
-    return facts | {"varied": ", ".join(summary["varied"])}
+    code = {
+        f"code of {name}": digest[:DIGITS] for name, digest in summary.get("controllers_sha256", {}).items()
+    }
+    return facts | {"varied": ", ".join(summary["varied"])} | code
 
 
 def probabilities(summary: Summary) -> Iterator[Html]:
@@ -46,14 +49,16 @@ def probabilities(summary: Summary) -> Iterator[Html]:
     if len(variants) > 1:
         yield html.legend([variant["label"] for variant in variants])
     each = list(zip(*(variant["requirements"] for variant in variants), strict=True))
-    each.sort(key=lambda shares: min(share["estimate"] or 0.0 for share in shares))
+    each.sort(
+        key=lambda shares: min(1.0 if share["estimate"] is None else share["estimate"] for share in shares)
+    )
     total = _dots("all requirements", [v["all_requirements"] for v in variants], "total")
     yield tag("div", total, (_dots(shares[0]["name"], shares) for shares in each), class_="dots")
     ended = {"": lambda v: v["label"] or "all", "how flights ended": lambda v: _outcomes(v["outcomes"])}
     yield html.listing(variants, ended)
     yield html.note(
         "Share of flights and 95 % interval (Wilson); summary.json also has the exact interval (Clopper-Pearson). A "
-        "flight without a result counts as having met no requirement."
+        "flight without a result counts as having met no requirement. What a controller does not say is not judged."
     )
 
 
@@ -64,12 +69,14 @@ def _dots(name: str, shares: Sequence[Mapping[str, Any]], kind: str = "") -> Htm
 
 def _dot(i: int, share: Mapping[str, Any]) -> Html:
     known = not any(share[k] is None for k in ("low", "estimate", "high"))
-    inside, said, count = None, "no runs", None
+    inside, said, count = None, "not judged" if share.get("not_judged") else "no runs", None
     if known:
         low, at, high = (100 * share[k] for k in ("low", "estimate", "high"))
         line = tag("i", class_=f"v{i % 6}", style=f"left:{low:.2f}%;width:{high - low:.2f}%")
         inside = [line, tag("span", html.mark(i), style=f"left:{at:.2f}%")]
         said, count = interval(share), f"{share['successes']} of {share['n']} flights"
+        if others := share.get("not_judged"):
+            count += f", {others} not judged"
     number = tag("div", said, class_="number", title=count)
     return tag("div", tag("div", inside, class_="track"), number, class_="line")
 

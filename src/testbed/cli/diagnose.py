@@ -1,0 +1,45 @@
+"""`testbed diagnose`: what each actuator did in a flight, from its log."""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from testbed.cli.command import Command, add_out
+from testbed.cli.interrupts import tidily
+from testbed.cli.status import MET, NOT_MET
+from testbed.cli.working import working
+
+
+def _arguments(command: ArgumentParser) -> None:
+    command.add_argument(
+        "log", type=Path, help="run folder; or, with --columns, a CSV, Parquet, .BIN or .ulg file"
+    )
+    model = "aircraft, by name or folder (default: that of the run folder)"
+    command.add_argument("--model", metavar="MODEL", help=model)
+    columns = "YAML file that says which column is what, in which unit"
+    command.add_argument("--columns", type=Path, metavar="MAP", help=columns)
+    add_out(command, "DIR", "folder to write diagnosis.csv, summary.json and report.html into")
+
+
+def _run(options: Namespace) -> int:
+    """Print the story, and write the folder; NOT_MET where something was found. Raises BadInput."""
+    from testbed.logs.entry import diagnose
+
+    with working("diagnosing"), tidily():
+        found = diagnose(options.log, options.model, options.columns, options.out)
+    print(found)
+    if options.out is not None:
+        print(f"wrote {options.out}")
+    return NOT_MET if found.findings else MET
+
+
+COMMAND = Command(
+    "which actuator failed, when and how much, from a flight's log",
+    _arguments,
+    _run,
+    (
+        "testbed diagnose runs/left-tail-fail",
+        "testbed diagnose flight.csv --model ./my_aircraft --columns columns.yaml --out diagnosis",
+    ),
+)

@@ -1,0 +1,84 @@
+"""What a page can choose to fly: scenarios that come with the testbed, level flight of any aircraft, and own controllers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from testbed.aircraft.description import load_aircraft
+from testbed.aircraft.shipped import aircraft_names, files_in
+from testbed.controllers.config import TABLE as CONTROLLERS
+from testbed.controllers.setup import Setup
+from testbed.inputs import yaml_source
+from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.live.flight import LiveFlight
+from testbed.scenario.load import changed, load_scenario, scenario_from
+from testbed.scenario.model import Scenario
+
+AS_GIVEN = "as given"
+"""The controller that the command or the scenario names."""
+
+
+class Choices:
+    """What can be flown.
+
+    Attributes:
+        names: {scenarios, aircraft, controllers}: what can be chosen of each.
+    """
+
+    def __init__(
+        self,
+        file: str,
+        scenario: Scenario,
+        controller: Callable[[Setup], Any] | None = None,
+        own: str | None = None,
+    ) -> None:
+        """The scenario that the command gave, from this file, and the class of the user's own, if there is one."""
+        self._file, self._scenario, self._controller, self._own = file, scenario, controller, own
+        shipped = [path.name for path in files_in("scenarios")]
+        self.names = {
+            "scenarios": list(dict.fromkeys([file, *shipped])),
+            "aircraft": [*aircraft_names(), *_folders()],
+            "controllers": [AS_GIVEN, *CONTROLLERS],
+        }
+
+    def first(self) -> LiveFlight:
+        """What the command gave; raises BadInput."""
+        return self.flight(self._file, AS_GIVEN)
+
+    def flight(self, flight: str, controller: str) -> LiveFlight:
+        """A new flight of a scenario or an aircraft by a controller, each one of `names`; raises BadInput."""
+        flights, controllers = self.names["scenarios"] + self.names["aircraft"], self.names["controllers"]
+        for kind, given, known in (("flight", flight, flights), ("controller", controller, controllers)):
+            if given not in known:
+                raise BadInput(
+                    [Problem(f"there is no {kind} {given!r}", "choose", None, "", *guess(given, known))]
+                )
+        scenario = self._chosen(flight)
+        if controller == AS_GIVEN:
+            return LiveFlight(scenario, self._controller, self._own)
+        return LiveFlight(changed(scenario, {"controller": {"type": controller}}))
+
+    def _chosen(self, flight: str) -> Scenario:
+        if flight == self._file:
+            return self._scenario
+        return load_scenario(flight) if flight in self.names["scenarios"] else _level(flight)
+
+
+def _level(aircraft: str) -> Scenario:
+    """Level flight of an aircraft where it is designed."""
+    settings = {
+        "name": f"{Path(aircraft).name} by hand",
+        "aircraft": aircraft,
+        "duration_s": 60,
+        "initial": load_aircraft(aircraft).reference.model_dump(),
+    }
+    return scenario_from(yaml_source.parsed(yaml_source.dump(settings), "choose"))
+
+
+def _folders() -> list[str]:
+    """Aircraft of the user's own in the working folder, as scenarios name them."""
+    return [
+        f"./{path.parent.name}" for path in sorted(Path().glob("*/*.yaml")) if path.stem == path.parent.name
+    ]

@@ -1,0 +1,95 @@
+"""The likeliest course of the hypotheses through a log, a hidden Markov model: Viterbi's path, and the probability of each.
+
+Costs of changes are logarithms of how likely one is within a block, before anything is read from the log. What broke does not often
+work again, and hardly ever does another actuator fail in the same block in which it does.
+"""
+# mypy: allow-untyped-defs
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+
+import numpy as np
+
+from testbed.common.jit import compiled
+from testbed.logs.hypotheses import Hypothesis
+
+FAILS, RECOVERS, CHANGES, MOVES, ANOTHER, SWINGS = -16.0, -16.0, -10.0, -3.0, -60.0, -6.0
+"""Cost that an actuator fails, works again, fails in another way, goes to a neighbouring value of the same failure, and works again
+while another fails; and what a swing costs more than other failures, because it explains anything a little."""
+
+
+def costs(found: Sequence[Hypothesis]) -> np.ndarray:
+    """[S, S] cost of the change from hypothesis i to j, 0 where nothing changes. The values of a state share its probability."""
+    counts = Counter(one[:2] for one in found)
+    made = np.zeros((len(found), len(found)))
+    for i, one in enumerate(found):
+        for j, other in enumerate(found):
+            if i != j:
+                made[i, j] = _cost(one, other) + (SWINGS if other.state == "swings" else 0.0)
+                made[i, j] -= math.log(counts[other[:2]])
+                made[i, j] = MOVES if abs(i - j) == 1 and one.near(other) else made[i, j]
+    return made
+
+
+def _cost(one: Hypothesis, other: Hypothesis) -> float:
+    if one.actuator < 0:
+        return FAILS
+    if other.actuator < 0:
+        return RECOVERS
+    return CHANGES if one.actuator == other.actuator else ANOTHER
+
+
+def likeliest(evidence: np.ndarray, cost: np.ndarray) -> np.ndarray:
+    """[T] the likeliest course, by Viterbi's algorithm; it begins with hypothesis 0.
+
+    Args:
+        evidence: [T, S] log-likelihood of each block under each hypothesis, relative to the first.
+        cost: [S, S] of `costs`.
+    """
+    count, size = evidence.shape
+    value, course = np.where(np.arange(size) == 0, 0.0, -1e12), np.zeros(count, dtype=np.int64)
+    _viterbi(evidence, cost, np.zeros((count, size), dtype=np.int64), value, np.zeros(size), course)
+    return course
+
+
+@compiled
+def _viterbi(evidence, cost, best, value, after, course):
+    """Fill `course` [T]; `best` [T, S], `value` [S] of each hypothesis at the beginning, and `after` [S] are working memory."""
+    count, size = evidence.shape
+    for t in range(count):
+        for j in range(size):
+            chosen, most = j, value[j]
+            for i in range(size):
+                if value[i] + cost[i, j] > most:
+                    chosen, most = i, value[i] + cost[i, j]
+            after[j], best[t, j] = most + evidence[t, j], chosen
+        for j in range(size):
+            value[j] = after[j]
+    state = 0
+    for j in range(size):
+        if value[j] > value[state]:
+            state = j
+    for t in range(count - 1, -1, -1):
+        course[t] = state
+        state = best[t, state]
+
+
+def probabilities(evidence: np.ndarray, cost: np.ndarray) -> np.ndarray:
+    """[T, S] probability of each hypothesis in each block given the whole log, by the forward-backward algorithm."""
+    change = np.exp(cost)
+    change /= change.sum(axis=1, keepdims=True)
+    likelihood = np.exp(evidence - evidence.max(axis=1, keepdims=True)) + 1e-300
+    forward, backward = np.zeros_like(evidence), np.ones_like(evidence)
+    now = np.eye(1, len(cost))[0]
+    for t, each in enumerate(likelihood):
+        now = (now @ change) * each
+        now /= now.sum()
+        forward[t] = now
+    for t in range(len(evidence) - 2, -1, -1):
+        behind = change @ (likelihood[t + 1] * backward[t + 1])
+        backward[t] = behind / behind.sum()
+    both = forward * backward + 1e-300
+    return np.asarray(both / both.sum(axis=1, keepdims=True))

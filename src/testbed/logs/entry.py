@@ -1,0 +1,123 @@
+"""Diagnose a log: read it, take the aircraft's design model, and say and write what each actuator did."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.common.writing import write
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.setup import Setup, setup_for
+from testbed.flight.folder import refuse_existing, refuse_unwritable
+from testbed.inputs.problems import BadInput, Problem
+from testbed.logs import mapped, own
+from testbed.logs.diagnosis import Diagnosis, diagnosed
+from testbed.logs.flight_log import FlightLog
+from testbed.logs.identification import Identified, identified
+from testbed.logs.page import write_page
+from testbed.logs.words import story, summary, table
+from testbed.plant.identification import stored
+
+
+class Diagnosed(Diagnosis):
+    """A diagnosis that shows itself: `print` gives the story."""
+
+    def __str__(self) -> str:
+        return "\n".join(story(self))
+
+
+def diagnose(
+    log: str | Path,
+    model: str | Path | None = None,
+    columns: str | Path | None = None,
+    out: str | Path | None = None,
+) -> Diagnosed:
+    """What each actuator did in a flight, from its log: commands and what sensors read, and nothing else.
+
+    Args:
+        log: a run folder, a CSV or Parquet file, or a log of ArduPilot (DataFlash) or PX4 (ULog).
+        model: the aircraft, by name or folder, whose design model is used; by default that of the run folder's scenario.
+        columns: the mapping file of a log that is no run folder: which column is what.
+        out: folder to write `diagnosis.csv`, `summary.json` and `report.html` into, which must not exist; None for none.
+
+    Returns:
+        `findings`, a tuple of {actuator, state, from_s, until_s, probability, effectiveness, std, position}; empty if nothing was
+        found. `print` shows the story.
+
+    Raises:
+        BadInput: the log, the mapping or the model cannot be used.
+    """
+    path = Path(log)
+    if out is not None:
+        refuse_existing(Path(out))
+    read, aircraft = _read(path, model, columns)
+    found = _diagnosed(read, aircraft)
+    if out is not None:
+        _write(found, Path(out), aircraft.name)
+    return found
+
+
+def identify(
+    aircraft: str | Path, logs: Sequence[str | Path], columns: str | Path | None = None
+) -> Identified:
+    """An aircraft's design model from logs of healthy flight, with how far each of its coefficients can be believed.
+
+    Args:
+        aircraft: name or folder; its own design model is where the identification begins, and whose trim is kept.
+        logs: run folders, or files as `diagnose` reads them.
+        columns: the mapping file of the logs that are no run folders.
+
+    Raises:
+        BadInput: a log, the mapping or the aircraft cannot be used.
+    """
+    read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
+    return identified([log for log, _ in read], [_setup(own, log.step_s) for log, own in read])
+
+
+def _read(path: Path, model: str | Path | None, columns: str | Path | None) -> tuple[FlightLog, Aircraft]:
+    if path.is_dir():
+        if columns is not None:
+            raise BadInput([Problem("is for a file, and the log is a run folder", "--columns")])
+        read, flight = own.read(path)
+        aircraft = load_aircraft(str(model or flight.scenario.aircraft))
+        if tuple(aircraft.actuators) != tuple(flight.actuators):
+            raise BadInput([Problem(f"has other actuators than {aircraft.name}", str(path))])
+        return read, aircraft
+    needed = {"--model": model, "--columns": columns}
+    missing = [
+        Problem("is needed with a log that is no run folder", name)
+        for name, value in needed.items()
+        if value is None
+    ]
+    if missing:
+        raise BadInput(missing)
+    aircraft = load_aircraft(str(model))
+    return mapped.read_table(path, Path(str(columns)), aircraft), aircraft
+
+
+def _diagnosed(log: FlightLog, aircraft: Aircraft) -> Diagnosed:
+    units = ["deg" if a.kind == "servo" else "N" for a in aircraft.actuators.values()]
+    found = diagnosed(log, _setup(aircraft, log.step_s), units)
+    return Diagnosed(**vars(found))
+
+
+def _setup(aircraft: Aircraft, step_s: float) -> Setup:
+    """What a controller of the aircraft would know; a log begins where it does, so the trim is the reference one."""
+    model = stored(aircraft)
+    kinds = [a.kind for a in aircraft.actuators.values()]
+    commands = [p if k == "servo" else 0.5 for p, k in zip(model.trim, kinds, strict=True)]
+    positions = [math.degrees(p) if k == "servo" else p for p, k in zip(model.trim, kinds, strict=True)]
+    return setup_for(
+        aircraft, model, AdaptiveInversionSettings(), step_s, commands, positions, model.alpha_rad
+    )
+
+
+def _write(found: Diagnosis, out: Path, model: str) -> None:
+    refuse_unwritable(out)
+    text = json.dumps(summary(found, model), indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    write(out / "diagnosis.csv", table(found), out)
+    write_page(found, out / "report.html", out)
+    write(out / "summary.json", text + "\n", out)

@@ -1,0 +1,216 @@
+"""A flight log as the diagnosis needs it: on one even base of time, in SI, with what could not be read marked and said.
+
+Only what a real log has is in it: what sensors read and what was commanded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from testbed.common.signals import STATE
+from testbed.common.text import printable
+from testbed.inputs.problems import BadInput, Problem
+
+MOST_ROWS = 5_000_000
+"""Rows of a log that are read: seven hours at 200 Hz."""
+LEAST_S = 10.0
+"""A shorter log says nothing."""
+_LEAST_HZ, _MOST_HZ = 50.0, 200.0
+"""Rates of the even base of time: a slower log is interpolated, as servos are faster."""
+_GAP_S = 0.5
+"""What is missing for longer is not interpolated."""
+NEEDED = ("airspeed", "p", "q", "r", "roll", "pitch")
+"""Signals without which there is no diagnosis."""
+OPTIONAL = ("alpha", "beta", "u_dot", "force_x")
+_LARGEST = {"p": 12.0, "q": 12.0, "r": 12.0, "roll": 6.4, "pitch": 1.6, "alpha": 1.6, "beta": 1.6, "airspeed": 400.0,
+            "u_dot": 300.0, "force_x": 300.0}  # fmt: skip
+"""Sizes [SI] that 99 % of a signal stay below, whatever flew."""
+_DEGREES = 57.3
+
+
+@dataclass(frozen=True)
+class FlightLog:
+    """The log of one flight.
+
+    Attributes:
+        name: what is diagnosed.
+        time_s: [rows], even.
+        states: [rows, 17] `signals.STATE`; NaN in what the log does not have.
+        commands: [rows, n] in the actuators' order: rad, throttle, or as `as_positions` [n] says the position [rad or N].
+        known: [rows] where nothing was missing.
+        remarks: sentences about what was mended or is missing.
+        truth: what only a simulated flight knows, for pictures alone: [rows] by name of the actuator, what it does for its command.
+        failures_s: when something truly broke.
+    """
+
+    name: str
+    time_s: np.ndarray
+    states: np.ndarray
+    commands: np.ndarray
+    as_positions: np.ndarray
+    known: np.ndarray
+    remarks: tuple[str, ...] = ()
+    truth: Mapping[str, np.ndarray] = field(default_factory=dict)
+    failures_s: tuple[float, ...] = ()
+
+    @property
+    def step_s(self) -> float:
+        """Time between two rows [s]."""
+        return float(self.time_s[1] - self.time_s[0])
+
+
+def even(
+    name: str,
+    time_s: np.ndarray,
+    signals: Mapping[str, np.ndarray],
+    commands: Mapping[str, np.ndarray],
+    as_positions: np.ndarray,
+    place: Callable[[str], str] = lambda signal: signal,
+) -> FlightLog:
+    """The log of signals [rows] in SI by `NEEDED` and `OPTIONAL`, and of commands [rows] by actuator.
+
+    Args:
+        place: where the user finds a signal, for messages.
+
+    Raises:
+        BadInput: too short or too long, times that are none, a signal that is missing, or in another unit.
+    """
+    if problems := _missing(name, signals):
+        raise BadInput(problems)
+    rows, remarks = _ascending(name, time_s)
+    if problems := _impossible(name, time_s[rows], {n: v[rows] for n, v in signals.items()}, place):
+        raise BadInput(problems)
+    before, usual_s = time_s[rows], float(np.median(np.diff(time_s[rows])))
+    step_s = 1.0 / min(max(1.0 / usual_s, _LEAST_HZ), _MOST_HZ)
+    after = np.arange(before[0], before[-1], step_s)
+    if len(after) > MOST_ROWS:
+        raise BadInput([Problem(f"lasts {before[-1] - before[0]:.0f} s", name, expected="a shorter log")])
+    known = np.ones(len(after), dtype=bool)
+    columns: dict[str, np.ndarray] = {}
+    for signal, values in {**signals, **commands}.items():
+        columns[signal], there = _onto(after, before, values[rows], held=signal in commands)
+        known &= there
+    missing = float(np.mean(~known))
+    if missing > 0.0:
+        remarks.append(f"In {100 * missing:.1f} % of the time something is missing; nothing is said there.")
+    states = _states(columns, step_s)
+    lacks = [signal for signal in ("alpha", "beta") if signal not in signals]
+    if lacks:
+        remarks.append(
+            f"The log has no {' and no '.join(lacks)}: the trim's is taken, which is less accurate."
+        )
+    if not {"u_dot", "force_x"} & set(signals):
+        remarks.append(
+            "The log has no acceleration along the body: propellers are seen by their moments alone."
+        )
+    made = np.stack([columns[actuator] for actuator in commands], axis=1)
+    return FlightLog(name, after, states, made, as_positions, known, tuple(remarks))
+
+
+def _missing(name: str, signals: Mapping[str, np.ndarray]) -> list[Problem]:
+    return [Problem("is not in the log", name, path=each) for each in NEEDED if each not in signals]
+
+
+def _impossible(
+    name: str, time_s: np.ndarray, signals: Mapping[str, np.ndarray], place: Callable[[str], str]
+) -> list[Problem]:
+    """Signals of a size that no aircraft has, and turning rates that do not fit the attitude."""
+    found = []
+    for signal, most in _LARGEST.items():
+        values = np.abs(signals.get(signal, np.zeros(1)))
+        if not np.any(np.isfinite(values)):
+            found.append(Problem("has no numbers", name, path=place(signal)))
+        elif (size := float(np.nanpercentile(values, 99.0))) > most:
+            found.append(
+                Problem(
+                    f"is up to {size:.3g} in SI",
+                    name,
+                    path=place(signal),
+                    expected=f"less than {most:g}; is its unit right?",
+                )
+            )
+    for rate, angle in (("p", "roll"), ("q", "pitch")):
+        if not found and rate in signals and angle in signals and len(time_s) > 100:
+            ratio = _ratio(time_s, signals[rate], signals[angle])
+            if ratio > 10.0 or ratio < 0.1:
+                what = f"is {ratio:.3g} times the rate of {place(angle)}"
+                found.append(
+                    Problem(
+                        what, name, path=place(rate), expected=f"about 1 ({_DEGREES} is a unit of degrees)"
+                    )
+                )
+    return found
+
+
+def _ratio(time_s: np.ndarray, rate: np.ndarray, angle: np.ndarray) -> float:
+    """Size of a turning rate over that of its angle's, both over a second; 1 where neither moves."""
+    step = max(round(1.0 / max(float(np.median(np.diff(time_s))), 1e-3)), 1)
+    turned = np.cumsum(np.nan_to_num(rate[1:]) * np.diff(time_s))
+    by_rate, by_angle = turned[step:] - turned[:-step], np.unwrap(np.nan_to_num(angle))[1:]
+    by_angle = by_angle[step:] - by_angle[:-step]
+    sizes = [float(np.percentile(np.abs(each - np.median(each)), 90.0)) for each in (by_rate, by_angle)]
+    return 1.0 if max(sizes) < 0.02 else sizes[0] / max(sizes[1], 1e-6)
+
+
+def _ascending(name: str, time_s: np.ndarray) -> tuple[np.ndarray, list[str]]:
+    """Rows whose time is finite and after all before it, and what is to be said of the others."""
+    finite = np.isfinite(time_s)
+    best = np.maximum.accumulate(np.where(finite, time_s, -np.inf))
+    kept = finite & np.concatenate([[True], time_s[1:] > best[:-1]])
+    rows = np.flatnonzero(kept)
+    if len(rows) < 0.9 * len(time_s) or len(rows) < 2:
+        what = f"goes forward in {len(rows)} of {len(time_s)} rows"
+        raise BadInput([Problem(what, name, path="time", expected="times that increase, of one clock")])
+    steps = np.diff(time_s[rows])
+    span, usual = float(time_s[rows[-1]] - time_s[rows[0]]), float(np.median(steps))
+    if span < LEAST_S or not 0.001 <= usual <= 0.5:
+        what = f"goes from {time_s[rows[0]]:.6g} to {time_s[rows[-1]]:.6g} s in steps of {usual:.3g} s"
+        raise BadInput(
+            [
+                Problem(
+                    what,
+                    name,
+                    path="time",
+                    expected=f"at least {LEAST_S:g} s, at 2 to 1000 Hz; is its unit right?",
+                )
+            ]
+        )
+    if float(np.sum(steps[steps > 60.0])) > 0.5 * span:
+        raise BadInput([Problem("jumps for most of its length", name, path="time", expected="one clock")])
+    remarks = []
+    if len(rows) < len(time_s):
+        count = len(time_s) - len(rows)
+        remarks.append(f"The clock goes back or stands still in {count} rows, which are left out.")
+    return rows, remarks
+
+
+def _onto(
+    after: np.ndarray, before: np.ndarray, values: np.ndarray, held: bool
+) -> tuple[np.ndarray, np.ndarray]:
+    """(values, where they are known) on other times: interpolated, or `held` from the last row, as commands are."""
+    finite = np.isfinite(values)
+    if not np.any(finite):
+        return np.full(len(after), np.nan), np.zeros(len(after), dtype=bool)
+    time_s, values = before[finite], values[finite]
+    last = np.clip(np.searchsorted(time_s, after + 1e-9, side="right") - 1, 0, len(time_s) - 1)
+    following = np.clip(last + 1, 0, len(time_s) - 1)
+    there = (time_s[following] - time_s[last] <= _GAP_S) & (after - time_s[last] <= _GAP_S)
+    return values[last] if held else np.interp(after, time_s, values), there
+
+
+def _states(columns: Mapping[str, np.ndarray], step_s: float) -> np.ndarray:
+    rows = np.full((len(next(iter(columns.values()))), len(STATE)), np.nan)
+    for signal, values in columns.items():
+        if signal in STATE:
+            rows[:, STATE.index(signal)] = values
+    for rate in "pqr":
+        rows[:, STATE.index(f"{rate}_dot")] = np.gradient(columns[rate], step_s)
+    return rows
+
+
+def shown(name: object) -> str:
+    """A name of the log's, fit for a message."""
+    return printable(str(name))[:80]

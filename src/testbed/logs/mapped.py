@@ -1,0 +1,209 @@
+"""CSV, Parquet, DataFlash and ULog logs, by a mapping file: which column is what, in which unit, and with which sign."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from testbed.aircraft.description import Aircraft
+from testbed.inputs.base import Number, Settings, Text
+from testbed.inputs.input_file import MEGABYTE, read_bytes
+from testbed.inputs.problems import BadInput, Problem, guess
+from testbed.inputs.validation import validated
+from testbed.inputs.yaml_source import Source, read
+from testbed.logs import dataflash, ulog
+from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, FlightLog, even, shown
+
+LARGEST = 2000 * MEGABYTE
+"""Largest log that is read [bytes]."""
+_MOST_COLUMNS = 5000
+_EXPECTED = "a CSV, Parquet, DataFlash (.BIN) or ULog (.ulg) log"
+_DEG = np.pi / 180.0
+_UNITS: dict[str, float] = {
+    "s": 1.0, "ms": 1e-3, "us": 1e-6, "rad": 1.0, "deg": _DEG, "rad_s": 1.0, "deg_s": _DEG, "m_s": 1.0, "kt": 1852.0 / 3600.0,
+    "m_s2": 1.0, "g": 9.80665, "throttle": 1.0, "percent": 0.01, "N": 1.0,
+}  # fmt: skip
+"""Factor to SI of each unit."""
+_KINDS = {"time": ("s", "ms", "us"), "p": ("rad_s", "deg_s"), "q": ("rad_s", "deg_s"), "r": ("rad_s", "deg_s"),
+          "airspeed": ("m_s", "kt"), "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
+_ANGLES, _SERVO, _ENGINE = ("rad", "deg"), ("rad", "deg"), ("throttle", "percent", "N")
+
+
+class Column(Settings):
+    """A column of the log: its value is `(number - zero) * scale`, in `unit`."""
+
+    column: Text
+    """Name in the log."""
+    unit: str
+    """Unit of the value."""
+    zero: Number = 0.0
+    """Number that stands for a value of 0, such as 1500 of a servo's pulses."""
+    scale: Number = 1.0
+    """Value for each number beyond that; negative where the log's sign is the other one."""
+
+
+class ColumnMap(Settings):
+    """The keys of a mapping file."""
+
+    time: Column
+    """The time base, one for all columns."""
+    signals: dict[Text, Column]
+    """What sensors read, in the frames of `testbed.common.signals`: body axes x forward, y right, z down."""
+    actuators: dict[Text, Column] = Field(min_length=1)
+    """What each actuator of the aircraft was commanded."""
+
+
+def read_mapping(file: Path, aircraft: Aircraft) -> tuple[Source, ColumnMap]:
+    """A mapping file for an aircraft; raises BadInput with every problem in it."""
+    source = read(file)
+    mapping = validated(ColumnMap, source)
+    problems = []
+    for name in sorted(set(aircraft.actuators) - set(mapping.actuators)):
+        problems.append(source.problem(("actuators",), f"has no {name}, an actuator of {aircraft.name}"))
+    for name in mapping.actuators:
+        if name not in aircraft.actuators:
+            problems.append(
+                source.problem(
+                    ("actuators", name),
+                    f"is no actuator of {aircraft.name}",
+                    *guess(name, aircraft.actuators),
+                )
+            )
+    for name in mapping.signals:
+        if name not in (*NEEDED, *OPTIONAL):
+            what, known = f"is no signal that is used: {shown(name)}", (*NEEDED, *OPTIONAL)
+            problems.append(source.problem(("signals", name), what, *guess(name, known)))
+    for path, column, units in _with_units(mapping, aircraft):
+        if column.unit not in units:
+            problems.append(
+                source.problem((*path, "unit"), f"is {column.unit}", f"one of {', '.join(units)}")
+            )
+    if problems:
+        raise BadInput(problems)
+    return source, mapping
+
+
+def _with_units(
+    mapping: ColumnMap, aircraft: Aircraft
+) -> list[tuple[tuple[str, ...], Column, tuple[str, ...]]]:
+    """(path, column, units that fit) of each column."""
+    kinds = {name: _SERVO if a.kind == "servo" else _ENGINE for name, a in aircraft.actuators.items()}
+    found: list[tuple[tuple[str, ...], Column, tuple[str, ...]]] = [(("time",), mapping.time, _KINDS["time"])]
+    found += [(("signals", n), c, _KINDS.get(n, _ANGLES)) for n, c in mapping.signals.items()]
+    return found + [(("actuators", n), c, kinds.get(n, tuple(_UNITS))) for n, c in mapping.actuators.items()]
+
+
+def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
+    """The log of a file. Raises BadInput for what is none, lacks a column, or cannot be a flight."""
+    source, mapping = read_mapping(mapping_file, aircraft)
+    wanted = {
+        "time": mapping.time,
+        **mapping.signals,
+        **{f"actuators.{k}": v for k, v in mapping.actuators.items()},
+    }
+    wanted_names = {column.column for column in wanted.values()}
+    columns = _columns(file, wanted_names, source, mapping.time.column)
+    values = {name: _value(columns, column) for name, column in wanted.items()}
+    names = list(aircraft.actuators)
+    commands = {name: values[f"actuators.{name}"] for name in names}
+    for name, each in commands.items():
+        if not np.any(np.isfinite(each)):
+            raise BadInput(
+                [
+                    Problem(
+                        "has no numbers: no actuator's output", str(file), path=mapping.actuators[name].column
+                    )
+                ]
+            )
+        _refuse_throttle(file, mapping.actuators[name], each)
+    positions = np.array([mapping.actuators[name].unit == "N" for name in names])
+    signals = {name: values[name] for name in mapping.signals}
+    return even(
+        str(file), values["time"], signals, commands, positions, lambda s: shown(mapping.signals[s].column)
+    )
+
+
+def _refuse_throttle(file: Path, column: Column, values: np.ndarray) -> None:
+    if column.unit in ("throttle", "percent"):
+        low, high = np.nanmin(values), np.nanmax(values)
+        if low < -0.05 or high > 1.05:
+            what = f"goes from {low:.3g} to {high:.3g} as a throttle"
+            raise BadInput(
+                [Problem(what, str(file), path=shown(column.column), expected="0 to 1; see zero and scale")]
+            )
+
+
+def _value(columns: Mapping[str, np.ndarray], column: Column) -> np.ndarray:
+    return (columns[column.column] - column.zero) * column.scale * _UNITS[column.unit]
+
+
+def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str, np.ndarray]:
+    """The columns of these names, as numbers; what is no number is NaN."""
+    import pyarrow as pa
+    import pyarrow.csv
+    import pyarrow.parquet as pq
+
+    content = read_bytes(file, LARGEST, _EXPECTED)
+    if not content.strip():
+        raise BadInput([Problem("is empty", str(file), expected=_EXPECTED)])
+    if content.startswith(dataflash.MAGIC):
+        return dataflash.columns(file, names, time)
+    if content.startswith(ulog.MAGIC):
+        return ulog.columns(file, content, names, time)
+    try:
+        if content[:4] == b"PAR1":
+            parquet = pq.ParquetFile(io.BytesIO(content))
+            _refuse_large(file, parquet.metadata.num_rows, parquet.metadata.num_columns)
+            there, table = parquet.schema_arrow.names, None
+        else:
+            head = content[:100_000].partition(b"\n")[0].decode("utf-8")
+            there = pa.csv.read_csv(io.BytesIO(head.encode() + b"\n")).column_names
+            _refuse_large(file, content.count(b"\n"), len(there))
+            parquet = None
+        _refuse_missing(file, names, there, source)
+        if parquet is not None:
+            table = parquet.read(columns=sorted(names))
+        else:
+            options = pa.csv.ConvertOptions(include_columns=sorted(names), strings_can_be_null=True)
+            table = pa.csv.read_csv(io.BytesIO(content), convert_options=options)
+        return {name: _numbers(file, name, table[name]) for name in names}
+    except (pa.ArrowException, ValueError, KeyError, OSError) as error:
+        words = str(error).splitlines()[0][:200]
+        raise BadInput([Problem(f"cannot be read: {words}", str(file), expected=_EXPECTED)]) from None
+
+
+def _refuse_large(file: Path, rows: int, columns: int) -> None:
+    if rows > MOST_ROWS or columns > _MOST_COLUMNS:
+        expected = f"at most {MOST_ROWS} rows and {_MOST_COLUMNS} columns"
+        raise BadInput([Problem(f"has {rows} rows and {columns} columns", str(file), expected=expected)])
+
+
+def _refuse_missing(file: Path, names: set[str], there: list[str], source: Source) -> None:
+    problems = []
+    for name in sorted(names - set(there)):
+        expected, suggestion = guess(name, map(shown, there))
+        problems.append(
+            Problem(
+                f"has no column {shown(name)!r}, which {source.file} names",
+                str(file),
+                expected=expected,
+                suggestion=suggestion,
+            )
+        )
+    if problems:
+        raise BadInput(problems)
+
+
+def _numbers(file: Path, name: str, column: Any) -> np.ndarray:
+    import pyarrow as pa
+
+    if pa.types.is_null(column.type):
+        return np.full(len(column), np.nan)
+    if not (pa.types.is_integer(column.type) or pa.types.is_floating(column.type)):
+        raise BadInput([Problem(f"has {column.type}", str(file), path=shown(name), expected="numbers")])
+    return np.asarray(column.cast(pa.float64(), safe=False).to_numpy(zero_copy_only=False), dtype=float)

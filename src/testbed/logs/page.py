@@ -1,0 +1,94 @@
+"""The page of a diagnosis: the story, each actuator's effectiveness beside the truth where the log has it, and the findings."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from testbed.flight.columns import stretches
+from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding
+from testbed.logs.hypotheses import MEANINGS, STATES
+from testbed.logs.words import story
+from testbed.reporting import html
+from testbed.reporting.html import Cell, tag
+from testbed.reporting.palette import PALETTE
+from testbed.reporting.words import title
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from matplotlib.axes import Axes
+
+_CAPTION = (
+    "Effectiveness of each actuator with two standard deviations, and the truth where the log has it. Red: something was found. "
+    f"Grey: nothing can be known, because {WINDOW_S:g} s say it no better than +-{UNKNOWN_STD:g}."
+)
+
+
+def write_page(diagnosis: Diagnosis, file: Path, within: Path) -> Path:
+    """Write the page; returns its file. Raises OSError."""
+    columns: dict[str, Callable[[Finding], Cell]] = {
+        "actuator": lambda f: title(f.actuator),
+        "state": lambda f: f.state,
+        "from [s]": lambda f: f.from_s,
+        "until [s]": lambda f: f.until_s,
+        "probability": lambda f: f.probability,
+        "effectiveness": lambda f: _cell(f.effectiveness),
+        "its std": lambda f: _cell(f.std),
+        "position": lambda f: _cell(f.position),
+    }
+    meanings = [f"{state}: {MEANINGS[state]}" for state in STATES]
+    parts = [
+        html.opening(f"Diagnosis of {diagnosis.log.name}", story(diagnosis)),
+        html.picture(picture(diagnosis), _CAPTION),
+        tag("h2", "Findings"),
+        html.listing(diagnosis.findings, columns) if diagnosis.findings else html.note("None."),
+        html.folded("What the states mean", html.listed(meanings)),
+    ]
+    return html.write_page(file, f"Diagnosis of {diagnosis.log.name}", parts, within=within)
+
+
+def _cell(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def picture(diagnosis: Diagnosis) -> bytes:
+    """PNG with a panel for each actuator."""
+    from matplotlib.figure import Figure
+
+    from testbed.reporting.figures.sheet import png
+
+    figure = Figure(figsize=(10.0, 0.8 + 1.6 * len(diagnosis.actuators)), layout="constrained")
+    made = figure.subplots(len(diagnosis.actuators), 1, sharex=True, squeeze=False)
+    for i, axes in enumerate(made[:, 0]):
+        _draw(axes, diagnosis, i)
+    made[-1, 0].set_xlabel("time [s]")
+    return png(figure)
+
+
+def _draw(axes: Axes, diagnosis: Diagnosis, i: int) -> None:
+    name, time_s = diagnosis.actuators[i], diagnosis.time_s
+    level, spread = diagnosis.effectiveness[:, i], 2.0 * diagnosis.std[:, i]
+    for rows, colour in (
+        (diagnosis.alone_std[:, i] > UNKNOWN_STD, "0.5"),
+        (diagnosis.states[:, i] > 0, PALETTE["missed"]),
+    ):
+        for first, end in stretches(np.asarray(rows)):
+            axes.axvspan(time_s[first], time_s[end - 1], color=colour, alpha=0.15, lw=0)
+    axes.fill_between(time_s, level - spread, level + spread, color=PALETTE["belief"], alpha=0.25, lw=0)
+    axes.plot(time_s, level, color=PALETTE["belief"], ls="--", label="from the log")
+    if name in diagnosis.log.truth:
+        axes.plot(diagnosis.log.time_s, diagnosis.log.truth[name], color=PALETTE["truth"], label="truth")
+    for time in diagnosis.log.failures_s:
+        axes.axvline(time, color=PALETTE["failure"], lw=1.0)
+    for finding in diagnosis.findings:
+        if finding.actuator == name:
+            axes.annotate(
+                finding.state, (finding.from_s, 1.25), color=PALETTE["missed"], va="top", parse_math=False
+            )
+    axes.set_ylim(-1.3, 1.4)
+    axes.set_ylabel(title(name).replace(" ", "\n"), parse_math=False)
+    axes.legend(loc="lower right", fontsize="small")

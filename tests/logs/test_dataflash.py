@@ -1,0 +1,120 @@
+"""ArduPilot's DataFlash logs: one that is written here, message by message, from the description of the format."""
+
+from __future__ import annotations
+
+import struct
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from command_line import in_this_process
+
+from .conftest import AT_S, Run
+
+MESSAGES = {
+    "IMU": (129, "QBffff", "TimeUS,I,GyrX,GyrY,GyrZ,AccX", 100),
+    "ATT": (130, "Qff", "TimeUS,Roll,Pitch", 25),
+    "ARSP": (131, "QBf", "TimeUS,I,Airspeed", 25),
+    "AOA": (132, "Qff", "TimeUS,AOA,SSA", 25),
+    "RCOU": (133, "QHHff", "TimeUS,C1,C2,T1,T2", 50),
+}
+"""Number, format, fields, rate [Hz]. The thrusts T1, T2 stand for motors whose log has no throttle."""
+MAPPING: dict[str, Any] = {
+    "time": {"column": "IMU.TimeUS", "unit": "us"},
+    "signals": {
+        "p": {"column": "IMU.GyrX", "unit": "rad_s"}, "q": {"column": "IMU.GyrY", "unit": "rad_s"},
+        "r": {"column": "IMU[0].GyrZ", "unit": "rad_s"}, "u_dot": {"column": "IMU.AccX", "unit": "m_s2"},
+        "roll": {"column": "ATT.Roll", "unit": "deg"}, "pitch": {"column": "ATT.Pitch", "unit": "deg"},
+        "airspeed": {"column": "ARSP.Airspeed", "unit": "m_s"},
+        "alpha": {"column": "AOA.AOA", "unit": "deg"}, "beta": {"column": "AOA.SSA", "unit": "deg"},
+    },
+    "actuators": {
+        "left_ruddervator": {"column": "RCOU.C1", "unit": "deg", "zero": 1500, "scale": 0.06},
+        "right_ruddervator": {"column": "RCOU.C2", "unit": "deg", "zero": 1500, "scale": 0.06},
+        "left_propeller": {"column": "RCOU.T1", "unit": "N"}, "right_propeller": {"column": "RCOU.T2", "unit": "N"},
+    },
+}  # fmt: skip
+
+
+def _declared(name: str) -> bytes:
+    number, kinds, fields, _ = MESSAGES[name]
+    size = 3 + struct.calcsize("<" + kinds)
+    text = [name.encode(), kinds.encode(), fields.encode()]
+    return b"\xa3\x95\x80" + struct.pack("<BB4s16s64s", number, size, *text)
+
+
+def _written(log: pd.DataFrame) -> bytes:
+    """The bytes of a DataFlash log of a run's sensors and commands."""
+    rad = np.pi / 180
+    pulses = [1500 + log[f"{side}_ruddervator_command"] / 0.06 for side in ("left", "right")]
+    zeros = np.zeros(len(log))
+    values = {
+        "IMU": [zeros, *(log[f"{axis}_measured_deg_s"] * rad for axis in "pqr"), log["u_dot_m_s2"]],
+        "ATT": [log["roll_measured_deg"], log["pitch_measured_deg"]],
+        "ARSP": [zeros, log["airspeed_measured_m_s"]],
+        "AOA": [log["alpha_measured_deg"], log["beta_measured_deg"]],
+        "RCOU": [*pulses, log["left_propeller_command"], log["right_propeller_command"]],
+    }
+    own = (128, 89, b"FMT", b"BBnNZ", b"Type,Length,Name,Format,Columns")
+    format_of_formats = b"\xa3\x95\x80" + struct.pack("<BB4s16s64s", *own)
+    parts = [format_of_formats, *map(_declared, MESSAGES)]
+    for row, time_s in enumerate(log["time_s"]):
+        for name, (number, kinds, _, rate) in MESSAGES.items():
+            if row % (100 // rate) == 0:
+                numbers = [each.iloc[row] if hasattr(each, "iloc") else each[row] for each in values[name]]
+                told = [round(x) if k in "BHQ" else float(x) for x, k in zip(numbers, kinds[1:], strict=True)]
+                parts.append(struct.pack("<2sB" + kinds, b"\xa3\x95", number, round(time_s * 1e6), *told))
+    return b"".join(parts)
+
+
+@pytest.fixture(scope="session")
+def content(run: Run) -> bytes:
+    folder = run({"type": "effectiveness", "actuator": "left_ruddervator", "value": 0.3}, True)
+    return _written(pd.read_csv(folder / "log.csv"))
+
+
+def _diagnosed(folder: Path, content: bytes, mapping: Any = MAPPING) -> Any:
+    (folder / "map.yaml").write_text(yaml.safe_dump(mapping))
+    (folder / "log.bin").write_bytes(content)
+    return in_this_process(
+        folder, "diagnose", "log.bin", "--model", "vtail", "--columns", "map.yaml", "--out", "out"
+    )
+
+
+def test_messages_of_several_rates_lead_to_the_failure(tmp_path: Path, content: bytes) -> None:
+    ended = _diagnosed(tmp_path, content)
+    assert ended.returncode == 1, ended.stderr
+    summary = yaml.safe_load((tmp_path / "out" / "summary.json").read_text())
+    (finding,) = summary["findings"]
+    assert (finding["actuator"], finding["state"]) == ("left_ruddervator", "weak")
+    assert abs(finding["from_s"] - AT_S) < 1.0 and abs(finding["effectiveness"] - 0.3) < 0.1
+
+
+def test_a_log_that_was_cut_is_read_as_far_as_it_goes(tmp_path: Path, content: bytes) -> None:
+    """As after a crash: the last message may be torn."""
+    ended = _diagnosed(tmp_path, content[: int(0.8 * len(content)) + 7])
+    assert ended.returncode == 1, ended.stderr
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"column": "RCIN.C1", "unit": "deg"}, "has no message RCIN"),
+        ({"column": "RCOU.C11", "unit": "deg"}, "has no field C11 of RCOU"),
+        ({"column": "pwm", "unit": "deg"}, "expected MESSAGE.Field"),
+        ({"column": "RCOU[3].C1", "unit": "deg"}, "of this sensor"),
+    ],
+)
+def test_what_the_log_has_not_is_said(tmp_path: Path, content: bytes, change: Any, words: str) -> None:
+    actuators = {**MAPPING["actuators"], "left_ruddervator": change}
+    ended = _diagnosed(tmp_path, content, {**MAPPING, "actuators": actuators})
+    assert ended.returncode == 2 and words in ended.stderr
+    assert "Traceback" not in ended.stderr and not (tmp_path / "out").exists()
+
+
+def test_noise_behind_the_first_bytes_is_refused(tmp_path: Path) -> None:
+    ended = _diagnosed(tmp_path, b"\xa3\x95" + np.random.default_rng(3).bytes(5000))
+    assert ended.returncode == 2 and ended.stderr.startswith("log.bin: ")

@@ -1,0 +1,130 @@
+"""Round trips: fly, read the log back, and compare what it says with what was broken."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+from command_line import in_this_process
+
+import testbed
+from testbed.logs.smoothing import alone
+
+from .conftest import AT_S, Run
+
+LEFT, RIGHT = "left_ruddervator", "right_ruddervator"
+BROKEN: dict[str, tuple[dict[str, Any], set[str]]] = {
+    "weak": ({"type": "effectiveness", "actuator": LEFT, "value": 0.3}, {"weak"}),
+    "lost": ({"type": "effectiveness", "actuator": "right_propeller", "value": 0.0}, {"lost"}),
+    "stuck": ({"type": "stuck_at", "actuator": RIGHT, "value": 8.0}, {"held"}),
+    "offset": ({"type": "bias", "actuator": LEFT, "value": 5.0}, {"offset"}),
+    "reversed": ({"type": "reversal", "actuator": RIGHT}, {"reversed"}),
+    "slow": ({"type": "lag", "actuator": LEFT, "lag_rad_s": 3.0}, {"slow"}),
+    "late": ({"type": "delay", "actuator": RIGHT, "delay_s": 0.15}, {"late"}),
+}
+
+
+QUICK = (("weak", True), ("lost", False))
+"""Flown each time; the others are nightly. An offset of 5 deg does not stand out from these gusts."""
+ALL = [(name, weather) for name in BROKEN for weather in (False, True) if (name, weather) != ("offset", True)]
+
+
+@pytest.mark.parametrize(
+    ("name", "weather"),
+    [pytest.param(*each, marks=() if each in QUICK else pytest.mark.nightly) for each in ALL],
+)
+def test_a_failure_is_found_named_and_timed(run: Run, name: str, weather: bool) -> None:
+    """One finding, of the actuator that broke, in the right state, within 1.5 s; and nothing of the others."""
+    failure, states = BROKEN[name]
+    found = testbed.diagnose(run(failure, weather)).findings
+    assert {finding.actuator for finding in found} == {failure["actuator"]}
+    assert found[-1].state in states
+    assert abs(found[0].from_s - AT_S) <= 1.5
+    assert found[-1].until_s > 44.0
+
+
+@pytest.mark.parametrize("weather", [False, True], ids=["calm", "mems"])
+def test_healthy_flights_have_no_finding(run: Run, weather: bool) -> None:
+    found = testbed.diagnose(run(None, weather))
+    assert found.findings == ()
+    assert str(found).startswith("Nothing was found wrong in 4")
+
+
+def test_effectiveness_and_its_deviation(run: Run) -> None:
+    """Smoothed, it is the true one within .05 in calm air and .1 in weather, and within two of its standard deviations."""
+    failure, _ = BROKEN["weak"]
+    for weather, most in ((False, 0.05), (True, 0.1)):
+        found = testbed.diagnose(run(failure, weather)).findings[0]
+        assert abs(found.effectiveness - 0.3) < most
+        assert abs(found.effectiveness - 0.3) < 2.0 * found.std
+
+
+def test_the_truth_is_not_looked_at(run: Run, tmp_path: Path) -> None:
+    """With every column of the truth replaced by nonsense, the log of real sensors says the same."""
+    folder = run(BROKEN["weak"][0], True)
+    changed = shutil.copytree(folder, tmp_path / "run")
+    log = pd.read_csv(folder / "log.csv")
+    secret = [
+        c
+        for c in log
+        if c.endswith(("_position", "_effectiveness", "_effectiveness_estimate", "_failed", "_belief"))
+    ]
+    secret += ["alpha_deg", "p_deg_s", "q_deg_s", "r_deg_s", "p_dot_true_deg_s2", "u_dot_true_m_s2"]
+    log[secret] = np.random.default_rng(1).normal(size=(len(log), len(secret)))
+    log.to_csv(changed / "log.csv", index=False)
+    assert testbed.diagnose(changed).findings == testbed.diagnose(folder).findings
+
+
+def test_the_command_writes_a_folder(run: Run, tmp_path: Path) -> None:
+    """Status 1 where something was found, 0 where not; table, summary and page say the same."""
+    folder = run(BROKEN["weak"][0], True)
+    ended = in_this_process(tmp_path, "diagnose", str(folder), "--out", "out")
+    assert ended.returncode == 1, ended.stderr
+    assert ended.stdout.startswith("The left ruddervator kept ")
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert [f["state"] for f in summary["findings"]] == ["weak"]
+    assert summary["story"][0] in (tmp_path / "out" / "report.html").read_text().replace("&#x27;", "'")
+    with (tmp_path / "out" / "diagnosis.csv").open() as stream:
+        rows = list(csv.DictReader(stream))
+    states = [row[f"{LEFT}_state"] for row in rows if float(row["time_s"]) > AT_S + 2.0]
+    assert set(states) == {"weak"} and {row[f"{RIGHT}_state"] for row in rows} == {"works"}
+    assert in_this_process(tmp_path, "diagnose", str(folder), "--out", "out").returncode == 2
+    assert in_this_process(tmp_path, "diagnose", str(run())).returncode == 0
+
+
+def test_what_did_not_move_is_unknown() -> None:
+    """Of two actuators, one that did not move has an unbounded deviation; two that moved alike inflate each other's variance."""
+    rng = np.random.default_rng(2)
+    still = np.stack([rng.normal(size=500), np.zeros(500)], axis=1)
+    alike = rng.normal(size=(500, 1)) + 1e-3 * rng.normal(size=(500, 2))
+    for columns, check in ((still, "still"), (alike, "alike")):
+        std, inflation = alone(np.einsum("ti,tj->tij", columns, columns), 500)
+        middle = 250
+        if check == "still":
+            assert std[middle, 0] == pytest.approx(1.0 / math.sqrt(500), rel=0.1)
+            assert std[middle, 1] > 1e3
+        else:
+            assert inflation[middle].min() > 1e5
+
+
+@pytest.mark.nightly
+def test_an_hour_at_50_hz_takes_less_than_30_s(run: Run, tmp_path: Path) -> None:
+    """Of processor time; the log is a flight of 45 s, repeated."""
+    import time
+
+    folder = run(None, True)
+    log = pd.read_csv(folder / "log.csv").iloc[::2]
+    hour = pd.concat([log] * 81, ignore_index=True)
+    hour["time_s"] = np.arange(len(hour)) / 50.0
+    changed = shutil.copytree(folder, tmp_path / "run")
+    hour.to_csv(changed / "log.csv", index=False)
+    began = time.process_time()
+    testbed.diagnose(changed)
+    assert time.process_time() - began < 30.0

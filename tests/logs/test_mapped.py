@@ -1,0 +1,163 @@
+"""Logs of other programs: a mapping file leads to the same answer, and what cannot be read is refused in one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import pytest
+import yaml
+from command_line import in_this_process
+
+import testbed
+
+from .conftest import AT_S, Run
+
+ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")
+MAPPING: dict[str, Any] = {
+    "time": {"column": "t_us", "unit": "us"},
+    "signals": {
+        "p": {"column": "gx", "unit": "deg_s"},
+        "q": {"column": "gy", "unit": "deg_s", "scale": -1},
+        "r": {"column": "gz", "unit": "deg_s"},
+        "roll": {"column": "roll", "unit": "rad"},
+        "pitch": {"column": "pitch", "unit": "deg"},
+        "airspeed": {"column": "tas", "unit": "kt"},
+        "alpha": {"column": "aoa", "unit": "deg"},
+        "beta": {"column": "aos", "unit": "deg"},
+        "u_dot": {"column": "ax", "unit": "g"},
+    },
+    "actuators": {
+        "left_ruddervator": {"column": "pwm1", "unit": "deg", "zero": 1500, "scale": 0.1},
+        "right_ruddervator": {"column": "pwm2", "unit": "deg", "zero": 1500, "scale": -0.1},
+        "left_propeller": {"column": "thrust1", "unit": "N"},
+        "right_propeller": {"column": "thrust2", "unit": "N"},
+    },
+}
+
+
+def _table(folder: Path) -> pd.DataFrame:
+    """The log of a run as another program might have written it."""
+    log = pd.read_csv(folder / "log.csv")
+    return pd.DataFrame(
+        {
+            "t_us": (log["time_s"] + 100.0) * 1e6, "gx": log["p_measured_deg_s"], "gy": -log["q_measured_deg_s"],
+            "gz": log["r_measured_deg_s"], "roll": np.radians(log["roll_measured_deg"]), "pitch": log["pitch_measured_deg"],
+            "tas": log["airspeed_measured_m_s"] * 3600 / 1852, "aoa": log["alpha_measured_deg"], "aos": log["beta_measured_deg"],
+            "ax": log["u_dot_m_s2"] / 9.80665,
+            "pwm1": 1500 + 10 * log["left_ruddervator_command"], "pwm2": 1500 - 10 * log["right_ruddervator_command"],
+            "thrust1": log["left_propeller_command"], "thrust2": log["right_propeller_command"],
+        }
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="session")
+def table(run: Run) -> pd.DataFrame:
+    return _table(run({"type": "effectiveness", "actuator": "left_ruddervator", "value": 0.3}, True))
+
+
+def _written(folder: Path, table: pd.DataFrame, mapping: Any = MAPPING, name: str = "log.csv") -> list[str]:
+    """The arguments of a command for this log."""
+    (folder / "map.yaml").write_text(yaml.safe_dump(mapping))
+    table.to_csv(folder / name, index=False) if name.endswith("csv") else table.to_parquet(folder / name)
+    return ["diagnose", name, "--model", "vtail", "--columns", "map.yaml", "--out", "out"]
+
+
+@pytest.mark.parametrize("name", ["log.csv", "log.parquet"])
+def test_units_signs_and_zeros(tmp_path: Path, table: pd.DataFrame, name: str) -> None:
+    arguments = _written(tmp_path, table, name=name)
+    ended = in_this_process(tmp_path, *arguments)
+    assert ended.returncode == 1, ended.stderr
+    (found,) = testbed.diagnose(tmp_path / name, "vtail", tmp_path / "map.yaml").findings
+    assert (found.actuator, found.state) == ("left_ruddervator", "weak")
+    assert found.from_s == pytest.approx(100.0 + AT_S, abs=1.0)
+    assert found.effectiveness == pytest.approx(0.3, abs=0.1)
+
+
+def test_gaps_clock_steps_and_missing_values_are_mended_and_said(tmp_path: Path, table: pd.DataFrame) -> None:
+    """Two seconds without rows, a clock that goes back for ten rows, and single values that are missing: the same finding."""
+    table = table.drop(index=range(900, 1100)).reset_index(drop=True)
+    table.loc[400:409, "t_us"] -= 5e6
+    table.loc[::50, "gx"] = np.nan
+    _written(tmp_path, table)
+    found = testbed.diagnose(tmp_path / "log.csv", "vtail", tmp_path / "map.yaml")
+    assert [(f.actuator, f.state) for f in found.findings] == [("left_ruddervator", "weak")]
+    assert any("missing" in line for line in found.log.remarks)
+    assert any("10 rows" in line for line in found.log.remarks)
+
+
+BAD: dict[str, tuple[Callable[[pd.DataFrame], pd.DataFrame], Callable[[Any], Any], str]] = {
+    "no rows": (lambda t: t.iloc[:0], lambda m: m, "log.csv"),
+    "a few rows": (lambda t: t.iloc[:50], lambda m: m, "at least 10 s"),
+    "a gyro in degrees": (
+        lambda t: t,
+        lambda m: {**m, "signals": {**m["signals"], "p": {"column": "gx", "unit": "rad_s"}}},
+        "gx",
+    ),
+    "time in milliseconds": (lambda t: t, lambda m: {**m, "time": {"column": "t_us", "unit": "ms"}}, "time"),
+    "two time bases": (
+        lambda t: t.assign(t_us=np.where(np.arange(len(t)) % 2, t["t_us"], t["t_us"] / 1000)),
+        lambda m: m,
+        "of one clock",
+    ),
+    "no column": (lambda t: t.drop(columns="pwm2"), lambda m: m, "'pwm2'"),
+    "no output": (lambda t: t.assign(pwm2=np.nan), lambda m: m, "no actuator's output"),
+    "text": (lambda t: t.assign(gx="fast"), lambda m: m, "expected numbers"),
+    "an actuator too few": (
+        lambda t: t,
+        lambda m: {**m, "actuators": {k: v for k, v in m["actuators"].items() if k != "left_propeller"}},
+        "map.yaml:",
+    ),
+    "a throttle of newtons": (
+        lambda t: t,
+        lambda m: {**m, "actuators": {**m["actuators"], "left_propeller": {"column": "thrust1", "unit": "throttle"}}},
+        "thrust1",
+    ),
+    "a unit of something else": (
+        lambda t: t,
+        lambda m: {**m, "signals": {**m["signals"], "roll": {"column": "roll", "unit": "m_s"}}},
+        "signals.roll.unit",
+    ),
+    "an unknown signal": (
+        lambda t: t,
+        lambda m: {**m, "signals": {**m["signals"], "rol": {"column": "roll", "unit": "rad"}}},
+        "did you mean roll?",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_logs_are_refused_and_nothing_is_written(tmp_path: Path, table: pd.DataFrame, name: str) -> None:
+    change, remap, words = BAD[name]
+    ended = in_this_process(tmp_path, *_written(tmp_path, change(table.copy()), remap(MAPPING)))
+    assert ended.returncode == 2
+    assert words in ended.stderr and "Traceback" not in ended.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"PAR1 and no more", b"\x00\xff" * 500, b"ULog\x01\x12\x35" + bytes(200)]
+)
+def test_other_files_are_refused(tmp_path: Path, table: pd.DataFrame, content: bytes) -> None:
+    arguments = _written(tmp_path, table)
+    (tmp_path / "log.csv").write_bytes(content)
+    ended = in_this_process(tmp_path, *arguments)
+    assert ended.returncode == 2 and ended.stderr.startswith("log.csv: ")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_truncated_parquet_file_is_refused(tmp_path: Path, table: pd.DataFrame) -> None:
+    arguments = _written(tmp_path, table, name="log.parquet")
+    content = (tmp_path / "log.parquet").read_bytes()
+    (tmp_path / "log.parquet").write_bytes(content[: len(content) // 2])
+    assert in_this_process(tmp_path, *arguments).returncode == 2
+
+
+def test_a_file_needs_a_model_and_a_mapping(tmp_path: Path, table: pd.DataFrame) -> None:
+    _written(tmp_path, table)
+    ended = in_this_process(tmp_path, "diagnose", "log.csv")
+    assert ended.returncode == 2
+    assert "--model" in ended.stderr and "--columns" in ended.stderr
