@@ -38,6 +38,7 @@ def benchmark(
     jobs: int | None = None,
     cluster: str | None = None,
     resume: bool = False,
+    mixed: bool = False,
     entry: str | Path | None = None,
 ) -> pd.DataFrame:
     """Fly controllers on the flights of a suite, write the folder, and return its table with a row for each flight.
@@ -52,11 +53,12 @@ def benchmark(
         jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, and fly only the missing flights.
+        mixed: fly on where versions or processors are others than at the beginning, and mark those flights in the table.
         entry: a file to write, with which others can check the result.
 
     Raises BadInput when nothing can be flown, Stopped when it ended early; the finished flights are then kept.
     """
-    how = Options(jobs, cluster, "none")
+    how = Options(jobs, cluster, "none", mixed=mixed)
     plan, folder = prepare(
         suite, out, controllers=controllers, draws=draws, seed=seed, word=word, entry=entry
     )
@@ -183,7 +185,8 @@ def verify(
     """
     from testbed.studies.benchmark import entry as entries
 
-    how, entry = Options(jobs, cluster, "none"), entries.read(Path(file), suite)
+    how = Options(jobs, cluster, "none", mixed=True)  # what differs is said with the verdict
+    entry = entries.read(Path(file), suite)
     own = [name for name, one in entry.controllers.items() if one.code_sha256 is not None]
     given = [text.partition("=")[0] for text in controllers]
     if missing := [not_given(name) for name in own if name not in given]:
@@ -193,4 +196,6 @@ def verify(
         suite or entry.suite, controllers=[*shipped, *controllers], draws=entry.draws, seed=entry.seed
     )
     entries.refuse_other(entry, plan, Path(file))
-    return entries.verdict(entries.fly_again(entry, plan, VERIFIED_DRAWS if draws is None else draws, how))
+    return entries.verdict(
+        entry, entries.fly_again(entry, plan, VERIFIED_DRAWS if draws is None else draws, how)
+    )

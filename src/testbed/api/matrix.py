@@ -56,6 +56,7 @@ def matrix(
     jobs: int | None = None,
     cluster: str | None = None,
     resume: bool = False,
+    mixed: bool = False,
     save_logs: str = "all",
     fly: Fly | None = None,
     figures: bool = True,
@@ -78,6 +79,7 @@ def matrix(
         jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, and fly only the missing flights.
+        mixed: fly on where versions or processors are others than at the beginning, and mark those flights in the table.
         save_logs: which flights' logs to keep, each for a page of its own: `none`, `failed` or `all`.
         fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
         figures: whether to write the report and the pages of flights.
@@ -86,7 +88,7 @@ def matrix(
     """
     import pandas as pd
 
-    how = Options(jobs, cluster, save_logs, fly)
+    how = Options(jobs, cluster, save_logs, fly, mixed=mixed)
     plan, folder = prepare(
         scenario, out, changes(settings, set), seed=seed, controllers=controllers, failures=failures,
         severities=severities, weather=weather, seeds=seeds, at_s=at_s, baseline=baseline,

@@ -13,7 +13,7 @@ from testbed.studies import merge as shards
 
 
 def merge(
-    folders: Sequence[str | Path], out: str | Path, *, figures: bool = True
+    folders: Sequence[str | Path], out: str | Path, *, figures: bool = True, mixed: bool = False
 ) -> tuple[dict[str, Any] | None, list[int]]:
     """Join shards into a new folder, the same as if one machine had flown all runs; returns its summary, and the missing runs.
 
@@ -23,6 +23,7 @@ def merge(
         folders: those that `--shard` made, finished or not.
         out: the folder to make.
         figures: whether to draw figures and write the report.
+        mixed: allow shards of another environment than the first's, and mark their flights in the table.
 
     Raises BadInput, and makes nothing, when the folders are not of one study, or contradict each other.
     """
@@ -36,5 +37,5 @@ def merge(
     plan = kind.plan_of(paths[0])
     if other := [path for path in paths if words[0] == "benchmark" and kind.plan_of(path).size != plan.size]:
         raise BadInput([Problem("has another number of draws", str(path)) for path in other])
-    missing = shards.merge(plan, paths, out, tabled=words[0] in KEEP_LOGS)
+    missing = shards.merge(plan, paths, out, tabled=words[0] in KEEP_LOGS, mixed=mixed)
     return (None if missing else kind.finish(plan, out, figures=figures)), missing

@@ -84,6 +84,7 @@ def search(
     jobs: int | None = None,
     cluster: str | None = None,
     resume: bool = False,
+    mixed: bool = False,
     fly: Fly | None = None,
     figures: bool = True,
     controllers: Sequence[str] = (),
@@ -101,13 +102,14 @@ def search(
         jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, with the flights that it has.
+        mixed: fly on where versions or processors are others than at the beginning, and mark those flights in the table.
         fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
         figures: whether to draw figures and write the report.
         controllers: classes of your own to compare with the file's controllers, each NAME=FILE.py:CLASS.
 
     Raises BadInput when nothing can be searched, Stopped when the search ended early; the finished flights are then kept.
     """
-    how = Options(jobs, cluster, "none", fly)
+    how = Options(jobs, cluster, "none", fly, mixed=mixed)
     changed = changes(settings, set)
     plan, folder = prepare(search, out, changed, goal=goal, budget=budget, seed=seed, controllers=controllers)
     flights = run_search(plan, folder, how, resume=resume)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,9 +18,9 @@ from testbed.reporting.junit import Test
 from testbed.reporting.numbers import interval, number
 from testbed.studies import summary
 from testbed.studies.checks import check
-from testbed.studies.flying.flight import Fly, flight_of
+from testbed.studies.flying.flight import Fly, Job, flight_of
 from testbed.studies.folder import logs, reading, store, table
-from testbed.studies.folder.begin import refuse_blocked, refuse_other_parts, runs_of
+from testbed.studies.folder.begin import begun_with, refuse_blocked, refuse_changed, runs_of
 from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
@@ -50,6 +51,7 @@ def sweep(
     jobs: int | None = None,
     cluster: str | None = None,
     resume: bool = False,
+    mixed: bool = False,
     save_logs: str = "failed",
     fly: Fly | None = None,
     figures: bool = True,
@@ -67,6 +69,7 @@ def sweep(
         jobs: number of processes; one for each core by default.
         cluster: address of a Dask cluster to fly on instead.
         resume: go on with an existing folder, and fly only the missing flights.
+        mixed: fly on where versions or processors are others than at the beginning, and mark those flights in the table.
         save_logs: which flights' logs to keep: `none`, `failed` or `all`.
         fly: `fly(scenario) -> Flight`, a function at the top of a module, in place of the simulator.
         figures: whether to draw figures and write the report.
@@ -74,7 +77,7 @@ def sweep(
 
     Raises BadInput when nothing can be flown, Stopped when the sweep ended early; the finished flights are then kept.
     """
-    how = Options(jobs, cluster, save_logs, fly)
+    how = Options(jobs, cluster, save_logs, fly, mixed=mixed)
     changed = changes(settings, set)
     plan, folder = prepare(sweep, out, changed, runs=runs, seed=seed, resume=resume, controllers=controllers)
     flights = fly_sweep(plan, folder, how, resume=resume)
@@ -135,8 +138,7 @@ def _controllers(folder: Path) -> dict[str, Any]:
         return {}
     with store.reading(folder) as stored:
         digests = stored.inputs.get("controllers_sha256")
-    known = digests if isinstance(digests, Mapping) else {}
-    return {"controllers_sha256": {name: str(digest) for name, digest in known.items()}} if known else {}
+    return {"controllers_sha256": digests} if digests else {}
 
 
 def tests(plan: Plan, folder: Path, summary: Mapping[str, Any]) -> Iterator[Test]:
@@ -206,15 +208,13 @@ def fly_run(
     """Fly one run alone into a new folder: its rows in results.csv, and a run folder for each variant's flight.
 
     With `variant`, the label of one of those compared, only that is flown, and the new folder itself is its run folder.
-    Returns whether every flight passed, and those flights that have a result. Raises BadInput when there is no such run.
+    Returns whether every flight passed, and those flights that have a result. Raises BadInput when there is no such run, or when
+    the plan is of a folder that was begun with other inputs: the flight would be another one than the folder's.
     """
-    begun = Path(plan.builder.base.file).parent
-    if store.exists(begun):
-        refuse_other_parts(begun)
-    done = fly_only(plan, run, how, None if variant is None else _numbered(plan, variant))
+    job = _job_of_folder(plan, how)
+    done = fly_only(plan, run, job, how.jobs, None if variant is None else _numbered(plan, variant))
     records = [flown.record for _, flown in done]
     # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.
-    job = how.job(plan)
     again = [task for task, flown in done if flown.record.outcome not in NO_RESULT]
     flights = {task.variant: flight_of(job, task) for task in again}
     if variant is None:
@@ -227,6 +227,16 @@ def fly_run(
         add = partial(add_report, flight, figures=figures)
         write_run_folder(flight, folder if variant is not None else folder / name, add)
     return all(record.passed for record in records), list(flights.values())
+
+
+def _job_of_folder(plan: Plan, how: Options) -> Job:
+    """The job that flies a plan as the folder was flown that it is from; as `how` says if it is from none."""
+    job, folder = how.job(plan), Path(plan.builder.base.file).parent
+    if not store.exists(folder):
+        return job
+    with store.reading(folder) as stored:
+        refuse_changed(stored.inputs, begun_with(plan, job.fly), folder, mixed=how.mixed)
+        return replace(job, environment=stored.inputs)
 
 
 def _numbered(plan: Plan, label: str) -> int:

@@ -128,4 +128,11 @@ def add_flying(command: ArgumentParser) -> None:
     command.add_argument("--cluster-wait", type=number, metavar="S", help=wait)
     resume = "go on with an existing folder: fly only the missing flights"
     command.add_argument("--resume", action="store_true", help=resume)
+    add_mixed(command)
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
+
+
+def add_mixed(command: ArgumentParser) -> None:
+    """`--mixed`: flights of several environments."""
+    mixed = "allow other versions or processors than the study was begun with, and mark those flights in the table"
+    command.add_argument("--mixed", action="store_true", help=mixed)

@@ -7,7 +7,7 @@ from importlib import import_module
 from pathlib import Path
 
 from testbed.cli import study
-from testbed.cli.command import Command
+from testbed.cli.command import Command, add_mixed
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, Ended
 from testbed.cli.working import working
@@ -18,6 +18,7 @@ _SHOWN = 10
 def _arguments(command: ArgumentParser) -> None:
     command.add_argument("folders", type=Path, nargs="+", metavar="FOLDER", help="folders of the shards")
     command.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to make")
+    add_mixed(command)
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
 
@@ -27,7 +28,9 @@ def _run(options: Namespace) -> int:
     from testbed.api.merge import merge
 
     with working("merging"), tidily():
-        summary, missing = merge(options.folders, options.out, figures=not options.no_plots)
+        summary, missing = merge(
+            options.folders, options.out, figures=not options.no_plots, mixed=options.mixed
+        )
     kind = kind_of(options.out)
     if summary is None:
         named = ", ".join(map(str, missing[:_SHOWN])) + (", ..." if len(missing) > _SHOWN else "")

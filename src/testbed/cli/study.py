@@ -29,7 +29,9 @@ def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", *
         from testbed.reporting.junit import refuse
 
         refuse(junit)
-    how = Options(options.jobs, options.cluster, save_logs, cluster_wait_s=options.cluster_wait)
+    how = Options(
+        options.jobs, options.cluster, save_logs, cluster_wait_s=options.cluster_wait, mixed=options.mixed
+    )
     shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
     plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
     with tidily():

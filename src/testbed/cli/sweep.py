@@ -72,8 +72,9 @@ def fly_shard(kind: Kind, options: Namespace, file: str, save_logs: str, **own: 
     from testbed.studies.run import Options
 
     how = Options(
-        options.jobs, options.cluster, save_logs, shard=options.shard, cluster_wait_s=options.cluster_wait
-    )
+        options.jobs, options.cluster, save_logs, shard=options.shard, cluster_wait_s=options.cluster_wait,
+        mixed=options.mixed,
+    )  # fmt: skip
     plan, folder = kind.prepare(
         file, options.out, options.set, seed=options.seed, resume=options.resume,
         controllers=options.controller, **own,
@@ -92,7 +93,7 @@ def _fly_only(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
     from testbed.reporting import junit
     from testbed.studies.run import Options
 
-    how = Options(options.jobs, options.cluster, options.save_logs)
+    how = Options(options.jobs, options.cluster, options.save_logs, mixed=options.mixed)
     plan, usual = kind.prepare(
         file, None, options.set, seed=options.seed, controllers=options.controller, **own
     )

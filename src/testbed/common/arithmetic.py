@@ -1,4 +1,4 @@
-"""How this machine calculates, as far as the last digits of a flight depend on it.
+"""How this process calculates, as far as the last digits of a flight depend on it: versions, and digests of what comes out.
 
 Measured with `mems_turbulence.yaml`: another kernel of OpenBLAS and another set of functions in the C library change the bytes of
 its log. Which ones are in use depends on the processor, on the libraries and on the environment (`OPENBLAS_CORETYPE`,
@@ -9,6 +9,7 @@ sizes that controllers use, and of the elementary functions.
 from __future__ import annotations
 
 import hashlib
+import importlib.metadata
 import math
 import platform
 from collections.abc import Iterator, Mapping
@@ -20,6 +21,12 @@ import numpy as np
 _POINTS, _SIZES = 500, (2, 4, 8, 12, 24)
 _SAID = {"matrices": "kernel", "functions": "library"}
 """Each digest, and what is said of it where it differs."""
+_VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
+
+
+def environment() -> dict[str, Any]:
+    """All of it: `versions` {package: version}, and the `arithmetic`."""
+    return {"versions": {name: _version(name) for name in _VERSIONS}, "arithmetic": dict(arithmetic())}
 
 
 @cache
@@ -37,14 +44,30 @@ def arithmetic() -> Mapping[str, str]:
     }
 
 
-def differences(before: Any, now: Mapping[str, str]) -> Iterator[str]:
-    """What calculates otherwise than before, in words; nothing where it was not recorded."""
-    known = before if isinstance(before, dict) else {}
+def differences(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
+    """What of an `environment` is other than before, in words."""
+    versions = before.get("versions", {})
+    for name, version in now.get("versions", {}).items():
+        if (old := versions.get(name)) != version:
+            yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
+    yield from _other_digits(before.get("arithmetic", {}), now.get("arithmetic", {}))
+
+
+def _other_digits(before: Mapping[str, Any], now: Mapping[str, str]) -> Iterator[str]:
+    """What calculates otherwise; nothing where it was not recorded, as by earlier versions."""
     for digits, source in _SAID.items():
-        if known.get(digits, now[digits]) != now[digits]:
-            names = f"{known.get(source, 'unknown')}, this is {now[source]}"
+        if digits in before and digits in now and before[digits] != now[digits]:
+            names = f"{before.get(source, 'unknown')}, this is {now.get(source, 'unknown')}"
             what = "the BLAS kernel" if digits == "matrices" else "the C library or the processor"
             yield f"other last digits of {digits}, which depend on {what}: {names}"
+
+
+def _version(name: str) -> str:
+    """The version of a package on which the last digits of a flight may depend; "" where the repository is not installed."""
+    try:
+        return importlib.metadata.version(name)
+    except importlib.metadata.PackageNotFoundError:
+        return ""
 
 
 def _digest(parts: Iterator[Any]) -> str:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
+from testbed.common.arithmetic import differences
 from testbed.common.writing import write
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import MEGABYTE, read_bytes
@@ -15,20 +17,22 @@ from testbed.studies.folder.begin import is_new, refuse_changed, refuse_other
 from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
-from testbed.studies.record import key_of
+from testbed.studies.record import Record, key_of
 
 _LARGEST_LOG = 1000 * MEGABYTE
 
 
-def merge(plan: Plan, folders: Sequence[Path], out: Path, *, tabled: bool = True) -> list[int]:
+def merge(
+    plan: Plan, folders: Sequence[Path], out: Path, *, tabled: bool = True, mixed: bool = False
+) -> list[int]:
     """Make the folder `out` with the flights of all the folders, and perhaps its table; returns the missing runs.
 
     Raises BadInput, and leaves nothing, when they are not of one study that was begun with the same inputs, or when two have
-    another result of the same flight.
+    another result of the same flight. With `mixed` they may be of several environments.
     """
     if not is_new(out):
         raise BadInput([Problem("exists already", str(out), expected="a new folder")])
-    _refuse_strangers(plan, folders)
+    _refuse_strangers(plan, folders, mixed)
     out.mkdir(parents=True, exist_ok=True)
     try:
         return _joined(plan, folders, out, tabled)
@@ -37,14 +41,14 @@ def merge(plan: Plan, folders: Sequence[Path], out: Path, *, tabled: bool = True
         raise
 
 
-def _refuse_strangers(plan: Plan, folders: Sequence[Path]) -> None:
+def _refuse_strangers(plan: Plan, folders: Sequence[Path], mixed: bool) -> None:
     problems: list[Problem] = []
     with store.reading(folders[0]) as first:
         inputs = first.inputs
     for folder in folders[1:]:
         with store.reading(folder) as other:
             collect(problems, lambda f=folder: refuse_other(f, plan, resume=True))  # type: ignore[misc]
-            collect(problems, lambda f=folder, o=other: refuse_changed(o.inputs, inputs, f))  # type: ignore[misc]
+            collect(problems, lambda f=folder, o=other: refuse_changed(o.inputs, inputs, f, mixed=mixed))  # type: ignore[misc]
     if problems:
         raise BadInput(problems)
 
@@ -79,10 +83,17 @@ def _contents(log: Path) -> bytes:
 
 
 def _add(merged: Store, shard: Store) -> None:
-    """Add the flights of a shard; one that is there already must be the same."""
+    """Add the flights of a shard, marked where it is of another environment; one that is there already must be the same."""
+    mark = "; ".join(differences(merged.inputs, shard.inputs))
     for key, record in shard.records():
         if key not in merged:
-            merged.add(key, record, shard.history(key))
-        elif repr(merged.record(key)) != repr(record):  # which compares NaN as equal
+            environment = record.environment or mark
+            merged.add(key, replace(record, environment=environment), shard.history(key))
+        elif _result(merged.record(key)) != _result(record):
             what = f"has another result of run {record.run} than a folder before it"
             raise BadInput([Problem(what, str(shard.folder))])
+
+
+def _result(record: Record) -> str:
+    """Everything but where it was flown, as a text, in which NaN is equal to NaN."""
+    return repr(replace(record, environment=""))

@@ -10,7 +10,8 @@ import math
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
-from pydantic import Field, TypeAdapter
+from pydantic import ConfigDict, Field, TypeAdapter, with_config
+from typing_extensions import TypedDict
 
 NO_RESULT = ("invalid", "error", "timeout", "crashed")
 """Outcomes of a flight without a result: refused as input, ended by an exception, hung, ended with its process."""
@@ -27,7 +28,7 @@ class Record:
 
     `requirements` has (passed, value, robustness) of each requirement, NaN where there is no value. `passed` is None for what
     cannot be judged: a requirement on what the controller does not say, and a flight in which nothing can. `reason` says why there
-    is no result.
+    is no result. `environment` says what was other than where the study was begun, where that was asked for.
     """
 
     run: _Number
@@ -41,6 +42,7 @@ class Record:
     robustness: float = math.nan
     metrics: Annotated[dict[str, float], _MOST] = field(default_factory=dict)
     requirements: Annotated[tuple[_Verdict, ...], _MOST] = ()
+    environment: str = ""
 
 
 @dataclass(frozen=True)
@@ -57,5 +59,17 @@ def key_of(k: int) -> bytes:
     return k.to_bytes(8, "big")
 
 
-CHECKED = TypeAdapter(Record)
-"""Reads a record from JSON, with the type and the range of each value checked."""
+@with_config(ConfigDict(extra="allow"))
+class Begun(TypedDict, total=False):
+    """What a study was begun with (see `folder.begin`); folders of earlier versions lack some of it."""
+
+    fly: str
+    aircraft_sha256: str
+    versions: dict[str, str]
+    arithmetic: dict[str, str]
+    controllers_sha256: dict[str, str]
+    parts_sha256: dict[str, str]
+
+
+CHECKED, BEGUN = TypeAdapter(Record), TypeAdapter(Begun)
+"""They read a record, and what a study was begun with, from JSON, with the type and the range of each value checked."""

@@ -8,7 +8,7 @@ import shutil
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -40,7 +40,8 @@ class Refused(BadInput):
 class Options:
     """How to fly: number of processes or a cluster and the wait for it, logs to keep, what flies one flight and many, which part.
 
-    Only `fly` can change the results. Raises BadInput when one is out of range.
+    Only `fly` can change the results, and `mixed`, which allows workers of other environments, their last digits. Raises BadInput
+    when one is out of range.
     """
 
     jobs: int | None = None
@@ -50,6 +51,7 @@ class Options:
     workers: Workers = workers
     shard: str | None = None
     cluster_wait_s: float | None = None
+    mixed: bool = False
 
     @property
     def part(self) -> tuple[int, int]:
@@ -78,7 +80,8 @@ class Options:
         if self.fly is not None and plan.builder.own:
             what = "flies the scenario in its own way, and so no controller of one's own"
             raise BadInput([Problem(what, path="fly", expected="no fly, or no controllers")])
-        return Job(plan.builder, fly_reference(self.fly), self.save_logs, plan.study.time_limit_s)
+        limit_s = plan.study.time_limit_s
+        return Job(plan.builder, fly_reference(self.fly), self.save_logs, limit_s, mixed=self.mixed)
 
 
 class Flights:
@@ -134,7 +137,8 @@ def fly_into(
     if options.cluster is not None:
         refuse_dead(options.cluster, options.cluster_wait_s)  # before the folder is made
     new = not os.path.lexists(folder)
-    store = begin(folder, plan, job.fly, resume=resume)
+    store = begin(folder, plan, job.fly, resume=resume, mixed=options.mixed)
+    job = replace(job, environment=store.inputs)
     useless = False
     try:
         with options.workers(job, options.jobs, options.cluster) as fly_all:

@@ -50,7 +50,7 @@ def summarize(plan: Plan, frame: pd.DataFrame) -> dict[str, Any]:
 
 def metric_names(plan: Plan, frame: pd.DataFrame) -> list[str]:
     """Names of the columns that are metrics."""
-    others = {"run", "seed", "outcome", "passed", "reason", "end_time_s", "robustness"}
+    others = {"run", "seed", "outcome", "passed", "reason", "environment", "end_time_s", "robustness"}
     others |= {*plan.paths, *plan.study.compare}
     return [name for name in frame.columns if name not in others and not name.startswith("requirements.")]
 

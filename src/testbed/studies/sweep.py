@@ -7,6 +7,7 @@ from pathlib import Path
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
+from testbed.studies.flying.flight import Job
 from testbed.studies.flying.pool import Done, default_jobs, workers
 from testbed.studies.folder import table
 from testbed.studies.folder.reading import records
@@ -99,12 +100,12 @@ class _CompleteRuns:
             yield self._plan.task(k)
 
 
-def fly_only(plan: Plan, run: int, options: Options, variant: int | None = None) -> list[Done]:
+def fly_only(plan: Plan, run: int, job: Job, jobs: int | None, variant: int | None = None) -> list[Done]:
     """Fly all variants of one run, or one of them; returns them in order. Raises BadInput when there is no such run."""
     if not 0 <= run < plan.runs:
         raise BadInput([Problem(f"there is no run {run}", "--only", expected=f"0 to {plan.runs - 1}")])
     n = len(plan.variants)
     chosen = range(n) if variant is None else [variant]
     tasks = [plan.task(run * n + number) for number in chosen]
-    with workers(options.job(plan), min(len(tasks), options.jobs or default_jobs())) as fly_all:
+    with workers(job, min(len(tasks), jobs or default_jobs())) as fly_all:
         return sorted(fly_all(tasks), key=lambda done: done[0].variant)

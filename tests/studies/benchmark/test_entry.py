@@ -160,3 +160,23 @@ def test_an_entry_is_confirmed_in_another_checkout_and_nothing_else_is(entered: 
     (mine / "entry.yaml").write_text(known)
     law.write_text(law.read_text() + "# changed\n")
     assert "other code of the shipped controllers" in verified().stderr
+
+
+def test_an_entry_of_another_processor_says_so(entered: Path, tmp_path: Path) -> None:
+    said = yamlfile.read(entered / "entry.yaml").tree
+    mine = said["controllers"]["mine"]
+    mine["flights"] = " ".join(f"{mark[0]}0000000000" for mark in mine["flights"].split())
+    for kernel, digits, words in (
+        ("Other", "0", "the BLAS kernel: Other, this is"),
+        (
+            said["arithmetic"]["kernel"],
+            said["arithmetic"]["matrices"],
+            "though this machine calculates alike",
+        ),
+    ):
+        said["arithmetic"] |= {"kernel": kernel, "matrices": digits}
+        (tmp_path / "entry.yaml").write_text(yamlfile.dump(said))
+        same, lines = verify(
+            tmp_path / "entry.yaml", entered / "tiny.yaml", controllers=[MINE], draws=1, jobs=1
+        )
+        assert same and "1 ended the same with other digits" in lines[1] and words in lines[1]

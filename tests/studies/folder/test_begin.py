@@ -12,7 +12,7 @@ import testbed
 from testbed.api.sweep import prepare, rebuild
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
-from testbed.studies.folder.begin import begun_with, refuse_changed, refuse_other
+from testbed.studies.folder.begin import MIXED, begun_with, refuse_changed, refuse_other
 from testbed.studies.load import load_sweep
 
 CHANGES: list[tuple[list[str], str]] = [
@@ -69,7 +69,7 @@ def test_another_version_or_aircraft_is_said(tmp_path: Path) -> None:
     numpy = begun["versions"]["numpy"]
     assert [str(problem).partition(": ")[2] for problem in refused.value.problems] == [
         "was begun with other files of the aircraft, which have changed since",
-        f"was begun with numpy 0.1, this is {numpy}",
+        f"was begun with numpy 0.1, this is {numpy}, expected {MIXED}",
     ]
 
 

@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 from pydantic import Field
 
 from testbed.common import writing
+from testbed.common.arithmetic import differences, environment
 from testbed.common.files import plain
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.base import Number, Settings, Text, Whole
@@ -67,6 +68,7 @@ class Entry(Settings):
     law_sha256: Text
     draws: int = Field(strict=True, gt=0)
     environment: dict[str, str]
+    arithmetic: dict[str, str] | None = None
     aircraft_sha256: Text
     controllers: dict[str, Flier] = Field(min_length=1)
 
@@ -81,12 +83,16 @@ class Checked(NamedTuple):
 
 
 def write(file: Path, plan: Benchmark, store: Store, summary: Mapping[str, Any]) -> None:
-    """Write an entry over an earlier one, from a folder in which every draw was flown."""
+    """Write an entry over an earlier one, from a folder in which every draw was flown; raises BadInput for one of `--mixed`."""
+    if any(record.environment for _, record in store.records()):
+        what = "cannot be checked by others, as flights were made in several environments"
+        raise BadInput([Problem(what, "--entry", expected="a benchmark without --mixed")])
     keys = ("suite", "version", "suite_sha256", "seed", "word", "law_sha256", "draws")
     said: dict[str, Any] = {key: summary[key] for key in keys if key in summary}
     begun = store.inputs
     said |= {
         "environment": _environment(begun),
+        "arithmetic": begun["arithmetic"],
         "aircraft_sha256": begun["aircraft_sha256"],
         "controllers": {},
     }
@@ -187,7 +193,7 @@ def fly_again(entry: Entry, plan: Benchmark, draws: int, options: Options) -> li
     return [Checked(draw, name, marks[name][draw], now) for draw, name, now in sorted(done)]
 
 
-def verdict(checked: Sequence[Checked]) -> tuple[bool, list[str]]:
+def verdict(entry: Entry, checked: Sequence[Checked]) -> tuple[bool, list[str]]:
     """Whether every flight ended as the entry says, and that in words."""
     ended = [each for each in checked if each.said[0] != each.now[0]]
     other = [each for each in checked if each.said != each.now and each not in ended]
@@ -195,9 +201,17 @@ def verdict(checked: Sequence[Checked]) -> tuple[bool, list[str]]:
         f"{len(checked) - len(ended) - len(other)} of {len(checked)} flights are the same to the last bit"
     ]
     if other:
-        lines.append(f"{len(other)} ended the same with other digits, as on another kind of processor")
+        lines.append(f"{len(other)} ended the same with other digits, {_why(entry)}")
     lines += [f"draw {each.draw}, {each.controller}: did not end as the entry says" for each in ended]
     return not ended, lines
+
+
+def _why(entry: Entry) -> str:
+    """Why digits may be others than an entry's."""
+    if entry.arithmetic is None:
+        return "as on another kind of processor"
+    other = "; ".join(differences({"arithmetic": entry.arithmetic}, environment()))
+    return f"as it was flown with {other}" if other else "though this machine calculates alike"
 
 
 def _environment(begun: Mapping[str, Any]) -> dict[str, str]:

@@ -68,6 +68,7 @@ def _row(plan: Benchmark, record: Record, history: bytes, limits: Sequence[float
         "inside": _inside(history, limits),
         "end_time_s": record.end_time_s,
         **{name: record.metrics.get(name, math.nan) for name in _METRICS},
+        **({"environment": record.environment} if record.environment else {}),
         "reason": record.reason,
     }
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import re
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pkgutil import resolve_name
 from typing import Any
 
+from testbed.common.arithmetic import environment
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput, Problem
 from testbed.parts import Parts, in_use
@@ -35,6 +36,10 @@ class Job:
     """Function that flies, as `module:name`."""
     save_logs: str = "failed"
     time_limit_s: float = 300.0
+    environment: Mapping[str, Any] = field(default_factory=environment)
+    """The `environment` that the study was begun in."""
+    mixed: bool = False
+    """Whether a worker may fly in another one, which its records then say."""
     parts: tuple[Parts, ...] = field(default_factory=in_use)
     search_path: tuple[str, ...] = field(default_factory=lambda: tuple(sys.path))
 

@@ -10,20 +10,24 @@ from __future__ import annotations
 import contextlib
 import os
 import pickle
+import platform
 import signal
 import subprocess
 import sys
 import tempfile
 import threading
+from dataclasses import replace
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection
 from typing import IO
 
+from testbed.common import arithmetic
 from testbed.common.child import command, end_with_parent, environment, signal_name
 from testbed.inputs.problems import BadInput, Problem
 from testbed.parts import take
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job, fly_task, not_flown
+from testbed.studies.folder.begin import MIXED
 from testbed.studies.record import Flown
 
 _START_S = 300.0
@@ -118,7 +122,7 @@ class Child:
         raise BadInput([Problem(f"a worker process does not start: {reason}")])
 
     def _started(self, words: IO[bytes]) -> bool:
-        """Start a process that writes its words to this file; whether it got ready."""
+        """Start a process that writes its words to this file; whether it got ready. Raises BadInput when it is unlike."""
         self._pipe, theirs = Pipe()
         held, self._lifeline = Pipe(duplex=False)
         with theirs, held:
@@ -131,7 +135,13 @@ class Child:
             self._process.kill()
         with contextlib.suppress(EOFError, OSError):
             self._pipe.send_bytes(pickle.dumps(self._job))
-            return self._pipe.poll(_START_S) and bool(self._pipe.recv())
+            if not self._pipe.poll(_START_S):
+                return False
+            other: str = self._pipe.recv()
+            if other and not self._job.mixed:
+                what = f"a worker on {platform.node()} is unlike where the study was begun, with {other}"
+                raise BadInput([Problem(what, expected=MIXED)])
+            return True
         return False
 
 
@@ -205,10 +215,12 @@ def main(pipe: int, lifeline: int) -> None:
     job: Job = pickle.loads(parent.recv_bytes())
     sys.path += [entry for entry in job.search_path if entry not in sys.path]
     take(job.parts)
-    parent.send(True)
+    other = "; ".join(arithmetic.differences(job.environment, arithmetic.environment()))
+    parent.send(other)
     with contextlib.suppress(EOFError, OSError):  # the parent is gone
         while True:
-            parent.send(fly_task(job, parent.recv()))
+            flown = fly_task(job, parent.recv())
+            parent.send(replace(flown, record=replace(flown.record, environment=other)))
 
 
 if __name__ == "__main__":

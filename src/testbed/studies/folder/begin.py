@@ -9,7 +9,6 @@ logs/            whole logs of the flights that --save-logs chooses, such as run
 from __future__ import annotations
 
 import hashlib
-import importlib.metadata
 import json
 import os
 import shutil
@@ -18,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.description import load_aircraft
-from testbed.common.arithmetic import arithmetic, differences
+from testbed.common.arithmetic import differences, environment
 from testbed.common.writing import remove_partial, write
 from testbed.flight.folder import FolderExists
 from testbed.inputs import yaml_source as yamlfile
@@ -31,16 +30,14 @@ from testbed.studies.drawing.cases import LARGEST_TABLE
 from testbed.studies.folder import store
 from testbed.studies.plan import Plan
 
-_VERSIONS = ("testbed", "jsbsim", "numpy", "scipy", "numba")
-
-
 _FILES = ("results.csv", "results.parquet", "summary.json", "report.html", store.NAME, f"{store.NAME}-wal")
 _RESULTS = _FILES[:4]
 _FOLDERS = ("logs", "figures", "flights")
+MIXED = "the same, or --mixed, which marks in the table what was flown otherwise"
 
 
-def begin(folder: Path, plan: Plan, fly: str, *, resume: bool) -> store.Store:
-    """Make the folder of a study, or open it to resume; returns its store.
+def begin(folder: Path, plan: Plan, fly: str, *, resume: bool, mixed: bool = False) -> store.Store:
+    """Make the folder of a study, or open it to resume, with `mixed` also in another environment; returns its store.
 
     Raises BadInput when it has another study, or exists without `resume`, or cannot be written.
     """
@@ -53,7 +50,7 @@ def begin(folder: Path, plan: Plan, fly: str, *, resume: bool) -> store.Store:
             store.create(folder, now)
         stored = store.opened(folder)
         try:
-            refuse_changed(stored.inputs, now, folder)
+            refuse_changed(stored.inputs, now, folder, mixed=mixed)
             for _ in stored.records():  # each is checked before anything is flown
                 pass
             remove_partial(folder)  # while no other process flies into it
@@ -102,16 +99,23 @@ def begun_with(plan: Plan, fly: str) -> dict[str, Any]:
     return {
         "fly": fly,
         "aircraft_sha256": _aircraft_digest(plan),
-        "versions": {name: _version(name) for name in _VERSIONS},
-        "arithmetic": dict(arithmetic()),
+        **environment(),
         "controllers_sha256": {name: own.digest for name, own in plan.builder.own.items()},
         "parts_sha256": digests(),
     }
 
 
-def refuse_changed(before: Mapping[str, Any], now: Mapping[str, Any], folder: Path) -> None:
-    """Raise BadInput when a folder's study was begun with other inputs than those of now."""
+def refuse_changed(
+    before: Mapping[str, Any], now: Mapping[str, Any], folder: Path, *, mixed: bool = False
+) -> None:
+    """Raise BadInput when a folder's study was begun with other inputs than those of now, or, unless `mixed`, in another
+    environment."""
     problems = [Problem(f"was begun with {what}", str(folder)) for what in _changed(before, now)]
+    if not mixed:
+        problems += [
+            Problem(f"was begun with {what}", str(folder), expected=MIXED)
+            for what in differences(before, now)
+        ]
     if problems:
         raise BadInput(problems)
 
@@ -191,34 +195,20 @@ def _said(value: Any) -> str:
 
 
 def _changed(before: Mapping[str, Any], now: Mapping[str, Any]) -> Iterator[str]:
-    if before.get("fly") != now["fly"]:
-        yield f"the function {before.get('fly')}, this is {now['fly']}"
-    if before.get("aircraft_sha256") != now["aircraft_sha256"]:
+    if before.get("fly") != now.get("fly"):
+        yield f"the function {before.get('fly')}, this is {now.get('fly')}"
+    if before.get("aircraft_sha256") != now.get("aircraft_sha256"):
         yield "other files of the aircraft, which have changed since"
-    said = (before.get(key) for key in ("controllers_sha256", "versions"))
-    digests, versions = (each if isinstance(each, dict) else {} for each in said)
-    for name, digest in now["controllers_sha256"].items():
-        if digests.get(name) != digest:
+    known = before.get("controllers_sha256", {})
+    for name, digest in now.get("controllers_sha256", {}).items():
+        if known.get(name) != digest:
             yield f"other code of {name}, which has changed since"
     yield from _other_parts(before, now.get("parts_sha256", {}))
-    for name, version in now["versions"].items():
-        if (old := versions.get(name)) != version:
-            yield f"{name} {old or 'not installed'}, this is {version or 'not installed'}"
-    yield from differences(before.get("arithmetic"), now["arithmetic"])
-
-
-def refuse_other_parts(folder: Path) -> None:
-    """Raise BadInput unless the parts of the user's own that are used now are those with which a folder's study was begun."""
-    with store.reading(folder) as stored:
-        differences = list(_other_parts(stored.inputs, digests()))
-    if differences:
-        raise BadInput([Problem(f"was begun with {what}", str(folder)) for what in differences])
 
 
 def _other_parts(inputs: Mapping[str, Any], now: Mapping[str, str]) -> Iterator[str]:
     """What differs in the parts of the user's own; a folder of an earlier version was begun with none."""
-    said = inputs.get("parts_sha256")
-    before = said if isinstance(said, dict) else {}
+    before = inputs.get("parts_sha256", {})
     for name in sorted({*before, *now}):
         if name not in before:
             yield f"no parts {name}, which are used now"
@@ -226,14 +216,6 @@ def _other_parts(inputs: Mapping[str, Any], now: Mapping[str, str]) -> Iterator[
             yield f"the parts {name}, which --with has to give"
         elif before[name] != now[name]:
             yield f"other code of {name}, which has changed since"
-
-
-def _version(name: str) -> str:
-    """The version of a package on which the last digits of a flight may depend; "" where the repository is not installed."""
-    try:
-        return importlib.metadata.version(name)
-    except importlib.metadata.PackageNotFoundError:
-        return ""
 
 
 def _aircraft_digest(plan: Plan) -> str:

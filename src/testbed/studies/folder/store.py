@@ -30,7 +30,7 @@ from pydantic import ValidationError
 
 from testbed.common.writing import refuse_unsafe, write
 from testbed.inputs.problems import BadInput, Problem
-from testbed.studies.record import CHECKED, Record
+from testbed.studies.record import BEGUN, CHECKED, Begun, Record
 
 NAME = "flights.sqlite"
 _APPLICATION, _VERSION = 0x666C7973, 1
@@ -65,15 +65,13 @@ class Store:
             raise self._refused("has other tables")
 
     @property
-    def inputs(self) -> dict[str, Any]:
+    def inputs(self) -> Begun:
         """What the study was begun with, as given to `create`."""
         try:
-            inputs = [json.loads(text) for (text,) in self._all("SELECT inputs FROM begun LIMIT 2")]
-        except (ValueError, RecursionError):
-            inputs = []
-        if len(inputs) != 1 or not isinstance(inputs[0], dict):
-            raise self._refused("does not say what it was begun with")
-        return inputs[0]
+            ((text,),) = self._all("SELECT inputs FROM begun LIMIT 2")
+            return BEGUN.validate_json(text, strict=True)
+        except ValueError:
+            raise self._refused("does not say what it was begun with") from None
 
     def __contains__(self, key: bytes) -> bool:
         return bool(self._all("SELECT 1 FROM flights WHERE key = ?", key))

@@ -41,6 +41,7 @@ def rows(plan: Plan, records: Iterable[Record]) -> Iterator[dict[str, Any]]:
                 for j, verdict in enumerate(record.requirements)
                 for name, value in zip(_OF_A_REQUIREMENT, verdict, strict=True)
             },
+            **({"environment": record.environment} if record.environment else {}),
             "reason": record.reason,
         }
 
