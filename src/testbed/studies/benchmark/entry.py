@@ -210,7 +210,8 @@ def _why(entry: Entry) -> str:
     """Why digits may be others than an entry's."""
     if entry.arithmetic is None:
         return "as on another kind of processor"
-    other = "; ".join(differences({"arithmetic": entry.arithmetic}, environment()))
+    here = environment()
+    other = "; ".join(differences({**here, "arithmetic": entry.arithmetic}, here))
     return f"as it was flown with {other}" if other else "though this machine calculates alike"
 
 
