@@ -8,7 +8,6 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 from testbed.cli.commands import main
@@ -20,8 +19,11 @@ ROOT = Path(__file__).parents[2]
 Called = Callable[..., tuple[int, str, str]]
 """`called("list", "metrics")`: exit status, stdout and stderr of a command, in the test's own process."""
 
-interruptible = partial(signal.signal, signal.SIGINT, signal.default_int_handler)
-"""`preexec_fn` of a process that is to be interrupted: where tests run as a shell's background job, it would ignore SIGINT."""
+
+def interruptible() -> None:
+    """`preexec_fn` of a process that gets signals: as a shell's background job it would ignore SIGINT, and under nohup SIGHUP."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
 
 
 def testbed(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
