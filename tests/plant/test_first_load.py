@@ -98,7 +98,9 @@ def test_a_load_that_computes_for_ever_ends_with_words(
 ) -> None:
     load_by(tmp_path, "def endless(_):\n    while True: pass\nchild.answer(endless)", monkeypatch)
     monkeypatch.setattr(first_load, "_LIMITS", replace(first_load._LIMITS, processor_s=1))
-    monkeypatch.setattr(child, "_PATIENCE", 500)  # on a busy machine the clock would run out first, and says so
+    monkeypatch.setattr(
+        child, "_PATIENCE", 500
+    )  # on a busy machine the clock would run out first, and says so
     words = r"vtail\.xml: JSBSim does not finish loading and starting it within 1 s of processor time"
     with pytest.raises(BadInput, match=words):
         assure(load_aircraft(str(vtail_copy)))

@@ -127,6 +127,16 @@ def test_no_estimate_is_drawn_where_the_controller_makes_none() -> None:
         assert all(len(panel["series"]) == count for panel in made["effectiveness"])
 
 
+def test_a_rate_of_which_the_log_has_no_desired_value_is_drawn_alone() -> None:
+    log = level_log()
+    del log["p_dot_desired_deg_s2"]
+    made = {g["name"]: g["panels"] for g in groups(flight_of(log), log | error_columns(log))}
+    assert {panel["title"]: len(panel["series"]) for panel in made["rates"]} == {
+        "p_dot [deg/s^2]": 1,
+        "u_dot [m/s^2]": 2,
+    }
+
+
 def test_bands_of_requirements_and_the_stretches_that_miss_them() -> None:
     log = level_log()
     log["altitude_m"][at(5) : at(6)] += 2.0

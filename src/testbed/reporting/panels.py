@@ -216,7 +216,8 @@ def rates(flight: Flight) -> Iterator[Panel]:
         ending = next((ending for ending in _LEAST_RATE if f"{axis}_{ending}" in flight.columns), "deg_s2")
         measured = Series(f"{axis}_{ending}", "measured", "truth")
         desired = Series(f"{axis}_desired_{ending}", "desired", "reference", spikes=True)
-        series = (measured,) if np.isnan(flight.column(desired.column)).all() else (measured, desired)
+        asked = desired.column in flight.columns and not np.isnan(flight.column(desired.column)).all()
+        series = (measured, desired) if asked else (measured,)
         unit = unit_of(measured.column)
         yield Panel(axis, unit, series, _LEAST_RATE[ending], None, None, flag, "axis released")
 

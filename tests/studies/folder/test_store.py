@@ -228,6 +228,24 @@ def test_a_record_that_is_none_is_refused(tmp_path: Path, text: str) -> None:
         read(tmp_path)
 
 
+def test_a_record_that_is_no_text_is_refused(tmp_path: Path) -> None:
+    with closing(new(tmp_path)) as flights:
+        flights.add(b"k", RECORD)
+    change(tmp_path, "UPDATE flights SET record = CAST(x'7b22ff' AS TEXT)")
+    with pytest.raises(BadInput, match="cannot be read: Could not decode to UTF-8"):
+        read(tmp_path)
+
+
+@pytest.mark.parametrize(
+    "inputs", ["[]", "{", "7", "", '{"versions": []}', '{"fly": 1}', '{"arithmetic": {"a": {}}}', "[" * 9000]
+)
+def test_what_a_study_was_begun_with_is_checked(tmp_path: Path, inputs: str) -> None:
+    new(tmp_path).close()
+    change(tmp_path, f"UPDATE begun SET inputs = '{inputs}'")
+    with store.reading(tmp_path) as flights, pytest.raises(BadInput, match="what it was begun with"):
+        _ = flights.inputs
+
+
 def test_a_damaged_page_is_refused(tmp_path: Path) -> None:
     with closing(new(tmp_path)) as flights:
         for k in range(200):

@@ -116,7 +116,7 @@ class Store:
         try:
             yield from self._database.execute(question, values)
         except sqlite3.Error as error:
-            if error.sqlite_errorname == "SQLITE_BUSY":
+            if getattr(error, "sqlite_errorname", "") == "SQLITE_BUSY":  # an error of Python's own has none
                 raise BadInput([Problem("is being flown by another process", str(self.folder))]) from None
             raise self._refused(f"cannot be read: {error}") from None
 
