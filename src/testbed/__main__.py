@@ -18,6 +18,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     atexit.register(
         gc.freeze
     )  # at its end Python would go through all that numba has loaded once more, for half a second
+    atexit.register(interrupts.end_undisturbed)
     interrupts.end_at_once()  # before everything else is imported, which takes most of a second
     if words := start_checks.too_little_memory():
         print(words, file=sys.stderr)

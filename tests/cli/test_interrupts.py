@@ -54,6 +54,22 @@ def test_ctrl_c_while_it_imports(tmp_path: Path) -> None:
     assert interrupted(tmp_path, 0.1, "validate", "scenarios/left_tail_fail.yaml") == (130, "interrupted")
 
 
+@pytest.mark.parametrize("by", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_after_the_end_changes_nothing(tmp_path: Path, by: signal.Signals) -> None:
+    """When Python takes itself apart, it has given its handlers back already."""
+    code = (
+        "import os, sys\n"
+        "class Late:\n"
+        f"    def __del__(self, kill=os.kill, pid=os.getpid()): kill(pid, {int(by)})\n"
+        "late = Late()\n"
+        "from testbed.__main__ import main; sys.exit(main(['list', 'metrics']))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, preexec_fn=interruptible
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
 def test_an_interrupt_that_a_callback_swallows_is_sent_again() -> None:
     """The interpreter cannot raise what a weak reference's callback raises."""
     code = (

@@ -132,3 +132,8 @@ def test_the_limits_of_the_estimates_are_in_order(
 def test_a_weighted_estimate_may_be_negative() -> None:
     given = {"estimation": "weighted", "lambda_min": -0.5}
     assert AdaptiveInversionSettings.model_validate(given).lambda_min == -0.5
+
+
+def test_a_type_that_is_no_text_is_refused() -> None:
+    with pytest.raises(BadInput, match=r"controller\.type"):
+        load_scenario("scenarios/left_tail_fail.yaml", ["controller.type={a: 1}"])

@@ -10,6 +10,7 @@ from testbed.api.study import folder_of, write_summary
 from testbed.common.writing import write
 from testbed.controllers.user.own import not_given
 from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.received import believed, refuse_links
 from testbed.parts import digests
 from testbed.reporting.attempt import attempt
 from testbed.reporting.junit import Test
@@ -18,6 +19,7 @@ from testbed.studies.benchmark.load import chosen, load_suite, read_back
 from testbed.studies.benchmark.plan import Benchmark, benchmark_of
 from testbed.studies.benchmark.run import fly_benchmark
 from testbed.studies.folder import store
+from testbed.studies.folder.begin import refuse_blocked
 from testbed.studies.run import Flights, Options
 
 if TYPE_CHECKING:
@@ -127,6 +129,8 @@ def finish(
 
 def rebuild(folder: Path) -> dict[str, Any]:
     """As `Kind.rebuild`; of an unfinished benchmark, of the draws that every controller has flown."""
+    refuse_blocked(folder)
+    refuse_links(folder)
     return finish(plan_of(folder), folder)
 
 
@@ -158,10 +162,15 @@ def met(summary: Mapping[str, Any]) -> bool:
 
 
 def table(folder: str | Path) -> pd.DataFrame:
-    """The table of a benchmark's folder, with a row for each flight."""
+    """The table of a benchmark's folder, with a row for each flight; raises BadInput when there is none."""
     import pandas as pd
 
-    return pd.read_csv(Path(folder) / "results.csv", dtype={"reason": str}).fillna({"reason": ""})
+    file, expected = Path(folder) / "results.csv", "the table of a benchmark"
+    with believed(file, expected):
+        frame = pd.read_csv(file, dtype={"reason": str}).fillna({"reason": ""})
+    if missing := {"draw", "controller", "outcome", "held", "survived"} - set(frame.columns):
+        raise BadInput([Problem(f"has no column {min(missing)}", str(file), expected=expected)])
+    return frame
 
 
 def verify(

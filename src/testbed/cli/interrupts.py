@@ -30,6 +30,13 @@ def end_at_once() -> None:
             signal.signal(number, _end)
 
 
+def end_undisturbed() -> None:
+    """From now on Ctrl-C is ignored: the command has finished, and Python, which takes itself apart, handles no signal any more."""
+    for number in _SIGNALS:
+        if signal.getsignal(number) is _end:
+            signal.signal(number, signal.SIG_IGN)
+
+
 @contextlib.contextmanager
 def tidily() -> Iterator[None]:
     """While in the block, Ctrl-C is a KeyboardInterrupt, so that what is being written can be removed or finished."""

@@ -373,9 +373,10 @@ def settings_of(kind: object) -> type[ControllerSettings] | None:
 
 def _renamed(value: Any) -> Any:
     """A `controller` block with the present name of its type; an old one is said once, as a warning."""
-    if isinstance(value, dict) and value.get("type") in OLD_NAMES:
-        now = OLD_NAMES[value["type"]]
-        warnings.warn(f"the controller {value['type']} is called {now} now", FutureWarning, stacklevel=2)
+    kind = value.get("type") if isinstance(value, dict) else None
+    if isinstance(kind, str) and kind in OLD_NAMES:
+        now = OLD_NAMES[kind]
+        warnings.warn(f"the controller {kind} is called {now} now", FutureWarning, stacklevel=2)
         return {**value, "type": now}
     return value
 

@@ -8,9 +8,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from pydantic import BaseModel, ConfigDict, Field
+
 from testbed.aircraft.shipped import find_suite
 from testbed.controllers.user.own import OwnController, own_controllers
 from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.base import Text, Whole
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
@@ -57,17 +60,24 @@ def chosen(suite: Suite, said: Mapping[str, Any], given: Sequence[str]) -> Compa
     return {**shipped, **own}
 
 
+class _Begun(BaseModel):
+    """What benchmark.yaml of a folder must say to be believed; the suite is checked as one."""
+
+    model_config = ConfigDict(extra="ignore", hide_input_in_errors=True)
+    file: Text
+    seed: Whole
+    draws: int = Field(strict=True, gt=0)
+    controllers: dict[str, Text | dict[str, Any]] = Field(min_length=1)
+    suite: dict[str, Any]
+    law_sha256: str = ""
+    word: str = ""
+
+
 def read_back(folder: Path) -> tuple[Suite, Compared, dict[str, Any]]:
     """What benchmark.yaml of a folder says: the suite, the controllers, of the user's without their code, and the whole tree."""
     source = yamlfile.read(folder / "benchmark.yaml")
-    tree, expected = source.tree, {"file": str, "seed": int, "draws": int, "controllers": dict, "suite": dict}
-    problems = [
-        source.problem((key,), "is missing or of another kind", "the file as testbed wrote it")
-        for key, kind in expected.items()
-        if not isinstance(tree.get(key), kind)
-    ]
-    if problems:
-        raise BadInput(problems)
+    tree = source.tree
+    validated(_Begun, source)
     compared: Compared = {}
     for name, said in tree["controllers"].items():
         file, _, made_by = str(said).rpartition(":")

@@ -7,8 +7,10 @@ truth among them.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -19,8 +21,9 @@ from testbed.common.statistics import mean, paired, proportion, rate
 from testbed.flight.flight import Outcome
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.benchmark.plan import Benchmark
-from testbed.studies.folder.histories import CHANNELS, SHAPE
-from testbed.studies.folder.store import Store
+from testbed.studies.folder import reading
+from testbed.studies.folder.histories import CHANNELS, RECORD_BYTES, SHAPE
+from testbed.studies.folder.store import NAME, Store
 from testbed.studies.record import NO_RESULT, Record, key_of
 
 BOUND = "best of all"
@@ -44,17 +47,24 @@ def table(plan: Benchmark, store: Store) -> pd.DataFrame:
     Raises BadInput where a flight was of another draw than the suite has now, as of another version of the program.
     """
     rows = []
-    for number in range(plan.runs):
-        keys = [key_of(number * len(plan.variants) + j) for j in range(len(plan.variants))]
-        if all(key in store for key in keys):
-            values = plan.task(number * len(keys)).values
+    for number, flights in itertools.groupby(reading.records(plan, store), attrgetter("run")):
+        flown = list(flights)
+        if len(flown) == len(plan.variants):
+            values = plan.task(number * len(flown)).values
             limits = [each["at_most"] for each in values["requirements"]]
-            records = [store.record(key) for key in keys]
-            if any(record.values != plain(values) for record in records):
+            if any(record.values != plain(values) for record in flown):
                 raise BadInput([Problem(f"draw {number} was drawn otherwise than this version does")])
-            flown = zip(records, map(store.history, keys), strict=True)
-            rows += [_row(plan, record, history, limits) for record, history in flown]
+            rows += [_row(plan, record, _history(plan, store, record), limits) for record in flown]
     return pd.DataFrame(rows)
+
+
+def _history(plan: Benchmark, store: Store, record: Record) -> bytes:
+    """The error history of a flight; raises BadInput for one that has not as many bytes as each has."""
+    history = store.history(key_of(record.run * len(plan.variants) + record.variant))
+    if len(history) not in (0, RECORD_BYTES):
+        what = f"has an error history of {len(history)} bytes in draw {record.run}"
+        raise BadInput([Problem(what, str(store.folder / NAME), expected=f"{RECORD_BYTES} bytes")])
+    return history
 
 
 def _row(plan: Benchmark, record: Record, history: bytes, limits: Sequence[float]) -> dict[str, Any]:

@@ -114,7 +114,9 @@ class Store:
 
     def _rows(self, question: str, *values: object) -> Iterator[tuple[Any, ...]]:
         try:
-            yield from self._database.execute(question, values)
+            # `yield from` would close the cursor, which it cannot when the database is closed already.
+            for row in self._database.execute(question, values):  # noqa: UP028
+                yield row
         except sqlite3.Error as error:
             if getattr(error, "sqlite_errorname", "") == "SQLITE_BUSY":  # an error of Python's own has none
                 raise BadInput([Problem("is being flown by another process", str(self.folder))]) from None
