@@ -84,12 +84,14 @@ class Pilot(threading.Thread):
 
     def run(self) -> None:
         last, owed_s = monotonic(), 0.0
+        due = last
         while not self._stopping:
             flying = self.watched and not self._paused and not self._over
-            wait_s = max(FRAME_S - (monotonic() - last), 0.0) if flying else _IDLE_S
+            wait_s = max(due - monotonic(), 0.0) if flying else _IDLE_S
             if self._take(wait_s):
                 continue
             now = monotonic()
+            due = max(due, now - FRAME_S) + FRAME_S  # a late frame does not make the next ones later
             if flying:
                 owed_s = min(owed_s + now - last, _MOST_BEHIND_S)
                 owed_s -= self._advance(owed_s)
