@@ -22,7 +22,8 @@ class Page:
         cost_s: processor time of the commands [s], as it was when they were last run.
         on: the parts of the program and of the data that it depends on.
         files: below docs/; `results/NAME.md` if none are named.
-        stamped: whether its files carry a stamp; the README does not, because a test flies its numbers again.
+        stamped: whether its files carry a stamp. The README does not, because a test flies its numbers again; nor does a page on
+            flights of others, whose data has a digest instead.
     """
 
     name: str
@@ -83,6 +84,7 @@ PAGES: tuple[Page, ...] = (
     ),
     Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
     Page("own_logs", ("benchmarks/diagnose_own_flights.py",), "96001 to 96002", 300, (*FLOWN, "logs")),
+    Page("real_flights", ("benchmarks/real_flights.py ../fault_detection",), "none", 60, ("logs",), stamped=False),
     Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
     Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),
     Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 600, _THEORY),

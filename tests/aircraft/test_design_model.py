@@ -213,7 +213,7 @@ def test_a_list_in_the_place_of_one_value_is_refused(model: DesignModel, tmp_pat
     [
         ('"bias": [', '"bias": [0.0, ', r"bias has the shape \[7\]"),
         ('"airspeed_m_s": 18.0', '"airspeed_m_s": 1e999', "airspeed_m_s is not finite"),
-        ('"diameter_m": 0.4826', '"diameter_m": NaN', "NaN is no number"),
+        ('"diameter_m": 0.4826', '"diameter_m": NaN', "NaN is no finite number"),
         ('"kinds": [', '"kinds": ["servo", ', "4 entries"),
         ('"kinds": [', '"kinds": [1e300, ', r"kinds has 1e\+300, expected servo, motor, engine"),
         ('"airspeed_m_s": 18.0', '"airspeed_m_s": -18.0', "airspeed_m_s is not positive"),

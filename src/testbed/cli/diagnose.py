@@ -13,7 +13,7 @@ from testbed.cli.working import working
 
 def _arguments(command: ArgumentParser) -> None:
     command.add_argument(
-        "log", type=Path, help="run folder; or, with --columns, a CSV or Parquet file or ArduPilot's .BIN"
+        "log", type=Path, help="run folder; or, with --columns, a CSV, Parquet, .BIN or .ulg file"
     )
     model = "aircraft, by name or folder (default: that of the run folder)"
     command.add_argument("--model", metavar="MODEL", help=model)

@@ -13,7 +13,9 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument(
         "run", type=Path, help="run folder, or one run of a sweep whose log was kept: SWEEP/17"
     )
-    command.add_argument("--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap or mat")
+    command.add_argument(
+        "--to", required=True, metavar="FORMAT", help="acmi, kml, parquet, mcap, ulog or mat"
+    )
     add_out(command, "FILE", "file to make (default: named as the scenario, beside the log)")
     add_origin(command, "for formats that show a place")
 

@@ -6,9 +6,10 @@ It also prints what the actuators can do about each axis, and which axes control
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from testbed.cli.command import Command
+from testbed.cli.command import Command, add_out
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import MET, NOT_MET
 from testbed.cli.working import working
@@ -23,12 +24,40 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("aircraft", help="name, or path of a folder such as ./name")
     check = "only compare with the stored model; exit status 1 if it differs"
     command.add_argument("--check", action="store_true", help=check)
+    log = "log of healthy flight, as of `diagnose`, whose model is found instead; may be repeated"
+    command.add_argument("--log", type=Path, action="append", metavar="LOG", help=log)
+    columns = "YAML file that says which column of a log is what, in which unit"
+    command.add_argument("--columns", type=Path, metavar="MAP", help=columns)
+    add_out(command, "MODEL", "file to write the model of --log into: a design_model.json")
 
 
 def _run(options: Namespace) -> int:
+    if options.log:
+        return _from_logs(options)
+    if options.out is not None or options.columns is not None:
+        raise BadInput([Problem("is for --log", "--out" if options.out is not None else "--columns")])
     with working("identifying"):
         same = _identify(options.aircraft, check=options.check)
     return MET if same else NOT_MET
+
+
+def _from_logs(options: Namespace) -> int:
+    """Print what logs say of the design model, and write the model that they give. Raises BadInput."""
+    from testbed.inputs.output_file import refuse_unwritable
+    from testbed.logs.entry import identify
+    from testbed.logs.words import identification_table
+
+    if options.check:
+        raise BadInput([Problem("is not for --log", "--check")])
+    if options.out is not None:
+        refuse_unwritable(options.out)
+    with working("identifying"), tidily():
+        found = identify(options.aircraft, options.log, options.columns)
+    print(identification_table(found, [str(log) for log in options.log]))
+    if options.out is not None:
+        found.model.save(options.out)
+        print(f"wrote {options.out}")
+    return MET
 
 
 def _identify(name: str, *, check: bool) -> bool:
@@ -83,5 +112,9 @@ COMMAND = Command(
     "find an aircraft's design model and store it in the aircraft's folder",
     _arguments,
     _run,
-    ("testbed identify ./my_aircraft", "testbed identify vtail --check"),
+    (
+        "testbed identify ./my_aircraft",
+        "testbed identify vtail --check",
+        "testbed identify vtail --log runs/turns --log runs/climbs --out flown_model.json",
+    ),
 )

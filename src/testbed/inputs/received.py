@@ -82,7 +82,7 @@ def believed(file: Path, expected: str) -> Iterator[None]:
 
 
 def _no_number(word: str) -> None:
-    raise ValueError(f"{word} is no number")
+    raise ValueError(f"{word} is no finite number")
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -40,7 +40,7 @@ def columns(file: Path, names: Iterable[str], time: str) -> dict[str, np.ndarray
     base = _values(series, asked[time], TIME)
     found = {}
     for name, parts in asked.items():
-        found[name] = _onto(base, _values(series, parts, TIME), _values(series, parts, parts[2]))
+        found[name] = onto(base, _values(series, parts, TIME), _values(series, parts, parts[2]))
     return found
 
 
@@ -105,7 +105,8 @@ def _values(
     return np.array([float(each.get(field, np.nan)) for each in series[kind, instance]])
 
 
-def _onto(base: np.ndarray, time_us: np.ndarray, values: np.ndarray) -> np.ndarray:
+def onto(base: np.ndarray, time_us: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Values at other times [us], by straight lines; NaN where none is near."""
     order = np.argsort(time_us, kind="stable")
     time_us, values = time_us[order], values[order]
     following = np.searchsorted(time_us, base)

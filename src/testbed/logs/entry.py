@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from pathlib import Path
 
 from testbed.aircraft.description import Aircraft, load_aircraft
@@ -15,6 +16,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.logs import mapped, own
 from testbed.logs.diagnosis import Diagnosis, diagnosed
 from testbed.logs.flight_log import FlightLog
+from testbed.logs.identification import Identified, identified
 from testbed.logs.page import write_page
 from testbed.logs.words import story, summary, table
 from testbed.plant.identification import stored
@@ -36,7 +38,7 @@ def diagnose(
     """What each actuator did in a flight, from its log: commands and what sensors read, and nothing else.
 
     Args:
-        log: a run folder, a CSV or Parquet file, or a DataFlash log of ArduPilot.
+        log: a run folder, a CSV or Parquet file, or a log of ArduPilot (DataFlash) or PX4 (ULog).
         model: the aircraft, by name or folder, whose design model is used; by default that of the run folder's scenario.
         columns: the mapping file of a log that is no run folder: which column is what.
         out: folder to write `diagnosis.csv`, `summary.json` and `report.html` into, which must not exist; None for none.
@@ -56,6 +58,23 @@ def diagnose(
     if out is not None:
         _write(found, Path(out), aircraft.name)
     return found
+
+
+def identify(
+    aircraft: str | Path, logs: Sequence[str | Path], columns: str | Path | None = None
+) -> Identified:
+    """An aircraft's design model from logs of healthy flight, with how far each of its coefficients can be believed.
+
+    Args:
+        aircraft: name or folder; its own design model is where the identification begins, and whose trim is kept.
+        logs: run folders, or files as `diagnose` reads them.
+        columns: the mapping file of the logs that are no run folders.
+
+    Raises:
+        BadInput: a log, the mapping or the aircraft cannot be used.
+    """
+    read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
+    return identified([log for log, _ in read], [_setup(own, log.step_s) for log, own in read])
 
 
 def _read(path: Path, model: str | Path | None, columns: str | Path | None) -> tuple[FlightLog, Aircraft]:

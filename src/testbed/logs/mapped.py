@@ -1,4 +1,4 @@
-"""CSV, Parquet and DataFlash logs, by a mapping file: which column is what, in which unit, and with which sign."""
+"""CSV, Parquet, DataFlash and ULog logs, by a mapping file: which column is what, in which unit, and with which sign."""
 
 from __future__ import annotations
 
@@ -16,12 +16,13 @@ from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
-from testbed.logs import dataflash
+from testbed.logs import dataflash, ulog
 from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, FlightLog, even, shown
 
 LARGEST = 2000 * MEGABYTE
 """Largest log that is read [bytes]."""
 _MOST_COLUMNS = 5000
+_EXPECTED = "a CSV, Parquet, DataFlash (.BIN) or ULog (.ulg) log"
 _DEG = np.pi / 180.0
 _UNITS: dict[str, float] = {
     "s": 1.0, "ms": 1e-3, "us": 1e-6, "rad": 1.0, "deg": _DEG, "rad_s": 1.0, "deg_s": _DEG, "m_s": 1.0, "kt": 1852.0 / 3600.0,
@@ -147,11 +148,13 @@ def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str
     import pyarrow.csv
     import pyarrow.parquet as pq
 
-    content = read_bytes(file, LARGEST, "a CSV or Parquet log")
+    content = read_bytes(file, LARGEST, _EXPECTED)
     if not content.strip():
-        raise BadInput([Problem("is empty", str(file), expected="a CSV or Parquet log")])
+        raise BadInput([Problem("is empty", str(file), expected=_EXPECTED)])
     if content.startswith(dataflash.MAGIC):
         return dataflash.columns(file, names, time)
+    if content.startswith(ulog.MAGIC):
+        return ulog.columns(file, content, names, time)
     try:
         if content[:4] == b"PAR1":
             parquet = pq.ParquetFile(io.BytesIO(content))
@@ -171,9 +174,7 @@ def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str
         return {name: _numbers(file, name, table[name]) for name in names}
     except (pa.ArrowException, ValueError, KeyError, OSError) as error:
         words = str(error).splitlines()[0][:200]
-        raise BadInput(
-            [Problem(f"cannot be read: {words}", str(file), expected="a CSV or Parquet log")]
-        ) from None
+        raise BadInput([Problem(f"cannot be read: {words}", str(file), expected=_EXPECTED)]) from None
 
 
 def _refuse_large(file: Path, rows: int, columns: int) -> None:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding
 from testbed.logs.hypotheses import STATES
+from testbed.logs.identification import COLLINEAR, LARGEST_STD, Identified
+from testbed.logs.identification import WINDOW_S as TOLD_S
 from testbed.reporting.words import title
 
 _MUCH = 0.2
@@ -95,3 +97,27 @@ def table(diagnosis: Diagnosis) -> str:
             columns.append([f"{value:.4g}" if math.isfinite(value) else "" for value in values[:, i]])
     rows = [",".join(heads), *map(",".join, zip(*columns, strict=True))]
     return "\n".join(rows) + "\n"
+
+
+def identification_table(found: Identified, logs: Sequence[str]) -> str:
+    """What logs say of each coefficient of a design model, and how the model that they give does on what was kept back."""
+    lines = [
+        f"factor on each coefficient of the aircraft's own model, and the {TOLD_S:g} s that told most of it:"
+    ]
+    for each in found.factors:
+        said = "contradicts the model" if each.contradicted else ""
+        if not each.known:
+            said = f"not identifiable: above +-{LARGEST_STD:g}, kept"
+        alike = f"variance {each.inflation:.0f} times that alone" if each.inflation > COLLINEAR else ""
+        where = f"{logs[each.log]} at {each.from_s:.0f} s"
+        remarks = "; ".join(filter(None, (said, alike)))
+        lines.append(
+            f"  {each.name:28} {each.value:6.2f} +-{min(each.std, 99.0):5.2f}  {where}  {remarks}".rstrip()
+        )
+    lines.append("on the part that was kept back, without what is constant:")
+    for one in found.validation:
+        lines.append(
+            f"  {one.rate}  fit {one.fit:.2f} (model of the aircraft {one.fit_before:.2f})  Theil {one.theil:.3f}  "
+            f"{100 * one.coloured:.0f} % of the residual's correlations are not those of white noise"
+        )
+    return "\n".join(lines)

@@ -35,6 +35,11 @@ TABLE: dict[str, Format] = {
     "kml": Format(".kml", "Google Earth and others: a track in time with attitude, events as places", _POSE),
     "parquet": Format(".parquet", "pandas, polars, DuckDB: the log with units in its metadata", ("time_s",)),
     "mcap": Format(".mcap", "Foxglove: frames, location, a topic for each actuator, events", _POSE),
+    "ulog": Format(
+        ".ulg",
+        "PlotJuggler and pyulog, as PX4's: sensors and truth, a topic for each actuator, events",
+        _POSE,
+    ),
     "mat": Format(".mat", "MATLAB and Octave: structs log, units and summary, and events", ("time_s",)),
 }
 """By the name on the command line, which is also the name of the module here that writes it."""

@@ -1,0 +1,64 @@
+"""A design model from flight logs: what is wrong in a model is found again, and what did not move is left alone."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+from command_line import in_this_process
+
+from testbed.aircraft.description import load_aircraft
+from testbed.aircraft.design_model import load_design_model
+from testbed.logs import own
+from testbed.logs.entry import _setup
+from testbed.logs.identification import Identified, identified
+
+from .conftest import Run
+
+WRONG = {"Cm_alpha": 1.4, "Cm_left_ruddervator": 1.3}
+
+
+def _found(folder: Path, wrong: dict[str, float]) -> Identified:
+    log, _ = own.read(folder)
+    setup = _setup(load_aircraft("vtail"), log.step_s)
+    return identified([log], [dataclasses.replace(setup, model=setup.model.with_error(wrong))])
+
+
+def test_coefficients_that_are_wrong_are_found(run: Run) -> None:
+    """Factors 1.4 and 1.3 too much are taken back within 5 %; each coefficient of pitch that is right stays so within 5 %."""
+    factors = {each.name: each for each in _found(run(), WRONG).factors}
+    for name, each in factors.items():
+        if name.startswith("Cm_") and each.known:
+            assert each.value * WRONG.get(name, 1.0) == pytest.approx(1.0, abs=0.05), name
+            assert each.contradicted == (name in WRONG), name
+    assert {name for name in factors if name.startswith("Cm_") and factors[name].known} >= {"Cm_q", *WRONG}
+
+
+def test_the_model_that_was_found_predicts_what_was_kept_back(run: Run) -> None:
+    """On the last part of the log, which was not used, the fit of the wrong model becomes that of the right one."""
+    found, right = _found(run(), WRONG), _found(run(), {})
+    own_fit = {each.rate: each for each in right.validation}
+    for each in found.validation:
+        assert each.fit == pytest.approx(own_fit[each.rate].fit, abs=0.02)
+    (pitch,) = (each for each in found.validation if each.rate == "q_dot")
+    assert pitch.fit > pitch.fit_before + 0.1
+
+
+def test_what_moves_alike_is_said(run: Run) -> None:
+    """In turns by one law, yaw comes from sideslip, yaw rate and tails together: their variances are inflated."""
+    factors = {each.name: each for each in _found(run(), {}).factors}
+    assert factors["Cn_beta"].inflation > 30.0 > factors["Cm_alpha"].inflation
+    assert not factors["Cn_left_propeller"].known and factors["Cn_left_propeller"].value == 1.0
+
+
+def test_the_command_writes_a_model(run: Run, tmp_path: Path) -> None:
+    ended = in_this_process(tmp_path, "identify", "vtail", "--log", str(run()), "--out", "model.json")
+    assert ended.returncode == 0, ended.stderr
+    assert "Cm_alpha" in ended.stdout and "not identifiable" in ended.stdout
+    model = load_design_model(tmp_path / "model.json")
+    assert model.actuators == load_design_model(load_aircraft("vtail").folder / "design_model.json").actuators
+    again = in_this_process(tmp_path, "identify", "vtail", "--log", str(run()), "--out", "model.json")
+    assert again.returncode == 2 and "exists" in again.stderr
+    assert in_this_process(tmp_path, "identify", "vtail", "--out", "other.json").returncode == 2
+    assert in_this_process(tmp_path, "identify", "vtail", "--check", "--log", str(run())).returncode == 2
