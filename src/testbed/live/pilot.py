@@ -186,8 +186,6 @@ class Pilot(threading.Thread):
 
     def _publish(self, flew: bool, now: float) -> None:
         session = self.flight.session
-        if flew:
-            self.tell(frames.frame(session, *self.flight.ghosts.values()))
         state = {
             "paused": self._paused,
             "speed": self._times,
@@ -199,6 +197,8 @@ class Pilot(threading.Thread):
         if state != self._state:
             self._state, self._next_story_s = state, min(self._next_story_s, now + FRAME_S)
             self.tell({"note": "state", **state})
+        if flew:  # after the state, which says whose rows a frame has
+            self.tell(frames.frame(session, *self.flight.ghosts.values()))
         if now >= self._next_story_s:
             self._tell_story(now)
 
