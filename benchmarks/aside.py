@@ -16,7 +16,7 @@ def aside(lines: Iterable[str], file: Path) -> list[str]:
     rows = [[cell.strip() for cell in re.split(r"(?<!\\)\|", line.strip("|"))] for line in given[first:last]]
     with file.open("w", newline="", encoding="utf-8") as stream:
         csv.writer(stream, lineterminator="\n").writerows([rows[0], *rows[2:]])
-    said = ", ".join(filter(None, rows[0]))
+    said = "; ".join(filter(None, rows[0]))
     return [*given[:first], f"[The table]({file.name}) has {len(rows) - 2} rows: {said}.", *given[last:]]
 
 

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from aside import aside
 
 import testbed
 from testbed.failures import TABLE
@@ -80,7 +81,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     rows = {weather: [row for seed in seeds for row in _rows(weather, seed)] for weather in WEATHER}
     whole = range(options.first_seed + 100, options.first_seed + 100 + HEALTHY * options.seeds)
     healthy = {weather: [len(_healthy(weather, seed).findings) for seed in whole] for weather in WEATHER}
-    options.page.write_text(page(rows, healthy, seeds), encoding="utf-8")
+    each = aside(failures(rows), options.page.with_suffix(".csv"))
+    options.page.write_text("\n".join([page(rows, healthy, seeds), *each, ""]), encoding="utf-8")
     print(f"wrote {options.page}")
 
 
@@ -160,7 +162,15 @@ def page(rows: Mapping[str, Sequence[Row]], healthy: Mapping[str, Sequence[int]]
         f"{weather} {sum(map(bool, each))} of {len(each)}" for weather, each in healthy.items()
     )
     lines += ["", f"Healthy flights in which something was found: {counted}.", ""]
-    lines += [
+    wrong = sorted({f"`{r.failure}` of a {r.kind}" for each in rows.values() for r in each if not r.named})
+    return "\n".join(
+        [*lines, f"Not found, or named otherwise, in a flight at least: {', '.join(wrong)}.", ""]
+    )
+
+
+def failures(rows: Mapping[str, Sequence[Row]]) -> list[str]:
+    """The table of each failure, kind of actuator and weather."""
+    lines = [
         "| failure | | weather | said | delay, s | effectiveness error | aboard, s |",
         "| --- " * 7 + "|",
     ]
@@ -169,12 +179,12 @@ def page(rows: Mapping[str, Sequence[Row]], healthy: Mapping[str, Sequence[int]]
             for weather, all_rows in rows.items():
                 same = [r for r in all_rows if (r.failure, r.kind) == (name, kind)]
                 if same:
-                    said = ", ".join(f"**{r.said}**" if r.named else r.said for r in same)
+                    said = ", ".join(f"{r.said} (right)" if r.named else r.said for r in same)
                     cells = [
                         _cell([getattr(r, what) for r in same]) for what in ("delay_s", "error", "aboard_s")
                     ]
-                    lines.append(f"| `{name}` | {kind} | {weather} | {said} | {' | '.join(cells)} |")
-    return "\n".join([*lines, "", "Bold: named rightly.", ""])
+                    lines.append(f"| {name} | {kind} | {weather} | {said} | {' | '.join(cells)} |")
+    return lines
 
 
 def _cell(values: Sequence[float]) -> str:

@@ -21,12 +21,14 @@ from pathlib import Path
 from typing import Any
 
 import yaml
+from aside import aside
 
 from testbed import fly
 from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.common.statistics import proportion
 from testbed.inputs.problems import BadInput
 
+OTHERS = Path(__file__).parents[1] / "docs" / "results" / "gallery.csv"
 DURATION_S, TURN_S, FAILURE_S, CLIMB_S = 90.0, 5.0, 20.0, 25.0
 TURN_DEG, CLIMB_M = 30.0, 20.0
 HEADING_DEG, ALTITUDE_S = 15.0, 0.5
@@ -163,6 +165,15 @@ KINDS: Mapping[str, Callable[[Row], bool]] = {
 }
 
 
+def _table(kinds: Mapping[str, Sequence[Row]], keys: Sequence[tuple[str, str]]) -> Iterator[str]:
+    """A line for each aircraft and controller."""
+    yield "| aircraft | controller | " + " | ".join(kinds) + " |"
+    yield "| --- | --- |" + " --- |" * len(kinds)
+    for key in keys:
+        cells = [_cell([r for r in of if (r["aircraft"], r["controller"]) == key]) for of in kinds.values()]
+        yield f"| {' | '.join([*key, *cells])} |"
+
+
 def page(rows: Sequence[Row]) -> Iterator[str]:
     """The page, in lines: one row for each aircraft, condition and controller."""
     yield "# Gallery"
@@ -180,11 +191,12 @@ def page(rows: Sequence[Row]) -> Iterator[str]:
         for name, of in KINDS.items()
     }
     kinds = {name: of for name, of in kinds.items() if of}
-    yield "| aircraft | controller | " + " | ".join(kinds) + " |"
-    yield "| --- | --- |" + " --- |" * len(kinds)
-    for key in dict.fromkeys((row["aircraft"], row["controller"]) for row in rows):
-        cells = [_cell([r for r in of if (r["aircraft"], r["controller"]) == key]) for of in kinds.values()]
-        yield f"| {' | '.join([*key, *cells])} |"
+    keys = dict.fromkeys((row["aircraft"], row["controller"]) for row in rows)
+    compared = {aircraft for aircraft, controller in keys if controller != "default"}
+    yield from _table(kinds, [key for key in keys if key[0] in compared])
+    yield ""
+    yield "Of the others, which only the default flies:"
+    yield from aside(_table(kinds, [key for key in keys if key[0] not in compared]), OTHERS)
     yield ""
     yield "Of powered aircraft, with the 95 % interval of Wilson:"
     yield ""

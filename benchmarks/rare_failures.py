@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+from aside import aside
 from limit_states import (
     FOUR_BRANCH_1E5,
     Case,
@@ -97,7 +98,7 @@ def main() -> None:
             seeds=seeds,
             few=few,
             budget=BUDGET,
-            probabilities=probabilities(seeds),
+            probabilities="\n".join(aside(probabilities(seeds).split("\n"), PAGE.with_suffix(".csv"))),
             lies=lies(),
             smallest=smallest(few),
         ),
