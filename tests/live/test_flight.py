@@ -78,6 +78,53 @@ def test_going_back_can_be_given_up(live: LiveFlight) -> None:
     assert live.session is session and session.time_s > 3.0
 
 
+def test_a_ghost_flies_the_same_past_by_another_controller(live: LiveFlight) -> None:
+    live.fly(400)
+    live.do(STUCK)
+    live.fly(200)
+    live.accompany(["pid"])
+    live.do(TURN)
+    live.fly(200)
+    ghost = live.ghosts["pid"]
+    assert ghost.time_s == live.session.time_s
+    kept = ghost.flight()
+    assert kept.scenario.controller.type == "pid"
+    assert len(kept.scenario.failures) == 1 and len(kept.scenario.commands) == 2
+    assert fly(kept.scenario).data.tobytes() == kept.data.tobytes()
+    assert kept.data.tobytes() != log(live).tobytes()
+    live.rewind(3.0)
+    assert live.ghosts["pid"].time_s == live.session.time_s == 3.0
+    live.accompany([])
+    assert not live.ghosts
+
+
+def test_a_ghost_that_cannot_fly_changes_nothing(live: LiveFlight) -> None:
+    live.accompany(["pid"])
+    with pytest.raises(BadInput, match="pidd"):
+        live.accompany(["indi", "pidd"])
+    assert list(live.ghosts) == ["pid"]
+
+
+def test_a_ghost_that_is_lost_does_not_hold_the_flight(live: LiveFlight) -> None:
+    live.accompany(["pid"])
+    ghost = live.ghosts["pid"]
+    ghost.inject({"type": "hardover", "actuator": "left_ruddervator", "to": "max"})
+    ghost.inject({"type": "hardover", "actuator": "right_ruddervator", "to": "max"})
+    live.fly(6000)
+    assert ghost.ended is not None and live.session.ended is None
+    live.do(STUCK)
+    live.fly(100)
+
+
+def test_a_frame_has_a_row_for_each_flight(live: LiveFlight) -> None:
+    live.accompany(["pid", "indi"])
+    live.fly(300)
+    sent = np.frombuffer(frames.frame(live.session, *live.ghosts.values()), "<f4").reshape(3, -1)
+    at = frames.facts(live.session)["columns"].index("altitude_m")
+    flown = [live.session, *live.ghosts.values()]
+    np.testing.assert_allclose(sent[:, at], [each.truth["altitude_m"] for each in flown], rtol=1e-6)
+
+
 def test_it_ends_where_memory_would(live: LiveFlight, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(flights, "LONGEST_S", 10.0)
     for _ in range(5):

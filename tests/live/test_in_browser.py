@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import json
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -13,13 +15,16 @@ from chromium import Window, unreadable
 from live_server import serving
 
 import testbed
+from testbed.aircraft.description import load_aircraft
 
 pytestmark = pytest.mark.nightly
-FLIGHTS = {
-    "vtail": ("left_tail_fail.yaml", "left_ruddervator"),
-    "aerosonde": ("{scenario}", "elevator"),
+SURFACES = {
+    "vtail": "left_ruddervator",
+    "vtail_aft": "left_ruddervator",
+    "aerosonde": "elevator",
+    "./c172p": "elevator",
 }
-SCENARIO = "name: by hand <b>&amp;\naircraft: aerosonde\nduration_s: 20\ninitial: {altitude_m: 300, airspeed_m_s: 23}\n"
+"""Aircraft, the last one adopted from JSBSim's, with what is broken of each."""
 
 
 class LiveWindow(Window):
@@ -57,15 +62,20 @@ def live(browser: Any, address: str, width: int = 1400, scheme: str = "light") -
     assert not window.wrong
 
 
-@pytest.fixture(scope="module", params=FLIGHTS)
+@pytest.fixture(scope="module", params=SURFACES)
 def served(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[tuple[str, Path, str]]:
     folder = tmp_path_factory.mktemp("live")
-    (folder / "mine.yaml").write_text(SCENARIO)
-    scenario, surface = FLIGHTS[request.param]
-    with serving(folder, scenario.format(scenario="mine.yaml"), "--set", "failures=[]") as (address, _):
-        yield address, folder, surface
+    aircraft = request.param
+    if aircraft.startswith("./"):
+        testbed.adopt(aircraft.removeprefix("./"), out=folder / aircraft)
+    with contextlib.chdir(folder):
+        initial = load_aircraft(aircraft).reference.model_dump()
+    scenario = {"name": "by hand <b>&amp;", "aircraft": aircraft, "duration_s": 20, "initial": initial}
+    (folder / "mine.yaml").write_text(json.dumps(scenario))
+    with serving(folder, "mine.yaml") as (address, _):
+        yield address, folder, SURFACES[aircraft]
 
 
 def test_break_mend_order_save_and_fly_again(
@@ -117,6 +127,41 @@ def test_go_back_pause_and_speed(browser: Any, served: tuple[str, Path, str]) ->
         window.page.locator("#speed").select_option("1")
         window.page.locator("[data-do=pause]").click()
         window.wait(lambda: window.value("live.past.time") > 4.2)
+
+
+def test_a_ghost_flies_beside_it_and_goes_back_with_it(browser: Any, served: tuple[str, Path, str]) -> None:
+    with live(browser, served[0]) as window:
+        window.page.locator(".choose summary").click()
+        window.page.locator("#ghosts input[value=pid]").check()
+        window.wait(lambda: window.value("live.scene.seen.length") == 2)
+        times = "live.scene.seen.map(({craft}) => craft.columns.time_s[1])"
+        window.wait(lambda: window.value(times)[0] > 2.0)
+        window.page.locator("[data-do=pause]").click()
+        window.wait(lambda: window.text("#status") == "paused")
+        back = "const b = document.getElementById('back'); b.value = 1; b.dispatchEvent(new Event('change'));"
+        window.page.evaluate(f"(() => {{ {back} }})()")
+        window.wait(lambda: max(window.value(times)) < 1.02)
+        assert len(set(window.value(times))) == 1
+        assert window.text(".picture .craft") == "pid"
+        window.page.locator("#ghosts input[value=pid]").uncheck()
+        window.wait(lambda: window.value("live.scene.seen.length") == 1)
+        assert window.page.locator(".picture .craft").count() == 0
+        window.page.locator("[data-do=pause]").click()
+        window.wait(lambda: window.text("#status") == "flying")
+
+
+def test_aircraft_and_controller_are_chosen_on_the_page(browser: Any, tmp_path: Path) -> None:
+    with serving(tmp_path) as (address, _), live(browser, address) as window:
+        window.page.locator(".choose summary").click()
+        window.page.locator("#choose select[name=flight]").select_option("aerosonde")
+        window.page.locator("#choose select[name=controller]").select_option("pid")
+        with window.page.expect_navigation():
+            window.page.locator("#choose button").click()
+        window.wait(lambda: window.value("live ? live.frames : 0") > 0)
+        assert window.text("h1") == "aerosonde by hand, live" and "pid" in window.text(".chips")
+        assert window.value("live.flies")
+        window.page.locator("#actuators tr[data-actuator=elevator] button").first.click()
+        assert window.text("#break strong") == "Break the elevator"
 
 
 def test_a_click_in_the_picture_opens_what_it_hits(browser: Any, served: tuple[str, Path, str]) -> None:

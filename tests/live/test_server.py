@@ -102,6 +102,19 @@ def test_it_flies_is_broken_saved_and_flown_again_to_the_same_bytes(
     assert (moved / "log.csv").read_bytes() != (folder / "log.csv").read_bytes()
 
 
+def test_ghosts_fly_beside_it_and_another_flight_is_chosen(page: Page) -> None:
+    assert page.ask("ghosts", controllers=["pid", "indi"])["note"] == "done"
+    page.until("state", ghosts={"pid": "", "indi": ""})
+    assert "did you mean pid?" in page.ask("ghosts", controllers=["pidd"])["why"]
+    assert page.ask("ghosts", controllers=["pid", "indi", "mrac", "rls_inversion"])["note"] == "refused"
+    assert "no flight" in page.ask("choose", flight="../secret.yaml", controller="pid")["why"]
+    assert page.ask("choose", flight="aerosonde", controller="pid")["note"] == "done"
+    page.until("other")
+    page.until("state", ghosts={}, broken={})
+    assert page.ask("choose", flight="left_tail_fail.yaml", controller="as given")["note"] == "done"
+    page.until("other")
+
+
 def test_what_does_not_fit_is_refused_with_a_suggestion(page: Page) -> None:
     answer = page.ask("break", failure={"type": "stuk", "actuator": "left_ruddervator"})
     assert answer["note"] == "refused" and "did you mean stuck?" in answer["why"]

@@ -57,6 +57,7 @@ class Page:
         self.socket: ClientConnection = self._open.enter_context(page)
         self.notes: list[dict[str, Any]] = []
         self.asked = 0
+        self._read = 0  # notes that `until` has gone past
 
     def hear(self, timeout_s: float = 20.0) -> dict[str, Any]:
         """The next note. Raises TimeoutError if none comes."""
@@ -75,16 +76,23 @@ class Page:
         return float(np.frombuffer(said, "<f4")[0])
 
     def until(self, kind: str, **about: Any) -> dict[str, Any]:
-        """Hear until a note of this kind, in which these keys have these values; raises TimeoutError."""
+        """The next note of this kind, in which these keys have these values; raises TimeoutError.
+
+        Notes that came before the answer to the last message count, too: which comes first is not said.
+        """
         end = monotonic() + 30.0
         while True:
-            note = self.hear(end - monotonic())
+            if self._read == len(self.notes):
+                self.hear(end - monotonic())
+            note = self.notes[self._read]
+            self._read += 1
             if note["note"] == kind and all(note.get(key) == value for key, value in about.items()):
                 return note
 
     def ask(self, do: str, **more: Any) -> dict[str, Any]:
         """Ask for something; returns the answer."""
         self.asked += 1
+        self._read = len(self.notes)
         self.socket.send(json.dumps({"id": self.asked, "do": do, **more}))
         while True:
             note = self.hear()

@@ -28,10 +28,12 @@ function start() {
     if (i < comparison.flights.length - 1) box.querySelector(".buttons").remove();
   });
   mergeLegends(bars);
-  const scene = replay(document.getElementById("replay"), comparison.flights.map((flight, i) => ({ flight, name: flight.name, columns: own(columns, i) })), clock);
+  const picture = document.getElementById("replay"); // not there where a log does not say where its aircraft was
+  const flown = comparison.flights.map((flight, i) => ({ flight, name: flight.name, columns: own(columns, i) }));
+  const scene = picture && replay(picture, flown, clock);
   clock.go(clock.now);
   onSchemeChange(() => {
-    scene.recolour();
+    scene?.recolour();
     panels.redraw();
   });
   requestAnimationFrame(() => {

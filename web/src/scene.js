@@ -128,8 +128,17 @@ export class Scene {
     this.ground.follow(this.camera.position);
     this.camera.lookAt(at);
     this.camera.updateProjectionMatrix();
+    this.sky();
     this.renderer.render(this.three, this.camera);
     this.name(width, height);
+  }
+
+  // The sky of the style sheet ends at the horizon, wherever the camera looks.
+  sky() {
+    const ahead = this.camera.getWorldDirection(new Vector3());
+    const far = new Vector3(ahead.x, 0, ahead.z).normalize().multiplyScalar(FAR_M).add(this.camera.position).project(this.camera);
+    const down = Math.hypot(ahead.x, ahead.z) < 0.2 ? 0 : 50 * (1 - far.y); // from above there is no sky
+    this.canvas.parentElement.style.setProperty("--down", `${Math.min(Math.max(down, 0), 100).toFixed(1)}%`);
   }
 
   // From far away an aircraft is drawn larger than it is, so that it is seen.

@@ -8,7 +8,7 @@ from typing import Any, assert_never
 
 from testbed.common.signals import first_step_at
 from testbed.controllers.setup import Setup
-from testbed.inputs.problems import BadInput
+from testbed.inputs.problems import BadInput, Problem
 from testbed.live.messages import Act, Blow, Break, Mend, Order
 from testbed.scenario.load import changed
 from testbed.scenario.model import Scenario
@@ -16,6 +16,7 @@ from testbed.simulation.session import Session
 
 LONGEST_S = 3600.0
 """Longest flight by hand [s]: its log has to fit into memory."""
+_MOST_GHOSTS = 3
 _AT_ONCE = 2000  # control steps between two looks at whether to give up
 
 
@@ -79,6 +80,8 @@ class LiveFlight:
 
     def accompany(self, controllers: Sequence[str], go_on: GoOn = lambda: True) -> None:
         """Fly these types of controllers beside the flight, and no others: each flies its past first; raises BadInput."""
+        if len(set(controllers)) > _MOST_GHOSTS:
+            raise BadInput([Problem(f"are {len(controllers)}", "ghosts", expected=f"at most {_MOST_GHOSTS}")])
         done = self.session.loop.done
         made = {name: self._begun(name) for name in controllers if name not in self.ghosts}
         for session in made.values():

@@ -87,7 +87,7 @@ class Ghosts(_Message):
     """Let these types of controllers, and no others, fly the same past and present beside the flight."""
 
     do: Literal["ghosts"]
-    controllers: Annotated[tuple[Text, ...], Field(max_length=3)]
+    controllers: tuple[Text, ...]
 
 
 class Choose(_Message):

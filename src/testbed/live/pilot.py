@@ -84,12 +84,14 @@ class Pilot(threading.Thread):
 
     def run(self) -> None:
         last, owed_s = monotonic(), 0.0
+        due = last
         while not self._stopping:
             flying = self.watched and not self._paused and not self._over
-            wait_s = max(FRAME_S - (monotonic() - last), 0.0) if flying else _IDLE_S
+            wait_s = max(due - monotonic(), 0.0) if flying else _IDLE_S
             if self._take(wait_s):
                 continue
             now = monotonic()
+            due = max(due, now - FRAME_S) + FRAME_S  # a late frame does not make the next ones later
             if flying:
                 owed_s = min(owed_s + now - last, _MOST_BEHIND_S)
                 owed_s -= self._advance(owed_s)
@@ -184,8 +186,6 @@ class Pilot(threading.Thread):
 
     def _publish(self, flew: bool, now: float) -> None:
         session = self.flight.session
-        if flew:
-            self.tell(frames.frame(session, *self.flight.ghosts.values()))
         state = {
             "paused": self._paused,
             "speed": self._times,
@@ -197,6 +197,8 @@ class Pilot(threading.Thread):
         if state != self._state:
             self._state, self._next_story_s = state, min(self._next_story_s, now + FRAME_S)
             self.tell({"note": "state", **state})
+        if flew:  # after the state, which says whose rows a frame has
+            self.tell(frames.frame(session, *self.flight.ghosts.values()))
         if now >= self._next_story_s:
             self._tell_story(now)
 

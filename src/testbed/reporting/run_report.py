@@ -16,13 +16,10 @@ from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.page import sections
 from testbed.reporting.page.columns import packed
-from testbed.reporting.page.drawn import drawn
+from testbed.reporting.page.drawn import can_be_replayed, drawn
 from testbed.reporting.page.panels import groups
 from testbed.reporting.panels import error_of, shown_log
 from testbed.reporting.words import describe
-
-_REPLAYED = ("north_m", "east_m", "altitude_m", "airspeed_m_s", "roll_deg", "pitch_deg", "heading_deg")
-"""Columns without which there is nothing to replay."""
 
 
 def write_report(folder: str | Path) -> Path:
@@ -51,7 +48,7 @@ def write_page(
         within: the folder that was asked for; by default the file's own.
     """
     log = shown_log(flight)
-    if len(log["time_s"]) < 2 or not all(name in log for name in _REPLAYED):
+    if not can_be_replayed(log):
         parts = _parts(flight, None, figures, again, back)
         return html.write_page(file, flight.scenario.name, parts, within=within)
     turned = error_of("heading")

@@ -13,7 +13,7 @@ from testbed.reporting.comparison.panels import columns_of, groups
 from testbed.reporting.html import Html, Part, tag
 from testbed.reporting.numbers import rounded
 from testbed.reporting.page.columns import packed
-from testbed.reporting.page.drawn import drawn
+from testbed.reporting.page.drawn import can_be_replayed, drawn
 from testbed.reporting.page.sections import definition
 from testbed.reporting.story import story
 from testbed.reporting.words import VERDICTS, setting
@@ -36,9 +36,11 @@ def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]]) -> Ite
     from testbed.reporting.comparison.figure import picture
 
     yield html.opening(title, sentences(comparison))
+    replayed = all(can_be_replayed(flight.signals) for flight in comparison.flights)
     panels = [
         tag("h2", "The flights"),
-        [tag("div", id=place) for place in ("timelines", "replay")],
+        tag("div", id="timelines"),
+        tag("div", id="replay") if replayed else None,
         html.legend(comparison.names),
         *map(html.panels, shown),
     ]
