@@ -22,9 +22,9 @@ def examiner() -> Iterator[Examiner]:
 @pytest.mark.nightly
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner) -> None:
-    found = fuzz(kind, 40, 1, examiner, fly_every=5)
+    found = fuzz(kind, 80, 1, examiner, fly_every=5)
     assert not found.bad, found.bad[:3]
-    assert sum(found.outcomes.values()) == 40 and found.outcomes["refused"] > 8
+    assert sum(found.outcomes.values()) == 80 and found.outcomes["refused"] > 8
 
 
 @pytest.mark.nightly

@@ -7,11 +7,14 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import search_flights
+from search_files import REAL, SEARCH
+from search_files import written as search_written
 from sweep_files import fly_here, here, same_rows, sorted_files, stored, written
 from sweep_flights import quick
 
 import testbed
-from testbed.api import matrix, sweep
+from testbed.api import matrix, search, sweep
 from testbed.cli.commands import main
 from testbed.flight.flight import Flight
 from testbed.inputs.problems import BadInput
@@ -125,3 +128,48 @@ def test_a_matrix_is_merged_too(tmp_path: Path) -> None:
         matrix.fly(plan, tmp_path / str(k), replace(here(), shard=f"{k}/2"))
     summary, missing = testbed.merge([tmp_path / "1", tmp_path / "2"], tmp_path / "out", figures=False)
     assert missing == [] and summary is not None and summary["counts"] == {"held": 4, "survived": 4}
+
+
+def searched_in_shards(file: Path, folder: Path, n: int, how: Options) -> search.SearchPlan:
+    """The folders 1 to n, each a shard of a search; and `whole`."""
+    plan, whole = search.prepare(file, folder / "whole")
+    for k in range(1, n + 1):
+        search.fly(plan, folder / str(k), replace(how, shard=f"{k}/{n}"))
+    search.finish(plan, whole, search.fly(plan, whole, how), figures=False)
+    return plan
+
+
+def test_a_search_is_merged_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = REAL.replace("budget: 24", "budget: 6") + "compare: {controller.type: [pid, fixed_inversion]}\n"
+    searched_in_shards(
+        search_written(tmp_path, text), tmp_path, 2, Options(save_logs="none", workers=here().workers)
+    )
+    assert not (tmp_path / "1/results.csv").exists()
+    assert len(stored(tmp_path / "1")) < len(stored(tmp_path / "whole"))
+    assert main(["merge", str(tmp_path / "2"), "--out", str(tmp_path / "half")]) == 3
+    said = capsys.readouterr().err
+    assert "1 searches are missing: pid; `testbed search " in said and "half/search.yaml --out" in said
+    assert main(
+        ["merge", *map(str, folders(tmp_path, 1, 2)), "--out", str(tmp_path / "out"), "--no-plots"]
+    ) in (0, 1)
+    for name in ("results.csv", "summary.json", "search.yaml"):
+        assert (tmp_path / "whole" / name).read_bytes() == (tmp_path / "out" / name).read_bytes(), name
+
+
+def test_a_search_with_code_of_the_users_is_joined_and_not_flown_again(tmp_path: Path) -> None:
+    text = SEARCH + "compare: {atmosphere.wind_m_s.2: [0, 1]}\n"
+    how = Options(save_logs="none", fly=search_flights.gusty, workers=here().workers)
+    plan = searched_in_shards(search_written(tmp_path, text), tmp_path, 2, how)
+    assert testbed.merge(folders(tmp_path, 1, 2), tmp_path / "out") == (None, [])
+    flights = search.fly(plan, tmp_path / "out", how, resume=True)
+    search.finish(plan, tmp_path / "out", flights, figures=False)
+    assert flights.count == 0
+    same = [(tmp_path / name / "summary.json").read_bytes() for name in ("whole", "out")]
+    assert same[0] == same[1]
+
+
+def test_one_search_is_not_divided(tmp_path: Path) -> None:
+    plan, _ = search.prepare(search_written(tmp_path), tmp_path / "out")
+    with pytest.raises(BadInput, match="is 1/2, and a search of one variant and option is not divided"):
+        search.fly(plan, tmp_path / "out", Options(shard="1/2"))
+    assert not (tmp_path / "out").exists()

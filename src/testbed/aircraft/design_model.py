@@ -204,10 +204,23 @@ def _impossible(model: DesignModel) -> Iterator[str]:
     if len(model.kinds) != n or len(model.propulsors) != n:
         yield f"kinds and propulsors must have {n} entries"
     for i, propulsor in enumerate(model.propulsors):
-        if propulsor is not None and not all(
-            np.all(np.isfinite(np.ravel(v))) for v in asdict(propulsor).values() if v is not None
-        ):
-            yield f"propulsors.{i} is not finite"
+        if propulsor is not None:
+            yield from (f"propulsors.{i}.{wrong}" for wrong in _impossible_propulsor(propulsor))
+
+
+def _impossible_propulsor(propulsor: Propulsor | EngineMap) -> Iterator[str]:
+    if isinstance(propulsor, EngineMap):
+        size = (len(propulsor.speeds), len(propulsor.throttles))
+        shapes: dict[str, tuple[int, ...]] = {"speeds": size[:1], "throttles": size[1:], "thrust": size}
+    else:
+        points = (len(propulsor.thrust),)
+        shapes = {"advance": (2,), "thrust": points, "torque": points}
+    for name, said in asdict(propulsor).items():
+        values, shape = np.array(said, dtype=float), shapes.get(name, ())
+        if values.shape != shape or not values.size:
+            yield f"{name} has the shape {list(values.shape)}, expected {list(shape)}"
+        elif not np.all(np.isfinite(values)):
+            yield f"{name} is not finite"
 
 
 def _propulsor(data: dict[str, Any]) -> Propulsor | EngineMap:

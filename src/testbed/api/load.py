@@ -20,8 +20,6 @@ STUDIES = ("sweep", "search", "matrix", "benchmark")
 
 KEEP_LOGS = ("sweep", "matrix")
 """Those whose flights can be told one by one: logs are kept, in order of runs, as is a table."""
-SHARDED = (*KEEP_LOGS, "benchmark")
-"""Those whose flights are known before they are flown, so that shards of them can be merged."""
 
 
 def load(folder: str | Path) -> ReportedFlight | pd.DataFrame:

@@ -1,4 +1,4 @@
-"""Shards of a sweep, a matrix or a benchmark joined into one folder."""
+"""Shards of a study joined into one folder."""
 
 from __future__ import annotations
 
@@ -7,17 +7,27 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from testbed.api.load import KEEP_LOGS, SHARDED, kind_of
+from testbed.api.load import KEEP_LOGS, kind_of
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies import merge as shards
+from testbed.studies.flying.flight import FLY
+from testbed.studies.flying.pool import serial
+from testbed.studies.folder import reading, store, table
+from testbed.studies.plan import Plan
+from testbed.studies.run import Options
+from testbed.studies.search.run import unsearched
+
+_STUDY = "shards of one sweep, search, matrix or benchmark"
 
 
 def merge(
     folders: Sequence[str | Path], out: str | Path, *, figures: bool = True, mixed: bool = False
-) -> tuple[dict[str, Any] | None, list[int]]:
-    """Join shards into a new folder, the same as if one machine had flown all runs; returns its summary, and the missing runs.
+) -> tuple[dict[str, Any] | None, Sequence[int | str]]:
+    """Join shards into a new folder, the same as if one machine had flown all; returns its summary, and the missing runs.
 
-    While runs are missing there is no summary: the folder is that of an unfinished study, and `--resume` flies them.
+    Of a search, what is missing are searches of variants and options, by their labels. While something is missing there is
+    no summary: the folder is that of an unfinished study, and `--resume` flies the rest. Nor is there one of a search with
+    controllers of the user's own or another function that flies: `--resume` with these writes what was found.
 
     Args:
         folders: those that `--shard` made, finished or not.
@@ -30,12 +40,32 @@ def merge(
     paths, out = [Path(folder) for folder in folders], Path(out)
     words = [kind_of(path) for path in paths]
     for word, path in zip(words, paths, strict=True):
-        if word not in SHARDED or word != words[0]:
-            what = f"is the folder of a {word}"
-            raise BadInput([Problem(what, str(path), expected="shards of one sweep, matrix or benchmark")])
+        if word in ("run", "log") or word != words[0]:
+            raise BadInput([Problem(f"is the folder of a {word}", str(path), expected=_STUDY)])
     kind = import_module(f"testbed.api.{words[0]}")
     plan = kind.plan_of(paths[0])
     if other := [path for path in paths if words[0] == "benchmark" and kind.plan_of(path).size != plan.size]:
         raise BadInput([Problem("has another number of draws", str(path)) for path in other])
-    missing = shards.merge(plan, paths, out, tabled=words[0] in KEEP_LOGS, mixed=mixed)
-    return (None if missing else kind.finish(plan, out, figures=figures)), missing
+    shards.merge(plan, paths, out, mixed=mixed)
+    missing = _missing(words[0], plan, out)
+    if missing or not _is_told(words[0], plan, out):
+        return None, missing
+    flights = kind.fly(plan, out, Options(workers=serial), resume=True) if words[0] == "search" else None
+    return kind.finish(plan, out, flights, figures=figures), missing
+
+
+def _missing(word: str, plan: Any, out: Path) -> Sequence[int | str]:
+    """What has not been flown of a merged study; the table is written where that is nothing."""
+    with store.reading(out) as stored:
+        if word == "search":
+            return unsearched(plan, stored)
+        missing = shards.unflown(plan, stored)
+        if word in KEEP_LOGS and not missing:
+            table.write(plan, lambda: reading.records(plan, stored), out)
+        return missing
+
+
+def _is_told(word: str, plan: Plan, out: Path) -> bool:
+    """Whether what was found can be written without code of the user's, with which a search's flights are flown once more."""
+    with store.reading(out) as stored:
+        return word != "search" or (not plan.builder.own and stored.inputs["fly"] == FLY)

@@ -139,6 +139,11 @@ def prepare(
 fly = run_search
 
 
+def plan_of(folder: Path) -> SearchPlan:
+    """The plan of a search's folder, as its file has it, and of the user's controllers without their code."""
+    return load_search(folder / "search.yaml")
+
+
 def finish(plan: SearchPlan, folder: Path, flights: Flights, *, figures: bool = True) -> dict[str, Any]:
     """As `Kind.finish`; also writes the scenarios and the flights that were found."""
     said = summarize(plan, flights.found)

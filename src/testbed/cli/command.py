@@ -111,10 +111,9 @@ def add_many_flights(command: ArgumentParser) -> None:
     add_flying(command)
 
 
-def add_shard(command: ArgumentParser) -> None:
+def add_shard(command: ArgumentParser, which: str = "fly every N-th run, from the K-th on") -> None:
     """`--shard`: a part of the runs."""
-    shard = "fly every N-th run, from the K-th on; `testbed merge` joins the folders"
-    command.add_argument("--shard", metavar="K/N", help=shard)
+    command.add_argument("--shard", metavar="K/N", help=f"{which}; `testbed merge` joins the folders")
 
 
 def add_flying(command: ArgumentParser) -> None:

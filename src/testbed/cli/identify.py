@@ -24,6 +24,8 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("aircraft", help="name, or path of a folder such as ./name")
     check = "only compare with the stored model; exit status 1 if it differs"
     command.add_argument("--check", action="store_true", help=check)
+    numbers = "first write limits, rates, lags and motor constants of the YAML into the JSBSim model"
+    command.add_argument("--write", action="store_true", help=numbers)
     log = "log of healthy flight, as of `diagnose`, whose model is found instead; may be repeated"
     command.add_argument("--log", type=Path, action="append", metavar="LOG", help=log)
     columns = "YAML file that says which column of a log is what, in which unit"
@@ -32,13 +34,31 @@ def _arguments(command: ArgumentParser) -> None:
 
 
 def _run(options: Namespace) -> int:
+    if options.write and (options.check or options.log):
+        raise BadInput([Problem("changes the model", "--write", expected="no --check and no --log")])
     if options.log:
         return _from_logs(options)
     if options.out is not None or options.columns is not None:
         raise BadInput([Problem("is for --log", "--out" if options.out is not None else "--columns")])
+    if options.write:
+        _adjust(options.aircraft)
     with working("identifying"):
         same = _identify(options.aircraft, check=options.check)
     return MET if same else NOT_MET
+
+
+def _adjust(name: str) -> None:
+    """Write numbers of the YAML into the model, and say which. Raises BadInput."""
+    from testbed.aircraft.description import load_aircraft
+    from testbed.aircraft.model_files.adjust import adjust
+
+    aircraft = load_aircraft(name)
+    try:
+        with tidily():
+            for line in adjust(aircraft):
+                print(line)
+    except OSError as error:
+        raise BadInput([Problem(f"cannot be written: {error.strerror}", str(aircraft.folder))]) from None
 
 
 def _from_logs(options: Namespace) -> int:
@@ -115,6 +135,7 @@ COMMAND = Command(
     (
         "testbed identify ./my_aircraft",
         "testbed identify vtail --check",
+        "testbed identify ./my_aircraft --write",
         "testbed identify vtail --log runs/turns --log runs/climbs --out flown_model.json",
     ),
 )

@@ -1,8 +1,9 @@
-"""`testbed merge`: shards of a sweep, a matrix or a benchmark joined into one folder."""
+"""`testbed merge`: shards of a study joined into one folder."""
 
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
@@ -33,17 +34,25 @@ def _run(options: Namespace) -> int:
         )
     kind = kind_of(options.out)
     if summary is None:
-        named = ", ".join(map(str, missing[:_SHOWN])) + (", ..." if len(missing) > _SHOWN else "")
-        file = "..." if kind == "benchmark" else options.out / f"{kind}.yaml"
-        how = f"`testbed {kind} {file} --out {options.out} --resume` flies them"
-        raise Ended(f"{options.out}: {len(missing)} runs are missing: {named}; {how}", ENDED_EARLY)
+        raise Ended(f"{options.out}: {_unfinished(kind, options.out, missing)}", ENDED_EARLY)
     status = study.told(import_module(f"testbed.api.{kind}"), summary)
     print(f"wrote {options.out}")
     return status
 
 
+def _unfinished(kind: str, out: Path, missing: Sequence[int | str]) -> str:
+    """What is missing, and the command that goes on."""
+    file = "..." if kind == "benchmark" else out / f"{kind}.yaml"
+    how = f"`testbed {kind} {file} --out {out} --resume`"
+    if not missing:
+        return f"every flight is there; {how} with your own controllers writes what was found"
+    what = "searches" if kind == "search" else "runs"
+    named = ", ".join(map(str, missing[:_SHOWN])) + (", ..." if len(missing) > _SHOWN else "")
+    return f"{len(missing)} {what} are missing: {named}; {how} flies them"
+
+
 COMMAND = Command(
-    "join the shards of a sweep, a matrix or a benchmark into one folder",
+    "join the shards of a study into one folder",
     _arguments,
     _run,
     ("testbed merge runs/shard-1 runs/shard-2 --out runs/whole",),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
 
-from testbed.cli import study
-from testbed.cli.command import Command, add_file, add_many_flights, add_out, add_set, whole_number
+from testbed.cli import study, sweep
+from testbed.cli.command import Command, add_file, add_many_flights, add_out, add_set, add_shard, whole_number
 
 
 def _arguments(command: ArgumentParser) -> None:
@@ -15,6 +15,7 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("--goal", metavar="GOAL", help=goal)
     budget = "most flights for each variant and option of a choice"
     command.add_argument("--budget", type=whole_number, metavar="N", help=budget)
+    add_shard(command, "run every N-th of the searches, one for each variant and option, from the K-th on")
     add_many_flights(command)
     add_set(command)
 
@@ -22,7 +23,10 @@ def _arguments(command: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     from testbed.api import search
 
-    return study.run(search, options, options.search, goal=options.goal, budget=options.budget)
+    own = {"goal": options.goal, "budget": options.budget}
+    if options.shard is not None:
+        return sweep.fly_shard(search, options, options.search, "none", **own)
+    return study.run(search, options, options.search, **own)
 
 
 COMMAND = Command(

@@ -12,9 +12,8 @@ from testbed.common.writing import write
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, collect
-from testbed.studies.folder import store, table
+from testbed.studies.folder import store
 from testbed.studies.folder.begin import is_new, refuse_changed, refuse_other
-from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
 from testbed.studies.plan import Plan
 from testbed.studies.record import Record, key_of
@@ -22,10 +21,8 @@ from testbed.studies.record import Record, key_of
 _LARGEST_LOG = 1000 * MEGABYTE
 
 
-def merge(
-    plan: Plan, folders: Sequence[Path], out: Path, *, tabled: bool = True, mixed: bool = False
-) -> list[int]:
-    """Make the folder `out` with the flights of all the folders, and perhaps its table; returns the missing runs.
+def merge(plan: Plan, folders: Sequence[Path], out: Path, *, mixed: bool = False) -> None:
+    """Make the folder `out` with the flights of all the folders.
 
     Raises BadInput, and leaves nothing, when they are not of one study that was begun with the same inputs, or when two have
     another result of the same flight. With `mixed` they may be of several environments.
@@ -35,7 +32,7 @@ def merge(
     _refuse_strangers(plan, folders, mixed)
     out.mkdir(parents=True, exist_ok=True)
     try:
-        return _joined(plan, folders, out, tabled)
+        _join(plan, folders, out)
     except BaseException:
         shutil.rmtree(out, ignore_errors=True)
         raise
@@ -53,7 +50,7 @@ def _refuse_strangers(plan: Plan, folders: Sequence[Path], mixed: bool) -> None:
         raise BadInput(problems)
 
 
-def _joined(plan: Plan, folders: Sequence[Path], out: Path, tabled: bool) -> list[int]:
+def _join(plan: Plan, folders: Sequence[Path], out: Path) -> None:
     with store.reading(folders[0]) as first:
         store.create(out, first.inputs)
     merged = store.opened(out)
@@ -66,13 +63,14 @@ def _joined(plan: Plan, folders: Sequence[Path], out: Path, tabled: bool) -> lis
         if plan.cases_text is not None:
             write(out / "cases.csv", plan.cases_text)
         write(out / f"{plan.study.word}.yaml", yamlfile.dump(plan.tree))
-        n = len(plan.variants)
-        missing = sorted({k // n for k in range(plan.size) if key_of(k) not in merged})
-        if tabled and not missing:
-            table.write(plan, lambda: records(plan, merged), out)
-        return missing
     finally:
         merged.close()
+
+
+def unflown(plan: Plan, store: Store) -> list[int]:
+    """The runs of which flights are missing."""
+    n = len(plan.variants)
+    return sorted({k // n for k in range(plan.size) if key_of(k) not in store})
 
 
 def _contents(log: Path) -> bytes:

@@ -97,6 +97,13 @@ def test_its_own_table_is_a_baseline_with_which_all_is_as_expected(tmp_path: Pat
     )  # the folder knows its baseline
 
 
+def test_a_baseline_may_be_of_more_than_is_flown(tmp_path: Path) -> None:
+    baseline = [{"failure": "stuck", "result": "lost"}, {"controller": "mine", "result": "lost"},
+                {"severity": 0.25, "weather": "severe", "result": "lost"}]  # fmt: skip
+    assert not plan_of(baseline=baseline).study.baseline[0].actuator
+    assert {plan_of(baseline=baseline).expected(cell, "pid") for cell in plan_of().cells} == {"held"}
+
+
 def test_the_page_has_a_cell_for_each_that_names_its_command(tmp_path: Path) -> None:
     flown(plan_of(failures=[WEAK, "surface_lost"], severities=[1.0]), tmp_path / "out")
     text = (tmp_path / "out/report.html").read_text()
@@ -114,13 +121,31 @@ def test_the_page_has_a_cell_for_each_that_names_its_command(tmp_path: Path) -> 
         ({"failures": [{"type": "stuck", "at_s": 3.0}]}, "has at_s"),
         ({"weather": ["foggy"]}, "has 'foggy', expected calm, light, moderate, severe or a W20"),
         ({"vary": {"duration_s": {"uniform": [1, 2]}}}, "varies values"),
-        ({"baseline": [{"failure": "stuk", "result": "lost"}]}, "is about no cell: failure stuk"),
+        ({"baseline": [{"failure": "stuk", "result": "lost"}]}, "no failure 'stuk', did you mean stuck?"),
+        (
+            {"baseline": [{"actuator": "tail", "result": "lost"}]},
+            "no actuator 'tail', expected one of left_ruddervator",
+        ),
+        ({"baseline": [{"controller": "pidd", "result": "lost"}]}, "no controller 'pidd', did you mean pid?"),
         ({"baseline": [{"result": "crashed"}]}, "baseline.0.result"),
     ],
 )
 def test_what_cannot_be_meant_is_refused(keys: dict[str, object], words: str) -> None:
     with pytest.raises(BadInput) as refused:
         plan_of(**keys)
+    assert words in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("c310", "JSBSim has a model of this name, expected ./c310, after `testbed adopt c310`"),
+        ("vtial", "mean vtail?"),
+    ],
+)
+def test_what_is_no_aircraft_yet_says_how_to_have_it(name: str, words: str) -> None:
+    with pytest.raises(BadInput) as refused:
+        load_matrix(name)
     assert words in str(refused.value)
 
 

@@ -5,26 +5,28 @@ from __future__ import annotations
 import csv
 import math
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from testbed.aircraft.changes import load_with_changes
 from testbed.aircraft.description import load_aircraft
-from testbed.aircraft.shipped import aircraft_names, find_scenario
+from testbed.aircraft.shipped import aircraft_names, find_aircraft, find_scenario
 from testbed.common.text import text_of
+from testbed.controllers.config import TABLE as CONTROLLERS
 from testbed.controllers.user.own import OwnController
+from testbed.failures import TABLE
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.input_file import MEGABYTE, read_text
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, did_you_mean, guess
 from testbed.inputs.yaml_source import Source
 from testbed.studies.drawing.builder import Builder, Task
 from testbed.studies.drawing.sampling import hashed
 from testbed.studies.load import name_of, study_of
 from testbed.studies.matrix.cells import Cell, cells
 from testbed.studies.matrix.model import Expected, Matrix
-from testbed.studies.matrix.plan import MatrixPlan, about
+from testbed.studies.matrix.plan import MatrixPlan
 from testbed.studies.model import MOST_FLIGHTS
 
 _AT_S, _DURATION_S, _LOG_HZ = 10.0, 60.0, 50
@@ -91,7 +93,12 @@ def _source(path: str | Path) -> Source:
     if aircraft:
         name = str(path) if str(path) in aircraft_names() else os.path.realpath(path)
         return Source("", {"name": Path(name).name, "scenario": _mission(name)})
-    file = find_scenario(path)
+    try:
+        file = find_scenario(path)
+    except BadInput as error:
+        if not Path(path).suffix and not error.problems[0].suggestion:
+            find_aircraft(str(path))  # which says what was meant
+        raise
     source = yamlfile.read(file)
     if "scenario" in source.tree:
         return source
@@ -161,15 +168,27 @@ def _refuse_useless(matrix: Matrix, found: tuple[Cell, ...], source: Source) -> 
 
 
 def _refuse_unknown(plan: MatrixPlan, source: Source) -> None:
-    """Raise BadInput for entries of the baseline that are about no cell, which may be misspelt."""
+    """Raise BadInput for names in the baseline that nothing has. It may be of more cells than are flown this time."""
+    known: dict[str, list[str]] = {
+        "actuator": list(dict.fromkeys(cell.actuator for cell in plan.cells)),
+        "failure": list(TABLE),
+        "controller": [*plan.labels, *CONTROLLERS],
+    }
     problems = [
-        source.problem(("baseline", i), f"is about no cell: {_said(each)}", "values of this matrix's cells")
+        source.problem(("baseline", i, key), f"there is no {key} {name!r}", *guess(name, known[key]))
         for i, each in enumerate(plan.study.baseline)
-        if not any(about(each, cell, label) for cell in plan.cells for label in plan.labels)
-    ]
+        for key, name in _names(each)
+        if name not in known[key] and (key != "controller" or did_you_mean(name, known[key]))
+    ]  # a controller of the user's own is known only where it is flown
     if problems:
-        raise BadInput(problems[:20])
+        raise BadInput(problems)
 
 
-def _said(expected: Expected) -> str:
-    return ", ".join(f"{key} {value}" for key, value in expected.model_dump(exclude_none=True).items())
+def _names(expected: Expected) -> Iterator[tuple[str, str]]:
+    """(key, name) of what an entry names; of a failure its type, without the values that may follow."""
+    if expected.actuator is not None:
+        yield "actuator", expected.actuator
+    if expected.failure is not None:
+        yield "failure", expected.failure.partition(" ")[0]
+    if expected.controller is not None:
+        yield "controller", expected.controller

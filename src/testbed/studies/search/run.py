@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from testbed.inputs.problems import Problem
+from testbed.inputs.problems import BadInput, Problem
 from testbed.reliability import (
     FailureProbability,
     SmallestFailure,
@@ -17,7 +17,9 @@ from testbed.reliability import (
     smallest_failure,
 )
 from testbed.studies.drawing.builder import Task
+from testbed.studies.flying.pool import Done
 from testbed.studies.folder import table
+from testbed.studies.folder.store import Store
 from testbed.studies.record import Record
 from testbed.studies.run import Flights, Options, Refused, fly_into
 from testbed.studies.search.limit_state import LimitState, failed, robustness
@@ -46,9 +48,17 @@ class Found:
 def run_search(plan: SearchPlan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
     """Search every part, and write the table of flights; `found` is what was found, in the order of the parts.
 
-    Raises BadInput and Stopped as `studies.run.fly_into`, and Refused when every flight at the origin fails already.
+    With `options.shard` it searches every n-th part and writes no table: the folder is that of an unfinished search, which
+    `studies.merge` joins with the others. Raises BadInput and Stopped as `studies.run.fly_into`, and Refused when every flight
+    at the origin fails already.
     """
-    return fly_into(plan, folder, options, lambda flights: search_by(plan, flights), resume=resume)
+    if options.shard is None:
+        return fly_into(plan, folder, options, lambda flights: search_by(plan, flights), resume=resume)
+    k, n = options.part
+    if n > len(plan.parts):
+        what = f"is {options.shard}, and a search of one variant and option is not divided"
+        raise BadInput([Problem(what, "--shard", expected=f"at most {len(plan.parts)} shards")])
+    return fly_into(plan, folder, options, lambda flights: _search_shard(plan, flights, k, n), resume=resume)
 
 
 def search_by(plan: SearchPlan, flights: Flights) -> list[Found]:
@@ -58,6 +68,40 @@ def search_by(plan: SearchPlan, flights: Flights) -> list[Found]:
     found = [_found(plan, state) for state in states]
     table.write(plan, lambda: _rows(states), flights.store.folder)
     return found
+
+
+def _search_shard(plan: SearchPlan, flights: Flights, k: int, n: int) -> None:
+    """Search every n-th part, from the k-th on. Every shard flies all origins, by which the whole search may be refused."""
+    states = [LimitState(plan, part, flights) for part in plan.parts]
+    _refuse_broken(plan, states)
+    for state in states[k::n]:
+        _answer(plan, state)
+
+
+def unsearched(plan: SearchPlan, store: Store) -> list[str]:
+    """The labels of the parts whose search needs flights that the store does not have."""
+    flights = Flights(plan, Options().job(plan), store, _fly_none)
+    return [plan.label(part) for part in plan.parts if not _is_searched(plan, part, flights)]
+
+
+def _is_searched(plan: SearchPlan, part: Part, flights: Flights) -> bool:
+    state = LimitState(plan, part, flights)
+    try:
+        state(np.zeros((1, len(part.space))))
+        _answer(plan, state)
+    except _Unflown:
+        return False
+    return True
+
+
+class _Unflown(Exception):
+    """A flight is asked for that the store does not have."""
+
+
+def _fly_none(tasks: Iterable[Task]) -> Iterator[Done]:
+    for _ in tasks:
+        raise _Unflown
+    yield from ()
 
 
 def _rows(states: Sequence[LimitState]) -> Iterator[Record]:
