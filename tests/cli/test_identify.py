@@ -55,3 +55,43 @@ def test_what_cannot_be_adopted_is_refused_at_once(
     status, out, err = called("adopt", *arguments)
     assert (status, out) == (2, "") and words in err, err
     assert [path.name for path in here.iterdir()] == ["file"]
+
+
+def adjusted(tmp_path: Path, number: str, other: str) -> Path:
+    """An aircraft of which the YAML says another number than the model."""
+    folder = Path(shutil.copytree(load_aircraft("vtail").folder, tmp_path / "vtail"))
+    description = folder / "vtail.yaml"
+    text = description.read_text()
+    assert text.count(number) >= 1
+    description.write_text(text.replace(number, other, 1))
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("number", "other", "was", "now"),
+    [
+        ("lag_rad_s: 30", "lag_rad_s: 20", 'value="30', 'value="20'),
+        ("rate_limit: 401.07", "rate_limit: 300", 'value="7', 'value="5.23598776'),
+    ],
+)
+def test_write_changes_one_number_of_the_model(
+    tmp_path: Path, number: str, other: str, was: str, now: str
+) -> None:
+    folder = adjusted(tmp_path, number, other)
+    before = (folder / "vtail.xml").read_text().splitlines()
+    done = in_this_process(tmp_path, "identify", str(folder), "--write")
+    assert done.returncode == 0, done.stderr
+    after = (folder / "vtail.xml").read_text().splitlines()
+    (changed,) = [(a, b) for a, b in zip(before, after, strict=True) if a != b]
+    assert was in changed[0] and now in changed[1]
+    assert in_this_process(tmp_path, "identify", str(folder), "--check").returncode == 0
+
+
+def test_write_leaves_a_file_outside_the_folder(tmp_path: Path) -> None:
+    folder = adjusted(tmp_path, "lag_rad_s: 30", "lag_rad_s: 20")
+    outside = tmp_path / "outside.xml"
+    (folder / "vtail.xml").rename(outside)
+    before = outside.read_bytes()
+    (folder / "vtail.xml").symlink_to(outside)
+    assert in_this_process(tmp_path, "identify", str(folder), "--write").returncode == 2
+    assert outside.read_bytes() == before

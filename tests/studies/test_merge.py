@@ -140,7 +140,7 @@ def searched_in_shards(file: Path, folder: Path, n: int, how: Options) -> search
 
 
 def test_a_search_is_merged_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    text = REAL.replace("budget: 24", "budget: 6") + "compare: {controller.type: [pid, fixed_inversion]}\n"
+    text = REAL.replace("budget: 24", "budget: 20") + "compare: {controller.type: [pid, fixed_inversion]}\n"
     searched_in_shards(
         search_written(tmp_path, text), tmp_path, 2, Options(save_logs="none", workers=here().workers)
     )

@@ -358,12 +358,18 @@ HOSTILE: dict[str, Hostile] = {
     ),
     # The YAML says otherwise
     "another limit": Hostile(
-        replaced(YAML, r"limits: \[-25.8, 25.8\]", "limits: [-30, 25.8]"), YAML, "servo-min-rad is -0.450295"
+        replaced(YAML, r"limits: \[-25.8, 25.8\]", "limits: [-30, 25.8]"),
+        YAML,
+        r"servo-min-rad in vtail.xml:\d+ is -0.450295",
     ),
     "another rate": Hostile(
-        replaced(YAML, "rate_limit: 401.07", "rate_limit: 300"), YAML, "servo-rate-rad_sec is 7"
+        replaced(YAML, "rate_limit: 401.07", "rate_limit: 300"),
+        YAML,
+        r"servo-rate-rad_sec in vtail.xml:\d+ is 7",
     ),
-    "another lag": Hostile(replaced(YAML, "lag_rad_s: 30", "lag_rad_s: 20"), YAML, "servo-lag-rad_sec is 30"),
+    "another lag": Hostile(
+        replaced(YAML, "lag_rad_s: 30", "lag_rad_s: 20"), YAML, r"servo-lag-rad_sec in vtail.xml:\d+ is 30"
+    ),
     "another motor": Hostile(
         replaced(YAML, "resistance_ohm: 0.2", "resistance_ohm: 0.3"), YAML, "coilresistance"
     ),

@@ -19,7 +19,8 @@ _ENCODING = "latin-1"
 def adjust(aircraft: Aircraft) -> Iterator[str]:
     """Change the model's files; yields for each number what was changed, in words.
 
-    Raises BadInput for files that cannot be read, or a number that is not found as it stands, and OSError.
+    Raises BadInput for files that cannot be read or are outside the aircraft's folder, or a number that is not found as it
+    stands, and OSError.
     """
     files = model_files(aircraft)
     if files.problems:
@@ -29,7 +30,12 @@ def adjust(aircraft: Aircraft) -> Iterator[str]:
         if each.element not in written:
             written.add(each.element)
             file, line = each.element.file, each.element.line
-            write(file, _changed(read_bytes(file).decode(_ENCODING), each).encode(_ENCODING))
+            if not file.is_relative_to(aircraft.folder):
+                raise BadInput(
+                    [each.element.problem("is not in the aircraft's folder", f"{each.wanted:.9g}, by hand")]
+                )
+            text = _changed(read_bytes(file).decode(_ENCODING), each)
+            write(file, text.encode(_ENCODING), within=aircraft.folder)
             yield f"{file}:{line}: {each.name} {each.said:g} -> {each.wanted:g}"
 
 
