@@ -295,14 +295,14 @@ def _study_folder(kind: str, fly: bool, begin: Callable[[str], None]) -> str:
 
 
 def _called(*arguments: str) -> None:
-    """A command; raises BadInput where it refuses, AssertionError for a defect."""
+    """A command; raises BadInput where it refuses, before or while it flies, AssertionError for a defect."""
     from testbed.cli.commands import main
     from testbed.inputs.problems import BadInput, Problem
 
     said = io.StringIO()
     with contextlib.redirect_stderr(said):
         status = main(arguments)
-    if status == 2:
+    if status in (2, 3):
         raise BadInput([Problem(said.getvalue())])
     assert status in (0, 1), said.getvalue()[-200:]
 

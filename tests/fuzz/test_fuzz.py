@@ -22,7 +22,8 @@ def examiner() -> Iterator[Examiner]:
 @pytest.mark.nightly
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner) -> None:
-    found = fuzz(kind, 80, 1, examiner, fly_every=5)
+    # A database is read by `--resume` alone, which flies little where all has been flown.
+    found = fuzz(kind, 80, 1, examiner, fly_every=1 if kind in ("search folder", "matrix folder") else 5)
     assert not found.bad, found.bad[:3]
     assert sum(found.outcomes.values()) == 80 and found.outcomes["refused"] > 8
 
