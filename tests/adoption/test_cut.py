@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 from testbed.adoption.bench import Bench, write
-from testbed.adoption.blocks import prefix_of
+from testbed.adoption.blocks import cut, prefix_of
 from testbed.adoption.controls import find_surfaces
-from testbed.adoption.cut import cut
 from testbed.adoption.propulsors import engine_files, find_propulsors
 from testbed.adoption.source import find_source, package_root, read_whole
 from testbed.adoption.wiring import STICKS

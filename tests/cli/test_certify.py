@@ -10,7 +10,7 @@ import pytest
 from command_line import Called
 from short_flights import scenario
 
-from testbed.margins import mode_margins
+from testbed.margins import certificate
 
 
 @pytest.fixture
@@ -46,7 +46,7 @@ def test_without_cvxpy_all_but_the_margin_is_said(
     here: Path, called: Called, file: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As on a machine without the extra `certify`: the table says what is missing, and the file leaves it out."""
-    monkeypatch.setattr(mode_margins, "find_spec", lambda name: None)
+    monkeypatch.setattr(certificate, "find_spec", lambda name: None)
     status, out, err = called("certify", file, "--out", "all.csv")
     assert (status, err) == (0, "")
     assert "needs cvxpy" in out and "H+ radius at most" in out

@@ -9,8 +9,7 @@ from pathlib import Path
 
 from testbed.adoption.card import card
 from testbed.adoption.draft import Draft, make_draft, refused
-from testbed.adoption.files import Condition, write_folder, write_yaml
-from testbed.adoption.first_flight import write_first_flight
+from testbed.adoption.files import Condition, write_first_flight, write_folder, write_yaml
 from testbed.adoption.losses import losses
 from testbed.adoption.source import Source
 from testbed.aircraft.description import Aircraft, Engine, load_aircraft

@@ -9,9 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 from testbed.adoption.bench import Bench
-from testbed.adoption.components import Dynamics, dynamics_of, range_of
-from testbed.adoption.stick_sweep import MOVED, StickSweep, swept
-from testbed.adoption.wiring import POSITIONS, READERS, STICKS, Wiring, bare
+from testbed.adoption.condition import MOVED, StickSweep, swept
+from testbed.adoption.wiring import POSITIONS, READERS, STICKS, Dynamics, Wiring, bare, dynamics_of, range_of
 
 _SECTIONS = ("aerodynamics", "external_reactions")
 _PARTS = re.compile(

@@ -10,10 +10,9 @@ from functools import partial
 from pathlib import Path
 
 from testbed.adoption.bench import Bench, one_line, write
-from testbed.adoption.blocks import prefix_of
+from testbed.adoption.blocks import cut, prefix_of, set_property
 from testbed.adoption.condition import SPEEDS, Size, drag_n, measure_size
 from testbed.adoption.controls import Surface, find_surfaces, surface_groups
-from testbed.adoption.cut import cut, set_property
 from testbed.adoption.engines import GEAR_S, LEAST_THRUST, Start, Step, clean, find_start, full_thrust, run
 from testbed.adoption.propulsors import TURBINE, Propulsor, engine_files, find_propulsors
 from testbed.adoption.source import Source, declare, read_whole

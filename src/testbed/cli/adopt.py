@@ -18,7 +18,7 @@ def _arguments(command: ArgumentParser) -> None:
 def _run(options: Namespace) -> int:
     """Adopt a model into a folder; raises BadInput with what is missing."""
     from testbed.adoption import entry
-    from testbed.adoption.first_flight import FILE
+    from testbed.adoption.files import FILE
 
     with working("adopting"):
         folder, card = entry.adopt(options.model, options.out)

@@ -1,4 +1,8 @@
-"""Start and end the failures of a scenario when they are due, and keep a receipt of each start and end."""
+"""Start and end the failures of a scenario when they are due, and keep a receipt of each start and end.
+
+`Truth` says of them what an ideal diagnosis would find, to the controller `informed_inversion` alone. No other controller sees the
+plant or the failures.
+"""
 
 from __future__ import annotations
 
@@ -6,8 +10,11 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from testbed.aircraft.description import Aircraft
-from testbed.common.signals import begins_within
+from testbed.common.signals import STATE, begins_within
+from testbed.controllers.setup import ActuatorTruth
 from testbed.failures import Failure, stream_names
 from testbed.flight.columns import Recorded
 from testbed.injection.injection import Injection
@@ -158,3 +165,23 @@ class Injector:
 def _in_order(injections: Sequence[Injection]) -> list[dict[str, Any]]:
     receipts = [{**receipt, "failure": i} for i, each in enumerate(injections) for receipt in each.receipts]
     return sorted(receipts, key=lambda receipt: (receipt["time_s"], receipt["active"]))
+
+
+class Truth:
+    """Called in a control step, after the plant has been sampled, it returns what is true in that step."""
+
+    def __init__(self, plant: Plant, injector: Injector) -> None:
+        self._plant, self._injector = plant, injector
+        self._names = tuple(plant.aircraft.actuators)
+        servo = [actuator.kind == "servo" for actuator in plant.aircraft.actuators.values()]
+        self._unit = np.where(servo, math.radians(1.0), 1.0)
+
+    def __call__(self) -> ActuatorTruth:
+        n = len(self._names)
+        row = (self._plant.raw * self._plant.factors)[len(STATE) :]
+        deaf = {each.actuator for each in self._injector.active if not each.failure.follows_command}
+        return ActuatorTruth(
+            effectiveness=row[n:].tolist(),
+            follows=[name not in deaf for name in self._names],
+            position=(row[:n] * self._unit).tolist(),
+        )

@@ -21,8 +21,7 @@ from testbed.controllers.make import make_controller
 from testbed.controllers.setup import FlightPlan, Setup, setup_for
 from testbed.controllers.user.loader import name_of
 from testbed.controllers.user.own import digest_of
-from testbed.injection.injector import Injector
-from testbed.injection.truth import Truth
+from testbed.injection.injector import Injector, Truth
 from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import Trim, begin_at, trimmed_start

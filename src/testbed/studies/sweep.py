@@ -1,10 +1,11 @@
-"""Fly a sweep: the missing flights of its list, up to the run at which it may stop; then its table."""
+"""Fly a sweep: the missing flights of its list, up to the run at which it may stop by its rule; then its table."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from testbed.common.statistics import proportion
 from testbed.inputs.problems import BadInput, Problem
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job
@@ -12,10 +13,10 @@ from testbed.studies.flying.pool import Done, default_jobs, workers
 from testbed.studies.folder import table
 from testbed.studies.folder.reading import records
 from testbed.studies.folder.store import Store
+from testbed.studies.model import StopWhen
 from testbed.studies.plan import Plan
 from testbed.studies.record import key_of
 from testbed.studies.run import Flights, Options, fly_into
-from testbed.studies.stopping import Stopping
 
 
 def fly_sweep(plan: Plan, folder: Path, options: Options, *, resume: bool = False) -> Flights:
@@ -109,3 +110,38 @@ def fly_only(plan: Plan, run: int, job: Job, jobs: int | None, variant: int | No
     tasks = [plan.task(run * n + number) for number in chosen]
     with workers(job, min(len(tasks), jobs or default_jobs())) as fly_all:
         return sorted(fly_all(tasks), key=lambda done: done[0].variant)
+
+
+class Stopping:
+    """Takes the verdicts of each run, in the order of runs; `stopped_at` is the number of runs at which the rule held, or None.
+
+    The rule is checked after every run up to 100, then each time the number of runs has grown by 1 %. It uses exact
+    intervals (Clopper-Pearson): repeated checking makes any interval too narrow, and the exact ones tend to be too wide.
+    """
+
+    def __init__(self, rule: StopWhen | None, variants: int) -> None:
+        self._rule = rule
+        self._counts = [(0, 0)] * variants  # passed, judged
+        self._next = 1
+        self.runs = 0
+        self.stopped_at: int | None = None
+
+    def add(self, passed: Sequence[bool | None]) -> bool:
+        """Count one more run, with a verdict for each variant, None if it was not judged; returns whether to stop."""
+        if self.stopped_at is not None or self._rule is None:
+            return self.stopped_at is not None
+        self.runs += 1
+        self._counts = [
+            (n + bool(p), judged + (p is not None))
+            for (n, judged), p in zip(self._counts, passed, strict=True)
+        ]
+        if self.runs >= self._next:
+            self._next = self.runs + max(1, self.runs // 100)
+            if all(self._close(*counts) for counts in self._counts):
+                self.stopped_at = self.runs
+        return self.stopped_at is not None
+
+    def _close(self, passed: int, judged: int) -> bool:
+        assert self._rule is not None
+        known = proportion(passed, judged, self._rule.confidence, method="exact")
+        return (known.high - known.low) / 2.0 <= self._rule.half_width

@@ -9,7 +9,7 @@ import pytest
 from hostile_models import HOSTILE, MODEL, inserted, replaced, vtail_at
 
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.model_files import effects, functions, mass, numbers, sections, used
+from testbed.aircraft.model_files import check, functions, mass, numbers, sections, used
 from testbed.aircraft.model_files.check import model_problems
 
 STOCK = Path(jsbsim.__file__).parent / "aircraft"
@@ -26,7 +26,7 @@ def test_of_jsbsims_own_models_only_what_adoption_changes_is_refused(name: str) 
     files = used.read_model(STOCK / name, name)
     problems = [*files.problems]
     for rule in (
-        effects.forbidden,
+        check.forbidden,
         sections.incomplete,
         numbers.not_numbers,
         mass.unphysical,
@@ -65,14 +65,14 @@ def test_all_problems_are_said_at_once(vtail_copy: Path) -> None:
      "simulation/./terminate", "simulation/output[1]/log_rate_hz", "simulation/write-state-file"],
 )  # fmt: skip
 def test_every_spelling_of_a_steering_property_is_known(name: str) -> None:
-    assert effects.steers(name)
+    assert check.steers(name)
 
 
 @pytest.mark.parametrize(
     "name", ["simulation/integrator/rate/rotational", "fcs/reset", "simulation/sim-time-sec"]
 )
 def test_other_properties_may_be_written_by_a_model(name: str) -> None:
-    assert not effects.steers(name)
+    assert not check.steers(name)
 
 
 def test_a_system_is_found_where_jsbsim_finds_it(vtail_copy: Path) -> None:
