@@ -94,9 +94,19 @@ def test_a_page_runs_its_own_script_and_no_other(tmp_path: Path) -> None:
     assert any("script-src 'none'" in (a.get("content") or "") for a in Page(still).attributes)
 
 
-@pytest.mark.parametrize("name", ["flight.js", "live.js", "sweep.js", "compare.js"])
+@pytest.mark.parametrize("name", ["libraries.js", "flight.js", "live.js", "sweep.js", "compare.js"])
 def test_no_script_of_ours_ends_early(name: str) -> None:
     assert not re.search("</script|<!--", html.asset(name), re.IGNORECASE)
+
+
+def test_pages_find_in_their_libraries_all_that_they_use() -> None:
+    """What a script imports of other people's code is looked up while the page runs: nothing else says that it is missing."""
+    sources = {file.name: file.read_text(encoding="utf-8") for file in (Path(__file__).parents[2] / "web" / "src").glob("*.js")}
+    shipped = re.findall(r"[\w$]+", " ".join(re.findall(r"export \{(.*?)\}", sources.pop("libraries.js"), re.DOTALL)))
+    used = re.findall(r'import \{([^}]*)\} from "(?:three|uplot|fflate)"', "".join(sources.values()))
+    names = {name.split()[0] for each in used for name in each.split(",") if name.strip()}
+    assert len(names) > 20 and names - set(shipped) == set()
+    assert all(f'from "{name}"' not in text for text in sources.values() for name in ("three/addons", "three/webgpu"))
 
 
 def test_text_is_text_wherever_it_stands() -> None:

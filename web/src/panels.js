@@ -1,5 +1,5 @@
 // Panels on one cursor and one range of time. Truth is a solid line, belief dashed, a command dotted; each has a colour of its own.
-import uPlot from "uplot";
+import { uPlot } from "uplot";
 import { colour } from "./colours.js";
 import { rowAt } from "./data.js";
 

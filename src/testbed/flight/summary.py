@@ -150,7 +150,7 @@ class Facts(_Part):
 
 
 class Summary(_Part):
-    """The whole file."""
+    """summary.json of a run folder, whole."""
 
     outcome: Outcome
     end_time_s: NonNegative

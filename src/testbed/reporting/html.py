@@ -22,6 +22,8 @@ from testbed.reporting.numbers import number
 
 _ASSETS = Path(__file__).parent / "assets"
 _STYLES = ("palette.css", "report.css", "sweep.css", "uplot.css")
+_LIBRARIES = {name: "libraries.js" for name in ("flight.js", "compare.js", "live.js")}
+"""What stands before these scripts in a page: other people's code that they use."""
 _POLICY = "default-src 'none'; style-src 'unsafe-inline'; "
 """Where the policy of every page begins: a browser loads nothing for it."""
 _NOWHERE = "img-src data:; base-uri 'none'; form-action 'none'; script-src "
@@ -106,7 +108,7 @@ def page_text(
         connects: the one address to which the script may connect; by default it has none.
     """
     body = joined([parts, *(_data(name, value) for name, value in (data or {}).items())], "\n")
-    code = asset(script) if script else ""
+    code = "".join(map(asset, filter(None, [_LIBRARIES.get(script), script])))
     head = [
         tag("meta", charset="utf-8"),
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),

@@ -1,0 +1,1 @@
+module.exports = libraries; // what libraries.js has put into the page
