@@ -25,7 +25,7 @@ from testbed.inputs.problems import BadInput, Problem, TreePath, did_you_mean
 from testbed.inputs.yaml_source import dotted
 
 _KG = {"KG": 1.0, "LBS": 0.45359237, "LB": 0.45359237, "SLUG": 14.59390294}
-_METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "MM": 0.001, "KM": 1000.0}
+METRES = {"M": 1.0, "FT": 0.3048, "IN": 0.0254, "CM": 0.01, "MM": 0.001, "KM": 1000.0}
 _INERTIA = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 _HEAVIEST = 100.0  # largest change of mass, as a ratio: more is a slip of units
 
@@ -176,12 +176,12 @@ def place_of(location: ElementTree.Element | None) -> np.ndarray:
     """[3] a location [m]; the origin where there is none, as in JSBSim."""
     if location is None:
         return np.zeros(3)
-    metres = _METRES[location.get("unit", "IN").upper()]
+    metres = METRES[location.get("unit", "IN").upper()]
     return metres * np.array([float(location.findtext(axis) or 0.0) for axis in "xyz"])
 
 
 def _put(location: ElementTree.Element, at_m: np.ndarray) -> None:
-    metres = _METRES[location.get("unit", "IN").upper()]
+    metres = METRES[location.get("unit", "IN").upper()]
     for axis, value in zip("xyz", at_m, strict=True):
         element = location.find(axis)
         if element is None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from testbed.aircraft.changes import METRES
 from testbed.aircraft.description import Aircraft, Servo
 from testbed.aircraft.model_files.check import model_files
 from testbed.aircraft.model_files.numbers import finite
@@ -16,10 +17,8 @@ from testbed.aircraft.model_files.sections import engines
 from testbed.aircraft.model_files.used import ModelFiles
 from testbed.aircraft.shape import Point
 from testbed.common.cache import Cache
-from testbed.common.units import METRES_PER_FOOT
 
-_METRES = {"M": 1.0, "CM": 0.01, "FT": METRES_PER_FOOT, "IN": METRES_PER_FOOT / 12.0}
-_SQUARE_METRES = {"M2": 1.0, "CM2": 1e-4, "FT2": METRES_PER_FOOT**2, "IN2": (METRES_PER_FOOT / 12.0) ** 2}
+_SQUARE_METRES = {f"{unit}2": metres**2 for unit, metres in METRES.items()}
 _UNKNOWN_M = 1.0  # diameter of a propeller whose file does not say
 _TIP = 0.3  # of the span: a contact this far out, named so, is a wing's
 _HULL = ("HUMP", "HULL", "STEP", "KEEL", "FLOAT")
@@ -63,7 +62,7 @@ def _read(aircraft: Aircraft) -> Looks:
     metrics, ground = files.section("metrics"), files.section("ground_reactions")
     centre = _named(files.section("mass_balance"), "CG")
     sizes = {} if metrics is None else {each.tag: each for each in metrics.children}
-    span, contacts = _size(sizes.get("wingspan"), _METRES), [] if ground is None else ground.all("contact")
+    span, contacts = _size(sizes.get("wingspan"), METRES), [] if ground is None else ground.all("contact")
     here = [(each, _at(each, centre)) for each in contacts]
     places = {at for _, at in here}
     wing, eye = (_body(_named(metrics, name), centre) for name in ("AERORP", "EYEPOINT"))
@@ -72,7 +71,7 @@ def _read(aircraft: Aircraft) -> Looks:
         span_m=span,
         wing_m2=_size(sizes.get("wingarea"), _SQUARE_METRES),
         tail_m2=_size(sizes.get("htailarea"), _SQUARE_METRES),
-        tail_arm_m=_size(sizes.get("htailarm"), _METRES),
+        tail_arm_m=_size(sizes.get("htailarm"), METRES),
         fin_m2=_size(sizes.get("vtailarea"), _SQUARE_METRES),
         wing_at=wing,
         eye_x_m=eye[0],
@@ -119,7 +118,7 @@ def _diameter(files: ModelFiles, thrusters: list[Element]) -> float:
         inside = files.content.get(thruster)
         found = inside if inside is not None and inside.tag == "propeller" else thruster.first("propeller")
         if found is not None:
-            return _size(found.first("diameter"), _METRES) or _UNKNOWN_M
+            return _size(found.first("diameter"), METRES) or _UNKNOWN_M
     return 0.0
 
 
@@ -142,7 +141,7 @@ def _body(place: Point, centre: Point) -> Point:
 
 
 def _place(location: Element) -> Point:
-    factor = _METRES.get(location.attributes.get("unit", "IN"), 1.0)
+    factor = METRES.get(location.attributes.get("unit", "IN"), 1.0)
     x, y, z = ((finite(each.text) or 0.0) * factor if each else 0.0 for each in map(location.first, "xyz"))
     return (x, y, z)
 

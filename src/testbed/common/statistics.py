@@ -18,8 +18,16 @@ CONFIDENCE = 0.95
 Method = Literal["wilson", "exact"]
 
 
+class _Known:
+    """A result of which `plain` is what JSON can hold."""
+
+    @property
+    def plain(self) -> dict[str, Any]:
+        return asdict(self)  # type: ignore[call-overload]
+
+
 @dataclass(frozen=True)
-class Proportion:
+class Proportion(_Known):
     """A probability estimated from counts, with its confidence interval `low` to `high`."""
 
     successes: int
@@ -29,10 +37,6 @@ class Proportion:
     high: float
     confidence: float
     method: str
-
-    @property
-    def plain(self) -> dict[str, Any]:
-        return asdict(self)
 
     def __str__(self) -> str:
         return f"{self.estimate:.3f} ({self.low:.3f} to {self.high:.3f})"
@@ -54,7 +58,7 @@ def proportion(
 
 
 @dataclass(frozen=True)
-class Paired:
+class Paired(_Known):
     """Two variants with the same draws: how often both, only one, or neither passed, and the difference first minus second."""
 
     both: int
@@ -66,10 +70,6 @@ class Paired:
     high: float
     confidence: float
     p_value: float
-
-    @property
-    def plain(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def paired(first: Sequence[bool], second: Sequence[bool], confidence: float = CONFIDENCE) -> Paired:
@@ -89,17 +89,13 @@ def paired(first: Sequence[bool], second: Sequence[bool], confidence: float = CO
 
 
 @dataclass(frozen=True)
-class Mean:
+class Mean(_Known):
     """A mean with its confidence interval `low` to `high`."""
 
     estimate: float
     low: float
     high: float
     confidence: float
-
-    @property
-    def plain(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def rate(events: int, exposure: float, confidence: float = CONFIDENCE) -> Mean:

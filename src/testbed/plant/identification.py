@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from testbed.aircraft.description import Aircraft, AnyActuator, MotorActuator
+from testbed.aircraft.description import Aircraft, MotorActuator
 from testbed.aircraft.design_model import (
     COLUMNS,
     DESIGN_MODEL,
@@ -29,7 +29,7 @@ from testbed.inputs.problems import BadInput, Issue
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import accelerations
 from testbed.plant.thrust_stand import air_density, changed, propulsors_of, stand_physics_hz
-from testbed.plant.trim import Search, Trim, command_range, trim
+from testbed.plant.trim import Search, Trim, command_steps, trim
 
 _ANGLE_STEP, _RATE_STEP = 0.005, 0.01  # of the central differences [rad, rad/s]
 _COMMAND_STEPS = {"servo": 0.005, "motor": 0.01, "engine": 0.05}  # [rad or throttle]
@@ -164,7 +164,8 @@ def input_matrix(plant: Plant, level: Trim) -> np.ndarray:
 def _input_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
     """[6] rates per rad of servo or per N of thrust: difference of two steady states."""
     rates, positions = [], []
-    for step in _command_steps(list(plant.aircraft.actuators.values())[i], level.commands[i]):
+    actuator = list(plant.aircraft.actuators.values())[i]
+    for step in command_steps(actuator, level.commands[i], _COMMAND_STEPS[actuator.kind]):
         rates.append(_rates(plant, level.state, changed(level.commands, i, step)))
         positions.append(plant.position(i))
     if positions[0] == positions[1]:
@@ -172,13 +173,6 @@ def _input_column(plant: Plant, level: Trim, i: int) -> np.ndarray:
         path = ("actuators", list(plant.aircraft.actuators)[i])
         raise BadInput(in_yaml(plant.aircraft, [Issue(path, what)]))
     return (rates[0] - rates[1]) / (positions[0] - positions[1])
-
-
-def _command_steps(actuator: AnyActuator, trim: float) -> tuple[float, float]:
-    """Changes of a command between which the effect of an actuator is measured [rad or throttle], within its range."""
-    size = _COMMAND_STEPS[actuator.kind]
-    low, high = command_range(actuator)
-    return min(size, high - trim), max(-size, low - trim)
 
 
 def _torque_column(plant: Plant, level: Trim, i: int) -> np.ndarray:

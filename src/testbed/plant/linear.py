@@ -17,7 +17,7 @@ from testbed.plant.identification import stored
 from testbed.plant.jsbsim import Plant
 from testbed.plant.settling import accelerations
 from testbed.plant.thrust_stand import stand_physics_hz
-from testbed.plant.trim import Trim, command_range, trim
+from testbed.plant.trim import Trim, command_steps, trim
 
 STATES = {
     "airspeed": "m/s", "alpha": "rad", "beta": "rad", "p": "rad/s", "q": "rad/s", "r": "rad/s",
@@ -98,7 +98,8 @@ def _model(plant: Plant, level: Trim) -> LinearModel:
     about, commands = np.array([level.state.get(name, 0.0) for name in STATES]), np.array(level.commands)
     sizes = [_STEPS.get(name, _STEP) for name in STATES]
     slopes = _slopes(lambda x: _motion(plant, x, commands), about, [(s, -s) for s in sizes])
-    steps = [_command_steps(a, c) for a, c in zip(aircraft.actuators.values(), commands, strict=True)]
+    of_each = zip(aircraft.actuators.values(), commands, strict=True)
+    steps = [command_steps(actuator, at, _COMMAND_STEPS[actuator.kind]) for actuator, at in of_each]
     effects = _slopes(lambda u: _motion(plant, about, u), commands, steps)
     lags = _lags(aircraft)
     n = len(lags)
@@ -126,13 +127,6 @@ def _slopes(function: Any, about: np.ndarray, steps: Sequence[tuple[float, float
     return np.column_stack(columns)
 
 
-def _command_steps(actuator: Any, command: float) -> tuple[float, float]:
-    """Changes of a command within its range, up and down [rad or throttle]."""
-    size = _COMMAND_STEPS[actuator.kind]
-    low, high = command_range(actuator)
-    return min(size, high - command), max(-size, low - command)
-
-
 def _motion(plant: Plant, x: np.ndarray, commands: np.ndarray) -> np.ndarray:
     """[10 + 5] rates of STATES, then RATES, with the airframe held in a state and the actuators steady
     (Stevens, Lewis and Johnson, Aircraft Control and Simulation, 3rd ed., table 2.5-1)."""
@@ -146,23 +140,8 @@ def _motion(plant: Plant, x: np.ndarray, commands: np.ndarray) -> np.ndarray:
     cr, sr, cp, sp = math.cos(roll), math.sin(roll), math.cos(pitch), math.sin(pitch)
     turn = (q * sr + r * cr) / cp
     climb = v * (ca * cb * sp - (sb * sr + sa * cb * cr) * cp)
-    kinematics = [p + sp * turn, q * cr - r * sr, turn, climb]
-    return np.array(
-        [
-            airspeed_dot,
-            alpha_dot,
-            beta_dot,
-            p_dot,
-            q_dot,
-            r_dot,
-            *kinematics,
-            p_dot,
-            q_dot,
-            r_dot,
-            u_dot,
-            climb,
-        ]
-    )
+    kinematics, rates = (p + sp * turn, q * cr - r * sr, turn, climb), (p_dot, q_dot, r_dot)
+    return np.array([airspeed_dot, alpha_dot, beta_dot, *rates, *kinematics, *rates, u_dot, climb])
 
 
 def _lags(aircraft: Aircraft) -> dict[str, float]:

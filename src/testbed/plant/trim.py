@@ -91,6 +91,12 @@ def command_range(actuator: AnyActuator) -> tuple[float, float]:
     return actuator.throttle
 
 
+def command_steps(actuator: AnyActuator, at: float, size: float) -> tuple[float, float]:
+    """Changes of a command, up and down, between which its effect is measured: this large, or less where its range ends."""
+    low, high = command_range(actuator)
+    return min(size, high - at), max(-size, low - at)
+
+
 @dataclass(frozen=True)
 class TrimProblem:
     """Six accelerations as functions of some angles and speeds, and of the commands that are not held.
