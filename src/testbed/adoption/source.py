@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import importlib.util
-import math
 import os
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from testbed.aircraft.model_files.numbers import finite
 from testbed.aircraft.model_files.safe_xml import read_bytes
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
@@ -98,17 +98,10 @@ def read_whole(source: Source) -> ET.Element:
             for dropped in [each for each in element.findall(name) if _is_channel_of_data(each, element)]:
                 element.remove(dropped)
     for element in tree.iter("property"):
-        if not _is_number(element.get("value", "0")):
+        if finite(element.get("value", "0")) is None:
             element.set("value", "0")  # as JSBSim reads it
     declare(tree, dict.fromkeys(sorted(set(_made_local(tree))), 0.0))
     return tree
-
-
-def _is_number(text: str) -> bool:
-    try:
-        return math.isfinite(float(text))
-    except ValueError:
-        return False
 
 
 def _is_channel_of_data(element: ET.Element, parent: ET.Element) -> bool:

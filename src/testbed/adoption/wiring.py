@@ -13,6 +13,8 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from testbed.aircraft.model_files.numbers import finite
+
 _SCALES = ("aerosurface_scale", "pure_gain", "summer", "fcs_function", "switch", "scheduled_gain")
 _DEPTH = 2  # components between the surface and its servo
 _RATE_MIN, _RATE_MAX = 0.05, 30.0  # rad/s: outside them a number is no servo's rate
@@ -64,10 +66,8 @@ def _range(component: ET.Element) -> list[float]:
 
 
 def _number(text: str | None) -> float:
-    try:
-        return float(text or "nan")
-    except ValueError:
-        return math.nan
+    number = finite(text or "")
+    return math.nan if number is None else number
 
 
 def dynamics_of(tree: ET.Element, name: str, travel: tuple[float, float]) -> Dynamics:
