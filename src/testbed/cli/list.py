@@ -97,6 +97,8 @@ def _run(options: Namespace) -> int:
     for what in [options.what] if options.what else TABLE:
         entries = TABLE[what]() if what in TABLE else _fmu(options)
         if not entries:  # parts of the user's own, where none are given
+            if options.what:
+                print("there are none: --with FILE.py gives some")
             continue
         print(what)
         width = max((len(name) for name, _ in entries), default=0) + 2
