@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+import os
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 import yaml
 from command_line import ROOT, Called, in_this_process
+
+QUICK = """\
+name: quick
+aircraft: vtail
+duration_s: 1
+failures: [{type: effectiveness, actuator: left_ruddervator, at_s: 0.5, value: 0.2}]
+requirements: [{metric: altitude_error_max_m, at_most: 0.02}]
+"""
 
 
 def test_the_project_is_valid(called: Called, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -69,3 +80,43 @@ def test_the_project_runs(tmp_path: Path) -> None:
     assert own.returncode in (0, 1), own.stderr
     swept = in_this_process(folder, "sweep", "sweep.yaml", "--no-plots", "--runs", "2")
     assert swept.returncode in (0, 1), swept.stderr
+
+
+@pytest.mark.nightly
+def test_the_nightly_workflow_runs(tmp_path: Path) -> None:
+    """Each `run` of it by bash, as the server does, in one folder, which stands for what is passed on between its machines."""
+    assert in_this_process(tmp_path, "init", "mine").returncode == 0
+    folder, shims = tmp_path / "mine", tmp_path / "bin"
+    (folder / "scenario.yaml").write_text(QUICK)
+    (folder / "sweep.yaml").write_text(
+        "name: quick\nscenario: scenario.yaml\nruns: 8\nvary: {failures.0.value: {uniform: [0, 1]}}\n"
+    )
+    shims.mkdir()
+    few = '[ "$1" != matrix ] || set -- "$@" --failures stuck hardover --severities 1'
+    (shims / "testbed").write_text(f'#!/bin/sh\n{few}\nexec "{sys.executable}" -m testbed "$@"\n')
+    (shims / "testbed").chmod(0o755)
+    steps = steps_of(folder / ".github/workflows/nightly.yml")
+    path = f"{shims}:{os.environ['PATH']}"
+    for night, status in enumerate((1, 0)):  # the second night expects what the first has found
+        done = [
+            subprocess.run(
+                ["bash", "-e", "-c", step], cwd=folder, env={**os.environ, "PATH": path}, check=False
+            )
+            for step in steps
+        ]
+        assert [each.returncode for each in done] == [status, *[0] * (len(steps) - 1)], night
+        assert (folder / "comparison.html").is_file() == bool(night)
+        shutil.copy(folder / "runs/matrix/matrix.csv", folder / "expected.csv")
+        for made in (*(folder / "runs").glob("shard-*"), folder / "runs/matrix"):
+            shutil.rmtree(made)
+
+
+def steps_of(workflow: Path) -> list[str]:
+    """What the jobs of a workflow run, in their order, each as often as its matrix says."""
+    found = []
+    for job in yaml.safe_load(workflow.read_text())["jobs"].values():
+        for k in job.get("strategy", {}).get("matrix", {}).get("k", [0]):
+            runs = [step["run"] for step in job["steps"] if "run" in step]
+            found += [run.replace("${{ matrix.k }}", str(k)) for run in runs]
+    assert not [run for run in found if "${{" in run]
+    return found

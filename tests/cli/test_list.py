@@ -40,7 +40,8 @@ def test_names_and_meanings(here: Path, called: Called, what: str) -> None:
 
 
 def test_parts_of_ones_own_are_listed_where_they_are_given(here: Path, called: Called) -> None:
-    assert set(TABLE) == {*KNOWN, "own"} and called("list", "own")[1] == ""
+    assert set(TABLE) == {*KNOWN, "own"}
+    assert called("list", "own")[1] == "own\n  none: --with FILE.py gives some\n"
     own = str(data_root() / "examples" / "my_parts.py")
     assert listed(called("list", "own", "--with", own)[1])["sticky"].startswith("failure: The servo sticks")
     assert "sticky" in listed(called("list", "failures", "--with", own)[1])

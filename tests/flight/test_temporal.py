@@ -45,6 +45,24 @@ def test_by_brute_force(seed: int) -> None:
     assert first("not (x > 0 and y > 0) or always(x > y)", seed) == max(-min(x[0], y[0]), min(x - y))
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_until_by_brute_force(seed: int) -> None:
+    """g at some time of the window, and f at all times before; the same without an end."""
+    x, y = (log(seed)[name] for name in "xy")
+
+    def until(k: int, ahead: range) -> float:
+        return max(min([(y - 1)[k + j], *(x + 2)[k : k + j]]) for j in ahead)
+
+    bounded = robustness(parse("until[0.5,3](x > -2, y > 1)"), log(seed), RATE_HZ)
+    assert bounded.tolist() == [until(k, range(1, 7)) for k in range(ROWS - 6)]
+    endless = robustness(parse("until(x > -2, y > 1)"), log(seed), RATE_HZ)
+    assert endless.tolist() == [until(k, range(ROWS - k)) for k in range(ROWS)]
+    assert first("always[0:4](until[0:2](x > y, y > 0))", seed) == min(
+        max(min([y[k + j], *(x - y)[k : k + j]]) for j in range(5)) for k in range(9)
+    )
+    assert len(robustness(parse("until[0:90](x > y, y > 0)"), log(seed), RATE_HZ)) == 0
+
+
 @pytest.mark.skipif(sys.version_info >= (3, 13), reason="rtamt's parser does not run on Python 3.13")
 @pytest.mark.filterwarnings("ignore:typing.io:DeprecationWarning")
 @pytest.mark.parametrize("seed", range(3))
@@ -52,8 +70,8 @@ def test_agrees_with_rtamt(seed: int) -> None:
     """Its windows are in rows, and it writes -> for implies."""
     import rtamt
 
-    ours = "always[0:10](implies(x > 0, eventually[0:4](y - x > 1)) and (not (y > 20) or always[2:3](x < 9)))"
-    theirs = "always[0:20]((x > 0 -> eventually[0:8](y - x > 1)) and (not (y > 20) or always[4:6](x < 9)))"
+    ours = "always[0:10](implies(x > 0, eventually[0,4](y - x > 1)) and (not (y > 20) or until[2:3](x < 9, y < 5)))"
+    theirs = "always[0:20]((x > 0 -> eventually[0,8](y - x > 1)) and (not (y > 20) or ((x < 9) until[4:6] (y < 5))))"
     specification = rtamt.StlDiscreteTimeSpecification()
     for name in "xy":
         specification.declare_var(name, "float")
@@ -85,6 +103,10 @@ def test_it_is_judged_as_other_requirements_are() -> None:
         ("always(x)", "which is no formula"),
         ("always[0:](x > 1)", "without two ends"),
         ("always[5:2](x > 1)", "from 5 to 2 s"),
+        ("always[1, 2, 3](x > 1)", "without two ends"),
+        ("always[5](x > 1)", "without two ends"),
+        ("until(x > 1)", "which is no formula"),
+        ("always(x > 1, x > 2)", "which is no formula"),
         ("always[0:x](x > 1)", "expected a number"),
         ("x == 1", "compares by Eq"),
         ("x > True", "expected a number"),

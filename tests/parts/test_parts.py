@@ -8,10 +8,13 @@ from pathlib import Path
 from shutil import copyfile
 
 import pytest
+import yaml
 from command_line import ROOT, in_this_process
+from jsonschema import Draft202012Validator
 
 import testbed
 from testbed.api.conformance import conformance
+from testbed.cli.schema import model_of, schema_of
 from testbed.failures import TABLE as FAILURES
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
@@ -55,6 +58,21 @@ def own(tmp_path: Path) -> Path:
 def used(own: Path) -> Iterator[Path]:
     with testbed.use(own):
         yield own
+
+
+def test_editors_know_them(own: Path) -> None:
+    """By the schema of a command with `--with` a file that names each kind is right; by the shipped one it is not."""
+    said = {**yaml.safe_load(SCENARIO), "sensors": "tactical", "reference": "weave"}
+
+    def unknown() -> set[str]:
+        errors = Draft202012Validator(schema_of(model_of("scenario"))).iter_errors(said)
+        return {str(error.absolute_path[0]) for error in errors}
+
+    assert unknown() == {"failures", "sensors", "requirements"}  # no reference is shipped
+    with testbed.use(own):
+        assert unknown() == set()
+        said["reference"] = "weaves"
+        assert unknown() == {"reference"}
 
 
 def test_each_kind_is_flown_and_recorded(used: Path, tmp_path: Path) -> None:

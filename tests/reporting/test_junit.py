@@ -1,10 +1,11 @@
-"""JUnit XML of runs, sweeps and matrices: read back by another program, with the stories of what failed."""
+"""JUnit XML of runs, sweeps, matrices and benchmarks: read back by another program, with the stories of what failed."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from xml.etree import ElementTree
 
+import pandas as pd
 import pytest
 from sweep_files import here, written
 
@@ -15,6 +16,7 @@ from testbed.reporting import junit
 from testbed.reporting.story import story
 from testbed.studies.load import load_sweep
 from testbed.studies.matrix.load import load_matrix
+from testbed.study_reports import tests as of_study
 
 
 def read(file: Path) -> list[ElementTree.Element]:
@@ -65,6 +67,25 @@ def test_a_matrix_has_a_test_for_each_cell(tmp_path: Path) -> None:
     assert cases[cell("right_propeller", 0.5)] == [] and cases[cell("left_propeller", 0.5)] == ["failure"]
     assert cases[cell("right_propeller", 1)] == ["failure"]
     assert cases["left_ruddervator, prop_loss, 1, adaptive_inversion"] == ["skipped"]
+
+
+def test_a_benchmarks_failures_tell_what_was_drawn() -> None:
+    row = {"draw": 3, "controller": "pid", "failures": "several", "course": "2 in turn", "aircraft": "T37", "truth": "as designed",
+           "weather": "light", "gust": "none", "sensors": "ideal", "outcome": "completed", "survived": True, "held": False,
+           "inside": 0.835, "end_time_s": 150.0, "altitude_error_max_m": 17.12, "heading_error_max_deg": 25.3,
+           "reason": ""}  # fmt: skip
+    said = {"file": "open", "seed": 1, "controllers": {"pid": {"type": "pid"}}}
+    missed, held, lost = of_study.tests_of_benchmark(
+        said, pd.DataFrame([row, row | {"held": True}, row | {"survived": False, "outcome": "crashed"}])
+    )
+    assert (missed.name, missed.failure, held.failure) == ("draw 3, pid", "left its limits", "")
+    told, worst, command = missed.text.splitlines()
+    assert (
+        told
+        == "T37, as designed: weather light, gust none, sensors ideal, failures several, course 2 in turn."
+    )
+    assert worst.startswith("Worst: 17.1 m of altitude, 25 deg of heading; within its limits in 84 % of")
+    assert command.startswith("testbed benchmark open --seed 1 --only 3") and lost.failure == "lost: crashed"
 
 
 def test_names_of_strangers_stay_text(tmp_path: Path) -> None:

@@ -239,6 +239,16 @@ def test_an_override_mends_the_file(file: Path) -> None:
     assert load_scenario(file, ["controller.epsilon=0.1"])
 
 
+def test_a_flight_made_shorter_has_no_later_commands(file: Path) -> None:
+    """What is not flown is left out; a failure or a requirement after the end is still refused, and so is a command set anew."""
+    scenario = load_scenario(file, ["duration_s=30", "requirements=[]"])
+    assert [command.at_s for command in scenario.commands] == [0.0]
+    short = ["duration_s=12", "requirements=[]"]
+    assert {p.path.split(".")[0] for p in problems_of(file, *short)} == {"failures"}
+    again = ["duration_s=30", "requirements=[]", "commands.1.at_s=35"]
+    assert [p.path for p in problems_of(file, *again)] == ["commands"]
+
+
 @pytest.mark.parametrize("controller", CONTROLLERS)
 def test_any_controller_can_be_put_into_any_file(file: Path, controller: str) -> None:
     assert load_scenario(file, [f"controller.type={controller}"]).controller.type == controller

@@ -125,7 +125,9 @@ def add_flying(command: ArgumentParser) -> None:
     )
     wait = "how long to wait for a cluster that is starting (default: 8)"
     command.add_argument("--cluster-wait", type=number, metavar="S", help=wait)
-    resume = "go on with an existing folder: fly only the missing flights"
+    copy = "copy the folder there when the command ends, also early: s3://bucket/folder and what else fsspec reaches"
+    command.add_argument("--copy-to", metavar="URL", help=copy)
+    resume = "go on with an existing folder, or one that --copy-to has: fly only the missing flights"
     command.add_argument("--resume", action="store_true", help=resume)
     add_mixed(command)
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")

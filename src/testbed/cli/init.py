@@ -39,9 +39,9 @@ def _run(options: Namespace) -> int:
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
             raise BadInput([Problem("is not empty", str(folder), expected="a new or empty folder")])
-        for file in sorted(each for each in TEMPLATES.iterdir() if each.is_file()):
+        for file in sorted(each for each in TEMPLATES.rglob("*") if each.is_file()):
             text = _filled(file.read_text(encoding="utf-8"), choice, aircraft)
-            write(folder / file.name, text)
+            write(folder / file.relative_to(TEMPLATES), text, within=folder)
         write(folder / EXAMPLE.name, (data_root() / EXAMPLE).read_bytes())
         for kind in TABLE:
             write(folder / "schemas" / f"{kind}.json", text_of(kind), within=folder)

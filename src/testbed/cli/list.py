@@ -96,9 +96,9 @@ def _run(options: Namespace) -> int:
         raise BadInput([Problem("takes no file", f"list {options.what}", expected=_FMU_EXPECTED)])
     for what in [options.what] if options.what else TABLE:
         entries = TABLE[what]() if what in TABLE else _fmu(options)
-        if not entries:  # parts of the user's own, where none are given
-            continue
         print(what)
+        if not entries:  # parts of the user's own, where none are given
+            print("  none: --with FILE.py gives some")
         width = max((len(name) for name, _ in entries), default=0) + 2
         for name, meaning in entries:
             print(f"  {name:<{width}}{meaning}")

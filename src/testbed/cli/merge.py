@@ -3,22 +3,28 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
 from testbed.cli import study
-from testbed.cli.command import Command, add_mixed
+from testbed.cli.command import Command, add_junit, add_mixed
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, Ended
 from testbed.cli.working import working
+from testbed.inputs.bucket import fetch, is_address
 
 _SHOWN = 10
 
 
 def _arguments(command: ArgumentParser) -> None:
-    command.add_argument("folders", type=Path, nargs="+", metavar="FOLDER", help="folders of the shards")
+    folders = "folders of the shards, or where --copy-to put them: s3://bucket/folder"
+    command.add_argument("folders", nargs="+", metavar="FOLDER", help=folders)
     command.add_argument("--out", type=Path, required=True, metavar="DIR", help="folder to make")
+    add_junit(command)
     add_mixed(command)
     command.add_argument("--no-plots", action="store_true", help="draw no figures, write no report")
 
@@ -27,17 +33,31 @@ def _run(options: Namespace) -> int:
     """Join the folders; raises BadInput when they do not belong together, and Ended, with what is missing, when runs are."""
     from testbed.api.load import kind_of
     from testbed.api.merge import merge
+    from testbed.reporting import junit
 
-    with working("merging"), tidily():
-        summary, missing = merge(
-            options.folders, options.out, figures=not options.no_plots, mixed=options.mixed
-        )
-    kind = kind_of(options.out)
+    if options.junit is not None:
+        junit.refuse(options.junit)
+    with working("merging"), tidily(), _here(options.folders) as folders:
+        summary, missing = merge(folders, options.out, figures=not options.no_plots, mixed=options.mixed)
+    word = kind_of(options.out)
     if summary is None:
-        raise Ended(f"{options.out}: {_unfinished(kind, options.out, missing)}", ENDED_EARLY)
-    status = study.told(import_module(f"testbed.api.{kind}"), summary)
+        raise Ended(f"{options.out}: {_unfinished(word, options.out, missing)}", ENDED_EARLY)
+    kind: Any = import_module(f"testbed.api.{word}")
+    if options.junit is not None and hasattr(kind, "tests"):  # a search has no verdict
+        study.write_junit(kind, kind.plan_of(options.out), options.out, summary, options.junit)
+    status = study.told(kind, summary)
     print(f"wrote {options.out}")
     return status
+
+
+@contextmanager
+def _here(folders: Sequence[str]) -> Iterator[list[Path]]:
+    """The folders, for the block; those of a bucket are fetched."""
+    with TemporaryDirectory() as work:
+        yield [
+            fetch(folder, Path(work) / str(number)) if is_address(folder) else Path(folder)
+            for number, folder in enumerate(folders)
+        ]
 
 
 def _unfinished(kind: str, out: Path, missing: Sequence[int | str]) -> str:

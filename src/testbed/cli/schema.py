@@ -30,11 +30,11 @@ TABLE = {
 }
 """The kinds of file that have a schema: module and name of the model of each."""
 
-SHORT_FORMS: dict[str, dict[str, Any]] = {
-    "PerKind": {"type": "number"},
-    "Sensors": {"enum": ["ideal", "mems"]},
+_NAMES = {
+    ("Requirement", "metric"): ("testbed.metrics", "TABLE"),
+    ("Scenario", "reference"): ("testbed.scenario.references", "TABLE"),
 }
-"""What a model also takes in place of a mapping, and turns into one before pydantic sees it."""
+"""Texts that are names of parts: (model, key), and module and name of the table, which `--with` adds to."""
 
 
 def text_of(kind: str) -> str:
@@ -82,9 +82,17 @@ def schema_of(model: type[BaseModel]) -> dict[str, Any]:
     if model.__name__ == "Scenario":  # by default the aircraft's reference
         schema["required"] = [key for key in schema["required"] if key != "initial"]
         schema["$defs"]["Initial"].pop("required")
-    for name in SHORT_FORMS.keys() & schema.get("$defs", {}).keys():
-        schema["$defs"][name] = {"anyOf": [SHORT_FORMS[name], schema["$defs"][name]]}
+    short = _short_forms()
+    for name in short.keys() & schema.get("$defs", {}).keys():
+        schema["$defs"][name] = {"anyOf": [short[name], schema["$defs"][name]]}
     return schema
+
+
+def _short_forms() -> dict[str, dict[str, Any]]:
+    """What a model also takes in place of a mapping, and turns into one before pydantic sees it."""
+    from testbed.sensors.settings import PRESETS
+
+    return {"PerKind": {"type": "number"}, "Sensors": {"enum": list(PRESETS)}}
 
 
 def _explain(part: dict[str, Any], model: type[BaseModel]) -> None:
@@ -94,6 +102,9 @@ def _explain(part: dict[str, Any], model: type[BaseModel]) -> None:
             entry["description"] = meanings[name]
         if name == "released" and "anyOf" in entry:
             entry["anyOf"].append({"const": "auto"})
+        module, table = _NAMES.get((model.__name__, name), ("", ""))
+        if module and (names := sorted(getattr(import_module(module), table))):
+            entry["anyOf"][0] = {"enum": names}
 
 
 def _models(kind: Any, seen: set[type] | None = None) -> Iterator[type[BaseModel]]:

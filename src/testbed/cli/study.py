@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from testbed.cli.interrupts import tidily
 from testbed.cli.status import ENDED_EARLY, INTERRUPTED, MET, NOT_MET, Ended
 from testbed.cli.working import working
+from testbed.inputs.problems import BadInput
 
 if TYPE_CHECKING:
     from testbed.api.study import Kind
@@ -34,20 +35,21 @@ def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", *
     )
     shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
     plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
-    with tidily():
+    with tidily(), copied(folder, options):
         with flying():
             flights = kind.fly(plan, folder, how, resume=options.resume)
         with _writing(folder):
             summary = kind.finish(plan, folder, flights, figures=not options.no_plots)
             if junit is not None:
-                _write_junit(kind, plan, folder, summary, junit)
+                write_junit(kind, plan, folder, summary, junit)
     status = told(kind, summary)
     print(flights)
     print(f"wrote {folder}")
     return status
 
 
-def _write_junit(kind: Any, plan: Plan, folder: Path, summary: dict[str, Any], file: Path) -> None:
+def write_junit(kind: Any, plan: Plan, folder: Path, summary: dict[str, Any], file: Path) -> None:
+    """Write the verdict of a study as JUnit XML."""
     from testbed.reporting import junit
 
     junit.write(file, plan.name, kind.tests(plan, folder, summary))
@@ -77,6 +79,39 @@ def flying() -> Iterator[None]:
     except Stopped as stopped:
         by_user = isinstance(stopped.__context__, KeyboardInterrupt)
         raise Ended(str(stopped), INTERRUPTED if by_user else ENDED_EARLY) from None
+
+
+@contextmanager
+def copied(folder: Path, options: Namespace) -> Iterator[None]:
+    """For the block that fills a study's folder: copies it to `--copy-to` when it ends, also early.
+
+    What is to be resumed is fetched from there if the folder is not here, as on another machine. Raises Ended where it cannot
+    be copied.
+    """
+    if options.copy_to is None:
+        yield
+        return
+    from testbed.inputs import bucket
+
+    bucket.refuse(options.copy_to, there=options.resume)
+    if options.resume and not folder.exists():
+        bucket.fetch(options.copy_to, folder)
+    try:
+        yield
+    except Ended:
+        _send(folder, options.copy_to)
+        raise
+    _send(folder, options.copy_to)
+
+
+def _send(folder: Path, address: str) -> None:
+    from testbed.inputs import bucket
+
+    try:
+        bucket.send(folder, address)
+    except BadInput as error:
+        raise Ended(f"{error}; everything is in {folder}, and --resume copies it", ENDED_EARLY) from None
+    print(f"copied to {address}")
 
 
 @contextmanager

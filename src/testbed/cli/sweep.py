@@ -79,7 +79,7 @@ def fly_shard(kind: Kind, options: Namespace, file: str, save_logs: str, **own: 
         file, options.out, options.set, seed=options.seed, resume=options.resume,
         controllers=options.controller, **own,
     )  # fmt: skip
-    with tidily(), study.flying():
+    with tidily(), study.copied(folder, options), study.flying():
         flights = kind.fly(plan, folder, how, resume=options.resume)
     print(flights)
     print(f"wrote {folder}, shard {options.shard}")

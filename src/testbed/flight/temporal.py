@@ -38,6 +38,8 @@ def robustness(node: Node, log: Mapping[str, np.ndarray], rate_hz: float) -> np.
         )
     if node.form == "not":
         return -parts[0]
+    if node.form == "until":
+        return _until(parts[0], parts[1], node.window, rate_hz)
     sign = 1.0 if node.form == "eventually" else -1.0
     return sign * _largest_ahead(sign * parts[0], node.window, rate_hz)
 
@@ -50,6 +52,23 @@ def _largest_ahead(values: np.ndarray, window: tuple[float, float], rate_hz: flo
         return np.maximum.accumulate(values[::-1])[::-1]
     rows = round(window[1] * rate_hz) - first + 1
     return largest_of(values, rows) if len(values) >= rows else values[:0]
+
+
+def _until(before: np.ndarray, then: np.ndarray, window: tuple[float, float], rate_hz: float) -> np.ndarray:
+    """The largest, over the window, of the lesser of `then` and the least of `before` until there (Donze and Maler 2010)."""
+    rows = min(len(before), len(then))
+    first = round(window[0] * rate_hz)
+    last = rows - 1 if window[1] == math.inf else round(window[1] * rate_hz)
+    judged = rows - (first if window[1] == math.inf else last)
+    if judged <= 0:
+        return before[:0]
+    best, least = np.full(judged, -math.inf), np.full(judged, math.inf)
+    for ahead in range(last + 1):
+        held = min(judged, rows - ahead)  # without an end the window is shorter for later rows
+        if ahead >= first:
+            best[:held] = np.maximum(best[:held], np.minimum(then[ahead : ahead + held], least[:held]))
+        least[:held] = np.minimum(least[:held], before[ahead : ahead + held])
+    return best
 
 
 def _values(node: Node, log: Mapping[str, np.ndarray]) -> np.ndarray:

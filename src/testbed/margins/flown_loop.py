@@ -23,7 +23,7 @@ from testbed.controllers.make import make_controller
 from testbed.controllers.setup import Setup
 from testbed.flight.flight import Outcome
 from testbed.inputs.problems import BadInput, Problem, guess
-from testbed.plant.linear import LinearModel, linearise
+from testbed.plant.linear import LinearModel, linearise, python_control
 from testbed.scenario.load import Scenario, changed
 from testbed.scenario.references import references
 from testbed.simulation import fly
@@ -59,6 +59,11 @@ class Loop:
         """Least distance of L from -1 at these frequencies: with d, gains from 1/(1+d) to 1/(1-d) and a phase of 2 asin(d/2) are
         borne (Skogestad and Postlethwaite, Multivariable Feedback Control, 2nd ed., eq. 2.40)."""
         return float(np.min(np.abs(1.0 + self.gain)))
+
+    def response(self) -> Any:
+        """The same as python-control's FrequencyResponseData, for its `bode_plot`, `nyquist_plot` and `margin`; raises BadInput
+        without `pip install 'testbed[linear]'`."""
+        return python_control().frd(self.gain, 2.0 * math.pi * self.frequencies_hz)
 
 
 def loop_by_injection(

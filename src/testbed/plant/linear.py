@@ -57,13 +57,18 @@ class LinearModel:
 
     def state_space(self) -> Any:
         """The same as python-control's StateSpace, with the names; needs `pip install 'testbed[linear]'`, else raises BadInput."""
-        try:
-            import control
-        except ImportError:
-            what = "needs python-control"
-            raise BadInput([Problem(what, "state_space", expected="pip install 'testbed[linear]'")]) from None
         names = {"states": list(self.states), "inputs": list(self.inputs), "outputs": list(self.outputs)}
-        return control.ss(self.A, self.B, self.C, self.D, **names)
+        return python_control().ss(self.A, self.B, self.C, self.D, **names)
+
+
+def python_control() -> Any:
+    """The package; raises BadInput where it is not installed."""
+    try:
+        import control
+    except ImportError:
+        what = "is not installed"
+        raise BadInput([Problem(what, "python-control", expected="pip install 'testbed[linear]'")]) from None
+    return control
 
 
 def linearise(

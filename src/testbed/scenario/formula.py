@@ -3,7 +3,8 @@
     always(heading_deg < 120 or eventually[0:5](abs(roll_deg) < 10))
 
 `always[a:b](f)` holds where f does at all times from a to b seconds later, `eventually[a:b](f)` where it does at some of them;
-without a window they mean all times until the end of the flight. Others are `and`, `or`, `not`, `implies(f, g)`, and comparisons of
+without a window they mean all times until the end of the flight. `until[a:b](f, g)` holds where g does at some of them, and f at
+all times before. `always[a,b]` is `always[a:b]`. Others are `and`, `or`, `not`, `implies(f, g)`, and comparisons of
 arithmetic (+ - * / abs) on columns and numbers. Nothing is run: Python's parser reads the text, and all but these forms is refused.
 """
 
@@ -20,7 +21,9 @@ LONGEST = 1000
 """Longest formula [characters]."""
 _DEEPEST = 30
 _LARGEST = 1e12
-_TIMED, _FORMS = ("always", "eventually"), "always, eventually, implies, and, or, not, and comparisons"
+_TIMED = {"always": 1, "eventually": 1, "until": 2}
+"""How many formulas each takes."""
+_FORMS = "always, eventually, until, implies, and, or, not, and comparisons"
 _ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARED = {ast.Lt: "<", ast.LtE: "<", ast.Gt: ">", ast.GtE: ">"}
 
@@ -30,10 +33,10 @@ class Node:
     """A part of a formula.
 
     Attributes:
-        form: `always`, `eventually`, `and`, `or`, `not`, `above` (its first part is above its second); or of numbers `column`,
-            `number`, `abs` and the signs of arithmetic.
+        form: `always`, `eventually`, `until`, `and`, `or`, `not`, `above` (its first part is above its second); or of numbers
+            `column`, `number`, `abs` and the signs of arithmetic.
         parts: what it is made of.
-        window: of `always` and `eventually`, from and to how much later [s]; (0, inf) is to the end of the flight.
+        window: of `always`, `eventually` and `until`, from and to how much later [s]; (0, inf) is to the end of the flight.
         name, value: of a column, and of a number.
     """
 
@@ -82,21 +85,23 @@ def _formula(tree: ast.expr, depth: int) -> Node:
             return _comparison(tree, depth)
         case ast.Call(func=ast.Name(id="implies"), args=[first, second], keywords=[]):
             return Node("or", (Node("not", (_formula(first, depth + 1),)), _formula(second, depth + 1)))
-        case ast.Call(func=ast.Name(id=form), args=[inner], keywords=[]) if form in _TIMED:
-            return Node(form, (_formula(inner, depth + 1),))
-        case ast.Call(
-            func=ast.Subscript(value=ast.Name(id=form), slice=ast.Slice() as window),
-            args=[inner],
-            keywords=[],
-        ) if form in _TIMED:
-            return Node(form, (_formula(inner, depth + 1),), _window(window))
+        case ast.Call(func=ast.Name(id=form), args=args, keywords=[]) if _TIMED.get(form) == len(args):
+            return Node(form, tuple(_formula(each, depth + 1) for each in args))
+        case ast.Call(func=ast.Subscript(value=ast.Name(id=form), slice=window), args=args, keywords=[]) if (
+            _TIMED.get(form) == len(args)
+        ):
+            return Node(form, tuple(_formula(each, depth + 1) for each in args), _window(window))
     raise refuse(f"has {ast.unparse(tree)[:60]!r}, which is no formula", _FORMS)
 
 
-def _window(tree: ast.Slice) -> tuple[float, float]:
-    if tree.lower is None or tree.upper is None or tree.step is not None:
-        raise refuse("has a window without two ends", "such as always[0:5](...)")
-    first, last = (_number(end) for end in (tree.lower, tree.upper))
+def _window(tree: ast.expr) -> tuple[float, float]:
+    match tree:
+        case ast.Slice(lower=ast.expr() as lower, upper=ast.expr() as upper, step=None):
+            first, last = _number(lower), _number(upper)
+        case ast.Tuple(elts=[lower, upper]):
+            first, last = _number(lower), _number(upper)
+        case _:
+            raise refuse("has a window without two ends", "such as always[0:5](...)")
     if not 0.0 <= first <= last:
         raise refuse(f"has a window from {first:g} to {last:g} s", "0 <= from <= to")
     return first, last

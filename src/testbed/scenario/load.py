@@ -59,6 +59,7 @@ def changed(scenario: Scenario, settings: Mapping[str, Any]) -> Scenario:
 def scenario_from(source: Source, *, with_aircraft: bool = True) -> Scenario:
     """As `load_scenario`, from a tree to which overrides have been applied already. The tree is changed."""
     _drop_settings_of_other_controllers(source)
+    _drop_commands_after_the_end(source)
     aircraft, problems = _aircraft(source) if with_aircraft else (None, [])
     source.problems += problems
     tree = source.tree
@@ -139,3 +140,17 @@ def _drop_settings_of_other_controllers(source: Source) -> None:
     for name in [n for n in controller if n in others - set(chosen.model_fields)]:
         if not overrides.is_override(source, ("controller", name)):
             del controller[name]
+
+
+def _drop_commands_after_the_end(source: Source) -> None:
+    """After `--set duration_s=...`, drop the file's commands that come later. Failures and requirements that do are refused:
+    without them it would be another test."""
+    end, commands = source.tree.get("duration_s"), source.tree.get("commands")
+    if not overrides.is_override(source, ("duration_s",)) or not isinstance(commands, list):
+        return
+    while commands and not overrides.is_override(source, ("commands",)):
+        last = commands[-1].get("at_s") if isinstance(commands[-1], dict) else None
+        changed_too = overrides.is_override(source, ("commands", len(commands) - 1, "at_s"))
+        if changed_too or not all(isinstance(time, int | float) for time in (last, end)) or last < end:
+            return
+        commands.pop()

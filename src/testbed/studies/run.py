@@ -152,7 +152,8 @@ def fly_into(
         raise
     except (KeyboardInterrupt, OSError, BadInput) as error:
         useless = new and not len(store)
-        kept = f"{len(store)} of {plan.total} flights are kept, --resume flies the rest"
+        of = f"flights of shard {options.shard}" if options.shard else f"of {plan.total} flights"
+        kept = f"{len(store)} {of} are kept, --resume flies the rest"
         kept = "no flight had finished, and nothing is kept" if useless else kept
         raise Stopped(f"{folder}: {_why(error)}; {kept}") from None
     finally:

@@ -56,7 +56,17 @@ def tests_of_benchmark(summary: Mapping[str, Any], frame: pd.DataFrame) -> Itera
         said = row["reason"] or ("left its limits" if row["survived"] else f"lost: {row['outcome']}")
         command = again(summary, row["draw"], row["controller"])
         name = f"draw {row['draw']}, {row['controller']}"
-        yield Test(name) if row["held"] else Test(name, said, command)
+        yield Test(name) if row["held"] else Test(name, said, f"{_drawn(row)}\n{command}")
+
+
+def _drawn(row: Mapping[Any, Any]) -> str:
+    """What was drawn, and how far the flight strayed: a benchmark keeps no log of which a story could be told."""
+    about = ", ".join(f"{key} {row[key]}" for key in ("weather", "gust", "sensors", "failures", "course"))
+    inside = f"within its limits in {100 * row['inside']:.0f} % of the flight, which ended at {row['end_time_s']:g} s"
+    worst = (
+        f"{row['altitude_error_max_m']:.1f} m of altitude, {row['heading_error_max_deg']:.0f} deg of heading"
+    )
+    return f"{row['aircraft']}, {row['truth']}: {about}.\nWorst: {worst}; {inside}."
 
 
 def _number(plan: MatrixPlan, cell: Mapping[str, Any]) -> int:

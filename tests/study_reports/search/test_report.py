@@ -75,6 +75,26 @@ def test_of_a_probability_only_what_is_known_is_said(likely: SearchResult) -> No
     assert re.search(r"\(\S+ to \S+, 95 %\), from \d+ flights\.", answer(summary)[0])
 
 
+def test_none_of_the_flights_is_compared_with_plain_sampling(likely: SearchResult) -> None:
+    """Why the bound is wider than that of independent flights, where it is; a bound that is theirs needs no word."""
+
+    def told(high: float) -> str:
+        known = {
+            **likely.summary["variants"][0]["probability"],
+            "estimate": 0.0,
+            "flights": 120,
+            "high": high,
+        }
+        variants = [{**likely.summary["variants"][0], "probability": known}]
+        return answer({**likely.summary, "variants": variants})[0]
+
+    assert (
+        "at most 0.64 (95 %). As many flights drawn independently would say 0.03; these were drawn"
+        in told(0.64)
+    )
+    assert told(0.03).endswith("at most 0.03 (95 %).")
+
+
 def test_a_probability_that_is_not_known_is_said_to_be_so(likely: SearchResult, tmp_path: Path) -> None:
     summary = json.loads(json.dumps(likely.summary))
     for known in (summary["variants"][0]["probability"], summary["parts"][0]["probability"]):
