@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+from enac_filter import Filtered, filtered
 from enac_logs import STEP_S, Flight
 
 from testbed.logs.chain import likeliest
@@ -17,32 +18,33 @@ LAGS = 4
 """Commands that the rates of the next sample depend on."""
 BLOCK = 10
 """Samples of a step of the hidden Markov model: 1 s."""
+SETTLED = 25
+"""Samples until the whitening filter knows enough."""
+MODEL_STD = 0.002
+"""Standard deviation of the model's error [rad/s], in the noise whether 21 July shows it or not."""
 CLASSES = np.array([(1.0, 1.0), (0.3, 1.0)] + [(1.0, level) for level in (0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3)])
 """Effectiveness of the right and the left elevon in the nine classes of the authors, which all are of 21 July."""
 FLAG = 0.75
 """An elevon is flagged while it is said to be weaker."""
-UNKNOWN = np.array([0.15, 0.03, 0.03])
-"""Standard deviations, from flight to flight, of the gain of both elevons, and of constant errors of p and q [rad/s]."""
-AGAIN_S = 30.0
-"""How often a reading in flight takes these from all that it has seen."""
+UNKNOWN = np.array([0.2, 0.05])
+"""Standard deviations, from flight to flight, of the gain of both elevons, and of their difference."""
 WINDOW_S, LATE_S, WRONG_S = 10.0, 3.0, 10.0
+LABEL_S = 1.6
+"""A flag may come this much before the drawing's fault: 0.6 s that the drawing leaves open, and a step of the model."""
+NAMED = 7.5
+"""Log-likelihood ratio that a flag needs if two an hour are false: the logarithm of 1800 s."""
 
 
 class Settings(NamedTuple):
-    """What was chosen on 21 July.
+    """What is chosen on 21 July.
 
-    Standard deviation of the model's error [rad/s], a factor on log-likelihoods, and minus the logarithm of the probability that
-    the class changes in a step.
+    Minus the logarithms of the probabilities that the class changes, in a sample in flight and in a step of the whole log; and the
+    probability of being weaker than FLAG from which on an elevon is flagged. Below 0.1 the flag goes.
     """
 
-    model_std: float
-    temper: float
     change: float
-
-    @property
-    def cost(self) -> np.ndarray:
-        """Of going from class to class."""
-        return np.where(np.eye(len(CLASSES), dtype=bool), 0.0, -self.change)
+    step_change: float
+    sure: float
 
 
 @dataclass(frozen=True)
@@ -63,14 +65,22 @@ class Regression:
 
 
 class Reading(NamedTuple):
-    """What is said of a flight: class, effectiveness, truth of each block, and what was found common to the flight."""
+    """What is said of a flight.
+
+    At each sample: time, truth [rows, 2], the likeliest class and which elevons are flagged [rows, 2], from the whole log and in
+    flight. In steps of 1 s: the effectiveness [steps, 2]. Of the flight: the gain of both elevons, and for each drop the
+    log-likelihood ratio of its first 3 s.
+    """
 
     time_s: np.ndarray
-    told: np.ndarray
-    effectiveness: np.ndarray
     truth: np.ndarray
-    common: np.ndarray
-    causal: np.ndarray
+    told: np.ndarray
+    flagged: np.ndarray
+    told_in_flight: np.ndarray
+    flagged_in_flight: np.ndarray
+    effectiveness: np.ndarray
+    gain: float
+    ratios: np.ndarray
 
 
 def elevons(flight: Flight) -> np.ndarray:
@@ -100,7 +110,6 @@ def regression(
     """Both sides for the time that is judged, with the model's coefficients."""
     time_s = flight.time_s + clock_s
     rows = np.flatnonzero((time_s[LAGS:-1] > judged[0]) & (time_s[LAGS:-1] < judged[1])) + LAGS
-    rows = rows[: len(rows) // BLOCK * BLOCK]
     z = flight.rates[rows + 1, :2] - _known(flight, rows) @ model[:4]
     each = model[4:].reshape(LAGS, 2, 2)  # lag, elevon, rate
     phi = sum(
@@ -109,88 +118,103 @@ def regression(
     return Regression(time_s[rows], z, np.asarray(phi), truth[rows])
 
 
-def noise(data: Regression, model_std: float) -> Noise:
+def noise(data: Regression) -> Noise:
     """The colour of what is left on 21 July, with what was broken known."""
     errors = data.z - np.einsum("kri,ki->kr", data.phi, data.truth)
-    return noise_of(errors, np.ones(len(errors), dtype=bool), np.full(2, model_std), 10.0, STEP_S)
+    return noise_of(errors, np.ones(len(errors), dtype=bool), np.full(2, MODEL_STD), 10.0, STEP_S)
 
 
-class White:
-    """A flight's regression with white errors, of which the first samples do not count."""
+class White(NamedTuple):
+    """A flight's regression with white errors, without the first samples: z [rows, 2], phi, and what constant errors add."""
 
-    def __init__(self, data: Regression, colour: Noise, settings: Settings) -> None:
-        constant = np.broadcast_to(np.eye(2), (len(data.z), 2, 2))
-        self.z, self.phi, self.one = colour.white(data.z), colour.white(data.phi), colour.white(constant)
-        self.weight = np.where(np.arange(len(data.z)) < 25, 0.0, settings.temper)
-        self.cost = settings.cost
-
-    def evidence(self, common: np.ndarray, until: int) -> np.ndarray:
-        """[blocks, classes] log-likelihoods of the first `until` samples, relative to that both work."""
-        left = self.z[:until] - self.one[:until] @ common[1:]
-        made = []
-        for level in CLASSES:
-            error = left - common[0] * self.phi[:until] @ level
-            made.append((-0.5 * self.weight[:until] * (error**2).sum(axis=1)).reshape(-1, BLOCK).sum(axis=1))
-        return np.stack(made, axis=1) - made[0][:, None]
-
-    def common(self, course: np.ndarray) -> np.ndarray:
-        """[3] gain of both elevons and constant errors of p and q, given a course of classes, by least squares with UNKNOWN."""
-        until, level = len(course) * BLOCK, np.repeat(CLASSES[course], BLOCK, axis=0)
-        X = np.concatenate(
-            [np.einsum("kri,ki->kr", self.phi[:until], level)[:, :, None], self.one[:until]], axis=2
-        )
-        prior = np.diag(UNKNOWN**-2)
-        A = np.einsum("k,kri,krj->ij", self.weight[:until], X, X) + prior
-        b = np.einsum("k,kri,kr->i", self.weight[:until], X, self.z[:until]) + prior[0]
-        return np.linalg.solve(A, b)
-
-    def told(self, until: int, common: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(likeliest course of classes, what is common), each found with the other, of the first `until` samples."""
-        for _ in range(3):
-            course = likeliest(self.evidence(common, until), self.cost)
-            common = self.common(course)
-        return likeliest(self.evidence(common, until), self.cost), common
+    z: np.ndarray
+    phi: np.ndarray
+    one: np.ndarray
 
 
-def told(data: Regression, colour: Noise, settings: Settings, causal: bool = False) -> Reading:
-    """What is said of a flight, from all of it, and with `causal` also at each time from what was before it."""
-    white = White(data, colour, settings)
-    course, common = white.told(len(data.z), np.array([1.0, 0.0, 0.0]))
-    phi, left = common[0] * white.phi, white.z - white.one @ common[1:]
-    information = np.einsum("k,kri,krj->kij", white.weight, phi, phi).reshape(-1, BLOCK, 2, 2).sum(axis=1)
-    towards = np.einsum("k,kri,kr->ki", white.weight, phi, left).reshape(-1, BLOCK, 2).sum(axis=1)
-    level = CLASSES[course]
-    changes = np.diff(level, axis=0, prepend=level[:1]) != 0
+def white(data: Regression, colour: Noise) -> White:
+    constant = np.broadcast_to(np.eye(2), (len(data.z), 2, 2))
+    each = (colour.white(columns)[SETTLED:] for columns in (data.z, data.phi, constant))
+    return White(*map(np.ascontiguousarray, each))
+
+
+def told(data: Regression, colour: Noise, settings: Settings) -> Reading:
+    """What is said of a flight, in flight with the gain of 21 July, and from all of it with its own."""
+    w, time_s, truth = white(data, colour), data.time_s[SETTLED:], data.truth[SETTLED:]
+    first = filtered(*w, CLASSES, settings.change)
+    gain, difference = _common(w, first, _course(first, settings))
+    whole = filtered(w.z, w.phi * gain, w.one, CLASSES, settings.change)
+    course = _course(whole, settings)
+    _, difference = _common(w, whole, course)
+    levels, blocks = CLASSES[course], len(course)
+    left = (w.z - np.einsum("kri,ki->kr", w.one, whole.state[:, 1:]))[: blocks * BLOCK]
+    phi = (w.phi * (gain + difference * np.array([1.0, -1.0])))[: blocks * BLOCK]
+    weight = 1.0 / whole.variance[: blocks * BLOCK]
+    information = np.einsum("k,kri,krj->kij", weight, phi, phi).reshape(-1, BLOCK, 2, 2).sum(axis=1)
+    towards = np.einsum("k,kri,kr->ki", weight, phi, left).reshape(-1, BLOCK, 2).sum(axis=1)
+    changes = np.diff(levels, axis=0, prepend=levels[:1]) != 0
     effectiveness, _ = smoothed(information, towards, 0.002, changes)
-    so_far = _causal(white, len(course)) if causal else course
+    each = np.append(np.repeat(course, BLOCK), np.full(len(time_s) - blocks * BLOCK, course[-1]))
+    in_flight = first.log_probability.argmax(axis=1)
     return Reading(
-        data.time_s[::BLOCK], course, effectiveness, data.truth[BLOCK // 2 :: BLOCK], common, so_far
-    )
+        time_s, truth, each, CLASSES[each] < FLAG, in_flight, raised(first, settings.sure), effectiveness, gain,
+        _ratios(w, whole, gain, truth),
+    )  # fmt: skip
 
 
-def _causal(white: White, blocks: int) -> np.ndarray:
-    """[blocks] likeliest class given all before: a forward filter; what is common is found again every AGAIN_S, from the past."""
-    change = np.exp(white.cost) / np.exp(white.cost).sum(axis=1, keepdims=True)
-    common, made, each = (
-        np.array([1.0, 0.0, 0.0]),
-        np.zeros(blocks, dtype=int),
-        round(AGAIN_S / (BLOCK * STEP_S)),
-    )
-    for first in range(0, blocks, each):
-        if first:
-            _, common = white.told(first * BLOCK, common)
-        end = min(first + each, blocks)
-        evidence, now = white.evidence(common, end * BLOCK), np.eye(1, len(CLASSES))[0]
-        for block, row in enumerate(evidence):
-            now = (now @ change) * np.exp(row - row.max())
-            now /= now.sum()
-            made[block] = int(now.argmax()) if block >= first else made[block]
-    return made
+def _course(made: Filtered, settings: Settings) -> np.ndarray:
+    """[steps] likeliest course of classes, from the whole log."""
+    rows = len(made.evidence) // BLOCK * BLOCK
+    evidence = made.evidence[:rows].reshape(-1, BLOCK, len(CLASSES)).sum(axis=1)
+    cost = np.where(np.eye(len(CLASSES), dtype=bool), 0.0, -settings.step_change)
+    return likeliest(evidence - evidence[:, :1], cost)
 
 
-def true_class(reading: Reading) -> np.ndarray:
-    """[blocks] the class nearest to the truth."""
-    return np.abs(reading.truth[:, None] - CLASSES[None]).sum(axis=2).argmin(axis=1)
+def _common(w: White, made: Filtered, course: np.ndarray) -> tuple[float, float]:
+    """Gain of both elevons, and half of their difference, given a course of classes, by least squares with UNKNOWN."""
+    rows = len(course) * BLOCK
+    acting = w.phi[:rows] * np.repeat(CLASSES[course], BLOCK, axis=0)[:, None]
+    X = np.stack([acting.sum(axis=2), acting[:, :, 0] - acting[:, :, 1]], axis=2)
+    left = (w.z - np.einsum("kri,ki->kr", w.one, made.state[:, 1:]))[:rows]
+    weight, prior = 1.0 / made.variance[:rows], np.diag(UNKNOWN**-2)
+    A = np.einsum("k,kri,krj->ij", weight, X, X) + prior
+    gain, difference = np.linalg.solve(A, np.einsum("k,kri,kr->i", weight, X, left) + prior[0])
+    return float(gain), float(difference)
+
+
+def raised(made: Filtered, sure: float) -> np.ndarray:
+    """[rows, 2] where each elevon is flagged: from `sure` on, until its probability is below 0.1."""
+    probability, low = np.exp(made.log_probability), CLASSES < FLAG
+    flagged = np.zeros((len(probability), 2), dtype=bool)
+    for elevon in range(2):
+        weak, now = probability[:, low[:, elevon]].sum(axis=1), False
+        for k, each in enumerate(weak):
+            now = each > (0.1 if now else sure)
+            flagged[k, elevon] = now
+    return flagged
+
+
+def _ratios(w: White, made: Filtered, gain: float, truth: np.ndarray) -> np.ndarray:
+    """[drops] of the first 3 s: how much likelier they are as they were than with nothing broken, all else known."""
+    left = w.z - np.einsum("kri,ki->kr", w.one, made.state[:, 1:])
+    as_it_was = left - gain * np.einsum("kri,ki->kr", w.phi, truth)
+    as_if_whole = left - gain * w.phi.sum(axis=2)
+    ratio = 0.5 * ((as_if_whole**2 - as_it_was**2).sum(axis=1)) / made.variance
+    return np.array([ratio[at : at + round(LATE_S / STEP_S)].sum() for at, _ in drops(truth)])
+
+
+def drops(truth: np.ndarray) -> list[tuple[int, int]]:
+    """(sample, elevon) of each sudden drop to 0.3."""
+    found = []
+    for elevon, level in enumerate(truth.T):
+        starts = np.flatnonzero((level[1:] < 0.95) & (level[:-1] >= 0.95)) + 1
+        found += [(int(at), elevon) for at in starts if level[min(at + 30, len(level) - 1)] < 0.45]
+    return sorted(found)
+
+
+def true_class(truth: np.ndarray) -> np.ndarray:
+    """[rows] the class nearest to the truth."""
+    return np.abs(truth[:, None] - CLASSES[None]).sum(axis=2).argmin(axis=1)
 
 
 def matthews(truth: np.ndarray, said: np.ndarray) -> float:
@@ -204,45 +228,38 @@ def matthews(truth: np.ndarray, said: np.ndarray) -> float:
 
 def window_errors(reading: Reading) -> np.ndarray:
     """[windows, 2] mean error of the effectiveness in windows of 10 s in which nothing changed."""
+    truth = reading.truth[BLOCK // 2 :: BLOCK][: len(reading.effectiveness)]
     width = round(WINDOW_S / (BLOCK * STEP_S))
-    parts = range(0, len(reading.truth) - width, width)
-    steady = [slice(i, i + width) for i in parts if np.ptp(reading.truth[i : i + width], axis=0).max() < 0.01]
-    return np.array([(reading.effectiveness[part] - reading.truth[part]).mean(axis=0) for part in steady])
+    parts = [slice(i, i + width) for i in range(0, len(truth) - width, width)]
+    steady = [part for part in parts if np.ptp(truth[part], axis=0).max() < 0.01]
+    return np.array([(reading.effectiveness[part] - truth[part]).mean(axis=0) for part in steady])
 
 
 class Flags(NamedTuple):
-    """Sudden drops, how many were flagged in time, with the wrong elevon too; false flags, and hours of healthy flight."""
+    """Delays of the flags of sudden drops; how many had the wrong elevon too; false flags, and hours of healthy flight."""
 
-    drops: int
-    in_time: int
+    delays_s: np.ndarray
     wrong: int
     false: int
     healthy_h: float
-    delays_s: tuple[float, ...]
 
 
-def flags(reading: Reading, said: np.ndarray) -> Flags:
-    """What comes of flagging each elevon below FLAG. A flag in healthy flight is false 5 s after the last fault or later."""
-    time_s, low = reading.time_s, CLASSES[said] < FLAG
-    fell = np.flatnonzero((reading.truth[2:] - reading.truth[:-2]).min(axis=1) < -0.4) + 1
-    fell = fell[np.diff(time_s[fell], prepend=-np.inf) > 5.0]
-    fell = [at + int(np.argmax(reading.truth[at : at + 3].min(axis=1) < 0.95)) for at in fell]
-    in_time, wrong = 0, 0
-    delays: list[float] = []
-    for at in fell:
-        elevon = int(reading.truth[min(at + 2, len(said) - 1)].argmin())
-        after = (time_s >= time_s[at]) & (time_s <= time_s[at] + WRONG_S)
-        flagged = np.flatnonzero(after & low[:, elevon])
-        delays.append(float(time_s[flagged[0]] - time_s[at] + BLOCK * STEP_S) if len(flagged) else np.inf)
-        in_time += delays[-1] < LATE_S + 0.5 * BLOCK * STEP_S
-        wrong += bool(np.any(after & low[:, 1 - elevon]))
-    settling = round(5.0 / (BLOCK * STEP_S))
-    healthy = (
-        np.convolve((reading.truth.min(axis=1) < 0.95).astype(int), np.ones(settling + 1))[: len(said)] == 0
-    )
-    rises = np.diff(low.any(axis=1).astype(int), prepend=0) > 0
-    hours = float(healthy.sum()) * BLOCK * STEP_S / 3600.0
-    return Flags(len(fell), in_time, wrong, int(np.sum(rises & healthy)), hours, tuple(delays))
+def flags(time_s: np.ndarray, truth: np.ndarray, flagged: np.ndarray) -> Flags:
+    """What comes of the flags [rows, 2]. One in healthy flight is false 5 s after the last fault or later, and LABEL_S before the
+    next fault of its elevon or earlier."""
+    delays, wrong = [], 0
+    for at, elevon in drops(truth):
+        after = np.flatnonzero(flagged[at:, elevon])
+        delays.append(float(after[0]) * STEP_S if len(after) else np.inf)
+        wrong += bool(flagged[at : at + round(WRONG_S / STEP_S), 1 - elevon].any())
+    broken = truth < 0.95
+    healthy = np.convolve(broken.any(axis=1).astype(int), np.ones(51))[: len(truth)] == 0
+    false = 0
+    for elevon in range(2):
+        starts = np.flatnonzero(np.diff(flagged[:, elevon].astype(int), prepend=0) > 0)
+        soon = round(LABEL_S / STEP_S)
+        false += sum(bool(healthy[k] and not broken[k : k + soon, elevon].any()) for k in starts)
+    return Flags(np.array(delays), wrong, false, float(healthy.sum()) * STEP_S / 3600.0)
 
 
 def fit_clock_s(
@@ -257,7 +274,8 @@ def fit_clock_s(
     def misfit(late_s: float) -> float:
         truth = between(flight.time_s + late_s, *broken)
         data = regression(flight, late_s, truth, model, judged)
-        return float(np.sum(colour.white(data.z - np.einsum("kri,ki->kr", data.phi, data.truth))[25:] ** 2))
+        left = colour.white(data.z - np.einsum("kri,ki->kr", data.phi, data.truth))
+        return float(np.sum(left[SETTLED:] ** 2))
 
     coarse = min(np.arange(60.0, 300.0, 4.0), key=misfit)
     return float(min(np.arange(coarse - 4.0, coarse + 4.0, 0.5), key=misfit))

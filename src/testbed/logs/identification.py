@@ -1,8 +1,8 @@
-"""A design model from logs of healthy flight: factors on the coefficients of an aircraft's own model, by equation error.
+"""A design model from logs of healthy flight: factors on the coefficients of an aircraft's own model.
 
-The rates that the model leaves are regressed on what each coefficient adds to them, with white errors (Klein and Morelli, Aircraft
-System Identification, 2006, chapter 5). A factor of 1 is the aircraft's own model; one that is not within two standard deviations
-of 1 is what the log contradicts. Coefficients that are zero stay so.
+By equation error, the rates that the model leaves are regressed on what each coefficient adds to them, with white errors (Klein
+and Morelli, Aircraft System Identification, 2006, chapter 5). By `output_error`, the turning rates are simulated: noise of sensors
+makes the factors of equation error too small. A factor of 1 is the aircraft's own model. Coefficients that are zero stay so.
 """
 
 from __future__ import annotations
@@ -13,15 +13,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.signal import lfilter
 
-from testbed.aircraft.design_model import COLUMNS, DesignModel, coefficient_names
-from testbed.common.signals import RATES, STATE
+from testbed.aircraft.design_model import DesignModel
+from testbed.common.signals import RATES
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.setup import Setup
+from testbed.logs import output_error
+from testbed.logs.coefficients import Row, joined, rows_of
 from testbed.logs.flight_log import FlightLog
-from testbed.logs.hypotheses import NOMINAL
 from testbed.logs.noise import noise_of, settled
-from testbed.logs.regression import BIN_S, regression
+from testbed.logs.regression import BIN_S
 
 KEPT_BACK = 0.3
 """Share of each log, at its end, that is not used but to validate."""
@@ -31,26 +32,46 @@ COLLINEAR = 10.0
 """Inflation of a factor's variance by the others from which on they cannot be told apart."""
 WINDOW_S = 10.0
 _ROUNDS, _LAGS = 2, 20
-_LEAST = 1e-6  # of what adds most to a rate; what adds less is a zero that was rounded
 
 
 @dataclass(frozen=True)
 class Factor:
-    """What logs say of a coefficient: factor on the model's value, its standard deviation, the inflation of its variance by the
-    others, whether it is identifiable, and when [s] in which log the 10 s were that told most."""
+    """What logs say of a coefficient.
+
+    Attributes:
+        value, std: factor on the model's value by equation error, and its standard deviation.
+        simulated, simulated_std: by output error; NaN of u_dot's coefficients, and where there is no stretch to simulate.
+        inflation: of its variance by the other coefficients.
+        known: whether it is identifiable; else it is kept.
+        log, from_s: when the 10 s were that told most.
+    """
 
     name: str
     value: float
     std: float
+    simulated: float
+    simulated_std: float
     inflation: float
     known: bool
     log: int
     from_s: float
 
     @property
+    def taken(self) -> float:
+        """The factor that the model gets: that by output error where there is one, and 1 where nothing can be known."""
+        if not self.known:
+            return 1.0
+        return self.simulated if np.isfinite(self.simulated) else self.value
+
+    @property
     def contradicted(self) -> bool:
-        """Whether the aircraft's own value is not within two standard deviations."""
-        return self.known and abs(self.value - 1.0) > 2.0 * self.std
+        """Whether both methods put the aircraft's own value beyond two standard deviations, on the same side, and are nearer to
+        each other than to it."""
+        each = [(self.value, self.std)]
+        each += [(self.simulated, self.simulated_std)] if np.isfinite(self.simulated) else []
+        sides = {np.sign(value - 1.0) if abs(value - 1.0) > 2.0 * std else 0.0 for value, std in each}
+        apart = abs(self.taken - self.value)
+        return self.known and len(sides) == 1 and 0.0 not in sides and abs(self.taken - 1.0) > apart
 
 
 @dataclass(frozen=True)
@@ -58,7 +79,8 @@ class Validation:
     """Of a rate, on the part of the logs that was not used.
 
     Without what is constant: `fit` is 1 - rms error / rms, before and after; `theil` Theil's inequality coefficient, 0 perfect and
-    1 worst; `coloured` the share of the residual's first 20 correlations that are beyond what white noise has in 95 %.
+    1 worst; `coloured` the share of the residual's first 20 correlations that are beyond what white noise has in 95 %. `simulated`
+    and `simulated_before` are the fits of p, q or r itself, simulated for 5 s; NaN of u.
     """
 
     rate: str
@@ -66,6 +88,8 @@ class Validation:
     fit: float
     theil: float
     coloured: float
+    simulated_before: float
+    simulated: float
 
 
 @dataclass(frozen=True)
@@ -89,72 +113,51 @@ class _Row:
 
 def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified:
     """The design model that logs of healthy flight give, from that of their `setups`, whose trim and condition it keeps."""
-    parts, setup = [_parts(log, each) for log, each in zip(logs, setups, strict=True)], setups[0]
-    which = np.concatenate([np.full(len(known), i) for i, (_, _, known) in enumerate(parts)])
-    time_s, known = (np.concatenate([part[i] for part in parts]) for i in (1, 2))
-    used = known & np.concatenate([np.arange(len(k)) < (1.0 - KEPT_BACK) * len(k) for _, _, k in parts])
+    parts, setup = [rows_of(log, each, BIN_S) for log, each in zip(logs, setups, strict=True)], setups[0]
+    which = np.concatenate([np.full(len(part.known), i) for i, part in enumerate(parts)])
+    time_s, known = (np.concatenate([getattr(part, name) for part in parts]) for name in ("time_s", "known"))
+    used = known & np.concatenate([np.arange(len(p.known)) < (1.0 - KEPT_BACK) * len(p.known) for p in parts])
     c = settings_record(setup, AdaptiveInversionSettings())[0]
+    rows = [joined([part.rates[number] for part in parts]) for number in range(len(RATES))]
+    fits = {
+        i: _fitted(row, used, float(c.model_error_std[i]), 1.0 / c.model_error_rate)
+        for i, row in enumerate(rows) if np.any(row.rate)
+    }  # fmt: skip
+    free = {
+        name: bool(known) for i in (0, 1, 2) for name, known in zip(rows[i].names, fits[i].known, strict=True)
+    }
+    output = output_error.identified(logs, setups, free, KEPT_BACK)
     factors: list[Factor] = []
     validation: list[Validation] = []
     bias = np.array(setup.model.bias)
-    for number, rate in enumerate(RATES):
-        rows = [part[0][number] for part in parts]
-        whole = _Row(
-            rows[0].names,
-            *(np.concatenate([getattr(r, f) for r in rows]) for f in ("left", "columns", "rate")),
-        )
-        if not np.any(whole.rate):
-            continue
-        found, constant, filtered = _fitted(
-            whole, used, float(c.model_error_std[number]), 1.0 / c.model_error_rate
-        )
+    for number, fit in fits.items():
+        row, rate = rows[number], RATES[number]
+        own = [_factor(name, i, fit, output, which, time_s) for i, name in enumerate(rows[number].names)]
+        constant = output.constants.get(number, fit.constant)
         bias[number] += constant
-        factors += [_factor(whole.names, i, found, filtered, which, time_s) for i in range(len(whole.names))]
-        change = np.append(found.value - 1.0, constant)
-        validation.append(_validated(rate, whole, change, known & ~used))
-    model = setup.model.with_error({each.name: each.value for each in factors})
+        change = np.append([each.taken - 1.0 for each in own], constant)
+        validation.append(
+            _validated(rate, row, change, known & ~used, output.fits.get(number, (np.nan, np.nan)))
+        )
+        factors += own
+    model = setup.model.with_error({each.name: each.taken for each in factors})
     return Identified(replace(model, bias=tuple(map(float, bias))), tuple(factors), tuple(validation))
 
 
-def _parts(log: FlightLog, setup: Setup) -> tuple[list[_Row], np.ndarray, np.ndarray]:
-    """(a row for each rate, [bins] time, [bins] whether everything is known)."""
-    data, model = regression(log, setup), setup.model
-    width = max(round(BIN_S / log.step_s), 1)
-    count = len(data.time_s)
-    x = {n: log.states[: count * width, i].reshape(count, width).mean(axis=1) for i, n in enumerate(STATE)}
-    x = {n: np.nan_to_num(v, nan=model.alpha_rad if n == "alpha" else 0.0) for n, v in x.items()}
-    speed = x["airspeed"] / model.airspeed_m_s
-    scaled = {"alpha": speed**2 * (x["alpha"] - model.alpha_rad), "beta": speed**2 * x["beta"]}
-    scaled |= {name: speed * x[name] for name in "pqr"}
-    every = coefficient_names(model.actuators)
-    made, each = [], len(COLUMNS) + len(model.actuators)
-    for number, rate in enumerate(RATES):
-        states = [model.derivatives[number][i] * scaled[name] for i, name in enumerate(COLUMNS)]
-        states[COLUMNS.index("beta")] = states[COLUMNS.index("beta")] + model.sideslip[
-            number
-        ] * speed**2 * np.abs(x["beta"])
-        columns = np.column_stack([*states, data.phi[NOMINAL][:, number], speed**2])
-        sizes = np.sqrt(np.mean(columns**2, axis=0))
-        there = [i for i in range(each) if sizes[i] > _LEAST * sizes.max()]
-        names = tuple(every[number * each + i] for i in there)
-        measured = x[rate] if rate in x else np.zeros(count)
-        left = data.z[:, number] - data.phi[NOMINAL][:, number].sum(axis=1)
-        made.append(_Row(names, left, columns[:, [*there, each]], measured))
-    return made, data.time_s, data.known
-
-
 @dataclass(frozen=True)
-class _Found:
+class _Fit:
+    """Of a rate, by equation error: factors, their deviations and inflations, which are identifiable, the constant, and [bins,
+    names + 1] white columns where they are used."""
+
     value: np.ndarray
     std: np.ndarray
     inflation: np.ndarray
     known: np.ndarray
+    constant: float
+    white: np.ndarray
 
 
-def _fitted(
-    row: _Row, used: np.ndarray, model_std: float, model_time_s: float
-) -> tuple[_Found, float, np.ndarray]:
-    """(factors, constant, [bins, coefficients] white columns where they are used)."""
+def _fitted(row: Row, used: np.ndarray, model_std: float, model_time_s: float) -> _Fit:
     count = len(row.names)
     free, change = np.ones(count + 1, dtype=bool), np.zeros(count + 1)
     for _ in range(_ROUNDS):
@@ -172,22 +175,25 @@ def _fitted(
     inflation = np.diagonal(covariance) * np.diagonal(information)
     white = np.zeros_like(row.columns)
     white[at] = columns
-    found = _Found(1.0 + change[:count], std[:count], inflation[:count], free[:count])
-    return found, float(change[count]), white
-
-
-def _factor(
-    names: tuple[str, ...], i: int, found: _Found, white: np.ndarray, which: np.ndarray, time_s: np.ndarray
-) -> Factor:
-    told = np.convolve(white[:, i] ** 2, np.ones(round(WINDOW_S / BIN_S)), "valid")
-    best = int(np.argmax(told)) if len(told) else 0
-    value, std, inflation = float(found.value[i]), float(found.std[i]), float(found.inflation[i])
-    return Factor(
-        names[i], value, std, inflation, bool(found.known[i]), int(which[best]), float(time_s[best])
+    return _Fit(
+        1.0 + change[:count], std[:count], inflation[:count], free[:count], float(change[count]), white
     )
 
 
-def _validated(rate: str, row: _Row, change: np.ndarray, kept: np.ndarray) -> Validation:
+def _factor(
+    name: str, i: int, fit: _Fit, output: output_error.Output, which: np.ndarray, time_s: np.ndarray
+) -> Factor:
+    told = np.convolve(fit.white[:, i] ** 2, np.ones(round(WINDOW_S / BIN_S)), "valid")
+    best = int(np.argmax(told)) if len(told) else 0
+    value, std, inflation = float(fit.value[i]), float(fit.std[i]), float(fit.inflation[i])
+    simulated = output.factors.get(name, (np.nan, np.nan))
+    known = bool(fit.known[i]) and not simulated[1] > LARGEST_STD
+    return Factor(name, value, std, *simulated, inflation, known, int(which[best]), float(time_s[best]))
+
+
+def _validated(
+    rate: str, row: Row, change: np.ndarray, kept: np.ndarray, simulated: tuple[float, float]
+) -> Validation:
     signals = (row.rate[kept], row.left[kept], row.left[kept] - row.columns[kept] @ change)
     measured, before, after = (each - each.mean() for each in signals)
     spread = float(np.sqrt(np.mean(measured**2))) + 1e-12
@@ -198,4 +204,5 @@ def _validated(rate: str, row: _Row, change: np.ndarray, kept: np.ndarray) -> Va
     ]
     beyond = np.abs(correlations) > 1.96 / np.sqrt(len(after))
     theil = sizes[1] / (sizes[2] + sizes[3] + 1e-12)
-    return Validation(rate, 1.0 - sizes[0] / spread, 1.0 - sizes[1] / spread, theil, float(np.mean(beyond)))
+    fits = (1.0 - sizes[0] / spread, 1.0 - sizes[1] / spread)
+    return Validation(rate, *fits, theil, float(np.mean(beyond)), *simulated)

@@ -37,10 +37,10 @@ class Regression:
     known: np.ndarray
 
 
-def regression(log: FlightLog, setup: Setup) -> Regression:
+def regression(log: FlightLog, setup: Setup, bin_s: float = BIN_S) -> Regression:
     """The regression of a log, with the design model of `setup`. A rate that the log has not is zero on both sides."""
     states = _completed(log, setup)
-    width = max(round(BIN_S / log.step_s), 1)
+    width = max(round(bin_s / log.step_s), 1)
     made = {variant: _replayed(log, states, setup, variant) for variant in VARIANTS[:1]}
     z, nominal = made.pop(VARIANTS[0])
     rates = ~np.isnan(log.states[:, [STATE.index(rate) for rate in RATES]]).all(axis=0)

@@ -1,0 +1,196 @@
+"""Factors on a design model's coefficients by output error: the turning rates that it predicts over stretches of a log, simulated.
+
+What the rates are differentiated for in equation error is integrated here, so noise of gyros does not bias a factor (Jategaonkar,
+Flight Vehicle System Identification, 2nd ed. 2015, chapter 4). Angles and airspeed are those that were measured, so that a stretch
+begins anew with three unknowns alone, and an aircraft that is unstable does not run away.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from testbed.aircraft.design_model import COLUMNS, DesignModel, coefficient_names
+from testbed.controllers.setup import Setup
+from testbed.logs.coefficients import Row, joined, rows_of
+from testbed.logs.flight_log import FlightLog
+
+STRETCH_S = 5.0
+BIN_S = 0.02
+"""Short against the damping of roll, 1/26 s."""
+_ROUNDS = 5
+_LEAST = 4
+"""Stretches, below which nothing is said."""
+
+
+@dataclass(frozen=True)
+class Part:
+    """Of one turning rate.
+
+    Attributes:
+        names: of its coefficients.
+        left: [bins] what the model leaves of it.
+        columns: [bins, names + 1] what each coefficient and the constant add.
+        slopes: [3] of the rate by p, q and r, of the model at its airspeed.
+        at: [3] the coefficient that each slope is, or -1.
+    """
+
+    names: tuple[str, ...]
+    left: np.ndarray
+    columns: np.ndarray
+    slopes: np.ndarray
+    at: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Output:
+    """Factors with their standard deviations by name; the constants of p_dot, q_dot and r_dot by number; and fits.
+
+    A fit is 1 - rms error / rms of p, q or r, simulated over the part that was kept back: by the aircraft's own model, and by the
+    one that was found.
+    """
+
+    factors: Mapping[str, tuple[float, float]]
+    constants: Mapping[int, float]
+    fits: Mapping[int, tuple[float, float]]
+
+
+def identified(
+    logs: Sequence[FlightLog], setups: Sequence[Setup], free: Mapping[str, bool], kept_back: float
+) -> Output:
+    """Fit the coefficients of the turning rates that are `free`, by name; empty where the logs have too few whole stretches."""
+    each = [rows_of(log, setup, BIN_S) for log, setup in zip(logs, setups, strict=True)]
+    used, kept = _stretches([rows.known for rows in each], kept_back)
+    speed, turning = (np.concatenate([getattr(rows, name) for rows in each]) for name in ("speed", "turning"))
+    parts = [_part(joined([rows.rates[i] for rows in each]), setups[0].model, i) for i in range(3)]
+    names = [name for part in parts for name in (*part.names, "")]
+    chosen = np.array([free.get(name, True) for name in names])
+    if len(used) < _LEAST:
+        return Output({}, {}, {})
+    change, std = fitted(parts, speed, used, chosen)
+    factors = {n: (1.0 + float(change[i]), float(std[i])) for i, n in enumerate(names) if n and chosen[i]}
+    constants = [float(value) for value, name in zip(change, names, strict=True) if not name]
+    fits = zip(*(_fits(parts, speed, turning, kept, c) for c in (0.0 * change, change)), strict=True)
+    return Output(factors, dict(enumerate(constants)), dict(enumerate(fits)))
+
+
+def _stretches(known: Sequence[np.ndarray], kept_back: float) -> tuple[np.ndarray, np.ndarray]:
+    """[stretches, bins of one] rows of all logs in which everything is known: those used, and those kept back."""
+    width, first = round(STRETCH_S / BIN_S), 0
+    made: tuple[list[np.ndarray], list[np.ndarray]] = ([], [])
+    for there in known:
+        until = round((1.0 - kept_back) * len(there))
+        for start in range(0, len(there) - width, width):
+            if np.all(there[start : start + width]) and not start < until < start + width:
+                made[start >= until].append(first + start + np.arange(width))
+        first += len(there)
+    used, kept = (np.array(each, dtype=int).reshape(-1, width) for each in made)
+    return used, kept
+
+
+def _part(row: Row, model: DesignModel, number: int) -> Part:
+    """Of p, q or r, by number."""
+    every = coefficient_names(model.actuators)[number * (len(COLUMNS) + len(model.actuators)) :]
+    own = [every[COLUMNS.index(name)] for name in "pqr"]
+    at = tuple(row.names.index(name) if name in row.names else -1 for name in own)
+    slopes = np.array([model.derivatives[number][COLUMNS.index(name)] for name in "pqr"])
+    return Part(row.names, row.left, row.columns, slopes, at)
+
+
+def _fits(
+    parts: Sequence[Part], speed: np.ndarray, turning: np.ndarray, rows: np.ndarray, change: np.ndarray
+) -> list[float]:
+    """1 - rms of what is simulated wrongly / rms, of p, q and r."""
+    if not len(rows):
+        return [math.nan] * 3
+    error, _, _ = simulated(parts, speed, rows, change)
+    there = turning[rows]
+    sizes = np.sqrt(np.mean((there - there.mean(axis=(0, 1))) ** 2, axis=(0, 1)))
+    return [float(x) for x in 1.0 - np.sqrt(np.mean(error**2, axis=(0, 1))) / (sizes + 1e-12)]
+
+
+def fitted(
+    parts: Sequence[Part], speed: np.ndarray, rows: np.ndarray, free: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """(changes of all coefficients and constants from the model's, their standard deviations), by Gauss and Newton.
+
+    Args:
+        parts: of p, q and r.
+        speed: [bins] airspeed over that of the model.
+        rows: [stretches, bins of one] where to simulate.
+        free: [coefficients] those that are found; the others stay.
+    """
+    change, weight = np.zeros(len(free)), np.ones(3)
+    for _ in range(_ROUNDS):
+        error, by_change, by_start = simulated(parts, speed, rows, change)
+        weighted = (error * weight, by_change[..., free] * weight[:, None], by_start * weight[:, None])
+        scores, information = _projected(*weighted)
+        total = information.sum(axis=0) + 1e-9 * np.eye(int(free.sum()))
+        step = np.linalg.solve(total, scores.sum(axis=0))
+        change[free] -= step
+        left = error - by_change[..., free] @ step
+        weight = 1.0 / (np.std(left, axis=(0, 1)) + 1e-9)
+    # gusts colour what is left: how much the stretches' own scores differ says how sure their sum is (White 1980)
+    inverse, scores = np.linalg.inv(total), scores - information @ step
+    std = np.full(len(free), np.nan)
+    std[free] = np.sqrt(np.diagonal(inverse @ (scores.T @ scores) @ inverse))
+    return change, std
+
+
+def simulated(
+    parts: Sequence[Part], speed: np.ndarray, rows: np.ndarray, change: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Simulated minus measured rates, [stretches, bins, 3], each with the beginning that leaves least of it.
+
+    Also their derivatives by each change [..., changes], and by the beginning [..., 3].
+    """
+    begun = np.zeros((len(rows), 3))
+    for _ in range(2):  # first from what was measured
+        error, by_change, by_start = _run(parts, speed, rows, change, begun)
+        square = np.einsum("skia,skib->sab", by_start, by_start)
+        towards = np.einsum("skia,ski->sa", by_start, error)
+        begun = begun - np.linalg.solve(square, towards[..., None])[..., 0]
+    return error, by_change, by_start
+
+
+def _run(
+    parts: Sequence[Part], speed: np.ndarray, rows: np.ndarray, change: np.ndarray, begun: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    ends = np.cumsum([0, *(len(part.names) + 1 for part in parts)])
+    A = np.stack([part.slopes for part in parts])
+    for i, part in enumerate(parts):
+        for j, at in enumerate(part.at):
+            A[i, j] *= 1.0 + change[ends[i] + at] if at >= 0 else 1.0
+    count, each = rows.shape
+    columns = np.zeros((count, each, 3, ends[-1]))
+    for i, part in enumerate(parts):
+        columns[:, :, i, ends[i] : ends[i + 1]] = part.columns[rows]
+    forced = columns @ change - np.stack([part.left for part in parts], axis=1)[rows]
+    half = 0.5 * BIN_S * speed[rows][..., None, None] * A
+    e, S, F = begun, np.zeros((count, 3, ends[-1])), np.broadcast_to(np.eye(3), (count, 3, 3))
+    made = [(e, S, F)]
+    for k in range(1, each):  # the trapezoidal rule
+        behind, ahead = np.eye(3) + half[:, k - 1], np.linalg.inv(np.eye(3) - half[:, k])
+        push = 0.5 * BIN_S * (columns[:, k - 1] + columns[:, k])
+        for i, part in enumerate(parts):
+            for j, at in enumerate(part.at):
+                if at >= 0:
+                    push[:, i, ends[i] + at] += BIN_S * speed[rows[:, k]] * part.slopes[j] * e[:, j]
+        moved = behind @ e[..., None] + 0.5 * BIN_S * (forced[:, k - 1] + forced[:, k])[..., None]
+        e, S, F = (ahead @ moved)[..., 0], ahead @ (behind @ S + push), ahead @ behind @ F
+        made.append((e, S, F))
+    error, by_change, by_start = (np.stack(each, axis=1) for each in zip(*made, strict=True))
+    return error, by_change, by_start
+
+
+def _projected(
+    error: np.ndarray, by_change: np.ndarray, by_start: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """([stretches, factors] scores, [stretches, factors, factors] information) without what the beginnings explain."""
+    to_start = np.einsum("skia,skip->sap", by_start, by_change)
+    inside = np.linalg.solve(np.einsum("skia,skib->sab", by_start, by_start), to_start)
+    free = by_change - np.einsum("skia,sap->skip", by_start, inside)
+    return np.einsum("skip,ski->sp", free, error), np.einsum("skip,skiq->spq", free, by_change)
