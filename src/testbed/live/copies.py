@@ -31,6 +31,7 @@ class Copies:
     def begin(self, work: Callable[[], object]) -> None:
         """Do something in a copy, which ends then. Raises OSError if there can be no copy."""
         if not self._forked():
+            self.drop()  # else the frozen ones could not end before it
             done_in(work)
 
     def freeze(self, step: int) -> Any:
