@@ -65,6 +65,21 @@ def test_it_is_flown_again_up_to_a_time_and_goes_on_differently(live: LiveFlight
     assert not frames.broken(live.session)
 
 
+def test_an_earlier_flight_flies_again_what_was_done_since(live: LiveFlight) -> None:
+    """As a frozen copy does that is woken: it knows what was done until it was frozen."""
+    live.fly(400)
+    live.do(STUCK)
+    live.fly(200)
+    live.do(GUST)
+    live.fly(600)
+    acts, kept = list(live.acts), log(live)
+    live.rewind(500 / live.rate_hz)
+    assert live.acts == acts[:1]
+    live.fly_again(acts, 1201)
+    assert live.acts == acts and log(live).tobytes() == kept.tobytes()
+    assert live.can_be_copied
+
+
 def test_what_is_refused_is_not_done_again(live: LiveFlight) -> None:
     with pytest.raises(BadInput, match="no failure now"):
         live.do(MENDED)

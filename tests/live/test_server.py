@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import http.client
 import json
+import os
 import signal
 import socket
 import subprocess
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from urllib.parse import urlsplit
 
@@ -162,6 +164,8 @@ def test_time_stands_still_while_nobody_looks(server: Server, page: Page) -> Non
 
 
 def test_a_page_that_comes_while_it_is_paused_sees_the_flight(server: Server, page: Page) -> None:
+    while not page.see():
+        pass
     assert page.ask("pause", on=True)["note"] == "done"
     second = Page(server[0])
     assert second.see() > 0.0
@@ -182,6 +186,78 @@ def test_a_lost_aircraft_ends_the_flight_and_not_the_server(page: Page) -> None:
     page.until("saved")
     assert page.ask("rewind", time_s=0.0)["note"] == "done"
     page.until("state", ended="", broken={})
+
+
+def processes_of(process: subprocess.Popen[str]) -> set[int]:
+    """The processes that a server has begun, and those that they have begun; a fork has the command line of its server."""
+    line = Path(f"/proc/{process.pid}/cmdline").read_bytes()
+    found = set()
+    for each in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):
+            if (each / "cmdline").read_bytes() == line and (each / "cwd").samefile(
+                f"/proc/{process.pid}/cwd"
+            ):
+                found.add(int(each.name))
+    return found - {process.pid}
+
+
+def soon(met: Callable[[], bool]) -> bool:
+    """Whether something comes true within some seconds: copies that tell the story come and go."""
+    end = time.monotonic() + 20.0
+    while not met() and time.monotonic() < end:
+        time.sleep(0.02)
+    return met()
+
+
+def alive(pid: int) -> bool:
+    with contextlib.suppress(OSError):
+        return bool(Path(f"/proc/{pid}/cmdline").read_bytes())
+    return False
+
+
+def test_going_back_wakes_a_frozen_copy_and_nothing_is_left_in_the_end(tmp_path: Path) -> None:
+    """Three frozen copies; going back to between the first two, twice; what is saved flies to the same bytes."""
+    with serving(tmp_path, *SCENARIO) as (address, process):
+        page = Page(address)
+        page.until("role", flies=True)
+        page.ask("speed", times=16.0)
+        failure = {"type": "effectiveness", "actuator": "right_ruddervator", "value": 0.5}
+        for until_s, act in (
+            (63.0, ("break", {"failure": failure})),
+            (185.0, ("order", {"command": {"altitude_m": 310.0}})),
+        ):
+            while page.see() < until_s:
+                pass
+            assert page.ask(act[0], **act[1])["note"] == "done"
+        assert soon(lambda: len(processes_of(process)) >= 4)
+        for time_s in (100.0, 70.0):
+            before = processes_of(process)
+            assert page.ask("rewind", time_s=time_s)["note"] == "done"
+            page.until("state", broken={"right_ruddervator": ["kept 50 % of its effect"]})
+            assert time_s - 0.01 < page.see() < time_s + 10.0
+            assert soon(lambda before=before: len(processes_of(process) & before) == 1)  # the copy of 60 s
+        assert page.ask("speed", times=1.0)["note"] == "done"
+        assert page.ask("mend", actuator="right_ruddervator")["note"] == "done"
+        page.ask("save")
+        folder = tmp_path / page.until("saved")["folder"]
+        page.close()
+        left = processes_of(process)
+    assert soon(lambda: not any(map(alive, left)))
+    kept = testbed.load(folder)
+    assert [each.type for each in kept.scenario.failures] == ["effectiveness"]
+    again = testbed.fly(folder / "scenario.yaml").save(tmp_path / "again", figures=False)
+    assert (again / "log.csv").read_bytes() == (folder / "log.csv").read_bytes()
+
+
+def test_a_killed_pilot_is_said(tmp_path: Path) -> None:
+    with serving(tmp_path, *SCENARIO) as (address, process):
+        page = Page(address)
+        page.until("role", flies=True)
+        os.kill(min(processes_of(process)), signal.SIGKILL)
+        while "has ended" not in page.until("state").get("ended", ""):
+            pass
+        assert "has ended" in page.ask("pause", on=True)["why"]
+        page.close()
 
 
 def test_a_killed_server_leaves_what_was_saved(tmp_path: Path) -> None:

@@ -39,6 +39,7 @@ def _run(options: Namespace) -> int:
             [Problem("needs the package websockets", "live", expected="pip install 'testbed[live]'")]
         )
     from testbed.cli.run import own_controller
+    from testbed.live.aloft import Aloft
     from testbed.live.choices import Choices
     from testbed.live.page import page
     from testbed.live.pilot import Pilot
@@ -55,7 +56,7 @@ def _run(options: Namespace) -> int:
         with working("preparing"):
             server = LiveServer(listener, page)
             choices = Choices(options.scenario, scenario, controller, options.controller)
-            pilot = Pilot(choices, server.tell, _keep)
+            pilot = Aloft(lambda line: Pilot(choices, line, _keep), server.tell)
         with tidily():
             server.run(pilot, partial(_ready, server.address, not options.no_browser))
     return MET

@@ -90,11 +90,15 @@ class LiveFlight:
             self.ghosts.pop(name).close()
         self.ghosts |= made
 
+    def step_at(self, time_s: float) -> int:
+        """The control step up to which has been flown, once the flight has gone back to a time [s]."""
+        return min(max(first_step_at(time_s, self.rate_hz), 1), self.session.loop.done)
+
     def rewind(self, time_s: float, go_on: GoOn = lambda: True) -> None:
         """Go back: fly again from the beginning, with what was done by hand before that time. If given up, all stays as it was."""
-        until = min(max(first_step_at(time_s, self.rate_hz), 1), self.session.loop.done)
+        until = self.step_at(time_s)
         acts = [(step, act) for step, act in self.acts if step < until]
-        old = [self.session, *self.ghosts.values()]
+        old = list(self._all)
         new = [self._begun(), *map(self._begun, self.ghosts)]
         for session in new:
             self._fly_past(session, acts, until, go_on)
@@ -104,6 +108,22 @@ class LiveFlight:
             new = old
         for session in new:
             session.close()
+
+    def fly_again(self, acts: Sequence[tuple[int, Act]], until: int, go_on: GoOn = lambda: True) -> None:
+        """Fly on up to a control step as before, where this flight's acts are the first of those that were done by hand."""
+        more = [(step, act) for step, act in acts[len(self.acts) :] if step < until]
+        for session in self._all:
+            self._fly_past(session, more, until, go_on)
+        self.acts += more
+
+    @property
+    def can_be_copied(self) -> bool:
+        """Whether a fork of this process flies on by itself: no controller holds anything outside, such as a process of its own."""
+        return not any(getattr(each.parts.controller, "outside", False) for each in self._all)
+
+    @property
+    def _all(self) -> tuple[Session, ...]:
+        return (self.session, *self.ghosts.values())
 
     def _fly_past(self, session: Session, acts: Sequence[tuple[int, Act]], until: int, go_on: GoOn) -> None:
         """Fly a new flight up to a control step, and do on the way what was done."""
@@ -117,7 +137,7 @@ class LiveFlight:
 
     def close(self) -> None:
         """Free the simulators."""
-        for session in (self.session, *self.ghosts.values()):
+        for session in self._all:
             session.close()
 
 

@@ -1,20 +1,21 @@
-"""The thread that flies: it keeps the time, does what is asked, and tells what comes of it. Nothing else touches the flight."""
+"""The process that flies: it keeps the time, does what is asked, and tells what comes of it. Nothing else touches the flight."""
 
 from __future__ import annotations
 
-import queue
-import threading
+import contextlib
+import traceback
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from time import monotonic
-from typing import Any
+from typing import Any, NamedTuple
 
 from testbed.inputs.problems import BadInput, Problem
 from testbed.live import frames
 from testbed.live.choices import Choices
+from testbed.live.copies import Copies
 from testbed.live.flight import LONGEST_S, LiveFlight
-from testbed.live.messages import Choose, Ghosts, Pause, Restart, Rewind, Save, Speed
+from testbed.live.line import Line
+from testbed.live.messages import Act, Choose, Ghosts, Pause, Restart, Rewind, Save, Speed
 from testbed.reporting.flight import ReportedFlight
 from testbed.simulation.session import Session
 
@@ -22,71 +23,64 @@ FRAME_S = 1.0 / 60.0
 _MOST_BEHIND_S = 0.25  # what a slow machine has not flown in this time is not caught up with
 _STORY_S, _STORY_SHARE = 2.0, 0.04  # the story is told this often, and takes no more of the time than this
 _IDLE_S = 0.2
+_FROZEN_S = 60.0
+"""A copy is frozen this often [s of flight]: what is flown again to go back takes about a second at most."""
 
-Tell = Callable[[bytes | dict[str, Any]], object]
-"""Takes a frame, or a note in words, for all pages; called in the pilot's thread or in that which saves."""
 Keep = Callable[[ReportedFlight, str | None], tuple[Path, str]]
 """Writes the run folder of a flight, given its `own` controller; returns it, and the command that flies it again."""
 
 
-class Pilot(threading.Thread):
+class _Back(NamedTuple):
+    """What a frozen copy is woken with, to go on in place of the process that was asked to go back."""
+
+    number: int
+    """Of the message that asked."""
+    step: int
+    acts: list[tuple[int, Act]]
+    ghosts: list[str]
+    watched: bool
+    paused: bool
+    times: float
+
+
+class Pilot:
     """Flies a `LiveFlight` while somebody looks.
 
-    Attributes:
-        watched: whether a page is there; while none is, time stands still.
-        facts: what a page has to know of the flight.
-        last_saved: the run folder that was written last; None if none was.
+    It hears ("look", whether a page is there; while none is, time stands still) and ("ask", number, message). It says
+    ("facts", what a page has to know of the flight), ("tell", a frame, or a note in words, for all pages),
+    ("answer", number, the exception, or None if it was done) and ("saved", folder, note).
     """
 
-    def __init__(self, choices: Choices, tell: Tell, keep: Keep) -> None:
+    def __init__(self, choices: Choices, line: Line, keep: Keep) -> None:
         """Raises BadInput if the first of the choices cannot be flown."""
-        super().__init__(name="pilot", daemon=True)
-        self._choices, self.tell, self._keep = choices, tell, keep
-        self._take_off(choices.first())
-        self.watched = False
-        self.last_saved: Path | None = None
-        self._paused, self._times = False, 1.0
-        self._stopping = False
-        self._inbox: queue.SimpleQueue[tuple[Any, Future[None]] | None] = queue.SimpleQueue()
-        self._saver = ThreadPoolExecutor(1, "saver")
-        self._saved: list[dict[str, str]] = []
+        self._choices, self._line, self._keep = choices, line, keep
+        self._copies = Copies()
+        self._watched, self._paused, self._times = False, False, 1.0
         self._state: dict[str, Any] = {}
+        self._teller: Line | None = None
+        self._take_off(choices.first())
 
     def _take_off(self, flight: LiveFlight) -> None:
         self.flight, self._error = flight, ""
-        self.facts = {**frames.facts(flight.session), "choices": self._choices.names}
+        self._line.say(("facts", {**frames.facts(flight.session), "choices": self._choices.names}))
         self._told: dict[str, Any] = {"story": [], "events": []}
-        self._next_story_s = 0.0
+        self._next_story_s, self._teller = 0.0, None
 
-    def ask(self, message: Any) -> Future[None]:
-        """Have a message carried out; the result has BadInput if it cannot be."""
-        answer: Future[None] = Future()
-        self._inbox.put((message, answer))
-        return answer
-
-    @property
-    def state(self) -> dict[str, Any]:
-        """The last note of how things are, for a page that has just come."""
-        return {"note": "state", **self._state, **self._told}
-
-    def look(self, watched: bool) -> None:
-        """Say whether a page is there."""
-        self.watched = watched
-        self._inbox.put(None)
-
-    def end(self) -> None:
-        """Stop flying. What is being saved is finished first."""
-        self._stopping = True
-        self._inbox.put(None)
-        self.join()
-        self._saver.shutdown()
-        self.flight.close()
+    def tell(self, what: bytes | dict[str, Any]) -> None:
+        """Send a frame or a note to all pages."""
+        self._line.say(("tell", what))
 
     def run(self) -> None:
+        """Fly until nobody can ask for anything any more."""
+        with contextlib.suppress(EOFError):
+            self._run()
+        self.flight.close()
+
+    def _run(self) -> None:
         last, owed_s = monotonic(), 0.0
         due = last
-        while not self._stopping:
-            flying = self.watched and not self._paused and not self._over
+        while True:
+            flying = self._watched and not self._paused and not self._over
             wait_s = max(due - monotonic(), 0.0) if flying else _IDLE_S
             if self._take(wait_s):
                 continue
@@ -97,31 +91,41 @@ class Pilot(threading.Thread):
                 owed_s -= self._advance(owed_s)
             last = now
             self._publish(flying, now)
+            if self._freeze():
+                last, owed_s = monotonic(), 0.0
 
     @property
     def _over(self) -> bool:
         return bool(self._error) or self.flight.session.ended is not None
 
     def _take(self, wait_s: float) -> bool:
-        """Carry out the next message, if one comes within this time; returns whether one came."""
-        try:
-            item = self._inbox.get(timeout=wait_s) if wait_s > 0.0 else self._inbox.get_nowait()
-        except queue.Empty:
+        """Carry out the next message, if one comes within this time; returns whether one came. Raises EOFError after the last."""
+        heard = self._line.hear(wait_s)
+        if heard is None:
             return False
-        if item is not None:
-            message, answer = item
-            try:
-                self._do(message)
-            except Exception as error:
-                answer.set_exception(error)
-            else:
-                answer.set_result(None)
+        if heard[0] == "look":
+            self._watched = heard[1]
+        else:
+            _, number, message = heard
+            self._answer(number, lambda: self._do(number, message))
         self._publish(
             True, monotonic()
         )  # a page that has just come sees something, too, while time stands still
-        return item is not None
+        return True
 
-    def _do(self, message: Any) -> None:
+    def _answer(self, number: int, act: Callable[[], object]) -> None:
+        """Do what was asked, and say how it went."""
+        error: Exception | None = None
+        try:
+            act()
+        except BadInput as problem:
+            error = problem
+        except Exception as defect:
+            traceback.print_exc()
+            error = BadInput([Problem(f"a defect of testbed: {type(defect).__name__}")])
+        self._line.say(("answer", number, error))
+
+    def _do(self, number: int, message: Any) -> None:
         match message:
             case Pause():
                 self._paused = message.on
@@ -129,9 +133,9 @@ class Pilot(threading.Thread):
             case Speed():
                 self._times = message.times
             case Save():
-                self._save()
+                self._copies.begin(self._write)
             case Rewind() | Restart():
-                self._rewind(message.time_s if isinstance(message, Rewind) else 0.0)
+                self._rewind(number, message.time_s if isinstance(message, Rewind) else 0.0)
             case Ghosts():
                 self.flight.accompany(message.controllers, self._goes_on)
             case Choose():
@@ -145,17 +149,47 @@ class Pilot(threading.Thread):
             what = self._error or "the flight is over"
             raise BadInput([Problem(what, expected="going back to an earlier time, or starting again")])
 
-    def _rewind(self, time_s: float) -> None:
-        self.flight.rewind(time_s, self._goes_on)
+    # Going back -----------------------------------------------------------------------------------------------
+
+    def _rewind(self, number: int, time_s: float) -> None:
+        """Go back. Where a frozen copy can, it goes on in place of this process, and gives the answer."""
+        flight, step = self.flight, self.flight.step_at(time_s)
+        asked = (self._watched, self._paused, self._times)
+        self._copies.wake(step, _Back(number, step, flight.acts, list(flight.ghosts), *asked))
+        flight.rewind(time_s, self._goes_on)
         self._error, self._next_story_s = "", 0.0
 
+    def _freeze(self) -> bool:
+        """Freeze a copy, if it is time for one; returns whether this is a copy that has been woken."""
+        done = self.flight.session.loop.done
+        if done < self._copies.last + _FROZEN_S * self.flight.rate_hz or not self.flight.can_be_copied:
+            return False
+        try:
+            woken = self._copies.freeze(done)
+        except OSError:  # no memory is left for one: going back takes longer
+            return False
+        if woken is None:
+            return False
+        self._watched, self._paused, self._times = woken[-3:]
+        self._error, self._state, self._next_story_s, self._teller = "", {}, 0.0, None
+        self._answer(woken.number, lambda: self._go_on(woken))
+        self._publish(True, monotonic())
+        return True
+
+    def _go_on(self, back: _Back) -> None:
+        self.flight.fly_again(back.acts, back.step, self._goes_on)
+        self.flight.accompany(back.ghosts, self._goes_on)
+
     def _goes_on(self) -> bool:
-        return not self._stopping
+        return not self._line.gone
+
+    # Other things that are asked ------------------------------------------------------------------------------
 
     def _choose(self, choice: Choose) -> None:
         """Fly something else. Pages load again: they show another aircraft then."""
         flight = self._choices.flight(choice.flight, choice.controller)
         self.flight.close()
+        self._copies.drop()
         self._take_off(flight)
         self._paused = False
         self.tell({"note": "other"})
@@ -170,19 +204,18 @@ class Pilot(threading.Thread):
             self._error = f"the flight cannot go on: {str(error) or type(error).__name__}"
         return steps / per_s
 
-    def _save(self) -> None:
-        flight = self.flight.session.flight()
-        self._saver.submit(self._write, flight, self.flight.own)
-
-    def _write(self, flight: ReportedFlight, own: str | None) -> None:
+    def _write(self) -> None:
+        """Write the run folder, in a copy: the flight goes on meanwhile, and what is being saved is finished after its end, too."""
         try:
-            folder, command = self._keep(flight, own)
+            flight = self.flight.session.flight()
+            folder, command = self._keep(flight, self.flight.own)
         except Exception as error:  # a full disk must not end the flight
             self.tell({"note": "not saved", "why": str(error) or type(error).__name__})
             return
-        self.last_saved = folder
-        self._saved.append({"folder": str(folder), "command": command})
-        self.tell({"note": "saved", "folder": str(folder), "command": command, "time_s": flight.end_time_s})
+        note = {"note": "saved", "folder": str(folder), "command": command, "time_s": flight.end_time_s}
+        self._line.say(("saved", folder, note))
+
+    # What pages are told --------------------------------------------------------------------------------------
 
     def _publish(self, flew: bool, now: float) -> None:
         session = self.flight.session
@@ -192,15 +225,13 @@ class Pilot(threading.Thread):
             "ended": self._ending(),
             "broken": frames.broken(session),
             "ghosts": {name: _outcome(ghost) for name, ghost in self.flight.ghosts.items()},
-            "saved": self._saved[-5:],
         }
         if state != self._state:
             self._state, self._next_story_s = state, min(self._next_story_s, now + FRAME_S)
             self.tell({"note": "state", **state})
         if flew:  # after the state, which says whose rows a frame has
             self.tell(frames.frame(session, *self.flight.ghosts.values()))
-        if now >= self._next_story_s:
-            self._tell_story(now)
+        self._tell_story(now)
 
     def _ending(self) -> str:
         """Why it does not go on; empty while it does."""
@@ -212,15 +243,33 @@ class Pilot(threading.Thread):
         return f"the aircraft {_outcome(session)}"
 
     def _tell_story(self, now: float) -> None:
+        """Tell the story when it is time for it. A copy makes it, since that of an hour takes longer than a frame."""
+        if self._teller is None and now >= self._next_story_s:
+            self._teller, end = Line.pair()
+            with contextlib.suppress(OSError):
+                self._copies.begin(lambda: end.say(self._story()))
+            end.close()
+        if (teller := self._teller) is None:
+            return
+        told, took_s = self._told, 0.0
+        with contextlib.suppress(EOFError):  # of a copy that could not be made
+            if (said := teller.hear(0.0)) is None:
+                return
+            told, took_s = said
+        teller.close()
+        self._teller, self._next_story_s = None, now + max(_STORY_S, took_s / _STORY_SHARE)
+        if told != self._told:
+            self._told = told
+            self.tell({"note": "story", **told})
+
+    def _story(self) -> tuple[dict[str, Any], float]:
+        """What is told, and how long that took [s]."""
+        begun_s = monotonic()
         try:
             told = frames.told(self.flight.session.flight())
         except BadInput as error:
             told = {**self._told, "story": [str(error)]}
-        took_s = monotonic() - now
-        self._next_story_s = now + max(_STORY_S, took_s / _STORY_SHARE)
-        if told != self._told:
-            self._told = told
-            self.tell({"note": "story", **told})
+        return told, monotonic() - begun_s
 
 
 def _outcome(session: Session) -> str:

@@ -21,8 +21,8 @@ from websockets.http11 import Request, Response
 from websockets.typing import Origin
 
 from testbed.inputs.problems import BadInput, Problem
+from testbed.live.aloft import Aloft
 from testbed.live.messages import MOST_BYTES, read
-from testbed.live.pilot import Pilot
 
 _HOST = "127.0.0.1"
 _MOST_PAGES = 8
@@ -62,13 +62,13 @@ class LiveServer:
         self.address = f"http://{self._hosts[0]}/?token={self._token}"
         self._here: list[ServerConnection] = []
         self._loop: asyncio.AbstractEventLoop | None = None
-        self._pilot: Pilot | None = None
+        self._pilot: Aloft | None = None
 
-    def run(self, pilot: Pilot, ready: Callable[[], object]) -> None:
+    def run(self, pilot: Aloft, ready: Callable[[], object]) -> None:
         """Serve until interrupted; `ready` is called once browsers can connect."""
         asyncio.run(self._run(pilot, ready))
 
-    async def _run(self, pilot: Pilot, ready: Callable[[], object]) -> None:
+    async def _run(self, pilot: Aloft, ready: Callable[[], object]) -> None:
         self._loop, self._pilot = asyncio.get_running_loop(), pilot
         async with self._serving():
             pilot.start()

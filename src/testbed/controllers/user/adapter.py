@@ -125,6 +125,7 @@ class AsItIs:
         self._dt, self._n, self._name = setup.dt_s, len(setup.actuators), name
         self._flown, self._step = flown, flown.step
         self.senses = callable(getattr(flown, "bind_sensed", None))
+        self.outside = can_be_closed(flown)
 
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """See `Controller.bind`; raises BadInput when the user's code fails."""
@@ -165,6 +166,7 @@ class CustomController:
 
     Attributes:
         senses: whether `update` has a parameter `sensed`; then it is given a `Sensed` besides.
+        outside: whether the user's object may hold something outside of this process.
     """
 
     reasons: Sequence[tuple[int, str]] = ()
@@ -174,6 +176,7 @@ class CustomController:
         self._dt, self._n, self._names = setup.dt_s, n, setup.model.actuators
         self._flown, self._update, self._name = flown, flown.update, name
         self.senses = "sensed" in parameters_of(flown.update)
+        self.outside = can_be_closed(flown)
         self._log = CommandLog(setup)
         self._spent_s = 0.0
 
@@ -253,11 +256,16 @@ class CommandLog:
         row[:n] = row[n : 2 * n] = np.where(self._servo, commands / self._scale, s.position)
 
 
+def can_be_closed(flown: Any) -> bool:
+    """Whether a user's object has a method `close`, as one that holds a process or a connection should have."""
+    return callable(getattr(flown, "close", None))
+
+
 def closed(flown: Any, name: str) -> None:
     """Call the method `close` of a user's object, if it has one."""
-    if callable(close := getattr(flown, "close", None)):
+    if can_be_closed(flown):
         with in_words(name, "while being closed"):
-            close()
+            flown.close()
 
 
 def parameters_of(function: Any) -> Collection[str]:
