@@ -54,8 +54,8 @@ def main() -> None:
         name, _, reference = given.partition("=")
         step_us, rest_s, same = measured(reference)
         first_us = first_us or step_us
-        equal = "equal" if same else "not equal"
-        print(f"| {name} | {step_us:.0f} | {step_us / first_us:.1f} | {rest_s:.2f} | {equal} |", flush=True)
+        row = f"| {name} | {step_us:.0f} | {step_us / first_us:.1f} | {rest_s:.2f} |"
+        print(row if same else f"{row} flights differ", flush=True)
 
 
 if __name__ == "__main__":
