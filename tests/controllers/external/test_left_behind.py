@@ -17,7 +17,7 @@ for line in sys.stdin:
     time.sleep(0.05)
     print(json.dumps({"commands": trim}), flush=True)
 """
-KINDS = ["process", "ardupilot"]
+KINDS = ["process", "ardupilot", "px4"]
 
 
 def children(pid):
@@ -45,6 +45,7 @@ def flying(tmp_path, monkeypatch):
         named = {
             "process": ["--controller", f"{sys.executable} {pilot}"],
             "ardupilot": ["--autopilot", SUPPORT / "fake_ardupilot.py"],
+            "px4": ["--controller", f"px4:{SUPPORT / 'fake_px4.py'}"],
         }[kind]
         command = ["-m", "testbed", "run", "left_tail_fail.yaml", "--no-plots", *named]
         flight = subprocess.Popen(

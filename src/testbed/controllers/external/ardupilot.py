@@ -11,12 +11,14 @@ import contextlib
 import json
 import math
 import os
+import re
 import select
 import signal
 import socket
 import struct
 import subprocess
 import time
+import warnings
 import weakref
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -27,7 +29,7 @@ from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
 from testbed.controllers.external import mavlink
 from testbed.controllers.external.ardupilot_parameters import Outputs, density_ratio, merged, text
-from testbed.controllers.external.process import ended, guarded, how_it_ended
+from testbed.controllers.external.process import CONSOLE, ended, how_it_ended, in_folder
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -45,7 +47,8 @@ _GUIDED, _FORCE = 15, 21196
 _PACKETS = {18458: struct.Struct("<HHI16H"), 29569: struct.Struct("<HHI32H")}
 _POLL_S = 0.2
 _HOME = "45,10"  # latitude and longitude of the start [deg]; 0,0 would be replaced by its own
-_CONSOLE, _PARAMETERS = "console.txt", "parameters.parm"
+_PARAMETERS = "parameters.parm"
+_UNKNOWN = re.compile(r"Ignored unknown param (\w+) in defaults file")  # as its console says it
 
 
 class ArduPilot:
@@ -61,7 +64,7 @@ class ArduPilot:
         if setup.plan is None:
             raise self._problem("is flown only with a plan of the flight")
         self._folder = setup.plan.folder
-        values = merged(setup, parameters)
+        values, self._given = merged(setup, parameters), frozenset(setup.parameters)
         self._outputs = Outputs(setup, values)
         write_new(self._folder / _PARAMETERS, text(values))
         self._states, self._link = _bound(), _bound()
@@ -82,17 +85,8 @@ class ArduPilot:
         command = [path, "--model", "JSON", "--sim-port-out", str(_port(self._states))]
         command += ["--home", f"{_HOME},0,0", "--defaults", _PARAMETERS]
         command += ["--serial0", f"udpclient:127.0.0.1:{_port(self._link)}"]
-        write_new(self._folder / _CONSOLE)
         try:
-            with open(self._folder / _CONSOLE, "r+b") as console:
-                return subprocess.Popen(
-                    guarded(command),
-                    cwd=self._folder,
-                    stdin=subprocess.DEVNULL,
-                    stdout=console,
-                    stderr=subprocess.STDOUT,
-                    start_new_session=True,
-                )
+            return in_folder(self._folder, command)
         except OSError as error:
             raise self._problem(f"cannot be started: {error.strerror}") from None
 
@@ -132,6 +126,17 @@ class ArduPilot:
                 self._set(reference)
             self._exchange(_holding(sensed, self._pitch, self._time_s))
         self._time_s = 0.0
+        self._refuse_unknown()
+
+    def _refuse_unknown(self) -> None:
+        """Raise BadInput for an unknown one of `controller.parameters`; warn of others, which differ from version to version."""
+        said = (self._folder / CONSOLE).read_text(errors="replace")
+        unknown = dict.fromkeys(_UNKNOWN.findall(said))
+        if given := [name for name in unknown if name in self._given]:
+            raise self._problem(f"does not know {' and '.join(given)}", "parameters of its version")
+        if unknown:
+            words = f"{self._name}: does not know {', '.join(unknown)}; it flies without"
+            warnings.warn(words, stacklevel=2)
 
     def _command(self, command: int, *parameters: float) -> None:
         self._send(mavlink.command_long(self._sent, command, *parameters))
@@ -181,7 +186,7 @@ class ArduPilot:
         while time.monotonic() < until_s:
             data = self._received()
             if data is None:
-                with open(self._folder / _CONSOLE, "rb") as console:
+                with open(self._folder / CONSOLE, "rb") as console:
                     if how := how_it_ended(self._process, console):
                         raise self._problem(how)
                 continue

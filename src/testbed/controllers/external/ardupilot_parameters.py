@@ -24,13 +24,13 @@ from testbed.inputs.problems import BadInput, Problem
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
 
-_P, _Q, _R = (ROWS.index(name) for name in ("p_dot", "q_dot", "r_dot"))
+P, Q, R = (ROWS.index(name) for name in ("p_dot", "q_dot", "r_dot"))
 _AILERON, _ELEVATOR, _RUDDER = 4, 19, 21
 _ELEVONS, _V_TAIL, _THROTTLES, _THROTTLE = (77, 78), (79, 80), (73, 74), 70  # left, right
 _MIXED = 0.3  # of the largest effect of a surface about an axis, from which a surface counts as one for it
 _LOW_US, _HIGH_US, _ITS_LOW_US, _ITS_HIGH_US = 1000.0, 2000.0, 1100.0, 1900.0
 _FULL_DEG = 45.0  # the autopilot's measure of full deflection
-_SEA_LEVEL_KG_M3, _GAS_CONSTANT = 1.225, 287.05
+SEA_LEVEL_KG_M3, _GAS_CONSTANT = 1.225, 287.05
 _NAME = re.compile(r"[A-Z][A-Z0-9_]{1,15}")
 _LARGEST_FILE = 1_000_000
 
@@ -57,8 +57,13 @@ _OUTER_LOOPS = {
 
 def merged(setup: Setup, file: str | None) -> dict[str, float]:
     """Value of each parameter: of the aircraft, then of the user's file, then of `controller.parameters`; raises BadInput."""
+    return overridden(written(setup), setup, file)
+
+
+def overridden(values: dict[str, float], setup: Setup, file: str | None) -> dict[str, float]:
+    """These values, then those of a file of the user's, then those of `controller.parameters`; raises BadInput."""
     given = _checked(setup.parameters.items(), "controller.parameters")
-    return {**written(setup), **(_read(file) if file else {}), **given}
+    return {**values, **(_read(file) if file else {}), **given}
 
 
 def text(values: Mapping[str, float]) -> str:
@@ -68,7 +73,7 @@ def text(values: Mapping[str, float]) -> str:
 
 def density_ratio(pressure_pa: float, temperature_k: float) -> float:
     """Density of the air over that at sea level in the standard atmosphere."""
-    return pressure_pa / (_GAS_CONSTANT * temperature_k * _SEA_LEVEL_KG_M3)
+    return pressure_pa / (_GAS_CONSTANT * temperature_k * SEA_LEVEL_KG_M3)
 
 
 def written(setup: Setup) -> dict[str, float]:
@@ -78,7 +83,7 @@ def written(setup: Setup) -> dict[str, float]:
         **_LOCKSTEP,
         **_OUTER_LOOPS,
         **_servos(setup, functions),
-        **_speeds(setup),
+        **speeds(setup),
         **_gains(setup, functions),
     }
 
@@ -128,26 +133,26 @@ def _functions(setup: Setup) -> list[int]:
     effects, servo = np.array(setup.model.input_matrix), _is_servo(setup)
     largest = np.abs(effects[:, servo]).max(axis=1, initial=1e-9)
     about = np.abs(effects) > _MIXED * largest[:, None]
-    yaw = effects[_R, ~servo]
+    yaw = effects[R, ~servo]
     sides = len(yaw) > 1 and yaw.min() < 0.0 < yaw.max()
     return [
         _surface(effects[:, i], about[:, i]) if servo[i]
-        else _THROTTLES[int(effects[_R, i] < 0.0)] if sides else _THROTTLE
+        else _THROTTLES[int(effects[R, i] < 0.0)] if sides else _THROTTLE
         for i in range(len(servo))
     ]  # fmt: skip
 
 
 def _surface(effect: np.ndarray, about: np.ndarray) -> int:
     """The function of a surface. The left one of a v-tail yaws right as it pitches up; the left elevon then rolls right."""
-    if about[_Q] and about[_R]:
-        return _V_TAIL[int(effect[_Q] * effect[_R] < 0.0)]
-    if about[_Q] and about[_P]:
-        return _ELEVONS[int(effect[_Q] * effect[_P] > 0.0)]
-    return _ELEVATOR if about[_Q] else _AILERON if about[_P] else _RUDDER
+    if about[Q] and about[R]:
+        return _V_TAIL[int(effect[Q] * effect[R] < 0.0)]
+    if about[Q] and about[P]:
+        return _ELEVONS[int(effect[Q] * effect[P] > 0.0)]
+    return _ELEVATOR if about[Q] else _AILERON if about[P] else _RUDDER
 
 
 def _main_axis(function: int) -> int:
-    return {_AILERON: _P, _RUDDER: _R}.get(function, _Q)
+    return {_AILERON: P, _RUDDER: R}.get(function, Q)
 
 
 def _ends(setup: Setup, i: int) -> tuple[float, float]:
@@ -178,7 +183,7 @@ def _servos(setup: Setup, functions: list[int]) -> dict[str, float]:
     return said
 
 
-def _speeds(setup: Setup) -> dict[str, float]:
+def speeds(setup: Setup) -> dict[str, float]:
     """Airspeeds [m/s, equivalent] and the trim. The lowest is 1.1 of that at which the lift stops to grow.
 
     Height and speed are exchanged in a time that grows with the speed: 3 s at 18 m/s; at 39 m/s that oscillated.
@@ -186,7 +191,7 @@ def _speeds(setup: Setup) -> dict[str, float]:
     model = setup.model
     lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")] / GRAVITY_M_S2
     most = 1.0 + lift * max(model.stall_alpha_rad - model.alpha_rad, 0.0)
-    cruise = model.airspeed_m_s * math.sqrt(model.density_kg_m3 / _SEA_LEVEL_KG_M3)
+    cruise = model.airspeed_m_s * math.sqrt(model.density_kg_m3 / SEA_LEVEL_KG_M3)
     throttles = np.array(setup.trim_commands)[~_is_servo(setup)]
     climb = 2.0 * float(setup.control.loops.climb_max)
     return {
@@ -208,9 +213,9 @@ def _gains(setup: Setup, functions: list[int]) -> dict[str, float]:
     """First gains, and how surfaces and propellers are mixed."""
     loops = suited(setup.settings_as(PidSettings), setup)
     ailerons = bool({_AILERON, *_ELEVONS} & {*functions})
-    pitch, damping = _per_degree(setup, functions, _Q), _damping(setup, _Q)
+    pitch, against = _per_degree(setup, functions, Q), damping(setup, Q)
     gains = {"PTCH2SRV_TCONST": 0.3, "PTCH2SRV_RMAX_UP": 60, "PTCH2SRV_RMAX_DN": 60, "PTCH2SRV_RLL": 1}
-    gains |= _rate("PTCH", damping / pitch, float(loops.q_kp or 0.0) / 3.0 / pitch)
+    gains |= _rate("PTCH", against / pitch, float(loops.q_kp or 0.0) / 3.0 / pitch)
     gains |= {"RLL2SRV_TCONST": 0.3, "RLL2SRV_RMAX": 60}
     gains |= (
         _aileron(setup, functions, float(loops.p_kp or 0.0)) if ailerons else _by_rudder(setup, functions)
@@ -223,28 +228,28 @@ def _gains(setup: Setup, functions: list[int]) -> dict[str, float]:
 
 
 def _aileron(setup: Setup, functions: list[int], crossover: float) -> dict[str, float]:
-    roll = _per_degree(setup, functions, _P)
-    return _rate("RLL", _damping(setup, _P) / roll, crossover / 3.0 / roll)
+    roll = _per_degree(setup, functions, P)
+    return _rate("RLL", damping(setup, P) / roll, crossover / 3.0 / roll)
 
 
 def _by_rudder(setup: Setup, functions: list[int]) -> dict[str, float]:
     """Without ailerons the rudder rolls by sideslip and dihedral: a third of the feedforward for the steady rate of roll."""
     beta = np.array(setup.model.derivatives)[:, COLUMNS.index("beta")]
-    yaw = _per_degree(setup, functions, _R)
-    steady = yaw * max(-beta[_P] / max(beta[_R], 1e-6), 1e-3) / _damping(setup, _P)  # rad/s per deg
+    yaw = _per_degree(setup, functions, R)
+    steady = yaw * max(-beta[P] / max(beta[R], 1e-6), 1e-3) / damping(setup, P)  # rad/s per deg
     return _rate("RLL", 0.3 / steady, 0.1 / steady)
 
 
 def _per_degree(setup: Setup, functions: list[int], axis: int) -> float:
     """Angular acceleration [rad/s2] per degree of the autopilot's demand, of all surfaces that heed it."""
-    mixed = {_Q: {_ELEVATOR, *_V_TAIL, *_ELEVONS}, _P: {_AILERON, *_ELEVONS}, _R: {_RUDDER, *_V_TAIL}}
+    mixed = {Q: {_ELEVATOR, *_V_TAIL, *_ELEVONS}, P: {_AILERON, *_ELEVONS}, R: {_RUDDER, *_V_TAIL}}
     effect = np.abs(setup.model.input_matrix[axis])
     half = np.array([(a.high - a.low) / 2.0 for a in setup.actuators])
     heeds = [function in mixed[axis] for function in functions]
     return max(float((effect * half)[heeds].sum()) / _FULL_DEG, 1e-6)
 
 
-def _damping(setup: Setup, axis: int) -> float:
+def damping(setup: Setup, axis: int) -> float:
     """The model's damping of this rotation [1/s]."""
     return max(-setup.model.derivatives[axis][COLUMNS.index("pqr"[axis])], 0.1)
 

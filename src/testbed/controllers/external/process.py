@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any, NoReturn
 
 from testbed.common.child import signal_name
-from testbed.common.writing import write
+from testbed.common.writing import write, write_new
 from testbed.inputs.problems import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -33,6 +33,8 @@ PROTOCOL = 1
 START_S, STEP_S, END_S = 60.0, 10.0, 2.0
 """How long the process may take to answer the first line and a step, and to end by itself [s]."""
 _LONGEST_LINE = 1_000_000
+CONSOLE = "console.txt"
+"""In the folder of a program that `in_folder` has started: what it wrote to its two outputs."""
 _OUTPUT, _MOST_KEPT = "stderr.txt", 10_000_000
 
 
@@ -179,6 +181,23 @@ def guarded(words: Sequence[str]) -> list[str]:
     """The command, which the kernel ends with this process where it can be asked to; elsewhere the end of its input tells it."""
     guard = shutil.which("setpriv")
     return [guard, "--pdeathsig", "KILL", *words] if guard else list(words)
+
+
+def in_folder(
+    folder: Path, command: Sequence[str], environment: Mapping[str, str] | None = None
+) -> subprocess.Popen[bytes]:
+    """Start a program whose own folder this is, with no input and its outputs in `CONSOLE`; raises OSError."""
+    write_new(folder / CONSOLE)
+    with open(folder / CONSOLE, "r+b") as console:
+        return subprocess.Popen(
+            guarded(command),
+            cwd=folder,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=console,
+            stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )
 
 
 def how_it_ended(process: subprocess.Popen[bytes], errors: IO[bytes]) -> str:

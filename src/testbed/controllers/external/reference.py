@@ -1,6 +1,6 @@
 """What `--controller` names when it is no Python class: an autopilot, an FMU, a C library or a command.
 
-`ardupilot:PATH` is an executable of ArduPilot, with its parameter file as a second word; without PATH, the environment names it.
+`ardupilot:PATH` and `px4:PATH` are executables, with a parameter file as a second word; without PATH, the environment names it.
 An FMU may have its mapping file as a second word. It and a library are told from a command by the kind of their file.
 
 Naming loads and starts nothing, and needs no numba: results name controllers too.
@@ -20,12 +20,10 @@ from typing import Any
 from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 _LIBRARIES, _FMU = (".so", ".dylib", ".dll"), ".fmu"
-EXPECTED = (
-    "FILE.py:CLASS, a C library (.so, .dylib, .dll), an FMU (.fmu), ardupilot:PATH, or a command in quotes"
-)
+EXPECTED = "FILE.py:CLASS, a C library (.so, .dylib, .dll), an FMU (.fmu), ardupilot:PATH, px4:PATH, or a command in quotes"
 ARDUPILOT = "ardupilot:"
-"""Begins the name of an executable of ArduPilot; `External.words` has it as a word of its own."""
-_ENVIRONMENT = "TESTBED_ARDUPILOT"
+_AUTOPILOTS = {ARDUPILOT: "TESTBED_ARDUPILOT", "px4:": "TESTBED_PX4"}
+"""What begins the name of an autopilot's executable, which `External.words` has as a word of its own; what names it otherwise."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +31,7 @@ class External:
     """A command, an FMU, a C library or an autopilot; picklable, so that workers fly it too.
 
     Attributes:
-        words: the command, the path of the library or FMU, or `ARDUPILOT` with its files; the file that is run or loaded is found.
+        words: the command, the path of the library or FMU, or of `_AUTOPILOTS` with its files; what is run or loaded is found.
         controller_name: by which results call it.
     """
 
@@ -48,8 +46,8 @@ class External:
 
     @property
     def _kind(self) -> str:
-        if self.words[0] == ARDUPILOT:
-            return "ardupilot"
+        if self.words[0] in _AUTOPILOTS:
+            return self.words[0].removesuffix(":")
         if self.words[0].endswith(_FMU):
             return "fmu"
         return "c_library" if self.words[0].endswith(_LIBRARIES) else "process"
@@ -70,8 +68,8 @@ def load(reference: str) -> External:
         raise BadInput([Problem(f"is {reference!r}: {error}", "--controller", expected=EXPECTED)]) from None
     if not words:
         raise BadInput([Problem("is empty", "--controller", expected=EXPECTED)])
-    if words[0].startswith(ARDUPILOT):
-        return _autopilot(words)
+    if kind := next((kind for kind in _AUTOPILOTS if words[0].startswith(kind)), ""):
+        return _autopilot(kind, words)
     return External((_found(words[0]), *map(_absolute, words[1:])), Path(words[0]).name)
 
 
@@ -80,16 +78,16 @@ def autopilot(path: str, parameters: Path | None) -> External:
     return load(shlex.join([ARDUPILOT, path, *([str(parameters)] if parameters else [])]))
 
 
-def _autopilot(words: list[str]) -> External:
-    first = words[0].removeprefix(ARDUPILOT)
+def _autopilot(kind: str, words: list[str]) -> External:
+    first = words[0].removeprefix(kind)
     path, *parameters = [first, *words[1:]] if first or not words[1:] else words[1:]
-    if not (path := path or os.environ.get(_ENVIRONMENT, "")):
-        what = f"names no executable, and {_ENVIRONMENT} is not set"
-        raise BadInput([Problem(what, ARDUPILOT, expected=EXPECTED)])
+    if not (path := path or os.environ.get(_AUTOPILOTS[kind], "")):
+        what = f"names no executable, and {_AUTOPILOTS[kind]} is not set"
+        raise BadInput([Problem(what, kind, expected=EXPECTED)])
     if len(parameters) > 1 or any(not os.path.isfile(file) for file in parameters):
         what = f"{' '.join(parameters)}: there is no such file of parameters"
-        raise BadInput([Problem(what, ARDUPILOT, expected=f"{ARDUPILOT}PATH FILE")])
-    return External((ARDUPILOT, _found(path), *map(os.path.abspath, parameters)), Path(path).name)
+        raise BadInput([Problem(what, kind, expected=f"{kind}PATH FILE")])
+    return External((kind, _found(path), *map(os.path.abspath, parameters)), Path(path).name)
 
 
 def _found(name: str) -> str:

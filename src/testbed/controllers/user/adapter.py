@@ -205,9 +205,10 @@ class CustomController:
             raise
         except BaseException as error:  # `sys.exit` too, which would end the command in silence
             raise BadInput([raised(error, self._name, f"at {time_s:.3f} s")]) from error
-        self._spent_s += perf_counter() - begin
+        if step > 0:  # what is done once, as an autopilot's warm-up, says nothing of the others
+            self._spent_s += perf_counter() - begin
         if self._spent_s > _SLOW_S:
-            self._say_how_long(step + 1)
+            self._say_how_long(step)
         commands = self._checked(answer, "commands", time_s)
         self._write_telemetry(step, commands, kept, time_s)
         return commands

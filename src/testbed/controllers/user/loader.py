@@ -73,7 +73,7 @@ def load_controller(reference: str) -> Factory:
     """
     file, colon, name = reference.rpartition(":")
     if not colon or not name.isidentifier() or not file.endswith(".py"):
-        if file.endswith(".py") or reference.endswith(".py"):
+        if file.endswith(".py") or (reference.endswith(".py") and not colon):
             raise BadInput([Problem(f"is {reference!r}", "--controller", expected="FILE.py:CLASS")])
         from testbed.controllers.external.reference import load
 
