@@ -141,6 +141,8 @@ SETTINGS = (
     Field("u_dot_max", (), "m/s2", "largest u_dot that airspeed may ask for"),
     Field("climb_max", (), "m/s", "largest climb rate that altitude may ask for"),
     Field("roll_max", (), "rad", "largest bank that heading may ask for"),
+    Field("climb_kp", (), "1", "climb rate asked for beyond that wanted, for each m/s of its error"),
+    Field("sink_time", (), "s", "time constant of the estimated sink of the air; 0 for none"),
     Field("give_up_time", (), "s", "time constant with which a regulator gives altitude up for airspeed"),
     Field("heading_error_max", (), "rad", "heading error is limited to this"),
     Field("altitude_error_max", (), "m", "altitude error is limited to this"),
@@ -226,6 +228,7 @@ MEMORY = (
     Field("pitch_integral", (), "rad", "integral term of the altitude loop; at first the trim's pitch"),
     Field("heading_integral", (), "rad/s", "integral term of the heading loop"),
     Field("sideslip_integral", (), "rad/s", "integral term of the sideslip loop"),
+    Field("sink", (), "m/s", "estimated sink of the air"),
     Field("given_up", (), "m", "altitude that is given up for airspeed"),
     Field("integral", (len(INTEGRALS),), "m, m s, rad s", "integrals of the regulator, by INTEGRALS"),
 )  # fmt: skip

@@ -96,7 +96,10 @@ class ModeSwitch:
         try:
             regulator = self._regulator(mode, jammed) if mode.released else None
         except NoSteadyFlight as reason:
-            return self._report(step, str(reason))
+            self._report(step, str(reason))
+            if self._setup.released:
+                return None  # the outer loops do not control what is released from the start: the present mode goes on
+            regulator = None
         if regulator is not None and not _holds_altitude(regulator):
             if self._holds_altitude and self._wait(step, mode):
                 return self.switch(step, airspeed)
