@@ -67,8 +67,8 @@ def pid_loops(y, ref, c, s, f, nu):
     s.x_dc_dot[U_DOT] = clip(c.airspeed_kp * e_speed + s.airspeed_integral + ref.airspeed_rate, c.u_dot_max)
 
     # altitude through q_dot: climb rate, then pitch, then pitch rate
-    if abs(c.altitude_kp * e_height) < c.climb_max:  # beyond that the error says how far it is, not what pitch is missing
-        s.pitch_integral += c.altitude_ki * e_height * dt
+    # Beyond the climb limit the error says how far it is, not what pitch is missing.
+    s.pitch_integral += c.altitude_ki * clip(e_height, c.climb_max / max(c.altitude_kp, 1e-9)) * dt
     climb = clip(c.altitude_kp * e_height, c.climb_max) + ref.altitude_rate
     pitch = s.pitch_integral + (climb + c.climb_kp * (climb - y.climb_rate)) / v
     turn = GRAVITY_M_S2 / v * math.tan(y.roll)
