@@ -43,7 +43,7 @@ NOT_DESIGNED = 1e9
 rough one, and the filter's next step corrects most of it."""
 RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 3.0
 """Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero."""
-REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.5, 1.0
+REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""
 REDESIGN_AFTER = 0.3

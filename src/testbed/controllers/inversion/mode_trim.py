@@ -29,7 +29,7 @@ _BEYOND_STOPS = 1.3
 off, and regulating about a trim near the true one is better than having none."""
 _BETA_MAX = 0.4
 """Sideslip [rad] beyond which a solution is no plausible trim: the design model is linear there, the aircraft is not."""
-_BANK_MAX = 0.15
+_BANK_MAX = 0.35
 """Bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip, carries the
 aircraft."""
 _WINGS_LEVEL = 0.03

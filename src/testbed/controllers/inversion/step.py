@@ -26,6 +26,7 @@ from testbed.controllers.inversion.law import (
     state_function,
 )
 from testbed.controllers.inversion.offset_detection import keep_offsets
+from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
 from testbed.controllers.outer_loops import virtual_control
 
@@ -76,7 +77,7 @@ def estimate(y, ref, m, c, s, w):
         return 1
     if not c.tests_jams:
         return 0
-    if c.weighted and detect_swings(e, pressure_ratio, m, c, s):
+    if c.weighted and (probe(e, pressure_ratio, m, c, s) or detect_swings(e, pressure_ratio, m, c, s)):
         return 1
     return detect_jam(e, pressure_ratio, m, c, s)
 

@@ -1,0 +1,102 @@
+"""Probing: an actuator that is given up is moved a little to and fro, to find out whether it works again.
+
+At its trim position a held actuator and one that works again cannot be told apart, and a surface that is lost hardly acts there.
+So its command is trim + a sine. The gain g from its modelled position to its force is found by least squares over the last
+`MEMORY_S`: 0 for one that is lost or held, 1 for one that works, -1 for one that is reversed. What it is taken for
+changes when the other values are `SIGMAS` standard deviations away. The sine is as large as a decision within `MEMORY_S` needs, given
+what gusts do to the rates, so in calm air it could be smaller but not later. Engines are too slow to be probed.
+
+Letters: m design model, c settings, s memory, e and phi of the working memory; their fields, shapes and units are in `records`.
+pressure_ratio is (V/V_0)^2.
+"""
+# mypy: allow-untyped-defs
+
+from __future__ import annotations
+
+import math
+
+from testbed.common.jit import compiled
+from testbed.controllers.inversion.jam_detection import (
+    REVERSAL_S,
+    settle_regression,
+    take_for_reversed,
+)
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, reset_covariance
+from testbed.controllers.inversion.law import effect_ratio
+
+MEMORY_S = 2.0
+"""Time constant of the least squares [s]: what works again is to be used within a few seconds, before something else fails."""
+SIGMAS, DEVIATION = 3.0, 0.2
+"""Standard deviations of g at which a hypothesis is rejected, and the deviation that the sine is made for [1]."""
+LARGEST = 0.4
+"""Largest amplitude of the sine [scaled]."""
+RAD_S, RAD_S_MORE = 8.0, 2.5
+"""Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against the loops and the model's
+error, slow against servos and the filter of the regression."""
+WORKS_ABOVE, REVERSED_BELOW = 0.5, -0.5
+"""Half-way between the hypotheses [1]."""
+
+
+@compiled
+def probe(e, pressure_ratio, m, c, s):
+    """Advance the probes of the actuators that are given up; returns 1 when one is used again."""
+    changed = 0
+    for i in range(len(s.probe)):
+        if not s.failed[i] or s.reversed[i] or m.engine[i] or s.since_flag[i] < REVERSAL_S:
+            s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
+            s.probe_mean[i] = m.trim_position[i]
+            continue
+        follow_probe(i, e, pressure_ratio, m, c, s)
+        if s.probe_square[i] <= 0.0:
+            continue
+        gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
+        if gain - SIGMAS * sigma > 0.0 and gain > WORKS_ABOVE:
+            use_again(i, gain, pressure_ratio, m, s)
+            changed = 1
+        elif gain + SIGMAS * sigma < 0.0 and gain < REVERSED_BELOW and s.jammed[i] and m.servo[i]:
+            take_for_reversed(i, pressure_ratio, m, s)
+            changed = 1
+    return changed
+
+
+@compiled
+def follow_probe(i, e, pressure_ratio, m, c, s):
+    """Move the sine of actuator i on, and take this step's innovation into its least squares."""
+    information = 0.0
+    for row in range(4):
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
+        information += column * column
+    amplitude = math.sqrt(2.0 / (information * MEMORY_S)) / DEVIATION
+    rate = RAD_S + RAD_S_MORE * i
+    s.probe[i] = min(amplitude, LARGEST) * math.sin(rate * (s.since_flag[i] - REVERSAL_S))
+    position = filtered_position_of(i, pressure_ratio, m, c, s)
+    s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
+    moved, fade = position - s.probe_mean[i], c.dt / MEMORY_S
+    own = 0.0 if s.jammed[i] else s.lambda_hat[i] * position
+    product = 0.0
+    for row in range(4):
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
+        product += column * ((e[row] - s.b[row]) / c.noise[row] + column * own)
+    s.probe_product[i] += c.dt * moved * product - fade * s.probe_product[i]
+    s.probe_square[i] += c.dt * moved * moved * information - fade * s.probe_square[i]
+
+
+@compiled
+def filtered_position_of(i, pressure_ratio, m, c, s):
+    """Modelled position of an actuator that is given up [scaled], through the two lags of the regression."""
+    a = c.filter_rate * c.dt
+    gain = 1.0 - math.exp(-a) if a > 0.0 else 1.0
+    s.probe_lags[i, 0] += gain * (s.position[i] - s.probe_lags[i, 0])
+    s.probe_lags[i, 1] += gain * (s.probe_lags[i, 0] - s.probe_lags[i, 1])
+    return s.probe_lags[i, 1]
+
+
+@compiled
+def use_again(i, gain, pressure_ratio, m, s):
+    """Take an actuator for working, with this effectiveness [1]."""
+    s.failed[i], s.jammed[i], s.early[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
+    s.lambda_hat[i] = min(gain, 1.0)
+    s.lambda_slow[i] = s.lambda_hat[i]
+    reset_covariance(i, 4.0 * HEALTHY_VARIANCE, s)
+    settle_regression(i, s.position[i], pressure_ratio, m, s)
+    s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
