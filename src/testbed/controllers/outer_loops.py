@@ -144,6 +144,8 @@ def sinking(y, c, s):
     forward = math.cos(y.alpha) * math.cos(y.beta) * math.sin(y.pitch)
     across = math.sin(y.beta) * math.sin(y.roll) + math.sin(y.alpha) * math.cos(y.beta) * math.cos(y.roll)
     climb = y.airspeed * (forward - across * math.cos(y.pitch))
+    if s.stuck[0]:  # the angle of attack is computed with this sink
+        return s.sink
     s.sink += c.dt / c.sink_time * (clip(climb - y.climb_rate, 0.25 * y.airspeed) - s.sink)
     return s.sink
 

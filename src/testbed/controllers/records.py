@@ -33,6 +33,9 @@ D_ALPHA, D_BETA, D_P, D_Q, D_R = range(len(COLUMNS))
 REGULATOR_STATE = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
 """States that a mode's regulator feeds back, as deviations from the mode's trim or from the references."""
 AIRSPEED, ALPHA, BETA, P, Q, R, ROLL, PITCH, HEADING, ALTITUDE = range(len(REGULATOR_STATE))
+GUARDED = ("alpha", "beta", "airspeed", "p", "q", "r")
+"""The readings that are not believed while they repeat themselves (`inversion.sensor_guard`)."""
+
 INTEGRALS = ("airspeed", "altitude", "heading")
 """Errors that a mode's regulator integrates."""
 AIRSPEED_INTEGRAL, ALTITUDE_INTEGRAL, HEADING_INTEGRAL = range(len(INTEGRALS))
@@ -213,6 +216,13 @@ MEMORY = (
     Field("offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"),
     Field("moved", (_N,), "scaled", "how far a surface seems to have moved from its command, at V_0; 0 once that is decided"),
     Field("shift", (_N,), "scaled", "offset that commands make up for: of a surface that moved or is offset"),
+    Field("repeated", (len(GUARDED),), "s", "how long each of GUARDED has read the same"),
+    Field("last_reading", (len(GUARDED),), "rad, m/s, rad/s", "what each of them read in the last step"),
+    Field("stuck", (len(GUARDED),), "flag", "each of them is taken for stuck"),
+    Field("inertial_airspeed", (), "m/s", "airspeed by the forward acceleration, while the pitot tube is stuck"),
+    Field("last_attitude", (3,), "rad", "roll, pitch and heading in the last step"),
+    Field("attitude_rate", (3,), "rad/s", "their rates, through a lag"),
+    Field("attitude_dot", (3,), "rad/s2", "the rates of those, through a lag"),
     Field("probe", (_N,), "scaled", "position beyond its trim to which one that is given up is commanded"),
     Field("probe_lags", (_N, 2), "scaled", "state of the two lags on its modelled position"),
     Field("probe_mean", (_N,), "scaled", "mean of that position"),
