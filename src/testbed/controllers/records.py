@@ -226,6 +226,7 @@ MEMORY = (
     Field("probe", (_N,), "scaled", "position beyond its trim to which one that is given up is commanded"),
     Field("probe_lags", (_N, 2), "scaled", "state of the two lags on its modelled position"),
     Field("probe_mean", (_N,), "scaled", "mean of that position"),
+    Field("probe_rest", (_N, 4), "1", "mean of what the other actuators leave of each rate, over the noise"),
     Field("probe_product", (_N,), "1", "sum of its moves times the force that they should have, over the noise"),
     Field("probe_square", (_N,), "1", "sum of the squares of its moves, over the noise"),
     Field("at_stop", (_N,), "flag", "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none"),

@@ -30,9 +30,12 @@ SIGMAS, DEVIATION = 3.0, 0.2
 """Standard deviations of g at which a hypothesis is rejected, and the deviation that the sine is made for [1]."""
 LARGEST = 0.4
 """Largest amplitude of the sine [scaled]."""
-RAD_S, RAD_S_MORE = 8.0, 2.5
-"""Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against the loops and the model's
-error, slow against servos and the filter of the regression."""
+RAD_S, RAD_S_MORE = 4.0, 1.0
+"""Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves out,
+and slow enough that one which acts 0.3 s late does not seem reversed."""
+LARGEST_CHANGE = 10.0
+"""Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or the failure of another actuator,
+is a larger one."""
 WORKS_ABOVE, REVERSED_BELOW = 0.5, -0.5
 """Half-way between the hypotheses [1]."""
 
@@ -44,7 +47,9 @@ def probe(e, pressure_ratio, m, c, s):
     for i in range(len(s.probe)):
         if not s.failed[i] or s.reversed[i] or m.engine[i] or s.since_flag[i] < REVERSAL_S:
             s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
-            s.probe_mean[i] = m.trim_position[i]
+            s.probe_mean[i] = s.probe_lags[i, 0] = s.probe_lags[i, 1] = s.position[i]
+            for row in range(4):
+                s.probe_rest[i, row] = e[row] / c.noise[row]
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
         if s.probe_square[i] <= 0.0:
@@ -72,11 +77,14 @@ def follow_probe(i, e, pressure_ratio, m, c, s):
     position = filtered_position_of(i, pressure_ratio, m, c, s)
     s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
     moved, fade = position - s.probe_mean[i], c.dt / MEMORY_S
-    own = 0.0 if s.jammed[i] else s.lambda_hat[i] * position
+    own = s.lambda_hat[i] * (1.0 if s.jammed[i] else position)
     product = 0.0
     for row in range(4):
         column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
-        product += column * ((e[row] - s.b[row]) / c.noise[row] + column * own)
+        unexplained = e[row] / c.noise[row] + column * own  # by the other actuators
+        change = unexplained - s.probe_rest[i, row]
+        s.probe_rest[i, row] += c.dt * change
+        product += column * min(max(change, -LARGEST_CHANGE), LARGEST_CHANGE)
     s.probe_product[i] += c.dt * moved * product - fade * s.probe_product[i]
     s.probe_square[i] += c.dt * moved * moved * information - fade * s.probe_square[i]
 
