@@ -36,6 +36,8 @@ and slow enough that one which acts 0.3 s late does not seem reversed."""
 LARGEST_CHANGE = 10.0
 """Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or the failure of another actuator,
 is a larger one."""
+OFFSET_MIN = 0.3
+"""Offset [scaled] below which an actuator that works again has none: what gusts leave of its estimated position."""
 WORKS_ABOVE, REVERSED_BELOW = 0.5, -0.5
 """Half-way between the hypotheses [1]."""
 
@@ -101,7 +103,13 @@ def filtered_position_of(i, pressure_ratio, m, c, s):
 
 @compiled
 def use_again(i, gain, pressure_ratio, m, s):
-    """Take an actuator for working, with this effectiveness [1]."""
+    """Take an actuator for working, with this effectiveness [1]. One that was held has an offset if its force is not that of its
+    command: the model error takes it over, and commands make up for it (`offset_detection`)."""
+    if s.jammed[i]:
+        offset = s.lambda_hat[i] - s.probe_lags[i, 1]
+        for row in range(4):
+            s.b[row] += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * offset
+        s.offset[i] = offset if m.servo[i] and abs(offset) > OFFSET_MIN else 0.0
     s.failed[i], s.jammed[i], s.early[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
     s.lambda_hat[i] = min(gain, 1.0)
     s.lambda_slow[i] = s.lambda_hat[i]
