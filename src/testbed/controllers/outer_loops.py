@@ -136,11 +136,16 @@ def traded(e_height, airspeed, y, c, k, s):
 
 
 @compiled
-def sinking(y, c, s):
+def sinking(y, m, c, k, s):
     """Rate at which the air sinks [m/s], through a lag of `sink_time`, at most a quarter of airspeed: climb rate through the air
-    less that over the ground."""
+    less that over the ground. 0 once a motor has failed: there is no thrust to climb with against it, and airspeed is what must
+    not be lost."""
     if c.sink_time <= 0.0:
         return 0.0
+    for j in range(len(s.position)):
+        if not (k.available[j] or m.servo[j]):
+            s.sink = 0.0
+            return 0.0
     forward = math.cos(y.alpha) * math.cos(y.beta) * math.sin(y.pitch)
     across = math.sin(y.beta) * math.sin(y.roll) + math.sin(y.alpha) * math.cos(y.beta) * math.cos(y.roll)
     climb = y.airspeed * (forward - across * math.cos(y.pitch))
@@ -167,7 +172,7 @@ def regulate(y, ref, m, c, k, s, f, nu):
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, c, k, s)
     integrate_errors(e_speed, e_height, e_heading, c, k, s)
-    slope = (ref.altitude_rate + sinking(y, c, s)) / max(y.airspeed, 1.0)  # of the path through the air
+    slope = (ref.altitude_rate + sinking(y, m, c, k, s)) / max(y.airspeed, 1.0)  # of the path through the air
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)  # of a coordinated turn
     for i in range(4):
         v = state_feedback(i, e_speed, e_height, e_heading, bank, slope, y, ref, k)

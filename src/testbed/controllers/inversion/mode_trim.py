@@ -164,6 +164,7 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
     yield _wings_level(anywhere), _EVERYTHING, _nearest(wanted), 1.0
     yield _wings_level(_level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
     yield anywhere, _EVERYTHING, _nearest(wanted), 1.0
+    yield near, _EVERYTHING, _nearest(wanted), _BEYOND_STOPS
     yield _wings_level(_anywhere(degraded)), ("airspeed", "heading"), _roomiest(degraded, wanted), 1.0
     yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
 

@@ -51,7 +51,7 @@ def probe(e, pressure_ratio, m, c, s):
             s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
             s.probe_mean[i] = s.probe_lags[i, 0] = s.probe_lags[i, 1] = s.position[i]
             for row in range(4):
-                s.probe_rest[i, row] = e[row] / c.noise[row]
+                s.probe_rest[i, row] = unexplained(i, row, e, s.position[i], pressure_ratio, m, c, s)
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
         if s.probe_square[i] <= 0.0:
@@ -79,16 +79,22 @@ def follow_probe(i, e, pressure_ratio, m, c, s):
     position = filtered_position_of(i, pressure_ratio, m, c, s)
     s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
     moved, fade = position - s.probe_mean[i], c.dt / MEMORY_S
-    own = s.lambda_hat[i] * (1.0 if s.jammed[i] else position)
     product = 0.0
     for row in range(4):
         column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
-        unexplained = e[row] / c.noise[row] + column * own  # by the other actuators
-        change = unexplained - s.probe_rest[i, row]
+        change = unexplained(i, row, e, position, pressure_ratio, m, c, s) - s.probe_rest[i, row]
         s.probe_rest[i, row] += c.dt * change
         product += column * min(max(change, -LARGEST_CHANGE), LARGEST_CHANGE)
     s.probe_product[i] += c.dt * moved * product - fade * s.probe_product[i]
     s.probe_square[i] += c.dt * moved * moved * information - fade * s.probe_square[i]
+
+
+@compiled
+def unexplained(i, row, e, position, pressure_ratio, m, c, s):
+    """What the other actuators leave of a rate, over the root of its noise's density: the error e, and what is ascribed to actuator i
+    at this filtered position."""
+    own = s.lambda_hat[i] * (1.0 if s.jammed[i] else position)
+    return (e[row] + m.B[row, i] * effect_ratio(i, pressure_ratio, m) * own) / c.noise[row]
 
 
 @compiled
