@@ -56,7 +56,7 @@ class Loops(Settings):
     """Turn rate for an error of heading: 0.5"""
     heading_ki: Annotated[NonNegative, Gain("p_dot", 0.02)] = DERIVED
     """Turn rate for the integral of that error [1/s2]: 0.02"""
-    roll_max_deg: Positive = 35.0
+    roll_max_deg: Positive = 30.0
     """Largest bank that heading may ask for [deg]."""
     roll_kp: Annotated[NonNegative, Gain("p_dot", 1.5)] = DERIVED
     """Roll rate for an error of bank: 1.5"""

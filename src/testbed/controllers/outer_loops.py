@@ -52,7 +52,13 @@ def clip(x, most):
 
 
 @compiled
-def pid_loops(y, ref, c, s, f, nu):
+def beyond_stall(y, m, c):
+    """Nose-down acceleration beyond the stall angle [rad/s2]."""
+    return STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
+
+
+@compiled
+def pid_loops(y, ref, m, c, s, f, nu):
     """The paper's outer loops (section 3): each is a cascade of proportional loops, with an integrator in the outermost.
 
     Fills nu [4] and `s.x_dc_dot` [4].
@@ -73,7 +79,7 @@ def pid_loops(y, ref, c, s, f, nu):
     pitch = s.pitch_integral + (climb + c.climb_kp * (climb - y.climb_rate)) / v
     turn = GRAVITY_M_S2 / v * math.tan(y.roll)
     q = c.pitch_kp * (pitch - y.pitch) + turn * math.sin(y.roll)
-    s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q)
+    s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q) - beyond_stall(y, m, c)
 
     # heading through p_dot: turn rate, then bank, then roll rate
     s.heading_integral = clip(s.heading_integral + c.heading_ki * e_heading * dt, TURN_RATE_INTEGRAL_MAX)
@@ -185,7 +191,7 @@ def regulate(y, ref, m, c, k, s, f, nu):
         if i == U_DOT and c.sink_time > 0.0:
             v += GRAVITY_M_S2 * slope  # thrust for the slope at once: the integral of airspeed would find it too late
         if i == Q_DOT:
-            v -= STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
+            v -= beyond_stall(y, m, c)
         nu[i] = v
         s.x_dc_dot[i] = f[i] + v  # what (29) makes of nu, for the log
         for j in range(len(s.position)):
@@ -234,4 +240,4 @@ def virtual_control(y, ref, m, c, k, s, w):
     if k.regulated:
         regulate(y, ref, m, c, k, s, w.f, w.nu)
     else:
-        pid_loops(y, ref, c, s, w.f, w.nu)
+        pid_loops(y, ref, m, c, s, w.f, w.nu)
