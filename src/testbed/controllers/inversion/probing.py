@@ -33,6 +33,8 @@ LARGEST = 0.4
 RAD_S, RAD_S_MORE = 4.0, 1.0
 """Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves out,
 and slow enough that one which acts 0.3 s late does not seem reversed."""
+AT_LEAST_RAD = 3.0 * math.pi
+"""Phase of the sine before which nothing is decided [rad]: within the first turn a drift looks like a gain."""
 LARGEST_CHANGE = 10.0
 """Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or the failure of another actuator,
 is a larger one."""
@@ -54,7 +56,7 @@ def probe(e, pressure_ratio, m, c, s):
                 s.probe_rest[i, row] = unexplained(i, row, e, s.position[i], pressure_ratio, m, c, s)
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
-        if s.probe_square[i] <= 0.0:
+        if probe_rate(i) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD or s.probe_square[i] <= 0.0:
             continue
         gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
         if gain - SIGMAS * sigma > 0.0 and gain > WORKS_ABOVE:
@@ -67,6 +69,12 @@ def probe(e, pressure_ratio, m, c, s):
 
 
 @compiled
+def probe_rate(i):
+    """Angular frequency of the sine of actuator i [rad/s]."""
+    return RAD_S + RAD_S_MORE * i
+
+
+@compiled
 def follow_probe(i, e, pressure_ratio, m, c, s):
     """Move the sine of actuator i on, and take this step's innovation into its least squares."""
     information = 0.0
@@ -74,8 +82,7 @@ def follow_probe(i, e, pressure_ratio, m, c, s):
         column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
         information += column * column
     amplitude = math.sqrt(2.0 / (information * MEMORY_S)) / DEVIATION
-    rate = RAD_S + RAD_S_MORE * i
-    s.probe[i] = min(amplitude, LARGEST) * math.sin(rate * (s.since_flag[i] - REVERSAL_S))
+    s.probe[i] = min(amplitude, LARGEST) * math.sin(probe_rate(i) * (s.since_flag[i] - REVERSAL_S))
     position = filtered_position_of(i, pressure_ratio, m, c, s)
     s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
     moved, fade = position - s.probe_mean[i], c.dt / MEMORY_S
