@@ -121,6 +121,8 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
     c.adapts, c.estimates, c.weighted = True, True, chosen.estimation == "weighted"
     c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
     c.tests_jams = "jam_test" not in chosen.ablate
+    c.probes = c.weighted and "probing" not in chosen.ablate
+    c.guards = c.weighted and "sensor_guard" not in chosen.ablate
     c.ideal_actuators = "actuator_model" in chosen.ablate
     if "model_error" in chosen.ablate:
         c.model_error_std[:], c.coefficient_error = 0.0, 0.0

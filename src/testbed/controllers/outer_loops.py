@@ -189,7 +189,9 @@ def regulate(y, ref, m, c, k, s, f, nu):
         for j in range(len(s.integral)):
             v -= k.K_integral[i, j] * s.integral[j]
         if i == U_DOT and c.sink_time > 0.0:
-            v += GRAVITY_M_S2 * slope  # thrust for the slope at once: the integral of airspeed would find it too late
+            v += (
+                GRAVITY_M_S2 * slope
+            )  # thrust for the slope at once: the integral of airspeed would find it too late
         if i == Q_DOT:
             v -= beyond_stall(y, m, c)
         nu[i] = v

@@ -85,8 +85,9 @@ class ModeSwitch:
         for i, position in jammed.items():
             s.designed_position[i] = position
         self._note_diagnoses(step, jammed)
-        for i in np.flatnonzero(s.stuck):
-            self._report(step, f"{GUARDED[i]}: {_STUCK}")
+        for sensor, stuck in zip(GUARDED, s.stuck, strict=True):
+            if stuck:
+                self._report(step, f"{sensor}: {_STUCK}")
         if airspeed is not None:
             jammed = {i: self._at_reference(i, position, airspeed) for i, position in jammed.items()}
         if not failed and not self.mode.failed:
@@ -100,8 +101,8 @@ class ModeSwitch:
             regulator = self._regulator(mode, jammed) if mode.released else None
         except NoSteadyFlight as reason:
             self._report(step, str(reason))
-            if self._setup.released:
-                return None  # the outer loops do not control what is released from the start: the present mode goes on
+            if self._setup.released or len(failed) > len(self._setup.actuators) - 2:
+                return None  # the outer loops do not control what is released from the start, nor does one actuator
             regulator = None
         if regulator is not None and not _holds_altitude(regulator):
             if self._holds_altitude and self._wait(step, mode):

@@ -33,9 +33,8 @@ _BANK_MAX = 0.35
 """Bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip, carries the
 aircraft."""
 _WINGS_LEVEL = 0.03
-"""Bank [rad] up to which the wings are level. Where an aircraft has level flights only with more than this, it is first asked whether
-it has one at another airspeed without. Without an elevator the linear model balances pitch by the drag of a sideslip, the aircraft
-does not."""
+"""Bank [rad] up to which the wings are level. Where an aircraft has level flights only with more, one at another airspeed without
+is preferred. Without an elevator the linear model balances pitch by the drag of a sideslip, and the aircraft does not."""
 _ANGLE = 0.1
 """Angle of attack [rad] below the stall that is as good a margin as one scaled unit of an actuator. Gusts take both."""
 _AIRSPEEDS = np.linspace(0.55, 1.8, 51)

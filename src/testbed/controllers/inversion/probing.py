@@ -2,11 +2,11 @@
 
 At its trim position a held actuator and one that works again cannot be told apart, and a surface that is lost hardly acts there.
 So its command is trim + a sine. The gain g from its modelled position to its force is found by least squares over the last
-`MEMORY_S`: 0 for one that is lost or held, 1 for one that works, -1 for one that is reversed. What it is taken for
-changes when the other values are `SIGMAS` standard deviations away. The sine is as large as a decision within `MEMORY_S` needs, given
-what gusts do to the rates, so in calm air it could be smaller but not later. Engines are too slow to be probed.
+`MEMORY_S`: 0 for one that is lost or held, 1 for one that works, -1 for one that is reversed. What it is taken for changes
+when 0 is `SIGMAS` standard deviations away. The sine is as large as that needs within `MEMORY_S`, given what gusts do to the
+rates. Engines are too slow to be probed.
 
-Letters: m design model, c settings, s memory, e and phi of the working memory; their fields, shapes and units are in `records`.
+Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
 """
 # mypy: allow-untyped-defs
@@ -16,12 +16,8 @@ from __future__ import annotations
 import math
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.jam_detection import (
-    REVERSAL_S,
-    settle_regression,
-    take_for_reversed,
-)
-from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, reset_covariance
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S, reset_covariance
+from testbed.controllers.inversion.jam_detection import settle_regression, take_for_reversed
 from testbed.controllers.inversion.law import effect_ratio
 
 MEMORY_S = 2.0
@@ -31,12 +27,12 @@ SIGMAS, DEVIATION = 3.0, 0.2
 LARGEST = 0.4
 """Largest amplitude of the sine [scaled]."""
 RAD_S, RAD_S_MORE = 4.0, 1.0
-"""Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves out,
-and slow enough that one which acts 0.3 s late does not seem reversed."""
+"""Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves
+out, and slow enough that one which acts 0.3 s late does not seem reversed."""
 AT_LEAST_RAD = 3.0 * math.pi
 """Phase of the sine before which nothing is decided [rad]: within the first turn a drift looks like a gain."""
 LARGEST_CHANGE = 10.0
-"""Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or the failure of another actuator,
+"""Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or another actuator that fails,
 is a larger one."""
 OFFSET_MIN = 0.3
 """Offset [scaled] below which an actuator that works again has none: what gusts leave of its estimated position."""
@@ -98,8 +94,8 @@ def follow_probe(i, e, pressure_ratio, m, c, s):
 
 @compiled
 def unexplained(i, row, e, position, pressure_ratio, m, c, s):
-    """What the other actuators leave of a rate, over the root of its noise's density: the error e, and what is ascribed to actuator i
-    at this filtered position."""
+    """What the other actuators leave of a rate, over the root of its noise's density: the error e, and what is ascribed to
+    actuator i at this filtered position."""
     own = s.lambda_hat[i] * (1.0 if s.jammed[i] else position)
     return (e[row] + m.B[row, i] * effect_ratio(i, pressure_ratio, m) * own) / c.noise[row]
 

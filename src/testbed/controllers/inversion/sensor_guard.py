@@ -1,7 +1,7 @@
 """Stuck sensors: a reading that repeats itself exactly is not believed, and what the others say takes its place.
 
-Noise and turbulence change the last digits of every reading that lives. Of a vane, the pitot tube or a gyro that has not changed for
-`REPEATS_S`, the law takes
+Noise and turbulence change the last digits of every reading that lives. Of a vane, the pitot tube or a gyro that has not changed
+for `REPEATS_S`, the law takes
 
 * angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
 * sideslip as that of the mode's trim,
@@ -10,8 +10,8 @@ Noise and turbulence change the last digits of every reading that lives. Of a va
 
 These leave out what gusts do to the flow, so while a vane is stuck no jam is looked for: gusts would be taken for forces.
 
-Letters: raw measured state, y the state that is believed, ref references, c settings, k control mode, s memory; their fields, shapes
-and units are in `records` and `common.signals`.
+Letters: raw measured state, y the state that is believed, ref references, c settings, k control mode, s memory; their fields,
+shapes and units are in `records` and `common.signals`.
 """
 # mypy: allow-untyped-defs
 

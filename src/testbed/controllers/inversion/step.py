@@ -37,7 +37,7 @@ def adaptive_step(step, parts):
     """Estimate, monitor, invert and command for one measured state.
 
     Returns 1 when the flagged failures changed, or a jammed actuator moved. Then nothing has been commanded yet: the caller
-    must put the new mode in force, and then call `command_step`.
+    must put the new mode in force, and then call `believed_command_step`.
 
     Args:
         step: row of the channels.
@@ -47,7 +47,7 @@ def adaptive_step(step, parts):
     y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
     k, s, w = modes[0], memories[0], works[0]
     changed = 0
-    if c.weighted:
+    if c.guards:
         y = believed[0]
         changed = guard(states[step], ref, y, c, k, s)
     advance_actuators(c.dt, axial_speed(y), m, s)
@@ -82,7 +82,9 @@ def estimate(y, ref, m, c, s, w):
         return 1
     if not c.tests_jams or vane_is_stuck(s):
         return 0
-    if c.weighted and (probe(e, pressure_ratio, m, c, s) or detect_swings(e, pressure_ratio, m, c, s)):
+    if c.probes and probe(e, pressure_ratio, m, c, s):
+        return 1
+    if c.weighted and detect_swings(e, pressure_ratio, m, c, s):
         return 1
     return detect_jam(e, pressure_ratio, m, c, s)
 
@@ -114,7 +116,7 @@ def believed_command_step(step, parts):
     """As `command_step`, with the parts of `adaptive_step`, after which it is called: y is what that believed."""
     states, setpoints, telemetry, models, settings, modes, memories, works, believed = parts
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
-    y = believed[0] if c.weighted else states[step]
+    y = believed[0] if c.guards else states[step]
     command(y, setpoints[step], telemetry[step], m, c, k, s, works[0])
 
 
