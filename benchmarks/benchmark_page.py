@@ -5,7 +5,7 @@
 
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
 Else a folder may be unfinished: the draws that every controller has flown count. With `--commit` the page is stamped with the
-commit that flew them, in place of the one that is checked out. An entry is a folder in `leaderboard/` with `entry.yaml`.
+commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ import yaml
 import testbed
 from testbed.api import benchmark
 from testbed.studies.benchmark import scores
+from testbed.studies.folder import store
 from testbed.study_reports.benchmark_page import markdown
 
 SUITES, HEALTHY = ("open", "healthy"), 20  # and flights of each controller in `healthy`
@@ -33,15 +34,17 @@ HEAD = """\
 
 <!-- Written by python benchmarks/benchmark_page.py: change that, not this. -->
 
-This page compares the controllers on flights that are drawn from a [suite](../reference/benchmark.md), which says a distribution:
-any failure of any aircraft in any weather. No list of flights can be learnt by heart, and no one chose these: their seed is made
-from a digest of the controllers' code and a word that was said after it was frozen.
+Controllers on flights that are drawn from a [suite](../reference/benchmark.md): any failure of any aircraft in any weather. No list
+can be learnt by heart, and no one chose the flights: their seed is made from a digest of the controllers' code and a word that was
+said after it was frozen. **Held** is flown to the end and never farther from the references of altitude and heading than limits
+that grow with the aircraft's span and speed. **Inside** is the share of the time within them.
+"""
+NOTES = """\
+## How to read it
 
-**Held** means flown to the end, and never farther from the references of altitude and heading than the suite's limits, which
-grow with the aircraft's span and speed. **Inside** is the share of the time within them. Intervals are of 95 %: Wilson's of
-a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a mean or a rank. *Best of all* is
-the best controller in each draw, those that are told the truth among them: no controller can hold more than what is possible, and
-this is a part of it. Of those that are told, the best is shown.
+Intervals are of 95 %: Wilson's of a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a
+mean or a rank. *Best of all* is the best controller in each draw, those that are told the truth among them: what can be held is
+that or more. Of those that are told, the best is shown. *Effort* is the median ratio in the same draw.
 """
 HEALTHY_HEAD = """\
 # Healthy flights
@@ -59,17 +62,27 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--fly", action="store_true", help="fly the suites into the folders, and go on with what is there"
     )
     parser.add_argument(
-        "--word", default="open 1", help="from which, with the law's digest, the seed is made"
+        "--word", default="open 2", help="from which, with the law's digest, the seed is made"
+    )
+    parser.add_argument(
+        "--controller",
+        action="append",
+        default=[],
+        metavar="NAME[=...]",
+        help="as of `testbed benchmark`: only these in `open`, and those with settings too",
     )
     parser.add_argument("--draws", type=int, default=1000, help="flights of each controller in `open`")
     parser.add_argument("--commit", help="that flew the folders, for the page's stamp")
     options = parser.parse_args(arguments)
     for folder, suite, draws in zip(options.folders, SUITES, (options.draws, HEALTHY), strict=False):
         if options.fly:
-            testbed.benchmark(suite, word=options.word, draws=draws, out=folder, resume=folder.exists())
+            chosen = options.controller if suite == SUITES[0] else ()
+            testbed.benchmark(
+                suite, folder, controllers=chosen, word=options.word, draws=draws, resume=folder.exists()
+            )
     PAGE.write_text(text([summary_of(folder) for folder in options.folders]), encoding="utf-8")
     if options.commit:
-        pages.main(["--known", "benchmark", options.commit])
+        pages.known("benchmark", options.commit, environment_of(options.folders[0]))
 
 
 def summary_of(folder: Path) -> dict[str, Any]:
@@ -80,12 +93,22 @@ def summary_of(folder: Path) -> dict[str, Any]:
     return scores.summarize(benchmark.plan_of(folder), benchmark.table(folder)) | {"law_sha256": law}
 
 
+def environment_of(folder: Path) -> str:
+    """In which environment a folder's flights were begun, in words."""
+    with store.reading(folder) as stored:
+        versions, calculates = stored.inputs["versions"], stored.inputs["arithmetic"]
+    packages = ", ".join(f"{name} {version}" for name, version in versions.items() if name != "testbed")
+    return (
+        f"{packages}, {calculates['processor']}, BLAS kernel {calculates['kernel']}, {calculates['library']}"
+    )
+
+
 def text(summaries: Sequence[dict[str, Any]]) -> str:
     """The page's Markdown."""
     lines = [HEAD, *markdown(summaries[0])]
     for summary in summaries[1:]:
         lines += ["", f"#{HEALTHY_HEAD}", *markdown(summary, "###")]
-    return "\n".join([*lines, "", *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
+    return "\n".join([*lines, "", NOTES, *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
 
 
 def leaderboard(files: Sequence[Path]) -> Iterator[str]:

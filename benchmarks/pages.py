@@ -32,7 +32,7 @@ QUICK_S = 120
 def main(arguments: Sequence[str] | None = None) -> int:
     options = _parser().parse_args(arguments)
     if options.known:
-        return _known(*options.known)
+        return known(*options.known)
     pages = chosen(options.names)
     if options.stale:
         pages = [page for page in pages if page.stamped and older(page)]
@@ -84,13 +84,13 @@ def put(page: Page, stamp: Stamp) -> None:
         file.write_text(stamped(file.read_text(encoding="utf-8"), stamp), encoding="utf-8")
 
 
-def _known(name: str, commit: str) -> int:
-    """Stamp a page as it is with the commit that it was flown with."""
+def known(name: str, commit: str, flown_in: str = NOT_RECORDED) -> int:
+    """Stamp a page as it is with the commit that it was flown with, and the environment in words."""
     (page,) = chosen([name])
     day = _git("show", "--no-patch", "--format=%cs", commit)
     with checked_out(commit) as tree:
         digests = {part: value for part, value in digests_of(page.on, tree).items() if value}
-    put(page, Stamp(commit, day, page.seeds, page.command, NOT_RECORDED, digests))
+    put(page, Stamp(commit, day, page.seeds, page.command, flown_in, digests))
     return 0
 
 

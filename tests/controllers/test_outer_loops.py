@@ -19,9 +19,9 @@ LEVEL = {"altitude": MODEL.altitude_m, "airspeed": MODEL.airspeed_m_s}
 
 def desired(reference: dict[str, float], **state: float) -> np.ndarray:
     """x_dc_dot of one step of the paper's loops at the trim, with these changes."""
-    _, c, _, s, w = records_of(SETUP)
+    m, c, _, s, w = records_of(SETUP)
     w.f[:] = [0.1, 0.2, 0.3, 0.4]
-    pid_loops(trim_state(MODEL, **state), setpoint(**{**LEVEL, **reference}), c, s, w.f, w.nu)
+    pid_loops(trim_state(MODEL, **state), setpoint(**{**LEVEL, **reference}), m, c, s, w.f, w.nu)
     assert w.nu == pytest.approx(s.x_dc_dot - w.f), "nu is the bracket of (29)"
     return np.array(s.x_dc_dot)
 
@@ -93,6 +93,7 @@ def test_the_regulator_is_its_state_feedback() -> None:
     """nu = -K dx - K_a da - K_i integral in matrices, about a trim that is not the reference's."""
     rng = np.random.default_rng(5)
     m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    c.sink_time = 0.0
     k.K[:], k.K_actuator[:], k.K_integral[:] = (
         rng.normal(size=x.shape) for x in (k.K, k.K_actuator, k.K_integral)
     )
@@ -160,12 +161,51 @@ def test_too_much_airspeed_does_not_wind_up_before_a_slow_trim() -> None:
 def test_beyond_the_stall_the_nose_goes_down() -> None:
     """By hand: 0.01 rad beyond the stall asks for 4 pitch_kp q_kp 0.01 rad/s2 more, nose down, and nothing else."""
     m, c, k, s, w = records_of(vtail_setup(WEATHER))
-    k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
+    k.K[:], k.K_actuator[:], k.K_integral[:], c.sink_time = 0.0, 0.0, 0.0, 0.0
     for beyond in (-0.01, 0.01):
         y = trim_state(MODEL, alpha=MODEL.stall_alpha_rad + beyond)
         regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         wanted = -0.04 * c.pitch_kp * c.q_kp if beyond > 0.0 else 0.0
         assert w.nu == pytest.approx([0.0, wanted, 0.0, 0.0])
+
+
+@pytest.mark.parametrize("sink", [0.0, 2.0])
+def test_sinking_air_is_met_with_pitch_and_thrust_while_all_motors_work(sink: float) -> None:
+    """After many time constants pitch is asked for by sink / V, and thrust for the weight along that slope. Two negative controls:
+    still air, and a motor that has failed."""
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
+    k.K[1, 7] = 1.0
+    k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
+    y = trim_state(MODEL, climb_rate=-sink)
+    for _ in range(round(10.0 * c.sink_time / c.dt)):
+        regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+    slope = sink / MODEL.airspeed_m_s
+    assert w.nu == pytest.approx([0.0, slope, 0.0, GRAVITY_M_S2 * slope], abs=1e-4)
+    k.available[2] = 0
+    regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+    assert w.nu == pytest.approx(np.zeros(4), abs=1e-12) and s.sink == 0.0
+
+
+def test_a_slow_wing_is_made_to_follow_by_more_pitch() -> None:
+    """With `climb_kp` 1 a climb rate that is 1 m/s too low asks for 1 m/s of path more, and none where it is as wanted."""
+    m, c, _, s, w = records_of(SETUP)
+    asked = []
+    for kp in (0.0, 1.0):
+        c.climb_kp = kp
+        s.pitch_integral = MODEL.alpha_rad
+        pid_loops(trim_state(MODEL, climb_rate=-1.0), setpoint(**LEVEL), m, c, s, w.f, w.nu)
+        asked.append(float(s.x_dc_dot[Q_DOT]))
+    assert asked[1] - asked[0] == pytest.approx(c.q_kp * c.pitch_kp / MODEL.airspeed_m_s)
+
+
+def test_an_error_beyond_the_climb_limit_does_not_wind_up_pitch() -> None:
+    m, c, _, s, w = records_of(SETUP)
+    for error, integrated in ((1.0, 1.0), (100.0, c.climb_max / c.altitude_kp)):
+        s.pitch_integral = 0.0
+        altitude = MODEL.altitude_m - min(error, c.altitude_error_max)
+        pid_loops(trim_state(MODEL, altitude=altitude), setpoint(**LEVEL), m, c, s, w.f, w.nu)
+        assert s.pitch_integral == pytest.approx(c.altitude_ki * integrated * c.dt)
 
 
 def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:

@@ -35,7 +35,10 @@ def test_the_first_section_is_where_the_reference_loses(summary: dict) -> None:
     by = summary["by"] | {"weather": {"storm": storm}}
     summary = summary | {"lost": {"default": [lost(3), lost(1)], "fixed": []}, "by": by}
     lines = markdown(summary)
-    assert lines[0] == "## Where `default` loses"
+    assert (
+        lines[0].startswith("Of 4 draws `default` holds ") and "The best other, `fixed`, holds " in lines[0]
+    )
+    assert lines[2] == "## Where `default` loses"
     assert "| storm | 40 | 0.250 | 0.750 | `fixed` |" in lines
     said = next(
         line for line in lines if line.startswith("It does not hold 2 of 4 draws that another holds.")
@@ -52,11 +55,24 @@ def test_every_controller_has_its_line_in_the_order_flown(summary: dict) -> None
 
 
 def test_the_command_to_fly_again_is_one(summary: dict) -> None:
-    mine = summary | {"controllers": summary["controllers"] | {"mine": "mine.py:Mine"}}
+    mine = summary | {"given": summary["given"] | {"mine": "mine.py:Mine", "less": "less={type: pid}"}}
+    assert again(mine, 3, "less").endswith("--controller 'less={type: pid}'")
+    mine["given"]["mine"] = "mine=mine.py:Mine"
     words = shlex.split(again(mine, 3, "mine"))
     options = parser().parse_args(words[1:])
     assert (options.only, options.seed, options.controller) == (3, 5, ["mine=mine.py:Mine"])
     assert options.suite == summary["file"]
+
+
+def test_parts_that_are_switched_off_stand_apart_from_the_rivals(tmp_path: Path) -> None:
+    less = "blind={type: adaptive_inversion, ablate: [monitor]}"
+    out = flown(written(tmp_path, tree()), tmp_path / "out", draws=2, controllers=["default", "fixed", less])
+    summary = json.loads((out / "summary.json").read_text())
+    assert (summary["ablated"], list(summary["halves"][0])) == (["blind"], ["default", "fixed"])
+    lines = markdown(summary)
+    parts = lines.index("## What the parts of `default` bring")
+    assert lines[parts + 6].startswith("| `blind` | monitor | ")
+    assert sum(line.startswith("| `blind` |") for line in lines) == 1, "it is no rival"
 
 
 def score(low: float, high: float) -> dict:
@@ -85,4 +101,4 @@ def test_the_page_has_the_tables_and_no_markup_of_strangers(summary: dict, tmp_p
     page = Page(write_benchmark_page(summary, tmp_path).read_text())
     assert "img" not in page.tags and bad in page.text
     rules = [line for line in markdown(summary) if line.startswith("| --- |")]
-    assert page.tags.count("table") == len(rules) == 3
+    assert page.tags.count("table") == len(rules) == 4

@@ -28,7 +28,7 @@ class Hangs:
 def tree() -> dict[str, Any]:
     """The suite's tree, to be changed."""
     suite: dict[str, Any] = yamlfile.read(find_suite("open")).tree
-    suite |= {"suite": "tiny", "duration_s": 2, "told": []}
+    suite |= {"suite": "tiny", "version": 1, "duration_s": 2, "told": []}
     suite["controllers"] = {"default": {"type": "adaptive_inversion"}, "fixed": {"type": "fixed_inversion"}}
     suite["aircraft"] = {name: suite["aircraft"][name] for name in ("vtail", "vtail_aft")}
     early = {"uniform": [0.2, 1.2]}

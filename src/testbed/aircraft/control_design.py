@@ -45,6 +45,9 @@ class Loops(Settings):
     """Pitch for the integral of that error [rad/(m s)]: 0.18/V"""
     climb_max: Positive = DERIVED
     """Largest climb rate that altitude may ask for [m/s]: V/9, or what half of the excess thrust gives if that is less."""
+    climb_kp: NonNegative = DERIVED
+    """Climb rate asked for beyond that wanted, for each m/s by which the climb rate misses it [1]: makes the flight path follow
+    pitch within 0.8 s, where the wing alone would be slower."""
     pitch_kp: Annotated[NonNegative, Gain("q_dot", 3.0)] = DERIVED
     """Pitch rate for an error of pitch: 3"""
     q_kp: Annotated[NonNegative, Gain("q_dot", 8.0)] = DERIVED
@@ -53,7 +56,7 @@ class Loops(Settings):
     """Turn rate for an error of heading: 0.5"""
     heading_ki: Annotated[NonNegative, Gain("p_dot", 0.02)] = DERIVED
     """Turn rate for the integral of that error [1/s2]: 0.02"""
-    roll_max_deg: Positive = 25.0
+    roll_max_deg: Positive = 30.0
     """Largest bank that heading may ask for [deg]."""
     roll_kp: Annotated[NonNegative, Gain("p_dot", 1.5)] = DERIVED
     """Roll rate for an error of bank: 1.5"""

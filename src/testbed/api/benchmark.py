@@ -15,7 +15,7 @@ from testbed.parts import digests
 from testbed.reporting.attempt import attempt
 from testbed.reporting.junit import Test
 from testbed.studies.benchmark.law import law_sha256, seed_of
-from testbed.studies.benchmark.load import chosen, load_suite, read_back
+from testbed.studies.benchmark.load import as_given, chosen, load_suite, read_back
 from testbed.studies.benchmark.plan import Benchmark, benchmark_of
 from testbed.studies.benchmark.run import fly_benchmark
 from testbed.studies.folder import store
@@ -48,7 +48,8 @@ def benchmark(
     Args:
         suite: name of a shipped suite, or a suite's file.
         out: the folder to make, `runs/benchmark-<suite>-<seed>` by default.
-        controllers: each NAME of one of the suite's controllers, to fly these alone; or NAME=FILE.py:CLASS, to fly that too.
+        controllers: each NAME of one of the suite's controllers, to fly these alone; NAME=FILE.py:CLASS, to fly that too; or
+            NAME={type: ...}, a shipped one with settings.
         draws: number of flights of each controller; 1000 by default.
         seed: from which the flights are drawn; 1 by default.
         word: a public word, from which and the digest of the law the seed is made, so that nobody can choose it.
@@ -200,7 +201,10 @@ def verify(
     given = [text.partition("=")[0] for text in controllers]
     if missing := [not_given(name) for name in own if name not in given]:
         raise BadInput(missing)
-    shipped = [name for name in entry.controllers if name not in own]
+    known, _ = load_suite(suite or entry.suite)
+    shipped = [
+        as_given(known, name, one.reference) for name, one in entry.controllers.items() if name not in own
+    ]
     plan, _ = prepare(
         suite or entry.suite, controllers=[*shipped, *controllers], draws=entry.draws, seed=entry.seed
     )

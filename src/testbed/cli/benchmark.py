@@ -17,7 +17,7 @@ def _arguments(command: ArgumentParser) -> None:
     suite = "a shipped suite, or a suite's YAML file (default: open)"
     command.add_argument("suite", nargs="?", help=suite)
     add_out(command, "DIR", "folder to make (default: runs/benchmark-<suite>-<seed>)")
-    own = "fly a controller class of your own too; with a NAME alone, of the suite's controllers only those"
+    own = "fly one of your own too, or a shipped one with settings (NAME={type: ...}); NAME alone: of the suite's only those"
     command.add_argument(
         "--controller", action="append", default=[], metavar="NAME[=FILE.py:CLASS]", help=own
     )
@@ -101,6 +101,7 @@ COMMAND = Command(
     (
         "testbed benchmark --draws 100",
         "testbed benchmark open --controller mine=my_controller.py:MyController --draws 200",
+        "testbed benchmark --controller default --controller 'blind={type: adaptive_inversion, ablate: [monitor]}'",
         "testbed benchmark open --seed 7 --only 12 --controller default",
         "testbed benchmark --verify entry.yaml --controller mine=my_controller.py:MyController",
     ),

@@ -84,7 +84,16 @@ _DEFAULTS_OF_NEWTON = {
 _DEFAULTS_OF_PAPER = {"preset": "paper", "estimation": "newton", "released": ()}
 _OF_NEWTON_ALONE = {"gamma", "epsilon"}
 
-Part = Literal["estimate", "monitor", "model_error", "speed_rule", "jam_test", "actuator_model"]
+Part = Literal[
+    "estimate",
+    "monitor",
+    "model_error",
+    "speed_rule",
+    "jam_test",
+    "actuator_model",
+    "probing",
+    "sensor_guard",
+]
 """A part of the default law that can be switched off by `ablate`."""
 
 
@@ -128,7 +137,8 @@ class AdaptiveInversionSettings(ControllerSettings):
     """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
     `monitor` (nothing is flagged for a low estimate), `model_error` (the model's own error is not estimated), `speed_rule`
     (no other airspeed after a failure, no altitude given up for airspeed), `jam_test` (no jam or reversal is looked for),
-    `actuator_model` (actuators are taken to be where they are commanded, at once and without stops: the paper's (10))."""
+    `actuator_model` (actuators are taken to be where they are commanded, at once and without stops: the paper's (10)), `probing`
+    (what is given up stands still at its trim position), `sensor_guard` (stuck sensors are believed)."""
 
     def applied_to(self, control: ControlDesign) -> ControlDesign:
         """See `ControllerSettings.applied_to`."""

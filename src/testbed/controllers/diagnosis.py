@@ -41,7 +41,10 @@ def diagnose(step, parts):
         d.command[i] = s.command[i]
     advance_actuators(c.dt, axial_speed(y), m, d)
     state_function(y, m, w.f)
-    return estimate(y, ref, m, c, d, w)
+    changed = estimate(y, ref, m, c, d, w)
+    for i in range(len(d.probe)):
+        s.probe[i] = d.probe[i]
+    return changed
 
 
 class DiagnosedController(CompiledController):

@@ -31,6 +31,8 @@ _LATE_NOISE = 0.1
 """[1/sqrt(s)] Process noise of an actuator's lateness (`lateness.estimate_lateness`)."""
 _GIVE_UP_TIME_S = 2.0
 """[s] Little of a gust passes, and airspeed is lost more slowly than this."""
+_SINK_TIME_S = 1.0
+"""[s] Turbulence at low altitude changes within this; a thermal does not."""
 _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD = 0.3, 2.5, 1.3
 """When a change of one effectiveness is expected (`estimator.expect_change`): the time over which innovations are averaged [s],
 the size of the change in its standard deviations, and how many times better than the next one it explains the average."""
@@ -97,7 +99,8 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.jam_sigma, c.jam_time = _JAM_SIGMA, _JAM_TIME_S
     c.jam_process_noise, c.residual_time = _JAM_PROCESS_NOISE, _RESIDUAL_TIME_S
     c.late_noise = _LATE_NOISE
-    c.give_up_time = 0.0 if estimation is not None and estimation.preset == "paper" else _GIVE_UP_TIME_S
+    paper = estimation is not None and estimation.preset == "paper"
+    c.give_up_time, c.sink_time = (0.0, 0.0) if paper else (_GIVE_UP_TIME_S, _SINK_TIME_S)
     c.change_time, c.change_sigma, c.change_lead = _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD
     if estimation is not None:
         _fill_estimation(c, estimation, setup.model.kinds)
@@ -107,7 +110,7 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
 def _fill_loops(c: np.record, setup: Setup) -> None:
     """Gains and limits of the outer loops, angles in radians."""
     loops = setup.control.loops
-    for name in (*LOOP_GAINS, "u_dot_max", "climb_max"):
+    for name in (*LOOP_GAINS, "u_dot_max", "climb_max", "climb_kp"):
         c[name] = getattr(loops, name)
     c.roll_max = math.radians(loops.roll_max_deg)
     c.heading_error_max = math.radians(loops.heading_error_max_deg)
@@ -118,6 +121,8 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
     c.adapts, c.estimates, c.weighted = True, True, chosen.estimation == "weighted"
     c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
     c.tests_jams = "jam_test" not in chosen.ablate
+    c.probes = c.weighted and "probing" not in chosen.ablate
+    c.guards = c.weighted and "sensor_guard" not in chosen.ablate
     c.ideal_actuators = "actuator_model" in chosen.ablate
     if "model_error" in chosen.ablate:
         c.model_error_std[:], c.coefficient_error = 0.0, 0.0

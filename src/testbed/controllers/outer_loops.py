@@ -52,7 +52,13 @@ def clip(x, most):
 
 
 @compiled
-def pid_loops(y, ref, c, s, f, nu):
+def beyond_stall(y, m, c):
+    """Nose-down acceleration beyond the stall angle [rad/s2]."""
+    return STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
+
+
+@compiled
+def pid_loops(y, ref, m, c, s, f, nu):
     """The paper's outer loops (section 3): each is a cascade of proportional loops, with an integrator in the outermost.
 
     Fills nu [4] and `s.x_dc_dot` [4].
@@ -67,12 +73,13 @@ def pid_loops(y, ref, c, s, f, nu):
     s.x_dc_dot[U_DOT] = clip(c.airspeed_kp * e_speed + s.airspeed_integral + ref.airspeed_rate, c.u_dot_max)
 
     # altitude through q_dot: climb rate, then pitch, then pitch rate
-    s.pitch_integral += c.altitude_ki * e_height * dt
-    climb = clip(c.altitude_kp * e_height + ref.altitude_rate, c.climb_max)
-    pitch = s.pitch_integral + climb / v
+    # Beyond the climb limit the error says how far it is, not what pitch is missing.
+    s.pitch_integral += c.altitude_ki * clip(e_height, c.climb_max / max(c.altitude_kp, 1e-9)) * dt
+    climb = clip(c.altitude_kp * e_height, c.climb_max) + ref.altitude_rate
+    pitch = s.pitch_integral + (climb + c.climb_kp * (climb - y.climb_rate)) / v
     turn = GRAVITY_M_S2 / v * math.tan(y.roll)
     q = c.pitch_kp * (pitch - y.pitch) + turn * math.sin(y.roll)
-    s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q)
+    s.x_dc_dot[Q_DOT] = c.q_kp * (q - y.q) - beyond_stall(y, m, c)
 
     # heading through p_dot: turn rate, then bank, then roll rate
     s.heading_integral = clip(s.heading_integral + c.heading_ki * e_heading * dt, TURN_RATE_INTEGRAL_MAX)
@@ -135,6 +142,26 @@ def traded(e_height, airspeed, y, c, k, s):
 
 
 @compiled
+def sinking(y, m, c, k, s):
+    """Rate at which the air sinks [m/s], through a lag of `sink_time`, at most a quarter of airspeed: climb rate through the air
+    less that over the ground. 0 once a motor has failed: there is no thrust to climb with against it, and airspeed is what must
+    not be lost."""
+    if c.sink_time <= 0.0:
+        return 0.0
+    for j in range(len(s.position)):
+        if not (k.available[j] or m.servo[j]):
+            s.sink = 0.0
+            return 0.0
+    forward = math.cos(y.alpha) * math.cos(y.beta) * math.sin(y.pitch)
+    across = math.sin(y.beta) * math.sin(y.roll) + math.sin(y.alpha) * math.cos(y.beta) * math.cos(y.roll)
+    climb = y.airspeed * (forward - across * math.cos(y.pitch))
+    if s.stuck[0]:  # the angle of attack is computed with this sink
+        return s.sink
+    s.sink += c.dt / c.sink_time * (clip(climb - y.climb_rate, 0.25 * y.airspeed) - s.sink)
+    return s.sink
+
+
+@compiled
 def regulate(y, ref, m, c, k, s, f, nu):
     """Follow the references about the mode's own trim: x_dc_dot = f_m(x) + B_m trim_effect + nu.
 
@@ -151,17 +178,22 @@ def regulate(y, ref, m, c, k, s, f, nu):
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
     e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, c, k, s)
     integrate_errors(e_speed, e_height, e_heading, c, k, s)
+    slope = (ref.altitude_rate + sinking(y, m, c, k, s)) / max(y.airspeed, 1.0)  # of the path through the air
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)  # of a coordinated turn
     for i in range(4):
-        v = state_feedback(i, e_speed, e_height, e_heading, bank, y, ref, k)
+        v = state_feedback(i, e_speed, e_height, e_heading, bank, slope, y, ref, k)
         for j in range(len(s.position)):
             sign = -1.0 if s.reversed[j] else 1.0  # in place of estimates that are not used
             effective = s.position[j] * (sign if c.uncompensated else s.lambda_hat[j]) + s.shift[j]
             v -= k.K_actuator[i, j] * (effective - k.r_trim[j])
         for j in range(len(s.integral)):
             v -= k.K_integral[i, j] * s.integral[j]
+        if i == U_DOT and c.sink_time > 0.0:
+            v += (
+                GRAVITY_M_S2 * slope
+            )  # thrust for the slope at once: the integral of airspeed would find it too late
         if i == Q_DOT:
-            v -= STALL_GAIN * c.pitch_kp * c.q_kp * max(y.alpha - m.stall_alpha, 0.0)
+            v -= beyond_stall(y, m, c)
         nu[i] = v
         s.x_dc_dot[i] = f[i] + v  # what (29) makes of nu, for the log
         for j in range(len(s.position)):
@@ -186,12 +218,13 @@ def integrate_errors(e_speed, e_height, e_heading, c, k, s):
 
 
 @compiled
-def state_feedback(i, e_speed, e_height, e_heading, bank, y, ref, k):
+def state_feedback(i, e_speed, e_height, e_heading, bank, slope, y, ref, k):
     """-K (x - x_trim) of `regulate` for one rate i of `signals.RATES`.
 
     Args:
         e_speed, e_height, e_heading: limited errors, state less reference [m/s, m, rad].
         bank: of a coordinated turn at the heading rate of the reference [rad].
+        slope: of the path through the air that holds the climb rate of the reference [rad].
     """
     v = -k.K[i, AIRSPEED] * e_speed
     v -= k.K[i, ALPHA] * (y.alpha - k.x_trim[ALPHA])
@@ -199,7 +232,7 @@ def state_feedback(i, e_speed, e_height, e_heading, bank, y, ref, k):
     v -= k.K[i, P] * y.p + k.K[i, Q] * (y.q - ref.heading_rate * math.sin(bank))
     v -= k.K[i, R] * (y.r - ref.heading_rate * math.cos(bank))
     v -= k.K[i, ROLL] * (y.roll - k.x_trim[ROLL] - bank)
-    v -= k.K[i, PITCH] * (y.pitch - k.x_trim[PITCH] - ref.altitude_rate / max(y.airspeed, 1.0))
+    v -= k.K[i, PITCH] * (y.pitch - k.x_trim[PITCH] - slope)
     return v - (k.K[i, HEADING] * e_heading + k.K[i, ALTITUDE] * e_height)
 
 
@@ -209,4 +242,4 @@ def virtual_control(y, ref, m, c, k, s, w):
     if k.regulated:
         regulate(y, ref, m, c, k, s, w.f, w.nu)
     else:
-        pid_loops(y, ref, c, s, w.f, w.nu)
+        pid_loops(y, ref, m, c, s, w.f, w.nu)

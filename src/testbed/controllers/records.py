@@ -33,6 +33,9 @@ D_ALPHA, D_BETA, D_P, D_Q, D_R = range(len(COLUMNS))
 REGULATOR_STATE = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
 """States that a mode's regulator feeds back, as deviations from the mode's trim or from the references."""
 AIRSPEED, ALPHA, BETA, P, Q, R, ROLL, PITCH, HEADING, ALTITUDE = range(len(REGULATOR_STATE))
+GUARDED = ("alpha", "beta", "airspeed", "p", "q", "r")
+"""The readings that are not believed while they repeat themselves (`inversion.sensor_guard`)."""
+
 INTEGRALS = ("airspeed", "altitude", "heading")
 """Errors that a mode's regulator integrates."""
 AIRSPEED_INTEGRAL, ALTITUDE_INTEGRAL, HEADING_INTEGRAL = range(len(INTEGRALS))
@@ -106,6 +109,8 @@ SETTINGS = (
     Field("ideal_actuators", (), "flag", "positions are taken for the commands r / lambda_hat", "(10)"),
     Field("monitors", (), "flag", "flag actuators whose estimate is low", "section 2.3"),
     Field("tests_jams", (), "flag", "look for jammed, offset and reversed actuators"),
+    Field("probes", (), "flag", "actuators that are given up are probed"),
+    Field("guards", (), "flag", "readings that repeat themselves are not believed"),
     Field("weighted", (), "flag", "estimate with a Kalman gain in place of (13)"),
     Field("gamma", (_N,), "1/s", "adaptation rate", "(13)"),
     Field("epsilon", (_N,), "scaled", "half-width of g", "(14)"),
@@ -141,6 +146,8 @@ SETTINGS = (
     Field("u_dot_max", (), "m/s2", "largest u_dot that airspeed may ask for"),
     Field("climb_max", (), "m/s", "largest climb rate that altitude may ask for"),
     Field("roll_max", (), "rad", "largest bank that heading may ask for"),
+    Field("climb_kp", (), "1", "climb rate asked for beyond that wanted, for each m/s of its error"),
+    Field("sink_time", (), "s", "time constant of the estimated sink of the air; 0 for none"),
     Field("give_up_time", (), "s", "time constant with which a regulator gives altitude up for airspeed"),
     Field("heading_error_max", (), "rad", "heading error is limited to this"),
     Field("altitude_error_max", (), "m", "altitude error is limited to this"),
@@ -211,6 +218,19 @@ MEMORY = (
     Field("offset", (_N,), "scaled", "position beyond its command of a surface that follows it; 0 for others"),
     Field("moved", (_N,), "scaled", "how far a surface seems to have moved from its command, at V_0; 0 once that is decided"),
     Field("shift", (_N,), "scaled", "offset that commands make up for: of a surface that moved or is offset"),
+    Field("repeated", (len(GUARDED),), "s", "how long each of GUARDED has read the same"),
+    Field("last_reading", (len(GUARDED),), "rad, m/s, rad/s", "what each of them read in the last step"),
+    Field("stuck", (len(GUARDED),), "flag", "each of them is taken for stuck"),
+    Field("inertial_airspeed", (), "m/s", "airspeed by the forward acceleration, while the pitot tube is stuck"),
+    Field("last_attitude", (3,), "rad", "roll, pitch and heading in the last step"),
+    Field("attitude_rate", (3,), "rad/s", "their rates, through a lag"),
+    Field("attitude_dot", (3,), "rad/s2", "the rates of those, through a lag"),
+    Field("probe", (_N,), "scaled", "position beyond its trim to which one that is given up is commanded"),
+    Field("probe_lags", (_N, 2), "scaled", "state of the two lags on its modelled position"),
+    Field("probe_mean", (_N,), "scaled", "mean of that position"),
+    Field("probe_rest", (_N, 4), "1", "mean of what the other actuators leave of each rate, over the noise"),
+    Field("probe_product", (_N,), "1", "sum of its moves times the force that they should have, over the noise"),
+    Field("probe_square", (_N,), "1", "sum of the squares of its moves, over the noise"),
     Field("at_stop", (_N,), "flag", "in the last allocation at a stop: -1 at the lower, 1 at the upper, 0 at none"),
     Field("residual", (4,), "x_c", "running mean of e, first-order with time constant `residual_time`"),
     Field("late", (_N,), "1", "how late the actuator acts after its model, in time constants of the filter"),
@@ -226,6 +246,7 @@ MEMORY = (
     Field("pitch_integral", (), "rad", "integral term of the altitude loop; at first the trim's pitch"),
     Field("heading_integral", (), "rad/s", "integral term of the heading loop"),
     Field("sideslip_integral", (), "rad/s", "integral term of the sideslip loop"),
+    Field("sink", (), "m/s", "estimated sink of the air"),
     Field("given_up", (), "m", "altitude that is given up for airspeed"),
     Field("integral", (len(INTEGRALS),), "m, m s, rad s", "integrals of the regulator, by INTEGRALS"),
 )  # fmt: skip

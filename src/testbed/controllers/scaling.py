@@ -16,7 +16,7 @@ from typing import TypeVar
 import numpy as np
 
 from testbed.aircraft.control_design import LOOP_GAINS, ControlDesign, Loops
-from testbed.aircraft.design_model import DesignModel
+from testbed.aircraft.design_model import COLUMNS, ROWS, DesignModel
 from testbed.common.cache import Cache
 from testbed.common.signals import RATES
 from testbed.common.units import GRAVITY_M_S2
@@ -56,6 +56,8 @@ _DEMANDS = {
 _AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
 """Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
 _AIRSPEED_SHARE = 1.0 / 18.0  # deviation of airspeed that is acceptable to a regulator
+_PATH_LAG_S = 0.8
+"""Time constant with which the flight path is to follow pitch [s]."""
 _THRUST_SHARE = 0.5
 """Share of the excess thrust that a climb may use."""
 
@@ -161,11 +163,18 @@ def _loops(
         "altitude_ki": gains["altitude_ki"] / v,
         "u_dot_max": min(_U_DOT_MAX, max(_U_DOT_SHARE * authority.get("u_dot", math.inf), 0.05)),
         "climb_max": climb,
+        "climb_kp": max(path_lag(model) / _PATH_LAG_S - 1.0, 0.0),
         "altitude_error_max_m": v / 3.6,
         "airspeed_error_max_m_s": v / 9.0,
         "protect_from_m_s": v / 9.0,
         "fast_climb_s": v / 36.0,
     }
+
+
+def path_lag(model: DesignModel) -> float:
+    """Time constant with which the flight path follows pitch [s]: airspeed over lift by angle of attack per mass."""
+    lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")]
+    return model.airspeed_m_s / max(lift, 1e-3)
 
 
 def _gains(model: DesignModel, authority: Mapping[str, float], lags: Sequence[float]) -> dict[str, float]:

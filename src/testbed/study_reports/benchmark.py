@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -32,26 +33,43 @@ class Section(NamedTuple):
 
 def sections(summary: Summary) -> Iterator[Section]:
     """All that is reported: first where the reference loses."""
+    yield Section("", _in_short(summary))
     yield from _where(summary)
     yield _totals(summary)
-    yield from _halves(summary)
-    yield from _noticed(summary)
+    yield from _parts(summary)
     yield from _groups(summary)
+    yield from _noticed(summary)
     yield from _others_lose(summary)
+    yield from _halves(summary)
     yield from _reasons(summary)
     yield Section("What was flown", _flown(summary))
 
 
 def again(summary: Summary, draw: int | str, name: str) -> str:
     """The command that flies a draw again by one controller."""
-    said = summary["controllers"][name]
-    chosen = f"{name}={said}" if isinstance(said, str) else name
+    chosen = shlex.quote(summary["given"][name])
     return f"testbed benchmark {summary['file']} --seed {summary['seed']} --only {draw} --controller {chosen}"
 
 
 def compared(summary: Summary) -> list[str]:
-    """The controllers that are told nothing."""
-    return [name for name in summary["controllers"] if name not in summary["told"]]
+    """The controllers that are told nothing, but for the reference without some of its parts."""
+    return [name for name in summary["controllers"] if name not in {*summary["told"], *summary["ablated"]}]
+
+
+def _best_rival(summary: Summary) -> str | None:
+    """Who holds most, of the others that are told nothing; None if there is no other."""
+    rivals = [name for name in compared(summary) if name != summary["reference"]]
+    return max(rivals, key=lambda name: summary["scores"][name]["held"]["estimate"], default=None)
+
+
+def _in_short(summary: Summary) -> str:
+    """The result in three sentences."""
+    first, scores, best = summary["reference"], summary["scores"], _best_rival(summary)
+    said = f"Of {summary['draws']} draws `{first}` holds {_interval(scores[first]['held'])}."
+    if best is not None:
+        by = scores[best]["against_reference"]["held"]
+        said += f" The best other, `{best}`, holds {scores[best]['held']['estimate']:.3f}: {_interval(by, 'difference', '+.3f')}."
+    return f"{said} The best controller in each draw holds {scores[summary['order'][-1]]['held']['estimate']:.3f}."
 
 
 def _shown(summary: Summary) -> list[str]:
@@ -110,8 +128,8 @@ def _large(summary: Summary, factor: str) -> dict[str, Summary]:
 
 def _totals(summary: Summary) -> Section:
     first = summary["reference"]
-    head = ("controller", "survived", "held", "inside", f"held, minus `{first}`", f"inside, minus `{first}`",
-            "outside where the best is inside", "effort [1/s]", "at a stop [s]")  # fmt: skip
+    head = ("controller", "survived", "held", "inside", f"held, minus `{first}`", "outside where the best is inside",
+            f"effort, of `{first}`'s", "at a stop [s]")  # fmt: skip
     rows = []
     for name in _shown(summary):
         score = summary["scores"][name]
@@ -119,11 +137,29 @@ def _totals(summary: Summary) -> Section:
         rows.append([
             _named(summary, name), _interval(score["survived"]), _interval(score["held"]), _interval(score["inside"]),
             _interval(against["held"], "difference", "+.3f") if other else "",
-            _interval(against["inside"], "estimate", "+.3f") if other else "",
             f"{score['short_of_bound']['estimate']:.3f}",
-            _number(score.get("effort_per_s")), _number(score.get("saturated_s")),
+            _number(score.get("effort")), _number(score.get("saturated_s")),
         ])  # fmt: skip
     return Section("All", "", head, rows)
+
+
+def _parts(summary: Summary) -> Iterator[Section]:
+    """What the reference loses without some of its parts."""
+    first, rows = summary["reference"], []
+    for name in summary["ablated"]:
+        score = summary["scores"][name]
+        against = score["against_reference"]
+        parts = ", ".join(summary["controllers"][name]["ablate"])
+        rows.append([f"`{name}`", parts, _interval(score["held"]), _interval(against["held"], "difference", "+.3f"),
+                     _interval(against["inside"], "estimate", "+.3f")])  # fmt: skip
+    if rows:
+        head = ("controller", "without", "held", f"held, minus `{first}`", f"inside, minus `{first}`")
+        yield Section(
+            f"What the parts of `{first}` bring",
+            "The same law with a part switched off; where that holds more, the part does harm.",
+            head,
+            rows,
+        )
 
 
 def _halves(summary: Summary) -> Iterator[Section]:
@@ -180,9 +216,8 @@ def _noticed(summary: Summary) -> Iterator[Section]:
 
 def _groups(summary: Summary) -> Iterator[Section]:
     """The shares held in each group, by the reference, the best other and the bound."""
-    first, names = summary["reference"], _shown(summary)
-    rivals = [name for name in compared(summary) if name != first]
-    best = [max(rivals, key=lambda name: summary["scores"][name]["held"]["estimate"])] if rivals else []
+    first, names, rival = summary["reference"], _shown(summary), _best_rival(summary)
+    best = [] if rival is None else [rival]
     title, words = "By group", f"Share of the draws held. Groups of fewer than {_FEW} draws are left out."
     for factor, said in _TITLES.items():
         groups = _large(summary, factor)

@@ -14,6 +14,7 @@ from testbed.controllers.inversion.jam_detection import (
     REDESIGN_AFTER,
     REVERSED_S,
     REVERSED_SIGMA,
+    ROUGH_S,
     detect_jam,
     filtered_position,
     likeliest_jam,
@@ -159,8 +160,11 @@ def taken_at(position: float) -> Records:
 def test_an_actuator_whose_force_goes_to_minus_its_trim_position_is_reversed() -> None:
     """It is not jammed from then on, and its effectiveness is estimated from -1 on."""
     m, c, _, s, _ = taken_at(-2.0)
-    s.lambda_hat[1] = -1.0
-    assert detect_jam(np.zeros(4), 1.0, m, c, s) == 1
+    s.lambda_hat[1], s.since_flag[1] = -1.0, ROUGH_S
+    for short_of, changed in ((0.3, 0), (0.2, 1)):  # three quarters of the way to minus its trim position
+        s.lambda_hat[1] = -2.0 + (2.0 - m.trim_position[1]) * (1.0 - short_of)
+        s.designed_position[1] = s.lambda_hat[1]
+        assert detect_jam(np.zeros(4), 1.0, m, c, s) == changed
     assert (s.jammed[1], s.failed[1], s.reversed[1], s.lambda_hat[1]) == (0, 1, 1, -1.0)
     assert s.P[1, 1] == HEALTHY_VARIANCE
     s.P[1, 1] = 1.0
@@ -198,7 +202,8 @@ def test_a_motor_that_is_stuck_is_never_reversed() -> None:
 def test_a_reversed_actuator_flagged_on_its_way_is_judged_from_the_farthest() -> None:
     """It is flagged before its command is at the stop: the force goes on for a moment, and then comes back."""
     m, c, _, s, _ = taken_at(-0.9)
-    for estimate, changed in ((-1.1, 0), (-1.5, 1), (-0.6, 1)):
+    s.since_flag[1] = ROUGH_S
+    for estimate, changed in ((-1.1, 0), (-1.5, 1), (-0.2, 1)):
         s.lambda_hat[1] = estimate
         assert detect_jam(np.zeros(4), 1.0, m, c, s) == changed
     assert s.reversed[1] and not s.jammed[1]

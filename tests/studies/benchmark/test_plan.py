@@ -4,15 +4,24 @@ from __future__ import annotations
 
 import math
 from collections import Counter
+from itertools import product
 from pathlib import Path
 
+import numpy as np
 import pytest
 from suite_files import tree, written
 
+from testbed.air.config import severity
+from testbed.air.dryden import EXCEEDED_FT, EXCEEDED_FT_S, intensities_and_lengths
+from testbed.aircraft.changes import ChangedAircraft, load_with_changes
 from testbed.aircraft.shipped import files_in
 from testbed.api.benchmark import prepare
 from testbed.failures import TABLE
+from testbed.plant.jsbsim import Plant
+from testbed.plant.trim import trim
 from testbed.simulation.check import check
+from testbed.studies.benchmark.load import load_suite
+from testbed.studies.benchmark.model import Craft, Weather
 from testbed.studies.benchmark.plan import Benchmark
 from testbed.studies.drawing.builder import Task
 
@@ -58,7 +67,11 @@ def test_draws_are_flights_and_have_every_type_of_failure(tmp_path: Path) -> Non
         check(plan.builder.scenario(tasks[number]), remembered=False)
     types = Counter(failure["type"] for task in tasks.values() for failure in task.values["failures"])
     assert set(types) == set(TABLE)
+    families = Counter(entry.family for entry in plan.suite.failures.types) if plan.suite.failures else {}
     counts = Counter(plan.groups(number)["failures"] for number in tasks)
+    assert set(families) <= set(counts), "each alone in some draw"
+    gusts = Counter(plan.groups(number)["gust"] for number in tasks)
+    assert min(gusts[group] for group in ("with the first failure", "at any time", "none")) > 20
     assert counts["none"] == pytest.approx(25, abs=15), "one in ten, within three standard deviations"
     assert counts["several"] == pytest.approx(100, abs=24), "four in ten"
 
@@ -86,19 +99,65 @@ def test_held_is_measured_by_the_aircrafts_size_and_speed(tmp_path: Path) -> Non
     assert heading["at_most"] == 20
 
 
+def test_commands_stay_within_the_aircrafts_altitudes(tmp_path: Path) -> None:
+    plan = plan_of(written(tmp_path))
+    low, high = plan.suite.aircraft["vtail"].altitude_m
+    said = [one["altitude_m"] for task in drawn(plan, range(60)).values() for one in task.values["commands"]]
+    assert min(said) >= low and max(said) <= high and max(said) - min(said) > 0.9 * (high - low)
+
+
+def intensity_m_s(weather: Weather, craft: Craft) -> float:
+    """Vertical turbulence at the middle altitude, the mean over what W20 may be."""
+    assert weather.turbulence_w20_m_s is not None
+    each = craft.w20_factor * np.array(weather.turbulence_w20_m_s.quantiles(np.linspace(0.05, 0.95, 19)))
+    height = sum(craft.altitude_m) / 2.0
+    return float(
+        np.mean([intensities_and_lengths(height, w20, np.array([EXCEEDED_FT, EXCEEDED_FT_S[severity(w20)]]))[1]
+                 for w20 in map(float, each)])
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("file", files_in("scenarios/suites"), ids=lambda file: file.stem)
+def test_severer_weather_is_rougher_air_for_every_aircraft(file: Path) -> None:
+    """Above 2000 ft the shipped light, moderate and severe once were the same turbulence, to the last digit."""
+    suite, _ = load_suite(file)
+    for name, craft in suite.aircraft.items():
+        light, moderate, severe = (
+            intensity_m_s(suite.weather[each], craft) for each in ("light", "moderate", "severe")
+        )
+        assert 1.1 * light < moderate and 1.1 * moderate < severe, name
+    once = craft.model_copy(update={"w20_factor": 1.0})
+    assert intensity_m_s(suite.weather["light"], once) == intensity_m_s(suite.weather["severe"], once)
+
+
 @pytest.mark.nightly
 @pytest.mark.parametrize("file", files_in("scenarios/suites"), ids=lambda file: file.stem)
-def test_shipped_suites_begin_in_trimmed_flight(file: Path) -> None:
-    plan = plan_of(file, draws=60)
-    for number in range(60):
-        check(plan.builder.scenario(plan.task(number * len(plan.variants))), remembered=False)
+def test_every_aircraft_of_a_shipped_suite_can_begin_wherever_it_is_drawn(file: Path) -> None:
+    """Slowest and fastest, lowest and highest; as it is, and heavy with its centre of gravity either way."""
+    suite, _ = load_suite(file)
+    assert suite.truth is not None
+    heavy = float(suite.truth.mass.quantiles(np.array([1.0]))[0])
+    shifts = suite.truth.cg_shift.quantiles(np.array([0.0, 1.0]))
+    for (name, craft), place in zip(suite.aircraft.items(), plan_of(file).aircraft_names, strict=True):
+        assert craft.mass_kg is not None and craft.chord_m is not None
+        changed = [
+            {"mass_kg": craft.mass_kg * heavy, "cg_shift_x_m": craft.chord_m * float(x)} for x in shifts
+        ]
+        for change, airspeed, height in product([{}, *changed], craft.airspeed_m_s, craft.altitude_m):
+            aircraft = load_with_changes(ChangedAircraft.model_validate({"name": place, **change}))
+            begun = trim(Plant(aircraft, 200.0), airspeed, height)
+            thrust = [
+                c
+                for c, a in zip(begun.commands, aircraft.actuators.values(), strict=True)
+                if a.kind != "servo"
+            ]
+            assert max(thrust) < 0.96, f"{name} has no thrust left at {airspeed} m/s, {height} m"
 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("file", files_in("scenarios/suites"), ids=lambda file: file.stem)
 def test_spans_and_masses_of_shipped_suites_are_those_of_the_models(file: Path) -> None:
     from testbed.aircraft.description import load_aircraft
-    from testbed.plant.jsbsim import Plant
 
     plan = plan_of(file)
     for (name, one), place in zip(plan.suite.aircraft.items(), plan.aircraft_names, strict=True):

@@ -2,10 +2,12 @@
 
 `controller` is what a flight calls, and `step` one control step of it, in order. In each step `step` calls
 
+* `sensor_guard`: what stuck sensors do not say;
 * `law`: the paper's equations;
 * `lateness`: actuators that act late are not weak;
 * `estimator`: weighted estimation, a Kalman filter, in place of the paper's (13);
 * `swing_detection`, `offset_detection` and `jam_detection`: failures that are no loss of effectiveness;
+* `probing`: whether what is given up works again;
 * `allocation`: what to give up when an actuator reaches a stop, by `bounded_least_squares`.
 
 When a failure is flagged, `mode_switch` puts another control mode in force. `modes` says which axes it releases and how the others

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from testbed.common.jit import bound
+from testbed.common.signals import STATE, as_records
 from testbed.controllers.compiled_controller import CompiledController
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record, trimmed_memory
 from testbed.controllers.inversion.mode_switch import ModeSwitch
-from testbed.controllers.inversion.step import adaptive_step, command_step
+from testbed.controllers.inversion.step import adaptive_step, believed_command_step, command_step
 from testbed.controllers.setup import Setup
 
 
@@ -40,6 +41,9 @@ class InversionController(CompiledController):
         law: Callable[[int, Any], int] = adaptive_step,
         more: tuple[np.ndarray, ...] = (),
     ) -> None:
+        if law is adaptive_step:
+            more = (as_records(np.zeros((1, len(STATE))), STATE),)
+        self._commanding = believed_command_step if law is adaptive_step else command_step
         if settings is None:
             settings = settings_record(setup, setup.settings_as(AdaptiveInversionSettings))
         self.memory = trimmed_memory(setup)
@@ -54,8 +58,8 @@ class InversionController(CompiledController):
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """Take the channels of a flight (see `Controller.bind`)."""
         super().bind(states, setpoints, telemetry)
-        self._common = self._parts[:8]  # without `more`
-        self._command = bound(command_step, 0, self._common)
+        self._common = self._parts[:9] if self._commanding is believed_command_step else self._parts[:8]
+        self._command = bound(self._commanding, 0, self._common)
 
     def step(self, step: int) -> memoryview:
         """Commands [n] for row `step`."""

@@ -43,7 +43,9 @@ NOT_DESIGNED = 1e9
 rough one, and the filter's next step corrects most of it."""
 RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 3.0
 """Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero."""
-REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.5, 1.0
+ROUGH_S = 0.05
+"""How long the position of a jam is a rough estimate [s], from which no way is measured."""
+REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
 """An actuator that was taken for jammed is reversed if it moves this share of the way to minus its trim position, where a jammed
 one would stay. The way must have so many scaled units, or gusts decide."""
 REDESIGN_AFTER = 0.3
@@ -154,7 +156,7 @@ def follow_way_back(i, m, c, s):
     there: when a jam is flagged, the command of a reversed actuator may still move away from the trim position."""
     s.since_flag[i] += c.dt
     farther = abs(m.trim_position[i] + s.lambda_hat[i]) > abs(m.trim_position[i] + s.jammed_at[i])
-    if s.since_flag[i] < REVERSAL_S and farther:
+    if s.since_flag[i] < ROUGH_S or (s.since_flag[i] < REVERSAL_S and farther):
         s.jammed_at[i] = s.lambda_hat[i]
 
 

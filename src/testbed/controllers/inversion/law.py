@@ -262,5 +262,5 @@ def compensate(m, c, k, s):
     """
     for i in range(len(s.u)):
         # section 2.2.1, in (8): u = Lambda_hat^-1 r
-        u = (s.r[i] - s.shift[i]) / divisor(i, c, s) if k.available[i] else m.trim_position[i]
+        u = (s.r[i] - s.shift[i]) / divisor(i, c, s) if k.available[i] else m.trim_position[i] + s.probe[i]
         s.u[i] = min(max(u, m.low[i]), m.high[i])

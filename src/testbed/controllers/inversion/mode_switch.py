@@ -13,7 +13,7 @@ from testbed.controllers.inversion.law import CONFIRM_S
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
-from testbed.controllers.records import AIRSPEED, ALPHA, INTEGRALS, PITCH, mode_dtype
+from testbed.controllers.records import AIRSPEED, ALPHA, GUARDED, INTEGRALS, PITCH, mode_dtype
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
 
@@ -27,6 +27,7 @@ _SEEMS_LOST = (
     f"seems lost, but without it altitude cannot be held: used until it has seemed so for {CONFIRM_S:g} s "
     "and altitude or airspeed is lost"
 )
+_STUCK = "its sensor repeats itself: taken for stuck, and computed from the other sensors"
 _OFFSET = "its force follows its command with an offset: not jammed, used on"
 
 
@@ -84,6 +85,9 @@ class ModeSwitch:
         for i, position in jammed.items():
             s.designed_position[i] = position
         self._note_diagnoses(step, jammed)
+        for sensor, stuck in zip(GUARDED, s.stuck, strict=True):
+            if stuck:
+                self._report(step, f"{sensor}: {_STUCK}")
         if airspeed is not None:
             jammed = {i: self._at_reference(i, position, airspeed) for i, position in jammed.items()}
         if not failed and not self.mode.failed:
@@ -96,7 +100,10 @@ class ModeSwitch:
         try:
             regulator = self._regulator(mode, jammed) if mode.released else None
         except NoSteadyFlight as reason:
-            return self._report(step, str(reason))
+            self._report(step, str(reason))
+            if self._setup.released or len(failed) > len(self._setup.actuators) - 2:
+                return None  # the outer loops do not control what is released from the start, nor does one actuator
+            regulator = None
         if regulator is not None and not _holds_altitude(regulator):
             if self._holds_altitude and self._wait(step, mode):
                 return self.switch(step, airspeed)

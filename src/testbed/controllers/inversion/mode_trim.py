@@ -22,13 +22,19 @@ from testbed.controllers.inversion.steady_flights import (
     level,
     path_angles,
 )
-from testbed.controllers.records import AIRSPEED, ALPHA, BETA
+from testbed.controllers.records import AIRSPEED, ALPHA, BETA, ROLL
 
 _BEYOND_STOPS = 1.3
 """Factor on the stops within which a trim is accepted as a last resort. A model with errors of 20 % can place a trim that far
 off, and regulating about a trim near the true one is better than having none."""
 _BETA_MAX = 0.4
 """Sideslip [rad] beyond which a solution is no plausible trim: the design model is linear there, the aircraft is not."""
+_BANK_MAX = 0.35
+"""Bank [rad] beyond which a straight flight is no plausible trim: there the model's side force, linear in sideslip, carries the
+aircraft."""
+_WINGS_LEVEL = 0.03
+"""Bank [rad] up to which the wings are level. Where an aircraft has level flights only with more, one at another airspeed without
+is preferred. Without an elevator the linear model balances pitch by the drag of a sideslip, and the aircraft does not."""
 _ANGLE = 0.1
 """Angle of attack [rad] below the stall that is as good a margin as one scaled unit of an actuator. Gusts take both."""
 _AIRSPEEDS = np.linspace(0.55, 1.8, 51)
@@ -151,11 +157,15 @@ def _after_losses(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]
         return
     wanted = _wanted(degraded, loops)
     faster = wanted + np.array([0.0, 1.0, 2.0, 4.0, 8.0])
-    flights = at_path_angles(degraded, faster, np.zeros(5))
+    near, anywhere = at_path_angles(degraded, faster, np.zeros(5)), _level_anywhere(degraded)
     for stop_factor in (1.0, _BEYOND_STOPS):
-        yield flights, _EVERYTHING, _nearest(wanted), stop_factor
-    yield _level_anywhere(degraded), _EVERYTHING, _nearest(wanted), 1.0
-    yield _anywhere(degraded), ("airspeed", "heading"), _roomiest(degraded, wanted), 1.0
+        yield _wings_level(near), _EVERYTHING, _nearest(wanted), stop_factor
+    yield _wings_level(anywhere), _EVERYTHING, _nearest(wanted), 1.0
+    yield _wings_level(_level_at_one(degraded)), ("altitude", "heading"), _nearest(wanted), 1.0
+    yield anywhere, _EVERYTHING, _nearest(wanted), 1.0
+    yield near, _EVERYTHING, _nearest(wanted), _BEYOND_STOPS
+    yield _wings_level(_anywhere(degraded)), ("airspeed", "heading"), _roomiest(degraded, wanted), 1.0
+    yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
 
 
 def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
@@ -164,23 +174,27 @@ def _after_a_jam(degraded: DegradedAircraft, loops: Loops) -> Iterator[Attempt]:
     preference = _roomiest(degraded, wanted)
     if degraded.available.sum() < 3 or not _has_motor(degraded):
         if _has_motor(degraded):
-            flights = level(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS[::6])
-            yield flights, ("altitude", "heading"), preference, 1.0
+            yield _level_at_one(degraded), ("altitude", "heading"), preference, 1.0
         elif degraded.thrusts:
             yield from _with_stuck_thrust(degraded, preference)
         yield _at_any_airspeed(degraded), ("airspeed", "heading"), preference, 1.0
         return
-    flights = _level_anywhere(degraded)
-    if margins(degraded, flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
-        yield flights, _EVERYTHING, preference, 1.0
-    yield _anywhere(degraded), ("airspeed", "heading"), preference, 1.0
+    flights, one = _level_anywhere(degraded), _wings_level(_level_at_one(degraded))
+    for level_flights, held in (
+        (_wings_level(flights), _EVERYTHING),
+        (one, ("altitude", "heading")),
+        (flights, _EVERYTHING),
+    ):
+        if margins(degraded, level_flights).max(initial=0.0) > _MARGIN_OF_LEVEL_FLIGHT:
+            yield level_flights, held, preference, 1.0
+    yield _wings_level(_anywhere(degraded)), ("airspeed", "heading"), preference, 1.0
     yield flights, _EVERYTHING, preference, _BEYOND_STOPS
+    yield _at_any_airspeed(degraded), ("heading",), _shallowest(degraded), 1.0
 
 
 def _with_stuck_thrust(degraded: DegradedAircraft, preference: Preference) -> Iterator[Attempt]:
     """Attempts when the only motors that give thrust are stuck: level at the airspeed that their thrust gives, or a glide."""
-    flights = level(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS[::6])
-    yield flights, ("altitude", "heading"), _fastest, 1.0
+    yield _level_at_one(degraded), ("altitude", "heading"), _fastest, 1.0
     flights = _at_any_airspeed(degraded)
     nearly_level = flights.only(np.abs(path_angles(flights)) < _NEARLY_LEVEL)
     yield nearly_level, ("altitude", "heading"), preference, 1.0
@@ -193,6 +207,15 @@ def _at_any_airspeed(degraded: DegradedAircraft) -> SteadyFlight:
 
 def _level_anywhere(degraded: DegradedAircraft) -> SteadyFlight:
     return at_path_angles(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS, np.zeros(len(_AIRSPEEDS)))
+
+
+def _level_at_one(degraded: DegradedAircraft) -> SteadyFlight:
+    """Level flights of an aircraft that has them at one airspeed only, which is an unknown."""
+    return level(degraded, degraded.model.airspeed_m_s * _AIRSPEEDS[::6])
+
+
+def _wings_level(flights: SteadyFlight) -> SteadyFlight:
+    return flights.only(np.abs(flights.state[:, ROLL]) < _WINGS_LEVEL)
 
 
 def _anywhere(degraded: DegradedAircraft) -> SteadyFlight:
@@ -263,7 +286,8 @@ def margins(degraded: DegradedAircraft, flights: SteadyFlight, stop_factor: floa
     to_stops = (worth * np.minimum(positions - low, high - positions)).min(axis=1, initial=np.inf)
     to_stall = (degraded.model.stall_alpha_rad - state[:, ALPHA]) / _ANGLE
     to_sideslip = (_BETA_MAX - np.abs(state[:, BETA])) / _ANGLE
-    return np.minimum(np.minimum(to_stops, to_stall), to_sideslip) + _ROUNDING
+    to_bank = (_BANK_MAX - np.abs(state[:, ROLL])) / _ANGLE
+    return np.minimum.reduce([to_stops, to_stall, to_sideslip, to_bank]) + _ROUNDING
 
 
 def lost_thrust(model: DesignModel, failed: Sequence[int], forces: np.ndarray) -> bool:

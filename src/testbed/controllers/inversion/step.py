@@ -26,6 +26,8 @@ from testbed.controllers.inversion.law import (
     state_function,
 )
 from testbed.controllers.inversion.offset_detection import keep_offsets
+from testbed.controllers.inversion.probing import probe
+from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
 from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
 from testbed.controllers.outer_loops import virtual_control
 
@@ -35,22 +37,26 @@ def adaptive_step(step, parts):
     """Estimate, monitor, invert and command for one measured state.
 
     Returns 1 when the flagged failures changed, or a jammed actuator moved. Then nothing has been commanded yet: the caller
-    must put the new mode in force, and then call `command_step`.
+    must put the new mode in force, and then call `believed_command_step`.
 
     Args:
         step: row of the channels.
         parts: see `CompiledController`.
     """
-    states, setpoints, _, models, settings, modes, memories, works = parts
+    states, setpoints, telemetry, models, settings, modes, memories, works, believed = parts
     y, ref, m, c = states[step], setpoints[step], models[0], settings[0]
     k, s, w = modes[0], memories[0], works[0]
+    changed = 0
+    if c.guards:
+        y = believed[0]
+        changed = guard(states[step], ref, y, c, k, s)
     advance_actuators(c.dt, axial_speed(y), m, s)
     if c.ideal_actuators:
         assume_ideal_actuators(m, c, k, s)
     state_function(y, m, w.f)  # (2)
-    if c.adapts and estimate(y, ref, m, c, s, w):
+    if (c.adapts and estimate(y, ref, m, c, s, w)) or changed:
         return 1
-    command_step(step, parts)
+    command(y, ref, telemetry[step], m, c, k, s, w)
     return 0
 
 
@@ -74,8 +80,10 @@ def estimate(y, ref, m, c, s, w):
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
     if c.monitors and monitor(is_steady(y, ref), c, s):  # section 2.3
         return 1
-    if not c.tests_jams:
+    if not c.tests_jams or vane_is_stuck(s):
         return 0
+    if c.probes and probe(e, pressure_ratio, m, c, s):
+        return 1
     if c.weighted and detect_swings(e, pressure_ratio, m, c, s):
         return 1
     return detect_jam(e, pressure_ratio, m, c, s)
@@ -99,9 +107,23 @@ def regression(y, pressure_ratio, m, c, s, w):
 def command_step(step, parts):
     """Outer loops, inversion and commands with the mode in force; arguments as in `adaptive_step`."""
     states, setpoints, telemetry, models, settings, modes, memories, works = parts
-    y, ref, w = states[step], setpoints[step], works[0]
     m, c, k, s = models[0], settings[0], modes[0], memories[0]
+    command(states[step], setpoints[step], telemetry[step], m, c, k, s, works[0])
+
+
+@compiled
+def believed_command_step(step, parts):
+    """As `command_step`, with the parts of `adaptive_step`, after which it is called: y is what that believed."""
+    states, setpoints, telemetry, models, settings, modes, memories, works, believed = parts
+    m, c, k, s = models[0], settings[0], modes[0], memories[0]
+    y = believed[0] if c.guards else states[step]
+    command(y, setpoints[step], telemetry[step], m, c, k, s, works[0])
+
+
+@compiled
+def command(y, ref, row, m, c, k, s, w):
+    """Outer loops, inversion and commands for a state y, and a row of telemetry."""
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
-    write_telemetry(telemetry[step], k.released, s)
-    write_diagnosis(telemetry[step], c, s)
+    write_telemetry(row, k.released, s)
+    write_diagnosis(row, c, s)

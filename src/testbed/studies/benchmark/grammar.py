@@ -71,7 +71,7 @@ def drawn(suite: Suite, dice: Dice, name: str, craft: Craft, aircraft: Aircraft)
     initial = {"altitude_m": altitude, "airspeed_m_s": airspeed, "heading_deg": dice.within(0.0, 360.0)}
     truth, slow = _truth(suite, dice, name, craft, aircraft)
     failures, families, course = _failures(suite, dice, aircraft)
-    weather, atmosphere = _atmosphere(suite, dice, airspeed, failures)
+    weather, atmosphere = _atmosphere(suite, dice, craft, airspeed, failures)
     model = dice.among(list(suite.sensors), suite.sensors.values())
     fault = _sensor_fault(suite, dice) if model != "ideal" else None
     values = {
@@ -90,7 +90,7 @@ def drawn(suite: Suite, dice: Dice, name: str, craft: Craft, aircraft: Aircraft)
         "failures": families,
         "course": course,
         "weather": weather,
-        "gust": "a gust" if "gusts" in atmosphere else "none",
+        "gust": _gust_group(atmosphere, failures),
         "sensors": f"{model}, one fails" if fault else model,
         "truth": "as designed" if isinstance(truth, str) and not slow else "another than designed",
     }
@@ -136,8 +136,11 @@ def _references(suite: Suite, dice: Dice, craft: Craft, initial: Values) -> Valu
     commands = []
     for at_s in sorted({round(dice.of(said.at_s), 1) for _ in range(dice.of(said.legs))}):
         change = dice.of(said.altitude_s) * airspeed
-        now["heading_deg"] = _short((now["heading_deg"] + dice.of(said.heading_deg)) % 360.0)
+        low, high = craft.altitude_m
+        if not low <= now["altitude_m"] + change <= high:
+            change = -change
         now["altitude_m"] = _short(now["altitude_m"] + change)
+        now["heading_deg"] = _short((now["heading_deg"] + dice.of(said.heading_deg)) % 360.0)
         low, high = craft.airspeed_m_s
         now["airspeed_m_s"] = _short(min(max(airspeed * dice.of(said.airspeed), low), high))
         commands.append({"at_s": at_s, **now})
@@ -146,12 +149,14 @@ def _references(suite: Suite, dice: Dice, craft: Craft, initial: Values) -> Valu
     return {"commands": commands, "command_rates": rates}
 
 
-def _atmosphere(suite: Suite, dice: Dice, airspeed: float, failures: Sequence[Values]) -> tuple[str, Values]:
+def _atmosphere(
+    suite: Suite, dice: Dice, craft: Craft, airspeed: float, failures: Sequence[Values]
+) -> tuple[str, Values]:
     """The weather's name, and the scenario's `atmosphere`."""
     name = dice.among(list(suite.weather), (each.weight for each in suite.weather.values()))
     weather, air = suite.weather[name], Values()
     if weather.turbulence_w20_m_s is not None:
-        air["turbulence_w20_m_s"] = dice.of(weather.turbulence_w20_m_s)
+        air["turbulence_w20_m_s"] = _short(craft.w20_factor * dice.of(weather.turbulence_w20_m_s))
     if weather.wind_m_s is not None:
         speed, towards = dice.of(weather.wind_m_s), 2.0 * math.pi * dice.within(0.0, 1.0)
         air["wind_m_s"] = [_short(speed * math.cos(towards)), _short(speed * math.sin(towards)), 0.0]
@@ -165,6 +170,14 @@ def _atmosphere(suite: Suite, dice: Dice, airspeed: float, failures: Sequence[Va
         vector = [_short(velocity) if each == axis else 0.0 for each in _AXES]
         air["gusts"] = [{"at_s": at_s, "magnitude_m_s": vector, "duration_s": dice.of(gusts.duration_s)}]
     return name, air
+
+
+def _gust_group(atmosphere: Values, failures: Sequence[Values]) -> str:
+    begins = [each["at_s"] for each in atmosphere.get("gusts", ())]
+    if not begins:
+        return "none"
+    first = min((each["at_s"] for each in failures), default=math.inf)
+    return "with the first failure" if begins[0] == first else "at any time"
 
 
 def _sensor_fault(suite: Suite, dice: Dice) -> Values | None:

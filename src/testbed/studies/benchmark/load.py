@@ -8,9 +8,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, RootModel
 
 from testbed.aircraft.shipped import find_suite
+from testbed.controllers.config import AnyController
 from testbed.controllers.user.own import OwnController, own_controllers
 from testbed.inputs import yaml_source as yamlfile
 from testbed.inputs.base import Text, Whole
@@ -34,9 +35,11 @@ def chosen(suite: Suite, said: Mapping[str, Any], given: Sequence[str]) -> Compa
 
     Args:
         said: the tree of the suite's file.
-        given: each NAME of one in the suite, to fly no others of it; or NAME=FILE.py:CLASS, to fly that too.
+        given: each NAME of one in the suite, to fly no others of it; NAME=FILE.py:CLASS, to fly that too; or NAME={type: ...},
+            a shipped one with settings.
     """
     names = [text for text in given if "=" not in text]
+    settings = dict(_settings(text) for text in given if _is_settings(text))
     problems = [
         Problem(
             f"{suite.suite} has no controller {name!r}",
@@ -48,16 +51,41 @@ def chosen(suite: Suite, said: Mapping[str, Any], given: Sequence[str]) -> Compa
         for name in names
         if name not in suite.controllers
     ]
-    own = own_controllers([text for text in given if "=" in text])
+    own = own_controllers([text for text in given if "=" in text and not _is_settings(text)])
     problems += [
         Problem(f"{name} is a controller of {suite.suite}", "--controller", expected="another name")
-        for name in own
+        for name in (*own, *settings)
         if name in suite.controllers
     ]
     if problems:
         raise BadInput(problems)
     shipped = {name: each for name, each in said["controllers"].items() if name in names or not names}
-    return {**shipped, **own}
+    return {**shipped, **settings, **own}
+
+
+def as_given(suite: Suite, name: str, said: Any) -> str:
+    """How `--controller` names a controller by what a folder says of it: by its name alone if the suite has it."""
+    if isinstance(said, str):
+        return f"{name}={said}"
+    return name if name in suite.controllers else f"{name}={json.dumps(said)}"
+
+
+def _is_settings(text: str) -> bool:
+    return text.partition("=")[2].startswith("{")
+
+
+def _settings(text: str) -> tuple[str, dict[str, Any]]:
+    """Name and settings of NAME={type: ...}; raises BadInput with every problem of them."""
+    name, _, said = text.partition("=")
+    if not name.isidentifier():
+        raise BadInput([Problem(f"is {text!r}", "--controller", expected="NAME={type: ...}")])
+    tree: dict[str, Any] = yamlfile.parsed(said, "--controller").tree
+    validated(_Given, Source("--controller", {name: tree}))
+    return name, tree
+
+
+class _Given(RootModel[dict[Text, AnyController]]):
+    """Controllers of the command line, by name."""
 
 
 class _Begun(BaseModel):

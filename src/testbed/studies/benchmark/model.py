@@ -42,13 +42,15 @@ class Craft(Settings):
     airspeed_m_s: Range
     """Lowest and highest airspeed at which a flight begins, and that is commanded [m/s]."""
     altitude_m: Range
-    """Lowest and highest altitude at which a flight begins [m]."""
+    """Lowest and highest altitude at which a flight begins, and that is commanded [m]."""
     mass_kg: Positive | None = None
     """Mass with everything on board [kg]; where it is given, a changed truth may have another."""
     chord_m: Positive | None = None
     """Mean chord of the wing [m]; where it is given, a changed truth may have another centre of gravity."""
     coefficients: tuple[Text, ...] = ()
     """Aerodynamic functions of the model that a changed truth may have otherwise."""
+    w20_factor: Positive = 1.0
+    """Factor on the W20 of the weather. Above 2000 ft turbulence has steps: any W20 below 11.6 m/s is the same light one."""
 
 
 class Truth(Settings):
@@ -76,7 +78,7 @@ class References(Settings):
     heading_deg: Distribution
     """Change of heading [deg]."""
     altitude_s: Distribution
-    """Change of altitude, in seconds of flight at the first airspeed; none for an aircraft without propulsion."""
+    """Change of altitude, in seconds of flight at the first airspeed; the other way where it would leave `altitude_m`."""
     airspeed: Distribution
     """Airspeed, as a factor on the first one; within the aircraft's range."""
     bank_deg: Distribution

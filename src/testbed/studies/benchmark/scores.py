@@ -18,8 +18,10 @@ import pandas as pd
 
 from testbed.common.files import plain
 from testbed.common.statistics import mean, paired, proportion, rate
+from testbed.failures.losses import LOST
 from testbed.flight.flight import Outcome
 from testbed.inputs.problems import BadInput, Problem
+from testbed.studies.benchmark.load import as_given
 from testbed.studies.benchmark.plan import Benchmark
 from testbed.studies.folder import reading
 from testbed.studies.folder.histories import CHANNELS, RECORD_BYTES, SHAPE
@@ -72,6 +74,7 @@ def _row(plan: Benchmark, record: Record, history: bytes, limits: Sequence[float
         "draw": record.run,
         "controller": plan.labels[record.variant],
         **{factor: plan.groups(record.run)[factor] for factor in FACTORS},
+        "breaks": any(map(_breaks, record.values["failures"])),
         "outcome": record.outcome,
         "survived": record.outcome == Outcome.completed,
         "held": bool(record.passed),
@@ -81,6 +84,11 @@ def _row(plan: Benchmark, record: Record, history: bytes, limits: Sequence[float
         **({"environment": record.environment} if record.environment else {}),
         "reason": record.reason,
     }
+
+
+def _breaks(failure: Mapping[str, Any]) -> bool:
+    """Whether a failure breaks its actuator, so that it is to be flagged (`flight.breakage`)."""
+    return "actuator" in failure and (failure["type"] != "effectiveness" or failure["value"] <= LOST)
 
 
 def _inside(history: bytes, limits: Sequence[float]) -> float:
@@ -110,6 +118,10 @@ def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
             "reference": plan.labels[0],
             "order": [*plan.labels, BOUND],
             "told": [name for name in plan.suite.told if name in plan.labels],
+            "given": {
+                name: as_given(plan.suite, name, said) for name, said in plan.tree["controllers"].items()
+            },
+            "ablated": _ablated(plan.tree["controllers"]),
             "scores": {name: _score(plan, frame, wide, name) for name in [*plan.labels, BOUND]},
             "halves": _halves(plan, wide),
             "by": {factor: _by(frame, wide["held"], factor) for factor in FACTORS},
@@ -117,6 +129,20 @@ def summarize(plan: Benchmark, frame: pd.DataFrame) -> Summary:
         }
     )
     return known
+
+
+def _ablated(controllers: Mapping[str, Any]) -> list[str]:
+    """The controllers that are the reference without some of its parts."""
+    first = next(iter(controllers.values()))
+    kind = first["type"] if isinstance(first, Mapping) and not first.get("ablate") else None
+    shipped = {name: said for name, said in controllers.items() if isinstance(said, Mapping)}
+    return [name for name, said in shipped.items() if said.get("ablate") and said["type"] == kind]
+
+
+def _rivals(plan: Benchmark) -> list[str]:
+    """Who is compared: all but those that are told the truth, and the reference without some of its parts."""
+    apart = {*plan.suite.told, *_ablated(plan.tree["controllers"])}
+    return [name for name in plan.labels if name not in apart]
 
 
 def _score(plan: Benchmark, frame: pd.DataFrame, wide: Mapping[str, pd.DataFrame], name: str) -> Summary:
@@ -134,12 +160,16 @@ def _score(plan: Benchmark, frame: pd.DataFrame, wide: Mapping[str, pd.DataFrame
             "inside": _mean(inside - wide["inside"][first]),
         },
     }
-    return score if name == BOUND else score | _noticed(frame[frame["controller"] == name])
+    if name == BOUND:
+        return score
+    rows, ours = (frame[frame["controller"] == each].set_index("draw") for each in (name, first))
+    effort = rows["control_effort_per_s"] / ours["control_effort_per_s"]
+    return score | {"effort": effort.median()} | _noticed(rows)
 
 
 def _halves(plan: Benchmark, wide: Mapping[str, pd.DataFrame]) -> list[Summary]:
-    """The scores and the rank by *inside* in the first and in the second half of the draws, of who is told nothing."""
-    names = [name for name in plan.labels if name not in plan.suite.told]
+    """The scores and the rank by *inside* in the first and in the second half of the draws, of the rivals."""
+    names = _rivals(plan)
     held, inside = (wide[name][names] for name in ("held", "inside"))
     half = len(held) // 2
     found = []
@@ -174,14 +204,13 @@ def _noticed(rows: pd.DataFrame) -> Summary:
     broken = broken if flags else broken[:0]  # one that says nothing of failures is not judged by them
     alarms = int(healthy["false_alarms"].sum()) if flags else None
     return {
-        "noticed": _share(broken["detection_delay_s"].notna()),
+        "noticed": _share(broken[broken["breaks"]]["detection_delay_s"].notna()),
         "missed": _share(broken["missed_detections"] > 0),
         "named_wrongly": _share(broken["false_alarms"] > 0),
         "delay_s": {f"p{100 * q:g}": rows["detection_delay_s"].quantile(q) for q in (0.5, 0.9)},
         "healthy_hours": hours,
         "healthy_false_alarms": alarms,
         "healthy_false_alarms_per_h": None if alarms is None else rate(alarms, hours).plain,
-        "effort_per_s": rows["control_effort_per_s"].median(),
         "saturated_s": rows["saturated_time_s"].mean(),
         "without_result": rows[rows["outcome"].isin(NO_RESULT)]["reason"].value_counts().to_dict(),
     }
@@ -200,7 +229,7 @@ def _lost(
     plan: Benchmark, frame: pd.DataFrame, wide: Mapping[str, pd.DataFrame], name: str
 ) -> Iterable[Summary]:
     """The draws that a controller did not hold and others did, those first in which it was outside longest."""
-    untold = [other for other in plan.labels if other != name and other not in plan.suite.told]
+    untold = [other for other in _rivals(plan) if other != name]
     held, inside = wide["held"], wide["inside"][name]
     which = inside[~held[name].astype(bool) & held[untold].any(axis=1)].sort_values(kind="stable")
     rows = frame[frame["controller"] == name].set_index("draw")

@@ -1,0 +1,127 @@
+"""Probing: an actuator that is given up is moved a little to and fro, to find out whether it works again.
+
+At its trim position a held actuator and one that works again cannot be told apart, and a surface that is lost hardly acts there.
+So its command is trim + a sine. The gain g from its modelled position to its force is found by least squares over the last
+`MEMORY_S`: 0 for one that is lost or held, 1 for one that works, -1 for one that is reversed. What it is taken for changes
+when 0 is `SIGMAS` standard deviations away. The sine is as large as that needs within `MEMORY_S`, given what gusts do to the
+rates. Engines are too slow to be probed.
+
+Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
+pressure_ratio is (V/V_0)^2.
+"""
+# mypy: allow-untyped-defs
+
+from __future__ import annotations
+
+import math
+
+from testbed.common.jit import compiled
+from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE, REVERSAL_S, reset_covariance
+from testbed.controllers.inversion.jam_detection import settle_regression, take_for_reversed
+from testbed.controllers.inversion.law import effect_ratio
+
+MEMORY_S = 2.0
+"""Time constant of the least squares [s]: what works again is to be used within a few seconds, before something else fails."""
+SIGMAS, DEVIATION = 3.0, 0.2
+"""Standard deviations of g at which a hypothesis is rejected, and the deviation that the sine is made for [1]."""
+LARGEST = 0.4
+"""Largest amplitude of the sine [scaled]."""
+RAD_S, RAD_S_MORE = 4.0, 1.0
+"""Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves
+out, and slow enough that one which acts 0.3 s late does not seem reversed."""
+AT_LEAST_RAD = 3.0 * math.pi
+"""Phase of the sine before which nothing is decided [rad]: within the first turn a drift looks like a gain."""
+LARGEST_CHANGE = 10.0
+"""Largest change of a rate that is taken in, over the root of its noise's density: a jam that ends, or another actuator that fails,
+is a larger one."""
+OFFSET_MIN = 0.3
+"""Offset [scaled] below which an actuator that works again has none: what gusts leave of its estimated position."""
+WORKS_ABOVE, REVERSED_BELOW = 0.5, -0.5
+"""Half-way between the hypotheses [1]."""
+
+
+@compiled
+def probe(e, pressure_ratio, m, c, s):
+    """Advance the probes of the actuators that are given up; returns 1 when one is used again."""
+    changed = 0
+    for i in range(len(s.probe)):
+        if not s.failed[i] or s.reversed[i] or m.engine[i] or s.since_flag[i] < REVERSAL_S:
+            s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
+            s.probe_mean[i] = s.probe_lags[i, 0] = s.probe_lags[i, 1] = s.position[i]
+            for row in range(4):
+                s.probe_rest[i, row] = unexplained(i, row, e, s.position[i], pressure_ratio, m, c, s)
+            continue
+        follow_probe(i, e, pressure_ratio, m, c, s)
+        if probe_rate(i) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD or s.probe_square[i] <= 0.0:
+            continue
+        gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
+        if gain - SIGMAS * sigma > 0.0 and gain > WORKS_ABOVE:
+            use_again(i, gain, pressure_ratio, m, s)
+            changed = 1
+        elif gain + SIGMAS * sigma < 0.0 and gain < REVERSED_BELOW and s.jammed[i] and m.servo[i]:
+            take_for_reversed(i, pressure_ratio, m, s)
+            changed = 1
+    return changed
+
+
+@compiled
+def probe_rate(i):
+    """Angular frequency of the sine of actuator i [rad/s]."""
+    return RAD_S + RAD_S_MORE * i
+
+
+@compiled
+def follow_probe(i, e, pressure_ratio, m, c, s):
+    """Move the sine of actuator i on, and take this step's innovation into its least squares."""
+    information = 0.0
+    for row in range(4):
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
+        information += column * column
+    amplitude = math.sqrt(2.0 / (information * MEMORY_S)) / DEVIATION
+    s.probe[i] = min(amplitude, LARGEST) * math.sin(probe_rate(i) * (s.since_flag[i] - REVERSAL_S))
+    position = filtered_position_of(i, pressure_ratio, m, c, s)
+    s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
+    moved, fade = position - s.probe_mean[i], c.dt / MEMORY_S
+    product = 0.0
+    for row in range(4):
+        column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
+        change = unexplained(i, row, e, position, pressure_ratio, m, c, s) - s.probe_rest[i, row]
+        s.probe_rest[i, row] += c.dt * change
+        product += column * min(max(change, -LARGEST_CHANGE), LARGEST_CHANGE)
+    s.probe_product[i] += c.dt * moved * product - fade * s.probe_product[i]
+    s.probe_square[i] += c.dt * moved * moved * information - fade * s.probe_square[i]
+
+
+@compiled
+def unexplained(i, row, e, position, pressure_ratio, m, c, s):
+    """What the other actuators leave of a rate, over the root of its noise's density: the error e, and what is ascribed to
+    actuator i at this filtered position."""
+    own = s.lambda_hat[i] * (1.0 if s.jammed[i] else position)
+    return (e[row] + m.B[row, i] * effect_ratio(i, pressure_ratio, m) * own) / c.noise[row]
+
+
+@compiled
+def filtered_position_of(i, pressure_ratio, m, c, s):
+    """Modelled position of an actuator that is given up [scaled], through the two lags of the regression."""
+    a = c.filter_rate * c.dt
+    gain = 1.0 - math.exp(-a) if a > 0.0 else 1.0
+    s.probe_lags[i, 0] += gain * (s.position[i] - s.probe_lags[i, 0])
+    s.probe_lags[i, 1] += gain * (s.probe_lags[i, 0] - s.probe_lags[i, 1])
+    return s.probe_lags[i, 1]
+
+
+@compiled
+def use_again(i, gain, pressure_ratio, m, s):
+    """Take an actuator for working, with this effectiveness [1]. One that was held has an offset if its force is not that of its
+    command: the model error takes it over, and commands make up for it (`offset_detection`)."""
+    if s.jammed[i]:
+        offset = s.lambda_hat[i] - s.probe_lags[i, 1]
+        for row in range(4):
+            s.b[row] += m.B[row, i] * effect_ratio(i, pressure_ratio, m) * offset
+        s.offset[i] = offset if m.servo[i] and abs(offset) > OFFSET_MIN else 0.0
+    s.failed[i], s.jammed[i], s.early[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
+    s.lambda_hat[i] = min(gain, 1.0)
+    s.lambda_slow[i] = s.lambda_hat[i]
+    reset_covariance(i, 4.0 * HEALTHY_VARIANCE, s)
+    settle_regression(i, s.position[i], pressure_ratio, m, s)
+    s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0

@@ -1,0 +1,107 @@
+"""Stuck sensors: a reading that repeats itself exactly is not believed, and what the others say takes its place.
+
+Noise and turbulence change the last digits of every reading that lives. Of a vane, the pitot tube or a gyro that has not changed
+for `REPEATS_S`, the law takes
+
+* angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
+* sideslip as that of the mode's trim,
+* airspeed from the forward acceleration, and in the long run from its reference,
+* rates of rotation from the attitude.
+
+These leave out what gusts do to the flow, so while a vane is stuck no jam is looked for: gusts would be taken for forces.
+
+Letters: raw measured state, y the state that is believed, ref references, c settings, k control mode, s memory; their fields,
+shapes and units are in `records` and `common.signals`.
+"""
+# mypy: allow-untyped-defs
+
+from __future__ import annotations
+
+import math
+
+from testbed.common import angles
+from testbed.common.jit import compiled
+from testbed.controllers.records import BETA, GUARDED
+
+REPEATS_S = 0.2
+"""How long a reading must be the same to the last digit [s]. A 12 bit vane in calm air repeats itself for less than 0.1 s."""
+RECALL_S = 20.0
+"""Time constant with which the airspeed that is integrated goes back to its reference [s]: an accelerometer's bias of 0.03 m/s2 is
+then 0.6 m/s."""
+ATTITUDE_RAD_S = 10.0
+"""Corner of the lag on the rates that are differences of attitude [rad/s]."""
+G_ALPHA, G_BETA, G_AIRSPEED, G_P, G_Q, G_R = range(len(GUARDED))
+wrap = compiled(angles.wrap)
+
+
+@compiled
+def guard(raw, ref, y, c, k, s):
+    """Fill the believed state y from the raw one; returns 1 when a sensor is taken for stuck, or lives again."""
+    copy(raw, y)
+    changed = watch(raw, c, s)
+    attitude_rates(raw, c, s)
+    if s.stuck[G_AIRSPEED]:
+        s.inertial_airspeed += c.dt * (raw.u_dot + (ref.airspeed - s.inertial_airspeed) / RECALL_S)
+        y.airspeed = s.inertial_airspeed
+    else:
+        s.inertial_airspeed = raw.airspeed
+    if s.stuck[G_ALPHA]:
+        slope = (raw.climb_rate + s.sink) / max(y.airspeed, 1.0)
+        y.alpha = (raw.pitch - slope) / max(math.cos(raw.roll), 0.5)
+    if s.stuck[G_BETA]:
+        y.beta = k.x_trim[BETA]
+    sin, cos, turn = math.sin(raw.roll), math.cos(raw.roll), s.attitude_rate[2] * math.cos(raw.pitch)
+    if s.stuck[G_P]:
+        y.p, y.p_dot = s.attitude_rate[0] - s.attitude_rate[2] * math.sin(raw.pitch), s.attitude_dot[0]
+    if s.stuck[G_Q]:
+        y.q, y.q_dot = s.attitude_rate[1] * cos + turn * sin, s.attitude_dot[1]
+    if s.stuck[G_R]:
+        y.r, y.r_dot = turn * cos - s.attitude_rate[1] * sin, s.attitude_dot[2]
+    return changed
+
+
+@compiled
+def copy(raw, y):
+    """Fill y with the measured state."""
+    y.north, y.east, y.altitude, y.airspeed, y.climb_rate = (
+        raw.north,
+        raw.east,
+        raw.altitude,
+        raw.airspeed,
+        raw.climb_rate,
+    )
+    y.roll, y.pitch, y.heading, y.alpha, y.beta = raw.roll, raw.pitch, raw.heading, raw.alpha, raw.beta
+    y.p, y.q, y.r = raw.p, raw.q, raw.r
+    y.p_dot, y.q_dot, y.r_dot, y.u_dot = raw.p_dot, raw.q_dot, raw.r_dot, raw.u_dot
+
+
+@compiled
+def watch(raw, c, s):
+    """Update which sensors are `stuck` by how long each reading has repeated itself; returns 1 when that changed."""
+    changed = 0
+    readings = (raw.alpha, raw.beta, raw.airspeed, raw.p, raw.q, raw.r)
+    for i in range(len(readings)):
+        s.repeated[i] = s.repeated[i] + c.dt if readings[i] == s.last_reading[i] else 0.0
+        s.last_reading[i] = readings[i]
+        stuck = 1 if s.repeated[i] > REPEATS_S and readings[i] != 0.0 else 0
+        if stuck != s.stuck[i]:
+            s.stuck[i], changed = stuck, 1
+    return changed
+
+
+@compiled
+def attitude_rates(raw, c, s):
+    """Advance the rates of roll, pitch and heading that the attitude shows, and their accelerations, through one lag each."""
+    share = 1.0 - math.exp(-ATTITUDE_RAD_S * c.dt)
+    for i, angle in enumerate((raw.roll, raw.pitch, raw.heading)):
+        rate = wrap(angle - s.last_attitude[i]) / c.dt
+        acceleration = (rate - s.attitude_rate[i]) * share / c.dt
+        s.attitude_rate[i] += share * (rate - s.attitude_rate[i])
+        s.attitude_dot[i] += share * (acceleration - s.attitude_dot[i])
+        s.last_attitude[i] = angle
+
+
+@compiled
+def vane_is_stuck(s):
+    """Whether angle of attack or sideslip is not measured."""
+    return s.stuck[G_ALPHA] or s.stuck[G_BETA]

@@ -1,0 +1,125 @@
+"""Probing: what is given up is found to work again, and only then."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from command_line import ROOT
+from short_flights import worst_errors
+from vtail_setup import WEATHER, Records, records_of, vtail_setup
+
+from testbed.controllers.inversion.estimator import REVERSAL_S
+from testbed.controllers.inversion.probing import AT_LEAST_RAD, LARGEST, OFFSET_MIN, probe, probe_rate
+from testbed.flight.flight import Flight, Outcome
+from testbed.scenario.load import load_scenario
+from testbed.simulation import fly
+
+
+def given_up(i: int, jammed: bool) -> Records:
+    """Actuator i has been given up, and stands at its trim position."""
+    made = records_of(vtail_setup(WEATHER))
+    m, _, _, s, _ = made
+    s.position[:], s.lambda_hat[:] = m.trim_position, 1.0
+    s.failed[i], s.jammed[i], s.since_flag[i] = 1, jammed, 0.9 * REVERSAL_S
+    s.lambda_hat[i] = m.trim_position[i] if jammed else 0.0
+    return made
+
+
+def seconds_until_used(made: Records, i: int, gain: float, within_s: float = 10.0) -> float:
+    """Time until actuator i is used again, if its force moves by `gain` times its position; infinite if it is not."""
+    m, c, _, s, _ = made
+    held = s.lambda_hat[i] if s.jammed[i] else 0.0
+    for k in range(round(within_s / c.dt)):
+        s.since_flag[i] += c.dt
+        s.position[i] = m.trim_position[i] + s.probe[i]
+        force = gain * s.probe_lags[i, 1] + (held - gain * m.trim_position[i] if s.jammed[i] else 0.0)
+        own = s.lambda_hat[i] * (1.0 if s.jammed[i] else s.probe_lags[i, 1])
+        if probe(np.array(m.B)[:, i] * (force - own), 1.0, m, c, s):
+            return (k + 1) * c.dt
+    return math.inf
+
+
+@pytest.mark.parametrize("jammed", [False, True])
+@pytest.mark.parametrize("i", [0, 1, 2])
+def test_what_follows_its_probe_is_used_again(i: int, jammed: bool) -> None:
+    made = given_up(i, jammed)
+    time = seconds_until_used(made, i, 1.0)
+    assert AT_LEAST_RAD / probe_rate(i) <= time < 4.0
+    s = made.s
+    assert not s.failed[i] and not s.jammed[i] and not s.offset[i]
+    assert s.lambda_hat[i] == pytest.approx(1.0, abs=0.1) and s.probe[i] == 0.0
+
+
+@pytest.mark.parametrize("jammed", [False, True])
+@pytest.mark.parametrize("gain", [0.0, 0.3])
+def test_what_does_not_follow_stays_given_up(gain: float, jammed: bool) -> None:
+    made = given_up(0, jammed)
+    assert seconds_until_used(made, 0, gain) == math.inf
+    assert made.s.failed[0]
+
+
+def test_a_held_surface_that_moves_against_its_probe_is_reversed() -> None:
+    made = given_up(1, True)
+    assert seconds_until_used(made, 1, -1.0) < 4.0
+    assert made.s.failed[1] and made.s.reversed[1] and not made.s.jammed[1]
+
+
+def test_a_held_surface_that_follows_beside_its_command_has_an_offset() -> None:
+    made = given_up(0, True)
+    made.s.lambda_hat[0] += 2.0 * OFFSET_MIN
+    assert seconds_until_used(made, 0, 1.0) < 4.0
+    assert made.s.offset[0] == pytest.approx(2.0 * OFFSET_MIN, abs=0.3)
+    column = np.array(made.m.B)[:, 0]
+    assert made.s.b == pytest.approx(column * made.s.offset[0]), (
+        "the model error takes the offset's force over"
+    )
+
+
+def test_the_sine_is_small_and_engines_have_none() -> None:
+    made = given_up(0, False)
+    m, c, _, s, _ = made
+    moved = []
+    for _ in range(600):
+        s.since_flag[0] += c.dt
+        probe(np.zeros(4), 1.0, m, c, s)
+        moved.append(float(s.probe[0]))
+    assert 0.05 < max(moved) <= LARGEST and min(moved) == pytest.approx(-max(moved), rel=0.05)
+    m.engine[0] = 1
+    probe(np.zeros(4), 1.0, m, c, s)
+    assert s.probe[0] == 0.0
+
+
+def flown(failure: str, ablate: str = "") -> Flight:
+    changes = [
+        "sensors={model: mems}",
+        "atmosphere={turbulence_w20_m_s: 5}",
+        "seed=95004",
+        f"controller={{type: adaptive_inversion, ablate: [{ablate}]}}",
+        "commands=[]",
+        f"failures=[{failure}]",
+        "requirements=[]",
+        "duration_s=40",
+    ]
+    return fly(load_scenario(ROOT / "scenarios" / "jammed_ruddervator.yaml", changes))
+
+
+@pytest.mark.parametrize(
+    "failure",
+    [
+        "{type: effectiveness, actuator: left_ruddervator, at_s: 5, until_s: 15, value: 0}",
+        "{type: stuck_at, actuator: left_ruddervator, at_s: 5, until_s: 15, value: 8}",
+    ],
+    ids=["lost", "held"],
+)
+def test_a_surface_that_works_again_is_used_within_seconds(failure: str) -> None:
+    """Without probing a held one stays given up to the end."""
+    flight = flown(failure)
+    flags = flight.log.set_index("time_s")["left_ruddervator_failed"]
+    assert flight.outcome is Outcome.completed
+    assert flags[10.0:14.9].min() == 1 and flags[22.0:].max() == 0
+    altitude, heading, _ = worst_errors(flight, 5.0)
+    assert altitude < 4.0 and heading < 15.0
+    without = flown(failure, "probing").log.set_index("time_s")["left_ruddervator_failed"]
+    assert without[:20.0].iloc[-1] == 1
