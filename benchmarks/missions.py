@@ -14,7 +14,7 @@ The flights of a report, in pieces; each may be stopped and run again:
 
 A choice of missions is a word of their names, or several joined by `_`. Seeds for tuning are below 50000 and those for
 reporting are from 90001 on; the two are never mixed. `--against FILE` compares with the flights of an earlier CSV, such as
-those of the program before a change. `when_adaptation_pays.py` makes its page of the documentation from a CSV of reporting seeds.
+those of the program before a change.
 """
 
 from __future__ import annotations

@@ -8,7 +8,6 @@ from pathlib import Path
 from digests import FLOWN, ROOT
 
 DOCS = ROOT / "docs"
-_MISSIONS = "benchmarks/missions.py --reporting --first-seed 93001 --resume --csv runs/reporting.csv"
 
 
 @dataclass(frozen=True)
@@ -60,21 +59,6 @@ PAGES: tuple[Page, ...] = (
     Page("time_step", ("benchmarks/time_step.py",), "1", 20, (*FLOWN, *_LOSSES[:1]), ("explanation/pure_function.md",)),
     Page("performance", ("benchmarks/performance.py",), "1", 60),
     Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 300, _SWEPT),
-    Page(
-        "when_adaptation_pays",
-        (
-            _MISSIONS,
-            f"{_MISSIONS} --controllers default,ablations --seeds 1",
-            f"{_MISSIONS} --w20 0",
-            f"{_MISSIONS} --model-error 0.2",
-            f"{_MISSIONS} --aircraft vtail_aft",
-            "benchmarks/when_adaptation_pays.py runs/reporting.csv --trims",
-        ),
-        "93001 to 93020",
-        9000,
-        _AFT,
-        ("explanation/when_adaptation_pays.md",),
-    ),
     Page(
         "benchmark",
         ("benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly",),

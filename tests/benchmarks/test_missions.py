@@ -6,10 +6,8 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-import mission_findings
 import missions
 import pytest
-import when_adaptation_pays
 from mission_list import BASE, MISSIONS, PROPELLERS, ROUTES, TAILS, Condition, Mission, chosen
 from mission_results import FAMILIES, Row, Table, by_mission, family, held_more, loses, totals
 from true_trims import failures_of, steady_flights
@@ -74,33 +72,6 @@ def test_a_table_survives_a_cut_line(tmp_path: Path) -> None:
 
 def test_every_mission_has_a_kind() -> None:
     assert {family(mission.name) for mission in MISSIONS} == set(FAMILIES)
-
-
-def test_a_report_is_of_reporting_seeds_only(tmp_path: Path) -> None:
-    table = Table(tmp_path / "flights.csv")
-    seeds = (90001, 90002)
-    names = ("default", "oracle", "without_estimate")
-    rows = [replace(HELD, controller=name, seed=seed) for name in names for seed in seeds]
-    rows[-1] = replace(rows[-1], outcome="diverged")
-    assert len(list(table.write(rows))) == 6
-    when_adaptation_pays.main([str(table.file), "--docs", str(tmp_path)])
-    pays = (tmp_path / "explanation" / "when_adaptation_pays.md").read_text()
-    assert "`default` holds 100.0 % and `without_estimate` 50.0 % of 2 flights: +50.0 (" in pays
-    assert "## What the test for jams brings" not in pays  # not flown, so nothing is said of it
-    for name in ("finding_compensation", "finding_bound"):
-        assert (tmp_path / "figures" / f"{name}.png").stat().st_size > 5000
-    list(table.write([replace(HELD, seed=49999)]))
-    with pytest.raises(SystemExit, match="seed 49999 is for tuning"):
-        when_adaptation_pays.reporting_rows(table.file)
-
-
-def test_the_page_has_a_column_of_trims_only_where_they_were_looked_for() -> None:
-    lost = replace(HELD, controller="oracle", altitude_m=99.0)
-    default = replace(lost, controller="default")
-    without = "\n".join(mission_findings.remaining([lost, default], {}, "oracle"))
-    assert without.endswith("| hard_healthy | 1/1 | 0/1 | 0/1 |") and "steady" not in without
-    beside = mission_findings.remaining([lost, default], {"hard_healthy": "level"}, "oracle")
-    assert beside[-1] == "| hard_healthy | 1/1 | 0/1 | 0/1 | level |" and "steady flight" in beside[-3]
 
 
 def test_the_truth_has_a_trim_with_a_lost_tail_and_none_without_actuators() -> None:
