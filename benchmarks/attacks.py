@@ -25,6 +25,7 @@ CLASSES = {
         "studies/folder/test_store.py", "studies/folder/test_reading.py", "studies/folder/test_logs.py", "flight/test_damage.py",
         "inputs/test_input_file.py", "inputs/test_yaml_source.py",
     ),
+    "logs": ("logs/test_mapped.py", "logs/test_dataflash.py", "logs/test_ulog.py"),
     "models": ("cli/test_hostile_models.py", "aircraft/model_files/test_check.py", "aircraft/model_files/test_safe_xml.py",
                "plant/test_first_load.py"),
     "pages": ("reporting/test_text_from_outside.py", "reporting/test_html.py", "common/test_text.py", "cli/test_terminal.py"),

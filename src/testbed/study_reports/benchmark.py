@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -46,7 +47,16 @@ def again(summary: Summary, draw: int | str, name: str) -> str:
     """The command that flies a draw again by one controller."""
     said = summary["controllers"][name]
     chosen = f"{name}={said}" if isinstance(said, str) else name
-    return f"testbed benchmark {summary['file']} --seed {summary['seed']} --only {draw} --controller {chosen}"
+    words = [
+        str(summary["file"]),
+        "--seed",
+        str(summary["seed"]),
+        "--only",
+        str(draw),
+        "--controller",
+        chosen,
+    ]
+    return f"testbed benchmark {shlex.join(words)}"
 
 
 def compared(summary: Summary) -> list[str]:
