@@ -1,9 +1,11 @@
 """What has been tried against the program, by class, and what came of each attempt: the tests that hold `trust.md`.
 
-    nice python benchmarks/attacks.py [FILE]
+    nice python benchmarks/attacks.py [FILE [EXPRESSION]]
 
 It runs the tests of CLASSES, those of the night among them, and writes FILE, docs/explanation/attacks.csv by default, with a row
 for each: class, attempt, outcome, test. An outcome is `held`, `FAILED`, or `not tried` where the machine lacks what it needs.
+
+With an EXPRESSION, as of pytest's -k, only those tests are run, and all other rows of FILE stay.
 """
 
 from __future__ import annotations
@@ -20,14 +22,16 @@ ROOT = Path(__file__).parents[1]
 TABLE = ROOT / "docs" / "explanation" / "attacks.csv"
 HEADER = ("class", "attempt", "outcome", "test")
 CLASSES = {
-    "writing": ("common/test_writing.py", "inputs/test_received.py", "inputs/test_output_file.py"),
+    "writing": ("common/test_writing.py", "common/test_opened.py", "inputs/test_received.py", "inputs/test_output_file.py"),
     "reading": (
         "studies/folder/test_store.py", "studies/folder/test_reading.py", "studies/folder/test_logs.py", "flight/test_damage.py",
-        "inputs/test_input_file.py", "inputs/test_yaml_source.py",
+        "inputs/test_input_file.py", "inputs/test_yaml_source.py", "inputs/test_overrides.py",
     ),
+    "logs": ("logs/test_mapped.py", "logs/test_dataflash.py", "logs/test_ulog.py"),
     "models": ("cli/test_hostile_models.py", "aircraft/model_files/test_check.py", "aircraft/model_files/test_safe_xml.py",
                "plant/test_first_load.py"),
-    "pages": ("reporting/test_text_from_outside.py", "reporting/test_html.py", "common/test_text.py", "cli/test_terminal.py"),
+    "pages": ("reporting/test_text_from_outside.py", "reporting/test_html.py", "common/test_text.py", "cli/test_terminal.py",
+              "inputs/test_base.py", "study_reports/test_benchmark.py"),
     "caches": ("common/test_private.py", "common/test_jit_cache.py"),
     "bytes": ("studies/test_mixed.py", "studies/folder/test_begin.py", "studies/test_merge.py", "common/test_arithmetic.py"),
     "faults": (
@@ -58,8 +62,18 @@ def _outcome(case: ElementTree.Element) -> str:
     return "not tried" if case.find("skipped") is not None else "held"
 
 
-def main(file: Path = TABLE) -> int:
+def _beside(file: Path, found: list[tuple[str, str, str, str]]) -> list[tuple[str, str, str, str]]:
+    """These rows, and those of a table that are not of the same attempts, in the order of CLASSES."""
+    with file.open(newline="", encoding="utf-8") as stream:
+        before = [(kind, attempt, outcome, test) for kind, attempt, outcome, test in [*csv.reader(stream)][1:]]
+    anew = {(attempt, test) for _, attempt, _, test in found}
+    kept = [row for row in before if (row[1], row[3]) not in anew]
+    return sorted([*kept, *found], key=lambda row: list(CLASSES).index(row[0]))
+
+
+def main(file: str | Path = TABLE, expression: str = "") -> int:
     """Run the tests and write the table; returns how many failed."""
+    file = Path(file)
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder) / "tests.xml"
         tests = [str(ROOT / "tests" / each) for files in CLASSES.values() for each in files]
@@ -74,9 +88,12 @@ def main(file: Path = TABLE) -> int:
             "no:cacheprovider",
             "-m",
             "nightly or not nightly",
+            *(["-k", expression] if expression else []),
         ]
         subprocess.run([*command, f"--junitxml={result}", *tests], cwd=ROOT, check=False)
         found = list(rows(ElementTree.parse(result).getroot()))
+    if expression:
+        found = _beside(file, found)
     with file.open("w", newline="", encoding="utf-8") as stream:
         csv.writer(stream, lineterminator="\n").writerows([HEADER, *found])
     for name in CLASSES:
@@ -86,4 +103,4 @@ def main(file: Path = TABLE) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(min(main(*map(Path, sys.argv[1:])), 1))
+    sys.exit(min(main(*sys.argv[1:]), 1))

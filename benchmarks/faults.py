@@ -1,16 +1,18 @@
 """What a run, a sweep and a search leave when they are ended at any moment, and how a long sweep grows.
 
-    nice -n 19 python benchmarks/faults.py signals [MOMENTS]
-    nice -n 19 python benchmarks/faults.py memory [FLIGHTS]
+    nice -n 19 python benchmarks/faults.py signals [MOMENTS [SEED]]
+    nice -n 19 python benchmarks/faults.py memory [FLIGHTS [FOLDER [SECONDS]]]
 
 `signals` ends commands by Ctrl-C, SIGTERM, SIGHUP and SIGKILL at random moments, and goes on with `--resume` until each has
 finished. It prints every moment at which a finished flight was lost, a traceback was shown, a process or a temporary file stayed,
 or the table differs from that of an uninterrupted command. `memory` flies one sweep of short flights in two processes, and prints
-the resident memory of the parent and of its workers in the course of it. Both need /proc.
+the resident memory of the parent and of its workers in the course of it; with FOLDER and SECONDS a part of it, and the next call
+goes on. Both need /proc.
 """
 
 from __future__ import annotations
 
+import math
 import os
 import random
 import shutil
@@ -175,22 +177,33 @@ def _processes() -> Iterator[tuple[int, int, int]]:
             yield int(folder.name), int(session), int(parent)
 
 
-def memory(flights: int, folder: Path, samples: int = 20) -> list[tuple[int, int, int]]:
-    """(flights finished, resident memory of the parent and the most of a worker [MB]) in the course of a sweep."""
+def memory(
+    flights: int, folder: Path, longest_s: float = math.inf, samples: int = 20
+) -> list[tuple[int, int, int]]:
+    """(flights finished, resident memory of the parent and the most of a worker [MB]) in the course of a sweep.
+
+    It is ended by Ctrl-C after so long, and goes on where it was when it is called again with the same folder.
+    """
     (folder / "study.yaml").write_text(_STUDY.format(duration_s=0.2))
     code = "import sys; from testbed.__main__ import main; sys.exit(main())"
+    command = Command(folder, ())
+    again = ["--resume"] if command.out.exists() else []
     process = subprocess.Popen(
-        [sys.executable, "-c", code, "sweep", "study.yaml", "--runs", str(flights), "--jobs", "2", "--out", "out", "--no-plots"],
-        cwd=folder, stdout=subprocess.DEVNULL,
+        [sys.executable, "-c", code, "sweep", "study.yaml", "--runs", str(flights), "--jobs", "2", "--out", "out", "--no-plots",
+         *again],
+        cwd=folder, stdout=subprocess.DEVNULL, start_new_session=True, preexec_fn=_default,
     )  # fmt: skip
-    command, found = Command(folder, ()), list[tuple[int, int, int]]()
+    begun, found, due = time.monotonic(), list[tuple[int, int, int]](), command.kept()
     while process.poll() is None:
-        done = command.kept() if len(found) < samples else 0
-        if done >= (len(found) + 1) * flights // (samples + 1):
+        if (done := command.kept()) >= due:
             workers = [pid for pid, _, parent in _processes() if parent == process.pid]
             found.append((done, _resident_mb(process.pid), max(map(_resident_mb, workers), default=0)))
-        time.sleep(0.2)
-    assert process.returncode in (0, 1)
+            due += flights // samples
+        if time.monotonic() - begun > longest_s:
+            process.send_signal(signal.SIGINT)
+            process.wait()
+        time.sleep(1.0)
+    assert process.returncode in (0, 1, 130)
     return found
 
 
@@ -201,20 +214,22 @@ def _resident_mb(pid: int) -> int:
         return 0
 
 
-def main(what: str, number: int | None = None) -> None:
+def main(what: str, number: str = "", folder: str = "", longest_s: str = "inf") -> None:
     """Print what is wrong at each moment, or the memory in the course of a sweep."""
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as scratch:
         if what == "signals":
-            found = 0
-            for words in problems(number or 200, 1, Path(folder)):
+            found, moments = 0, int(number or 200)
+            for words in problems(moments, int(folder or 1), Path(scratch)):
                 print(words, flush=True)
                 found += 1
-            print(f"{number or 200} moments, {found} problems")
+            print(f"{moments} moments, {found} problems")
         else:
+            place = Path(folder or scratch)
+            place.mkdir(parents=True, exist_ok=True)
             print("flights  parent [MB]  worker [MB]")
-            for done, parent, worker in memory(number or 20_000, Path(folder)):
+            for done, parent, worker in memory(int(number or 20_000), place, float(longest_s)):
                 print(f"{done:7}  {parent:11}  {worker:11}", flush=True)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], *map(int, sys.argv[2:]))
+    main(*sys.argv[1:])

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import json
+import os
+import re
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -39,7 +43,7 @@ DAMAGES: dict[str, Callable[[Rows], None]] = {
     "log.csv:2: altitude_m: is nan, expected a finite number": lambda rows: _set(rows, 2, ""),
     "log.csv:1: has no column altitude_m": _without_a_column,
     "log.csv: has no rows, expected the log of a flight": _without_rows,
-    "log.csv:10: time_s: is 7, expected times that increase": _twice,
+    "log.csv:10: time_s: is 59.535, expected times that increase": _twice,
 }
 
 
@@ -68,3 +72,38 @@ def test_a_flight_that_diverged_is_read(tmp_path: Path) -> None:
     data[-1, 3] = np.nan
     folder = write_run_folder(make_flight(data=data, outcome=Outcome.diverged), tmp_path / "run")
     assert np.isnan(load(folder).data[-1, 3])
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"end_time_s": 1e308}, "end_time_s: is 1e+308, expected at most 60, as the scenario says"),
+        ({"end_time_s": 30.0}, "time_s: ends at 59.995 s, expected the flight's end, 30 s"),
+        ({"events": [{"time_s": 61, "kind": "diagnosis", "text": ""}]}, "events.0.time_s: is 61, expected at most the flight"),
+    ],
+)  # fmt: skip
+def test_what_ends_after_the_flight_is_refused(tmp_path: Path, change: dict[str, Any], said: str) -> None:
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    summary = json.loads((folder / "summary.json").read_text())
+    (folder / "summary.json").write_text(json.dumps(summary | change))
+    with pytest.raises(BadInput, match=re.escape(said)):
+        load(folder)
+
+
+def test_a_log_that_was_cut_is_refused(tmp_path: Path) -> None:
+    """Else a flight could be shown without how it ended."""
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    lines = (folder / "log.csv").read_text().splitlines(keepends=True)
+    (folder / "log.csv").write_text("".join(lines[:50]))
+    with pytest.raises(
+        BadInput, match=r"log\.csv:50: time_s: ends at 59\.74 s, expected the flight's end, 60 s"
+    ):
+        load(folder)
+
+
+def test_a_log_of_a_terabyte_of_nothing_is_refused(tmp_path: Path) -> None:
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    (folder / "log.csv").write_bytes(b"")
+    os.truncate(folder / "log.csv", 10**12)
+    with pytest.raises(BadInput, match="its first line has 1000000 characters or more"):
+        load(folder)

@@ -33,6 +33,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
 import mutants
+import outside
 import received
 import yaml
 
@@ -234,6 +235,63 @@ def _suite(fly: bool, begin: Callable[[str], None]) -> str:
     return "valid"
 
 
+def _log(fly: bool, begin: Callable[[str], None]) -> str:
+    """Read a log by its mapping and, with `fly`, say what its actuators did."""
+    import testbed
+    from testbed.aircraft.description import load_aircraft
+    from testbed.logs.mapped import read_table
+
+    (name,) = (each for each in outside.LOGS if Path(each).exists())
+    mapping = outside.MAPS.get(name, "columns.yaml")
+    begin("reading")
+    read_table(Path(name), Path(mapping), load_aircraft("vtail"))
+    if fly:
+        begin("diagnosing")
+        testbed.diagnose(name, "vtail", mapping, "out")
+    return "valid"
+
+
+def _entry(fly: bool, begin: Callable[[str], None]) -> str:
+    from testbed.api import benchmark
+    from testbed.studies.benchmark import entry
+
+    begin("reading")
+    said = entry.read(Path("entry.yaml"), "benchmark.yaml")
+    plan, _folder = benchmark.prepare("benchmark.yaml", "out", draws=said.draws, seed=said.seed)
+    entry.refuse_other(said, plan, Path("entry.yaml"))
+    entry.verdict(
+        said, [entry.Checked(0, name, one.flights.split()[0], "h") for name, one in said.controllers.items()]
+    )
+    return "valid"
+
+
+def _message(fly: bool, begin: Callable[[str], None]) -> str:
+    """Fly by hand as messages say, each refused in words or carried out."""
+    from testbed.inputs.problems import BadInput
+    from testbed.live.choices import Choices
+    from testbed.live.messages import read
+    from testbed.live.pilot import Pilot
+    from testbed.scenario.load import load_scenario
+
+    Path("s.yaml").write_text(yaml.safe_dump(received._SCENARIO))
+    before = _outside()
+    begin("flying")
+    pilot = Pilot(Choices("s.yaml", load_scenario("s.yaml")), lambda _: None, lambda *_: (Path("kept"), ""))
+    refused: BadInput | None = None
+    for line in Path("messages.jsonl").read_bytes().splitlines():
+        try:
+            pilot._do(read(line))
+        except BadInput as error:
+            refused = error
+        pilot._advance(0.1)
+        pilot._publish(True, 0.0)
+    pilot.flight.close()
+    assert _outside() == before, "wrote a file"
+    if refused is not None:
+        raise refused
+    return "flown"
+
+
 def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.aircraft.description import load_aircraft
     from testbed.aircraft.model_files.check import model_problems
@@ -326,6 +384,7 @@ def _endless(fly: bool, begin: Callable[[str], None]) -> str:
 TABLE: dict[str, Callable[[bool, Callable[[str], None]], str]] = {
     "scenario": _scenario, "sweep": _sweep, "search": _search, "aircraft": _aircraft, "xml": _aircraft,
     "design model": _aircraft, "matrix": _matrix, "suite": _suite,
+    "cases": _sweep, "log": _log, "entry": _entry, "message": _message,
     "run folder": _run_folder,
     **{f"{kind} folder": partial(_study_folder, kind) for kind in ("sweep", "search", "matrix", "benchmark")},
     "endless": _endless,

@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 from typing import Any
 
+import outside
 import received
 import yaml
 from hypothesis import strategies as st
@@ -248,6 +249,10 @@ KINDS: dict[str, st.SearchStrategy[Mutant]] = {
     "design model": _design_models(),
     "matrix": _yaml_files("matrix.yaml", [received.MATRIX]),
     "suite": _yaml_files("benchmark.yaml", [received.STUDIES["benchmark.yaml"]]),
+    "cases": outside.cases(mutated_text),
+    "log": outside.logs(mutated_trees, mutated_text),
+    "entry": outside.entries(mutated_trees, mutated_text),
+    "message": outside.messages(mutated_trees, mutated_text),
     **{
         kind: received.mutants_of(kind, mutated_trees, mutated_text)
         for kind in ("run folder", "sweep folder", "search folder", "matrix folder", "benchmark folder")

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 
+import outside
 import pytest
+import received
 import yaml
 from mutants import KINDS, scenario_bases, search_bases, sweep_bases
 from run import Examiner, examiners, fuzz
@@ -37,6 +40,25 @@ def test_a_defect_a_hang_and_a_dead_process_are_noticed(examiner: Examiner) -> N
     assert examiner.examine({**good, "kind": "endless"}, 0.05)["outcome"] == "HANG"
     assert examiner.examine({**good, "files": None})["outcome"] == "DIED"
     assert examiner.examine(good)["outcome"] == "refused"  # in a new process
+
+
+@pytest.mark.nightly
+def test_further_unspoilt_files_are_valid(examiner: Examiner) -> None:
+    files = {name: outside._coded(content) for name, content in outside.files().items()}
+    for name in outside.LOGS:
+        both = {each: files[each] for each in (name, outside.MAPS.get(name, "columns.yaml"))}
+        answer = examiner.examine({"kind": "log", "files": both, "fly": True})
+        assert answer["outcome"] == "valid", answer
+    table = {"sweep.yaml": yaml.safe_dump(outside._WITH_TABLE), "cases.csv": outside._TABLE}
+    suite = {"benchmark.yaml": yaml.safe_dump(received.STUDIES["benchmark.yaml"])}
+    said = {"messages.jsonl": "\n".join(map(json.dumps, outside.MESSAGES))}
+    for kind, one in (
+        ("cases", table),
+        ("entry", {**suite, "entry.yaml": files["entry.yaml"]}),
+        ("message", said),
+    ):
+        answer = examiner.examine({"kind": kind, "files": one, "fly": False})
+        assert answer["outcome"] in ("valid", "flown"), answer
 
 
 def test_the_unspoilt_bases_are_valid(tmp_path: Path) -> None:

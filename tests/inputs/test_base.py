@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from pydantic import ValidationError, field_validator
+from pydantic import TypeAdapter, ValidationError, field_validator
 
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, Whole, refuse
 
@@ -74,3 +74,11 @@ def test_the_three_parts_of_a_refusal_arrive() -> None:
     with pytest.raises(ValidationError) as caught:
         Example(text="z")
     assert caught.value.errors()[0]["msg"] == "is z"
+
+
+@pytest.mark.parametrize("text", ["x\nPASSED: 9 of 9 requirements met", "\n", "x\n"])
+def test_a_name_of_several_lines_is_refused(text: str) -> None:
+    """It could stand on the terminal as a verdict of ours; all other control characters are shown as escapes."""
+    with pytest.raises(ValueError, match="has a line break"):
+        TypeAdapter(Text).validate_python(text)
+    assert TypeAdapter(Text).validate_python("x\u2028\x1b[2K") == "x\u2028\x1b[2K"

@@ -110,3 +110,9 @@ def test_set_value_without_a_command_line() -> None:
     set_value(source, ["failures", "0", "value"], 0.7, "drawn")
     assert source.tree["failures"][0]["value"] == 0.7
     assert source.place(("failures", 0, "value")) == ("drawn", None)
+
+
+def test_a_path_of_thousands_of_keys_is_refused_at_once() -> None:
+    """A header of a cases table may be one; to follow it took minutes."""
+    (problem,) = after("a." * 5000 + "b=1").problems
+    assert problem.what == "is a path of 5001 keys" and len(str(problem)) < 400

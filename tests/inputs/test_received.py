@@ -26,6 +26,18 @@ def victim(tmp_path: Path) -> Path:
     return folder
 
 
+def test_folders_without_end_are_refused(tmp_path: Path) -> None:
+    """A path of thousands of folders is longer than a system opens."""
+    handle = os.open(tmp_path, os.O_RDONLY)
+    for _ in range(300):
+        os.mkdir("a" * 100, dir_fd=handle)
+        handle, above = os.open("a" * 100, os.O_RDONLY, dir_fd=handle), handle
+        os.close(above)
+    os.close(handle)
+    with pytest.raises(BadInput, match="is nested too deeply"):
+        refuse_links(tmp_path)
+
+
 def said(capsys: pytest.CaptureFixture[str], *arguments: object) -> tuple[int, str]:
     status = main(list(map(str, arguments)))
     return status, capsys.readouterr().err

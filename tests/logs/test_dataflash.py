@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,11 @@ import pandas as pd
 import pytest
 import yaml
 from command_line import in_this_process
+from pymavlink.DFReader import DFReader_binary
+
+from testbed.inputs.problems import BadInput
+from testbed.logs import dataflash
+from testbed.logs.dataflash import columns
 
 from .conftest import AT_S, Run
 
@@ -118,3 +124,42 @@ def test_what_the_log_has_not_is_said(tmp_path: Path, content: bytes, change: An
 def test_noise_behind_the_first_bytes_is_refused(tmp_path: Path) -> None:
     ended = _diagnosed(tmp_path, b"\xa3\x95" + np.random.default_rng(3).bytes(5000))
     assert ended.returncode == 2 and ended.stderr.startswith("log.bin: ")
+
+
+def test_the_columns_are_those_of_ardupilots_own_reader(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "log.bin").write_bytes(content)
+    log, read = DFReader_binary(str(tmp_path / "log.bin")), []
+    while (message := log.recv_match(type="IMU")) is not None:
+        read.append([message.TimeUS, message.GyrX, message.AccX])
+    found = columns(Path("log.bin"), content, ["IMU.TimeUS", "IMU.GyrX", "IMU.AccX"], "IMU.TimeUS")
+    assert np.array_equal(np.column_stack(list(found.values())), np.array(read))
+
+
+HOSTILE: dict[str, tuple[Callable[[bytes], bytes], str]] = {
+    "text for a number": (lambda log: log.replace(b"QBffff", b"QBnfff", 1), "IMU.GyrX: has no numbers"),
+    "letter that is no type": (lambda log: log.replace(b"QBffff", b"QB?fff", 1), "has no message IMU"),
+    "type of another size": (lambda log: log.replace(b"QBffff", b"QBafff", 1), "has no message IMU"),
+    "fewer names than types": (lambda log: log.replace(b",AccX", bytes(5), 1), "has no message IMU"),
+    "a name twice": (lambda log: log.replace(b",GyrY,", b",GyrX,", 1), "has no message IMU"),
+    "no time": (lambda log: log.replace(b"TimeUS,Roll", b"TimeXX,Roll", 1), "has no TimeUS of ATT"),
+    "message of no length": (
+        lambda log: log.replace(b"\xa3\x95\x80" + bytes([130, 19]), b"\xa3\x95\x80" + bytes([130, 0]), 1), "has no message ATT",
+    ),
+    "escape sequence for a name": (lambda log: log.replace(b"GyrX", b"\x1b]0;", 1), "has no field GyrX"),
+    "megabytes of beginnings": (lambda _: b"\xa3\x95" * 5_000_000, "is no chain of messages"),
+    "a declaration alone": (lambda _: _declared("ATT"), "is no chain of messages"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", HOSTILE)
+def test_a_log_made_to_harm_is_refused_in_words(tmp_path: Path, content: bytes, what: str) -> None:
+    change, words = HOSTILE[what]
+    ended = _diagnosed(tmp_path, change(content))
+    assert ended.returncode == 2 and words in ended.stderr, ended.stderr
+    assert ended.stdout == "" and "\x1b" not in ended.stderr
+
+
+def test_a_log_of_too_many_messages_is_refused(content: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(dataflash, "_MOST", 1000)
+    with pytest.raises(BadInput, match="has more than 1000 messages"):
+        columns(Path("log.bin"), content, ["IMU.TimeUS"], "IMU.TimeUS")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -161,3 +162,42 @@ def test_a_file_needs_a_model_and_a_mapping(tmp_path: Path, table: pd.DataFrame)
     ended = in_this_process(tmp_path, "diagnose", "log.csv")
     assert ended.returncode == 2
     assert "--model" in ended.stderr and "--columns" in ended.stderr
+
+
+BEYOND: dict[str, tuple[dict[str, Any], str]] = {
+    "thrust of 1e308 N": ({"thrust1": 1e308}, "left_propeller: is up to 1e[+]308 in SI"),
+    "servo of 1e308 deg": ({"pwm1": 1e308}, "left_ruddervator: is up to"),
+    "infinite in some rows": ({"gx": lambda t: t["gx"].where(t.index % 3 > 0, np.inf)}, "gx: is up to inf"),
+    "no airspeed": ({"tas": 0.0}, "tas: is never above 1 m/s"),
+    "airspeed of the other sign": ({"tas": -30.0}, "tas: is never above 1 m/s"),
+    "years": (
+        {"t_us": lambda t: 1e12 * t.index}, "time: goes from",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", BEYOND)
+def test_numbers_that_no_aircraft_has_are_refused(tmp_path: Path, table: pd.DataFrame, what: str) -> None:
+    changes, words = BEYOND[what]
+    ended = in_this_process(tmp_path, *_written(tmp_path, table.assign(**changes)))
+    assert ended.returncode == 2 and re.search(words, ended.stderr), ended.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_log_of_many_years_is_refused_before_it_fills_the_memory(
+    tmp_path: Path, table: pd.DataFrame
+) -> None:
+    """Half of its steps are short, and the others just below what is taken for a jump."""
+    rows = pd.concat([table] * 20, ignore_index=True)
+    steps = np.where(np.arange(len(rows)) % 2, 0.4, 59.0)
+    rows = rows.assign(t_us=1e6 * np.cumsum(steps), **dict.fromkeys(("gx", "gy", "gz", "roll", "pitch"), 0.0))
+    ended = in_this_process(tmp_path, *_written(tmp_path, rows))
+    assert ended.returncode == 2 and "expected a shorter log" in ended.stderr, ended.stderr
+
+
+@pytest.mark.parametrize("column", ["gx", "roll", "tas", "ax", "pwm1", "thrust1"])
+def test_one_row_of_nonsense_is_taken_for_missing(tmp_path: Path, table: pd.DataFrame, column: str) -> None:
+    spoilt = table.astype({column: float})
+    spoilt.loc[2000, column] = 1e308
+    ended = in_this_process(tmp_path, *_written(tmp_path, spoilt))
+    assert ended.returncode == 1 and "WARNING" not in ended.stderr, ended.stderr

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 from typing import Any
 
@@ -143,3 +144,26 @@ def test_a_gyro_in_degrees_is_refused(tmp_path: Path, log: Path) -> None:
     (tmp_path / "map.yaml").write_text(yaml.safe_dump(mapping))
     ended = _diagnosed(tmp_path, log, tmp_path / "map.yaml")
     assert ended.returncode == 2 and "unit" in ended.stderr and "vehicle_angular_velocity" in ended.stderr
+
+
+def _message(kind: bytes, body: bytes) -> bytes:
+    return struct.pack("<H", len(body)) + kind + body
+
+
+FORMATS = {
+    "of itself": [b"n0:uint8_t a;n0 b;"],
+    "of one another": [b"n0:n1 a;", b"n1:n0 a;"],
+    "that multiply": [*(f"n{i}:n{i + 1}[60000] a;".encode() for i in range(6)), b"n6:uint8_t a;"],
+    "of many fields": [b"n0:uint8_t[65000] a;"],
+    "of a field without end": [b"n0:uint8_t[" + b"9" * 5000 + b"] a;"],
+}
+
+
+@pytest.mark.parametrize("what", FORMATS)
+def test_formats_made_to_fill_the_memory_are_refused(tmp_path: Path, log: Path, what: str) -> None:
+    """PX4's reader makes a list of all fields, in formats within formats too."""
+    content = log.read_bytes()
+    declared = b"".join(_message(b"F", each) for each in FORMATS[what])
+    (tmp_path / "log.ulg").write_bytes(content[:16] + declared + content[16:])
+    ended = _diagnosed(tmp_path, tmp_path / "log.ulg")
+    assert ended.returncode == 2 and "has a format of more than 10000 fields, or of itself" in ended.stderr

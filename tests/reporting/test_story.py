@@ -107,6 +107,12 @@ def test_a_failure_shortly_before_the_end_is_not_called_unrecovered() -> None:
     assert back in told(log, injection(2.0))
 
 
+def test_a_failure_after_the_last_row_that_was_logged_is_told() -> None:
+    """With a low `log_hz` the log ends before the flight does."""
+    log = {name: values[:900] for name, values in level_log().items()}
+    assert "So far it held" in told(log, injection(9.5))
+
+
 def test_an_estimate_is_told_only_where_there_is_one() -> None:
     log = level_log()
     log["elevon_effectiveness"][at(2) :] = 0.5

@@ -51,6 +51,8 @@ REFUSED: list[tuple[str, str, list[str]]] = [
     ("Cm_alpha", "Cm_alhpa", [":13: controller.model_error.Cm_alhpa: unknown coefficient 'Cm_alhpa', did you mean Cm_alpha?"]),
     ("[adaptive_inversion,", "[adaptive_inversoin,",
      [":14: controller.type: unknown type 'adaptive_inversoin', did you mean adaptive_inversion?"]),
+    (VALUE, "failures.0.type: {uniform: [0, 1]}",
+     ["vary.failures.0.type: is a word, and uniform draws numbers, expected {choice: [...]}"]),
     ("controller.type:", "controler.type:", [":14: controler: unknown key, did you mean controller?"]),
     ("runs: 12", "runs: 0\nsampling: sobl\nstopwhen: 3",
      [":3: runs: is 0, expected greater than 0", ":4: sampling: 'sobl' is not known, did you mean sobol?",

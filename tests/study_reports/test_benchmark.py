@@ -13,6 +13,8 @@ from suite_files import flown, tree, written
 from testbed.cli.parser import parser
 from testbed.study_reports.benchmark import again
 from testbed.study_reports.benchmark_page import markdown, write_benchmark_page
+from testbed.study_reports.search.words import _flown_again
+from testbed.study_reports.sweep.flight_page import only
 
 
 @pytest.fixture(scope="module")
@@ -73,6 +75,29 @@ def test_parts_that_are_switched_off_stand_apart_from_the_rivals(tmp_path: Path)
     parts = lines.index("## What the parts of `default` bring")
     assert lines[parts + 6].startswith("| `blind` | monitor | ")
     assert sum(line.startswith("| `blind` |") for line in lines) == 1, "it is no rival"
+
+
+@pytest.mark.parametrize(
+    "name", ["x; touch own", "$(touch own)", "`touch own`", "a b", "it's", "x\ntouch own"]
+)
+def test_a_name_does_not_become_a_command_of_the_shell(summary: dict, name: str) -> None:
+    """Whoever copies the command gives the name to the testbed, and nothing to the shell."""
+    other = summary | {"given": {name: f"{name}={name}"}, "file": name}
+    options = parser().parse_args(shlex.split(again(other, 3, name))[1:])
+    assert (options.suite, options.controller, options.only) == (name, [f"{name}={name}"], 3)
+    assert shlex.split(only(3, name, f"{name}.yaml"))[4:] == [
+        f"{name}.yaml",
+        "--only",
+        "3",
+        "--variant",
+        name,
+    ]
+    part = {"folder": name, "own_controller": name}
+    assert shlex.split(_flown_again(part).split("`", 1)[1].rpartition("`")[0])[2:] == [
+        f"{name}/scenario.yaml",
+        "--controller",
+        name,
+    ]
 
 
 def score(low: float, high: float) -> dict:

@@ -106,9 +106,10 @@ def make_flight(rows: int = 100, columns: int = 20, **changes: object) -> Report
     data = np.random.default_rng(1).standard_normal((rows, columns)) * 10.0 ** np.arange(columns)
     data[0, -1], data[1, -1], data[2, -1] = -0.0, 5e-324, 1.7976931348623157e308
     data[3:6, -1] = np.nan, np.inf, -np.inf
-    data[:, 0] = np.arange(rows)
+    scenario = load_scenario("scenarios/left_tail_fail.yaml")
+    data[:, 0] = 60.0 - (rows - np.arange(rows)) / scenario.log_hz
     contents: dict[str, object] = {
-        "scenario": load_scenario("scenarios/left_tail_fail.yaml"),
+        "scenario": scenario,
         "outcome": Outcome.completed,
         "end_time_s": 60.0,
         "columns": (*ALWAYS_KNOWN, *(f"c{i}_deg" for i in range(columns)))[:columns],

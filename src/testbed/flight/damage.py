@@ -21,6 +21,7 @@ _NEEDED = (
 _OF_AN_ACTUATOR = ("position", "effectiveness", *TELEMETRY)
 _OF_ACTUATORS = ("detection", "false_alarm")
 """Kinds of events that are always of an actuator."""
+_ROUNDED_S = 1e-6
 _SHOWN = 3
 """Problems that are named: a damaged file has one in each cell."""
 
@@ -29,13 +30,13 @@ def refuse_damaged(flight: Flight, file: str) -> None:
     """Raise BadInput if the log read from `file` has no rows, lacks a column of `_needed`, or has no number in one of
     ALWAYS_KNOWN.
 
-    The state of a flight that diverged may be no number. Times must increase.
+    The state of a flight that diverged may be no number. Times must increase up to the flight's end.
     """
     _refuse(_problems(flight, file))
 
 
 def refuse_other_events(flight: Flight, file: str) -> None:
-    """Raise BadInput if the events read from `file` are of failures, actuators or axes that the flight has not."""
+    """Raise BadInput if the events read from `file` are of failures, actuators, axes or times that the flight has not."""
     _refuse(_other_events(flight, file))
 
 
@@ -45,8 +46,17 @@ def _refuse(problems: Iterator[Problem]) -> None:
 
 
 def _other_events(flight: Flight, file: str) -> Iterator[Problem]:
-    failures = len(flight.scenario.failures)
+    failures, longest_s = len(flight.scenario.failures), flight.scenario.duration_s + _ROUNDED_S
+    if flight.end_time_s > longest_s:
+        what, expected = (
+            f"is {flight.end_time_s:g}",
+            f"at most {flight.scenario.duration_s:g}, as the scenario says",
+        )
+        yield Problem(what, file, None, "end_time_s", expected)
     for i, event in enumerate(flight.events):
+        if event["time_s"] > flight.end_time_s + _ROUNDED_S:
+            what, expected = f"is {event['time_s']:g}", f"at most the flight's end, {flight.end_time_s:g}"
+            yield Problem(what, file, None, f"events.{i}.time_s", expected)
         if event["kind"] == "injection" and event.get("failure", 0) >= failures:
             yield Problem(f"is not in the scenario, which has {failures}", file, None, f"events.{i}.failure")
         if event["kind"] in _OF_ACTUATORS and event["actuator"] not in flight.actuators:
@@ -74,6 +84,10 @@ def _problems(flight: Flight, file: str) -> Iterator[Problem]:
         time_s = flight.column("time_s")
         for row in np.flatnonzero(~(np.diff(time_s) > 0.0)):
             yield Problem(f"is {time_s[row + 1]:g}", file, int(row) + 3, "time_s", "times that increase")
+        step_s = max(1.0 / flight.scenario.log_hz, *np.diff(time_s[-2:]))
+        if not 0.0 <= flight.end_time_s - time_s[-1] <= step_s + _ROUNDED_S:
+            what, expected = f"ends at {time_s[-1]:g} s", f"the flight's end, {flight.end_time_s:g} s"
+            yield Problem(what, file, len(time_s) + 1, "time_s", expected)
 
 
 def _needed(flight: Flight) -> Iterator[str]:

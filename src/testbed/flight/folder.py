@@ -23,6 +23,8 @@ from testbed.inputs.received import read_json, refuse_links
 from testbed.scenario.load import Scenario, dump, load_scenario
 
 _SCENARIO, _SUMMARY, _LOG = "scenario.yaml", "summary.json", "log.csv"
+_LONGEST_HEADER = 1_000_000
+"""Of a log [characters]: a file of nothing but zeros has a line without end."""
 _OWN = "controller"  # folder of the files of a controller of one's own
 
 
@@ -170,7 +172,10 @@ def _read_log(file: Path) -> tuple[tuple[str, ...], np.ndarray]:
     import pyarrow.csv
 
     with file.open(encoding="utf-8") as stream:
-        cells = stream.readline().rstrip("\n").split(",")
+        header = stream.readline(_LONGEST_HEADER)
+    if len(header) == _LONGEST_HEADER:
+        raise ValueError(f"its first line has {_LONGEST_HEADER} characters or more")
+    cells = header.rstrip("\n").split(",")
     floats = pyarrow.csv.ConvertOptions(column_types=dict.fromkeys(cells, pa.float64()), null_values=[""])
     table = pyarrow.csv.read_csv(file, convert_options=floats)
     return tuple(map(text_of, cells)), np.array([_numbers(table[name]) for name in cells]).T

@@ -9,18 +9,19 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+from pydantic import AfterValidator, BaseModel, ConfigDict, Discriminator, Field, Tag
 
 from testbed.aircraft.shape import Shape
 from testbed.common.signals import RATES
 from testbed.flight.flight import Outcome
 from testbed.flight.loss import LIMITS
-from testbed.inputs.base import NonNegative, Number, Positive, Whole
+from testbed.inputs.base import NonNegative, Number, Positive, Whole, one_line
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source
 
 _Flag = Annotated[bool, Field(strict=True)]
 _Word = Annotated[str, Field(strict=True)]
+_Name = Annotated[_Word, AfterValidator(one_line)]
 _Known = Number | None
 """A number, or None where it was not finite."""
 
@@ -130,7 +131,7 @@ else:
 class Verdict(_Part):
     """What was found of a requirement."""
 
-    name: _Word
+    name: _Name
     passed: _Flag | None
     value: _Known
     limit: _Word = ""
@@ -142,7 +143,7 @@ class Verdict(_Part):
 class Facts(_Part):
     """What is said of an actuator."""
 
-    name: _Word
+    name: _Name
     kind: _Word
     unit: _Word
     limits: tuple[Number, Number]

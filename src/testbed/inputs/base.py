@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Annotated, Any, Union
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationInfo
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo
 from pydantic_core import PydanticCustomError
 
 Number = Annotated[float, Field(strict=True, allow_inf_nan=False)]
 Positive = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0)]
 NonNegative = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0)]
 Whole = Annotated[int, Field(strict=True, ge=0)]
-Text = Annotated[str, Field(min_length=1)]
+Text = Annotated[str, Field(min_length=1), AfterValidator(lambda text: one_line(text))]
+"""A name: of more lines, it could stand on the terminal as a verdict of ours."""
 
 
 class Settings(BaseModel):
@@ -31,6 +32,13 @@ def retype(model: type[BaseModel], /, **types: Any) -> None:
     for name, kind in types.items():
         model.model_fields[name].annotation = kind
     model.model_rebuild(force=True)
+
+
+def one_line(text: str) -> str:
+    """The text; raises ValueError where it has a line break, the one control character that is shown as it is."""
+    if "\n" in text:
+        raise refuse("has a line break", "one line")
+    return text
 
 
 def refuse(what: str, expected: str = "", suggestion: str = "") -> PydanticCustomError:

@@ -12,6 +12,9 @@ from testbed.inputs.yaml_source import Source, describe, dotted, parse
 SHORT_FORMS: dict[TreePath, str] = {("aircraft",): "name"}
 """Where a text is short for a mapping, and the key of the mapping that has the text."""
 
+_LONGEST, _SHOWN = 20, 200
+"""Keys of a path: ours have up to seven. A path of thousands takes minutes to follow and to say what is wrong with."""
+
 Made = Callable[[TreePath], dict[str, Any] | list[Any]]
 """Gives what is put at a path where the tree has nothing, so that a setting can lead on into it."""
 
@@ -64,6 +67,10 @@ def set_value(source: Source, parts: list[str], value: Any, place: str, missing:
         place: where the value comes from, as problems with it will say, such as `--set a.b=1`.
         missing: gives what is made at a path on the way; by default an empty mapping.
     """
+    if len(parts) > _LONGEST:
+        what = f"is a path of {len(parts)} keys"
+        source.problems.append(Problem(what, place[:_SHOWN], expected=f"at most {_LONGEST}"))
+        return
     node, path = source.tree, ()  # type: tuple[Any, TreePath]
     for i, part in enumerate(parts):
         last = i == len(parts) - 1

@@ -13,6 +13,8 @@ from testbed.inputs.input_file import MEGABYTE, read_text
 from testbed.inputs.problems import BadInput, Problem
 
 _LARGEST_JSON = 20 * MEGABYTE
+_DEEPEST = 10
+"""Folders in folders: ours are three deep, and a path of thousands is longer than systems open."""
 _SHOWN = 3
 """Members that are named."""
 
@@ -28,12 +30,16 @@ def refuse_links(folder: Path) -> None:
 
 
 def _links(folder: Path) -> Iterator[Problem]:
-    waiting = [folder]
+    waiting = [(folder, 0)]
     while waiting:
-        with os.scandir(waiting.pop()) as members:
+        place, depth = waiting.pop()
+        if depth > _DEEPEST:
+            yield Problem("is nested too deeply", str(place), expected=f"folders {_DEEPEST} deep at most")
+            continue
+        with os.scandir(place) as members:
             for member in sorted(members, key=lambda each: each.name):
                 if member.is_dir(follow_symlinks=False):
-                    waiting.append(Path(member.path))
+                    waiting.append((Path(member.path), depth + 1))
                 elif not member.is_file(follow_symlinks=False):
                     what = "is a link" if member.is_symlink() else "is a device or a pipe"
                     yield Problem(

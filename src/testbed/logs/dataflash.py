@@ -1,47 +1,90 @@
 """ArduPilot's DataFlash logs (.BIN): columns by message and field, such as `IMU.GyrX`, or `IMU[1].GyrX` of the second sensor.
 
-Each message has its own times. All are brought onto those of one message, which the mapping names as `time`.
+Each message has its own times. All are brought onto those of one message, which the mapping names as `time`. The format is that of
+ArduPilot's `LogStructure.h`: a file is a chain of messages, and those of one kind, FMT, declare the others. pymavlink reads it too,
+but stores every message as a dict, writes a line for each byte that it cannot read, and ends with errors of any kind.
 """
 
 from __future__ import annotations
 
 import re
 import struct
+from array import array
 from collections.abc import Iterable
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from testbed.inputs.problems import BadInput, Problem, guess
 
 MAGIC = b"\xa3\x95"
-"""How every message begins."""
+"""How every message begins; a byte with its kind follows."""
 TIME = "TimeUS"
 _NAME = re.compile(r"(\w{1,4})(?:\[(\d{1,3})\])?\.(\w{1,64})")
 _GAP_US = 0.5e6
-_MOST = 20_000_000  # messages
+_MOST, _MOST_LOST = 20_000_000, 100_000
+"""Messages that are read, and places at which a message is looked for in vain."""
+_EXPECTED = "a DataFlash log of ArduPilot"
+_FMT, _FMT_BYTES = 128, 89
+_TYPES = {"b": "i1", "B": "u1", "M": "u1", "h": "<i2", "H": "<u2", "i": "<i4", "I": "<u4", "q": "<i8", "Q": "<u8", "g": "<f2",
+          "f": "<f4", "d": "<f8", "c": "<i2", "C": "<u2", "e": "<i4", "E": "<u4", "L": "<i4", "n": "S4", "N": "S16", "Z": "S64",
+          "a": "S64"}  # fmt: skip
+_SCALES = {"c": 0.01, "C": 0.01, "e": 0.01, "E": 0.01, "L": 1e-7}
+_INSTANCES = ("I", "Instance", "instance")
 
 
-def columns(file: Path, names: Iterable[str], time: str) -> dict[str, np.ndarray]:
+@dataclass(frozen=True)
+class _Kind:
+    """The messages of a kind: fields with their letters, the layout of its bytes, and where in the file each begins."""
+
+    fields: dict[str, str]
+    layout: np.dtype
+    places: array[int] = field(default_factory=lambda: array("q"))
+
+    def values(self, content: bytes, name: str) -> np.ndarray:
+        """[messages] a field; NaN where it is a text."""
+        number = list(self.fields).index(name)
+        dtype, start = self.layout[number], 3 + sum(self.layout[i].itemsize for i in range(number))
+        if dtype.kind == "S":
+            return np.full(len(self.places), np.nan)
+        columns = np.arange(start, start + dtype.itemsize)
+        found = np.frombuffer(content, np.uint8)[np.asarray(self.places)[:, None] + columns]
+        return found.view(dtype)[:, 0].astype(float) * _SCALES.get(self.fields[name], 1.0)
+
+    def instances(self, content: bytes) -> np.ndarray:
+        """[messages] the number of the sensor that each is of; 0 where there is one."""
+        name = next((each for each in _INSTANCES if each in self.fields), None)
+        return np.zeros(len(self.places)) if name is None else self.values(content, name)
+
+
+def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict[str, np.ndarray]:
     """The columns of these names on the times of the message of `time`; NaN where nothing was written for 0.5 s.
 
     Raises BadInput for what is no such log, a name that is none, and a message or field that the log has not.
     """
     asked = {name: _parts(file, name) for name in names}
-    series, fields = _series(file, {kind for kind, _, _ in asked.values()})
-    for name, (kind, instance, field) in asked.items():
-        if field not in fields.get(kind, ()):
-            what = f"has no field {field} of {kind}" if kind in fields else f"has no message {kind}"
-            known = fields.get(kind, fields)
-            raise BadInput([Problem(f"{what}, for {name}", str(file), None, "", *guess(field, known))])
-        if (kind, instance) not in series:
-            raise BadInput([Problem(f"has no message {kind} of this sensor", str(file), path=name)])
-    base = _values(series, asked[time], TIME)
-    found = {}
-    for name, parts in asked.items():
-        found[name] = onto(base, _values(series, parts, TIME), _values(series, parts, parts[2]))
-    return found
+    kinds = _kinds(file, content)
+    for name, (kind, _, wanted) in asked.items():
+        if kind not in kinds or wanted not in kinds[kind].fields:
+            what = f"has no field {wanted} of {kind}" if kind in kinds else f"has no message {kind}"
+            known = kinds[kind].fields if kind in kinds else kinds
+            raise BadInput([Problem(f"{what}, for {name}", str(file), None, "", *guess(wanted, known))])
+        if TIME not in kinds[kind].fields:
+            raise BadInput([Problem(f"has no {TIME} of {kind}, for {name}", str(file), expected=_EXPECTED)])
+    found = {name: _series(file, content, name, kinds[kind], (number, wanted))
+             for name, (kind, number, wanted) in asked.items()}  # fmt: skip
+    return {name: onto(found[time][0], *each) for name, each in found.items()}
+
+
+def _series(
+    file: Path, content: bytes, name: str, kind: _Kind, which: tuple[int, str]
+) -> tuple[np.ndarray, np.ndarray]:
+    """(times [us], values) of a field of one sensor."""
+    rows = kind.instances(content) == which[0]
+    if not np.any(rows):
+        raise BadInput([Problem("has no message of this sensor", str(file), path=name)])
+    return kind.values(content, TIME)[rows], kind.values(content, which[1])[rows]
 
 
 def _parts(file: Path, name: str) -> tuple[str, int, str]:
@@ -53,56 +96,43 @@ def _parts(file: Path, name: str) -> tuple[str, int, str]:
     return found[1], int(found[2] or 0), found[3]
 
 
-def _series(
-    file: Path, kinds: set[str]
-) -> tuple[dict[tuple[str, int], list[dict[str, Any]]], dict[str, list[str]]]:
-    """The messages of these kinds by kind and sensor, and the fields of every kind that the log declares."""
-    try:
-        from pymavlink.DFReader import DFReader_binary
-    except ImportError:
-        what = "needs pymavlink: pip install 'testbed[logs]'"
-        raise BadInput([Problem(what, str(file))]) from None
-    found: dict[tuple[str, int], list[dict[str, Any]]] = {}
-    try:
-        log = DFReader_binary(str(file))
-        fields = {each.name: list(each.columns) for each in log.formats.values()}
-        for _ in range(_MOST):
-            message = log.recv_match(type=list(kinds))
-            if message is None:
+def _kinds(file: Path, content: bytes) -> dict[str, _Kind]:
+    """The kinds of messages by name, of a file that may be torn; raises BadInput for one that is no log, or has too many."""
+    kinds, sizes = dict[int, tuple[str, _Kind]](), [0] * 256
+    sizes[_FMT] = _FMT_BYTES
+    at = lost = 0
+    for _ in range(_MOST):
+        size = sizes[content[at + 2]] if content[at : at + 2] == MAGIC and at + 2 < len(content) else 0
+        if not size:
+            lost, at = lost + 1, content.find(MAGIC, at + 1)
+            if at < 0 or lost > _MOST_LOST:
                 break
-            values = message.to_dict()
-            number = next((values[key] for key in ("I", "Instance", "instance") if key in values), 0)
-            found.setdefault((message.get_type(), int(number)), []).append(values)
-    except (
-        ValueError,
-        KeyError,
-        TypeError,
-        AttributeError,
-        IndexError,
-        OSError,
-        struct.error,
-        UnicodeError,
-    ) as error:
-        words = f"cannot be read: {type(error).__name__}: {str(error)[:100]}"
-        raise BadInput([Problem(words, str(file), expected="a DataFlash log of ArduPilot")]) from None
-    if TIME not in fields.get("IMU", [TIME]) or not found:
-        raise BadInput(
-            [
-                Problem(
-                    f"has no message {', '.join(sorted(kinds))}",
-                    str(file),
-                    expected="a DataFlash log of ArduPilot",
-                )
-            ]
-        )
-    return found, fields
+        elif at + size > len(content):
+            break
+        elif content[at + 2] == _FMT:
+            _declare(content[at + 3 : at + size], kinds, sizes)
+            at += size
+        else:
+            kinds[content[at + 2]][1].places.append(at)
+            at += size
+    else:
+        raise BadInput([Problem(f"has more than {_MOST} messages", str(file), expected=_EXPECTED)])
+    if lost > _MOST_LOST or not any(kind.places for _, kind in kinds.values()):
+        raise BadInput([Problem("cannot be read: is no chain of messages", str(file), expected=_EXPECTED)])
+    return dict(kinds.values())
 
 
-def _values(
-    series: dict[tuple[str, int], list[dict[str, Any]]], parts: tuple[str, int, str], field: str
-) -> np.ndarray:
-    kind, instance, _ = parts
-    return np.array([float(each.get(field, np.nan)) for each in series[kind, instance]])
+def _declare(said: bytes, kinds: dict[int, tuple[str, _Kind]], sizes: list[int]) -> None:
+    """Take in a kind that is declared for the first time, if what is said of it fits together."""
+    number, size, *texts = struct.unpack("<BB4s16s64s", said)
+    name, letters, fields = (each.split(b"\0")[0].decode("ascii", "replace") for each in texts)
+    names = fields.split(",")
+    if sizes[number] or len(names) != len(letters) or not set(letters) <= set(_TYPES):
+        return
+    layout = np.dtype([(f"f{i}", _TYPES[letter]) for i, letter in enumerate(letters)])
+    if layout.itemsize + 3 == size and len(set(names)) == len(names):
+        sizes[number] = size
+        kinds[number] = name, _Kind(dict(zip(names, letters, strict=True)), layout)
 
 
 def onto(base: np.ndarray, time_us: np.ndarray, values: np.ndarray) -> np.ndarray:

@@ -5,7 +5,7 @@ Only what a real log has is in it: what sensors read and what was commanded.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -28,6 +28,12 @@ OPTIONAL = ("alpha", "beta", "u_dot", "force_x")
 _LARGEST = {"p": 12.0, "q": 12.0, "r": 12.0, "roll": 6.4, "pitch": 1.6, "alpha": 1.6, "beta": 1.6, "airspeed": 400.0,
             "u_dot": 300.0, "force_x": 300.0}  # fmt: skip
 """Sizes [SI] that 99 % of a signal stay below, whatever flew."""
+_LARGEST_COMMAND = 1e7
+"""The same of a command: the thrust of the largest engines [N], and more."""
+_SPIKE = 10.0
+"""A value so many times as large is no reading, and is taken for missing."""
+_FLIES_M_S = 1.0
+"""An airspeed that some percent of the log of a flight are above."""
 _DEGREES = 57.3
 
 
@@ -83,15 +89,19 @@ def even(
     rows, remarks = _ascending(name, time_s)
     if problems := _impossible(name, time_s[rows], {n: v[rows] for n, v in signals.items()}, place):
         raise BadInput(problems)
+    if problems := [*_oversized(name, commands, dict.fromkeys(commands, _LARGEST_COMMAND), str)]:
+        raise BadInput(problems)
     before, usual_s = time_s[rows], float(np.median(np.diff(time_s[rows])))
     step_s = 1.0 / min(max(1.0 / usual_s, _LEAST_HZ), _MOST_HZ)
-    after = np.arange(before[0], before[-1], step_s)
-    if len(after) > MOST_ROWS:
+    if (before[-1] - before[0]) / step_s > MOST_ROWS:
         raise BadInput([Problem(f"lasts {before[-1] - before[0]:.0f} s", name, expected="a shorter log")])
+    after = np.arange(before[0], before[-1], step_s)
     known = np.ones(len(after), dtype=bool)
     columns: dict[str, np.ndarray] = {}
     for signal, values in {**signals, **commands}.items():
-        columns[signal], there = _onto(after, before, values[rows], held=signal in commands)
+        most = _SPIKE * _LARGEST.get(signal, _LARGEST_COMMAND)
+        read = np.where(np.abs(values[rows]) <= most, values[rows], np.nan)
+        columns[signal], there = _onto(after, before, read, held=signal in commands)
         known &= there
     missing = float(np.mean(~known))
     if missing > 0.0:
@@ -118,20 +128,10 @@ def _impossible(
     name: str, time_s: np.ndarray, signals: Mapping[str, np.ndarray], place: Callable[[str], str]
 ) -> list[Problem]:
     """Signals of a size that no aircraft has, and turning rates that do not fit the attitude."""
-    found = []
-    for signal, most in _LARGEST.items():
-        values = np.abs(signals.get(signal, np.zeros(1)))
-        if not np.any(np.isfinite(values)):
-            found.append(Problem("has no numbers", name, path=place(signal)))
-        elif (size := float(np.nanpercentile(values, 99.0))) > most:
-            found.append(
-                Problem(
-                    f"is up to {size:.3g} in SI",
-                    name,
-                    path=place(signal),
-                    expected=f"less than {most:g}; is its unit right?",
-                )
-            )
+    found = [*_oversized(name, signals, _LARGEST, place)]
+    if not found and not np.nanpercentile(signals["airspeed"], 99.0) > _FLIES_M_S:
+        what, path = f"is never above {_FLIES_M_S:g} m/s", place("airspeed")
+        found.append(Problem(what, name, path=path, expected="an aircraft that flies; is its sign right?"))
     for rate, angle in (("p", "roll"), ("q", "pitch")):
         if not found and rate in signals and angle in signals and len(time_s) > 100:
             ratio = _ratio(time_s, signals[rate], signals[angle])
@@ -143,6 +143,20 @@ def _impossible(
                     )
                 )
     return found
+
+
+def _oversized(
+    name: str, signals: Mapping[str, np.ndarray], largest: Mapping[str, float], place: Callable[[str], str]
+) -> Iterator[Problem]:
+    """Signals without a number, and those that are above their largest value in more than one percent of the log."""
+    for signal, values in signals.items():
+        if not np.any(np.isfinite(values)):
+            yield Problem("has no numbers", name, path=place(signal))
+            continue
+        size = float(np.percentile(np.abs(values[~np.isnan(values)]), 99.0, method="higher"))
+        if size > largest[signal]:
+            expected = f"less than {largest[signal]:g}; is its unit right?"
+            yield Problem(f"is up to {size:.3g} in SI", name, path=place(signal), expected=expected)
 
 
 def _ratio(time_s: np.ndarray, rate: np.ndarray, angle: np.ndarray) -> float:

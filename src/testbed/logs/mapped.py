@@ -139,7 +139,8 @@ def _refuse_throttle(file: Path, column: Column, values: np.ndarray) -> None:
 
 
 def _value(columns: Mapping[str, np.ndarray], column: Column) -> np.ndarray:
-    return (columns[column.column] - column.zero) * column.scale * _UNITS[column.unit]
+    with np.errstate(over="ignore", invalid="ignore"):  # what is too large is refused later
+        return np.asarray((columns[column.column] - column.zero) * column.scale * _UNITS[column.unit])
 
 
 def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str, np.ndarray]:
@@ -152,7 +153,7 @@ def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str
     if not content.strip():
         raise BadInput([Problem("is empty", str(file), expected=_EXPECTED)])
     if content.startswith(dataflash.MAGIC):
-        return dataflash.columns(file, names, time)
+        return dataflash.columns(file, content, names, time)
     if content.startswith(ulog.MAGIC):
         return ulog.columns(file, content, names, time)
     try:

@@ -7,8 +7,10 @@ the mapping names as `time`.
 from __future__ import annotations
 
 import io
+import math
 import re
 from collections.abc import Iterable, Mapping
+from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +24,9 @@ MAGIC = b"ULog\x01\x12\x35"
 TIME = "timestamp"
 _NAME = re.compile(r"([\w/-]{1,200}?)(?:\[(\d{1,3})\])?\.([\w.\[\]]{1,200})")
 _EXPECTED = "a log of PX4"
-_HEADER, _KINDS = 16, frozenset(b"ABCDFILMOPQRS")
+_HEADER, _KINDS, _FORMAT = 16, frozenset(b"ABCDFILMOPQRS"), ord("F")
+_MOST_FIELDS = 10_000
+_FIELD = re.compile(r"([\w/-]+)(?:\[(\d{1,18})\d*\])? [^;]*")
 
 
 def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict[str, np.ndarray]:
@@ -62,8 +66,13 @@ def _series(file: Path, content: bytes, topics: set[str]) -> dict[tuple[str, int
         from pyulog import ULog
     except ImportError:
         raise BadInput([Problem("needs pyulog: pip install 'testbed[logs]'", str(file))]) from None
+    end, formats = _whole(content)
+    if any(_size(name, formats) > _MOST_FIELDS for name in formats):
+        what = f"has a format of more than {_MOST_FIELDS} fields, or of itself"
+        raise BadInput([Problem(what, str(file), expected=_EXPECTED)])
     try:
-        read = ULog(io.BytesIO(content[: _whole(content)]), sorted(topics))
+        with redirect_stdout(io.StringIO()):  # it prints what it thinks of the file
+            read = ULog(io.BytesIO(content[:end]), sorted(topics))
         found = {(each.name, int(each.multi_id)): _fields(each.data) for each in read.data_list}
     except (
         Exception
@@ -76,15 +85,31 @@ def _series(file: Path, content: bytes, topics: set[str]) -> dict[tuple[str, int
     return found
 
 
-def _whole(content: bytes) -> int:
-    """Up to where the file is a chain of whole messages of known kinds: pyulog may search for ever in what is none."""
-    at, end = _HEADER, len(content)
+def _whole(content: bytes) -> tuple[int, dict[str, str]]:
+    """Up to where the file is a chain of whole messages of known kinds, and {format: its fields}.
+
+    In what is no such chain pyulog may search for ever.
+    """
+    at, end, formats = _HEADER, len(content), dict[str, str]()
     while at + 3 <= end:
         following = at + 3 + content[at] + 256 * content[at + 1]
         if content[at + 2] not in _KINDS or following > end:
             break
+        if content[at + 2] == _FORMAT:
+            name, _, fields = content[at + 3 : following].decode("utf-8", "replace").partition(":")
+            formats[name] = f"{formats.get(name, '')};{fields}"
         at = following
-    return at
+    return at, formats
+
+
+def _size(name: str, formats: Mapping[str, str], sizes: dict[str, float] | None = None) -> float:
+    """Number of fields of a format with those of the formats in it: pyulog makes a list of them all."""
+    sizes = {} if sizes is None else sizes
+    if name not in sizes:
+        sizes[name] = math.inf  # until it is known: so of a format that has itself
+        sizes[name] = sum(float(count or 1) * (_size(kind, formats, sizes) if kind in formats else 1.0)
+                          for kind, count in _FIELD.findall(formats[name]))  # fmt: skip
+    return sizes[name]
 
 
 def _fields(data: Mapping[str, Any]) -> dict[str, np.ndarray]:

@@ -250,7 +250,9 @@ def _not_recovered(flight: Flight, failed_s: float) -> str:
     if left := _left(flight):
         return f"Not recovered: it did not stay within {_within(left)}."
     view = readings(flight)
-    rows = slice(view.row_at(failed_s), len(view.time_s))
+    rows = slice(
+        min(view.row_at(failed_s), len(view.time_s) - 1), len(view.time_s)
+    )  # it may be after the last row
     if all(np.abs(view.error(q)[rows]).max() <= RECOVERED[q] for q in _TRACKED):
         return f"So far it held: {_STAYED} of their references, but the flight ended within {DWELL_S:g} s of the failure."
     return (

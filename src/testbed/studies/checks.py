@@ -27,6 +27,7 @@ _MOST_CHECKED = 2000
 """Most scenarios that are checked for each of the two, ends and draws: some seconds of computing."""
 _SAID = {ESTIMATES: (f"_{ESTIMATES}",), FLAGS: (f"_{FLAGS}", "_belief", "_believed_position")}
 """The ends of the log's columns that a controller fills which says that."""
+_WORDS = ("type", "actuator", "aircraft")
 _MOST = 20
 """Number of problems after which no further ends or draws are checked."""
 
@@ -34,11 +35,20 @@ _MOST = 20
 def check(plan: Plan) -> None:
     """Raise BadInput with everything that is wrong with the scenarios of a study."""
     found = [not_given(name) for name, own in plan.builder.own.items() if not own.code]
+    found = found or list(_drawn_words(plan))
     # The ends come before the draws, because their messages show the value that the user wrote.
     found = found or list(dict.fromkeys(islice(_ends(plan), _MOST)))
     found = found or _once(islice(_draws(plan), _MOST))
     if found:
         raise BadInput(found)
+
+
+def _drawn_words(plan: Plan) -> Iterator[Problem]:
+    """Words, such as the type of a controller, for which numbers are drawn."""
+    for path, distribution in plan.study.vary.items():
+        if path.rpartition(".")[2] in _WORDS and distribution.name != "choice":
+            what, expected = f"is a word, and {distribution.name} draws numbers", "{choice: [...]}"
+            yield Problem(what, path=f"vary.{path}", expected=expected)
 
 
 def _once(problems: Iterable[Problem]) -> list[Problem]:

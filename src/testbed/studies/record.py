@@ -10,11 +10,23 @@ import math
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
-from pydantic import ConfigDict, Field, TypeAdapter, with_config
+from pydantic import AfterValidator, ConfigDict, Field, TypeAdapter, with_config
 from typing_extensions import TypedDict
+
+from testbed.flight.flight import Outcome
 
 NO_RESULT = ("invalid", "error", "timeout", "crashed")
 """Outcomes of a flight without a result: refused as input, ended by an exception, hung, ended with its process."""
+
+OUTCOMES = (*map(str, Outcome), *NO_RESULT)
+"""All outcomes of a flight of a study."""
+
+
+def _known(outcome: str) -> str:
+    if outcome not in OUTCOMES:
+        raise ValueError("is no outcome of a flight")
+    return outcome
+
 
 _Number = Annotated[int, Field(ge=0)]
 _Verdict = tuple[bool | None, float, float]
@@ -35,7 +47,7 @@ class Record:
     variant: _Number
     seed: _Number
     values: dict[str, Any]
-    outcome: str
+    outcome: Annotated[str, AfterValidator(_known)]
     passed: bool | None
     reason: str = ""
     end_time_s: float = math.nan

@@ -47,8 +47,8 @@ def sections(summary: Summary) -> Iterator[Section]:
 
 def again(summary: Summary, draw: int | str, name: str) -> str:
     """The command that flies a draw again by one controller."""
-    chosen = shlex.quote(summary["given"][name])
-    return f"testbed benchmark {summary['file']} --seed {summary['seed']} --only {draw} --controller {chosen}"
+    words = [str(summary["file"]), "--seed", str(summary["seed"]), "--only", str(draw)]
+    return f"testbed benchmark {shlex.join([*words, '--controller', summary['given'][name]])}"
 
 
 def compared(summary: Summary) -> list[str]:

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from handmade import flight_of, level_log
 
+from testbed.flight import damage
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.folder import write_run_folder
 from testbed.inputs.problems import BadInput
@@ -39,6 +40,22 @@ def test_a_log_without_a_place_is_refused(to: str, tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="the log has no column north_m"):
         export(flight_of(level_log()), to, tmp_path / "file")
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("to", TABLE)
+def test_what_a_format_shows_is_asked_for_before_it_is_written(
+    to: str, flown: Flight, tmp_path: Path
+) -> None:
+    """A log of somebody else may lack any column but those without which no flight is loaded."""
+    for j, name in enumerate(flown.columns):
+        if name in damage._needed(flown):
+            continue
+        rest = [i for i in range(len(flown.columns)) if i != j]
+        less = replace(flown, columns=tuple(flown.columns[i] for i in rest), data=flown.data[:, rest])
+        try:
+            export(less, to, tmp_path / name)
+        except BadInput as error:
+            assert f"has no column {name}" in str(error)
 
 
 def test_an_existing_file_is_kept(flown: Flight, tmp_path: Path) -> None:

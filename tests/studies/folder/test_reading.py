@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import csv
+import shutil
+from collections.abc import Callable
 from itertools import islice
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import pyarrow as pa
+import pyarrow.parquet as pq
 import pytest
 from sweep_files import SWEEP, fly_here, here, written
 from sweep_files import table as table_of
@@ -117,3 +121,23 @@ def test_a_resume_without_figures_leaves_none_of_before(tmp_path: Path) -> None:
     assert (tmp_path / "out/figures").is_dir(), "which are still those of these flights"
     testbed.sweep(file, tmp_path / "out", runs=4, fly=quick, jobs=1, resume=True, figures=False)
     assert not (tmp_path / "out/figures").exists() and not (tmp_path / "out/report.html").exists()
+
+
+OTHERS: dict[str, tuple[Callable[[pd.DataFrame], pd.DataFrame], str]] = {
+    "a flight twice": (lambda t: t.iloc[[0] * len(t)], "has a flight twice"),
+    "an outcome of its own": (lambda t: t.assign(outcome="\x1b[2J<svg onload=1>"), "has outcomes other than"),
+    "other runs": (lambda t: t.assign(run=t["run"] + 10**6), "has runs other than 0 to 11"),
+    "more flights": (lambda t: pd.concat([t, t]), "rows for 24 flights"),
+    "verdicts in words": (lambda t: t.assign(passed="yes"), "does not say of each flight whether it passed"),
+}
+
+
+@pytest.mark.parametrize("what", OTHERS)
+def test_a_table_of_other_flights_is_refused(folder: Path, tmp_path: Path, what: str) -> None:
+    change, words = OTHERS[what]
+    shutil.copytree(folder, tmp_path / "out")
+    changed = pa.Table.from_pandas(change(pd.read_parquet(folder / "results.parquet")), preserve_index=False)
+    texts = [f.with_type(pa.string()) if pa.types.is_large_string(f.type) else f for f in changed.schema]
+    pq.write_table(changed.cast(pa.schema(texts)), tmp_path / "out/results.parquet")
+    with pytest.raises(BadInput, match=words):
+        load(tmp_path / "out")

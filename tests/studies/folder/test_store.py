@@ -202,6 +202,7 @@ def test_a_file_that_is_no_database_is_refused(tmp_path: Path, content: bytes, w
         ("seed", "x", "seed"),
         ("passed", 1, "passed"),
         ("outcome", None, "outcome"),
+        ("outcome", "\x1b[2J<svg onload=1>", "outcome"),
         ("end_time_s", "soon", "end_time_s"),
         ("values", [], "values"),
         ("metrics", {"a": "b"}, "metrics.a"),
@@ -344,3 +345,14 @@ def test_a_database_that_has_another_name_too_is_not_flown_into(tmp_path: Path) 
     with pytest.raises(PermissionError, match="has other names"):
         store.opened(folder)
     assert (tmp_path / "mine.sqlite").read_bytes() == before
+
+
+@pytest.mark.parametrize("name", [f"{store.NAME}-wal", store.NAME])
+def test_a_file_of_a_terabyte_of_nothing_is_not_copied(tmp_path: Path, name: str) -> None:
+    """A folder that is only read is copied where it has a log, into the temporary folder, which it would fill."""
+    new(tmp_path).close()
+    for file in (store.NAME, f"{store.NAME}-wal"):
+        (tmp_path / file).touch()
+    os.truncate(tmp_path / name, 10**12)
+    with pytest.raises(BadInput, match=f"{name}: has more than (1|20) GB"):
+        read(tmp_path)

@@ -38,7 +38,7 @@ TABLE: dict[str, Format] = {
     "ulog": Format(
         ".ulg",
         "PlotJuggler and pyulog, as PX4's: sensors and truth, a topic for each actuator, events",
-        _POSE,
+        (*_POSE, "p_deg_s", "q_deg_s", "r_deg_s", "alpha_deg", "beta_deg", "airspeed_m_s", "climb_rate_m_s"),
     ),
     "mat": Format(".mat", "MATLAB and Octave: structs log, units and summary, and events", ("time_s",)),
 }

@@ -9,6 +9,7 @@ from __future__ import annotations
 import io
 import json
 import re
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -76,7 +77,7 @@ def logs_of(path: str | Path) -> list[Path]:
         if runs is not None and run >= runs:
             raise BadInput([Problem(f"there is no run {run}", str(path), expected=f"0 to {runs - 1}")])
         file = file_of(path.parent)
-        command = f"testbed {file.stem} {file} --only {run}"
+        command = f"testbed {shlex.join([file.stem, str(file), '--only', str(run)])}"
         expected = f"one of a flight whose log was kept; `{command}` flies it again"
         raise BadInput([Problem("no log of this run was kept", str(path), expected=expected)])
     return found

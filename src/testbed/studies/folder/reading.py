@@ -16,7 +16,7 @@ from testbed.inputs.received_table import read_frame
 from testbed.studies.folder import store, table
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
-from testbed.studies.record import Record, key_of
+from testbed.studies.record import OUTCOMES, Record, key_of
 from testbed.studies.verdicts import counted
 
 if TYPE_CHECKING:
@@ -68,6 +68,10 @@ def _wrong(plan: Plan, frame: pd.DataFrame) -> str:
         return f"has {len(frame)} rows for {plan.size} flights"
     if len(frame) and not (run.dtype == "int64" and run.between(0, plan.runs - 1).all()):
         return f"has runs other than 0 to {plan.runs - 1}"
+    if frame.duplicated(["run", *plan.study.compare]).any():
+        return "has a flight twice"
+    if not frame["outcome"].isin(OUTCOMES).all():
+        return f"has outcomes other than {', '.join(OUTCOMES)}"
     passed = frame["passed"].dropna()  # a flight of which nothing can be judged has none
     if not passed.map(lambda value: isinstance(value, bool)).all():
         return "does not say of each flight whether it passed"

@@ -45,6 +45,8 @@ _LARGEST = 16_000_000
 """Longest record that is read [bytes]."""
 _SYNC_S = 1.0
 """Time between flushes to disk [s], and so the work that a loss of power may cost."""
+_LARGEST_LOG, _LARGEST_COPY = 1_000_000_000, 20_000_000_000
+"""Largest -wal [bytes], of which SQLite writes 4 MB at a time, and largest file that is copied beside it."""
 _COPIES = 10
 """Attempts at copying a file that another process is writing."""
 
@@ -233,7 +235,15 @@ def _refuse_links(folder: Path) -> None:
 
 
 def _copied(folder: Path, there: Path) -> Path:
-    """Copy the file and its log; once more when the log was moved into the file meanwhile."""
+    """Copy the file and its log; once more when the log was moved into the file meanwhile.
+
+    Raises BadInput for a file that would fill the disk: one of nothing but a hole may say that it has terabytes.
+    """
+    for file, most in ((_log(folder), _LARGEST_LOG), (folder / NAME, _LARGEST_COPY)):
+        with suppress(FileNotFoundError):
+            if file.stat().st_size > most:
+                what = f"has more than {most / 1e9:g} GB"
+                raise BadInput([Problem(what, str(file), expected="a file as testbed writes it")])
     for _ in range(_COPIES):
         before = _stamp(folder / NAME)
         _log(there).unlink(missing_ok=True)

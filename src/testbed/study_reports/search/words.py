@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import shlex
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -83,9 +84,8 @@ def _flown_again(part: Summary) -> str:
     """With what the scenario found flies again, where it does not by itself: a scenario cannot name a class."""
     if "own_controller" not in part:
         return ""
-    return (
-        f" `testbed run {part['folder']}/scenario.yaml --controller {part['own_controller']}` flies it again."
-    )
+    words = shlex.join([f"{part['folder']}/scenario.yaml", "--controller", str(part["own_controller"])])
+    return f" `testbed run {words}` flies it again."
 
 
 def _bound(part: Summary) -> str:

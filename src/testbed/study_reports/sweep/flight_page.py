@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 from testbed.flight.flight import Flight
@@ -42,5 +43,5 @@ def _study(log: Path) -> Path:
 
 def only(run: int, variant: str, file: str = "sweep.yaml") -> str:
     """The command that flies one flight of a sweep or a matrix again, alone; `file` is that in its folder."""
-    chosen = f" --variant {variant}" if variant else ""
-    return f"python -m testbed {Path(file).stem} {file} --only {run}{chosen}"
+    chosen = ["--variant", variant] if variant else []
+    return f"python -m testbed {shlex.join([Path(file).stem, file, '--only', str(run), *chosen])}"
