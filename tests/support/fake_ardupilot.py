@@ -20,9 +20,6 @@ with open(given["--defaults"]) as file:
 parameters = {name: float(value) for name, value in lines}
 channels = {int(parameters.get(f"SERVO{n}_FUNCTION", 0)): n for n in range(16, 0, -1)}
 print("fake autopilot", given["--home"], flush=True)
-for name in parameters:
-    if name.startswith("NO_"):
-        print(f"Ignored unknown param {name} in defaults file {given['--defaults']}", flush=True)
 
 states = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
 states.connect(("127.0.0.1", int(given["--sim-port-out"])))

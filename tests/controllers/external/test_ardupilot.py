@@ -207,14 +207,6 @@ def test_parameters_of_a_scenario_are_names_and_numbers():
     assert "no SERVOn_FUNCTION is 79" in refused(**{"controller.parameters": {"SERVO1_FUNCTION": 0}})
 
 
-def test_parameters_that_it_does_not_know_are_refused_or_said(tmp_path):
-    said = refused(**{"controller.parameters": {"NO_SUCH": 1, "RLL_RATE_P": 0.1, "NO_OTHER": 2}})
-    assert "does not know NO_SUCH and NO_OTHER, expected parameters of its version" in said
-    (tmp_path / "older.parm").write_text("NO_LONGER 1\n")
-    with pytest.warns(UserWarning, match="does not know NO_LONGER; it flies without"):
-        assert flown(parameters=tmp_path / "older.parm").outcome.value == "completed"
-
-
 def test_executables_that_cannot_be_run_are_refused(tmp_path, monkeypatch):
     monkeypatch.delenv("TESTBED_ARDUPILOT", raising=False)
     text = tmp_path / "arduplane"

@@ -11,14 +11,12 @@ import contextlib
 import json
 import math
 import os
-import re
 import select
 import signal
 import socket
 import struct
 import subprocess
 import time
-import warnings
 import weakref
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -48,7 +46,6 @@ _PACKETS = {18458: struct.Struct("<HHI16H"), 29569: struct.Struct("<HHI32H")}
 _POLL_S = 0.2
 _HOME = "45,10"  # latitude and longitude of the start [deg]; 0,0 would be replaced by its own
 _PARAMETERS = "parameters.parm"
-_UNKNOWN = re.compile(r"Ignored unknown param (\w+) in defaults file")  # as its console says it
 
 
 class ArduPilot:
@@ -64,7 +61,7 @@ class ArduPilot:
         if setup.plan is None:
             raise self._problem("is flown only with a plan of the flight")
         self._folder = setup.plan.folder
-        values, self._given = merged(setup, parameters), frozenset(setup.parameters)
+        values = merged(setup, parameters)
         self._outputs = Outputs(setup, values)
         write_new(self._folder / _PARAMETERS, text(values))
         self._states, self._link = _bound(), _bound()
@@ -126,17 +123,6 @@ class ArduPilot:
                 self._set(reference)
             self._exchange(_holding(sensed, self._pitch, self._time_s))
         self._time_s = 0.0
-        self._refuse_unknown()
-
-    def _refuse_unknown(self) -> None:
-        """Raise BadInput for an unknown one of `controller.parameters`; warn of others, which differ from version to version."""
-        said = (self._folder / CONSOLE).read_text(errors="replace")
-        unknown = dict.fromkeys(_UNKNOWN.findall(said))
-        if given := [name for name in unknown if name in self._given]:
-            raise self._problem(f"does not know {' and '.join(given)}", "parameters of its version")
-        if unknown:
-            words = f"{self._name}: does not know {', '.join(unknown)}; it flies without"
-            warnings.warn(words, stacklevel=2)
 
     def _command(self, command: int, *parameters: float) -> None:
         self._send(mavlink.command_long(self._sent, command, *parameters))
