@@ -65,7 +65,9 @@ def _outcome(case: ElementTree.Element) -> str:
 def _beside(file: Path, found: list[tuple[str, str, str, str]]) -> list[tuple[str, str, str, str]]:
     """These rows, and those of a table that are not of the same attempts, in the order of CLASSES."""
     with file.open(newline="", encoding="utf-8") as stream:
-        before = [(kind, attempt, outcome, test) for kind, attempt, outcome, test in [*csv.reader(stream)][1:]]
+        before = [
+            (kind, attempt, outcome, test) for kind, attempt, outcome, test in [*csv.reader(stream)][1:]
+        ]
     anew = {(attempt, test) for _, attempt, _, test in found}
     kept = [row for row in before if (row[1], row[3]) not in anew]
     return sorted([*kept, *found], key=lambda row: list(CLASSES).index(row[0]))
