@@ -14,6 +14,8 @@ from testbed.controllers.inversion import (
     law,
     mode_trim,
     offset_detection,
+    probing,
+    sensor_guard,
     swing_detection,
 )
 
@@ -43,7 +45,16 @@ SENTENCES = [
     f"were raised in the last {jam_detection.RECENT_FLAG_S:g} s are withdrawn",
     f"no effectiveness between {SET.lambda_min:g} and {SET.lambda_max:g} explains",
     f"each is believed when the other is {NUMBER[offset_detection.BEYOND_SIGMAS]} standard deviations away",
-    f"goes more than half of that way within {estimator.REVERSAL_S:g} s, and the way is longer than one scaled unit",
+    f"goes more than {jam_detection.REVERSAL_SHARE:g} of that way within {estimator.REVERSAL_S:g} s, "
+    "and the way is longer than one scaled unit",
+    f"a sine of {probing.RAD_S:g} to {probing.RAD_S + 3.0 * probing.RAD_S_MORE:g} rad/s",
+    f"0.1 to {probing.LARGEST:g} scaled units",
+    f"when 0 is {NUMBER[probing.SIGMAS]} standard deviations away",
+    f"the same to the last digit for {sensor_guard.REPEATS_S:g} s",
+    f"drawn to its reference within {sensor_guard.RECALL_S:g} s",
+    f"less that over the ground, through a lag of {initial_records._SINK_TIME_S:g} s",
+    f"more than {mode_trim._BANK_MAX:g} rad of bank is no trim",
+    f"so that the path follows within {scaling._PATH_LAG_S:g} s",
     f"(process noise {estimator.REVERSAL_NOISE:g}, later {initial_records._JAM_PROCESS_NOISE:g} scaled units",
     f"After {NUMBER[swing_detection.TURNS]} turns it is used again",
     f"averaged over {swing_detection.FORCE_TIME_S:g} s",

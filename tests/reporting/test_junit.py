@@ -74,7 +74,7 @@ def test_a_benchmarks_failures_tell_what_was_drawn() -> None:
            "weather": "light", "gust": "none", "sensors": "ideal", "outcome": "completed", "survived": True, "held": False,
            "inside": 0.835, "end_time_s": 150.0, "altitude_error_max_m": 17.12, "heading_error_max_deg": 25.3,
            "reason": ""}  # fmt: skip
-    said = {"file": "open", "seed": 1, "controllers": {"pid": {"type": "pid"}}}
+    said = {"file": "open", "seed": 1, "given": {"pid": "pid"}}
     missed, held, lost = of_study.tests_of_benchmark(
         said, pd.DataFrame([row, row | {"held": True}, row | {"survived": False, "outcome": "crashed"}])
     )

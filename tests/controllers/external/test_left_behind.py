@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 import pytest
+from scripts import runnable
 
 SUPPORT = Path(__file__).parents[2] / "support"
 PILOT = """
@@ -45,7 +46,7 @@ def flying(tmp_path, monkeypatch):
         named = {
             "process": ["--controller", f"{sys.executable} {pilot}"],
             "ardupilot": ["--autopilot", SUPPORT / "fake_ardupilot.py"],
-            "px4": ["--controller", f"px4:{SUPPORT / 'fake_px4.py'}"],
+            "px4": ["--controller", f"px4:{runnable('fake_px4.py')}"],
         }[kind]
         command = ["-m", "testbed", "run", "left_tail_fail.yaml", "--no-plots", *named]
         flight = subprocess.Popen(

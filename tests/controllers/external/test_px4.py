@@ -6,11 +6,11 @@ import os
 import shutil
 import socket
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common
+from scripts import runnable
 
 import testbed
 from testbed.controllers.external import mavlink, px4
@@ -20,7 +20,7 @@ from testbed.inputs.problems import BadInput
 from testbed.scenario.load import load_scenario
 from testbed.simulation import start_and_setup
 
-FAKE = Path(__file__).parents[2] / "support" / "fake_px4.py"
+FAKE = runnable("fake_px4.py")
 SHORT = {"duration_s": 1.0, "failures": [], "requirements": []}
 
 
