@@ -84,7 +84,7 @@ def _problems(flight: Flight, file: str) -> Iterator[Problem]:
         time_s = flight.column("time_s")
         for row in np.flatnonzero(~(np.diff(time_s) > 0.0)):
             yield Problem(f"is {time_s[row + 1]:g}", file, int(row) + 3, "time_s", "times that increase")
-        step_s = max(1.0 / flight.scenario.log_hz, *np.diff(time_s[-2:]))
+        step_s = max([1.0 / flight.scenario.log_hz, *np.diff(time_s[-2:])])  # a log may have one row
         if not 0.0 <= flight.end_time_s - time_s[-1] <= step_s + _ROUNDED_S:
             what, expected = f"ends at {time_s[-1]:g} s", f"the flight's end, {flight.end_time_s:g} s"
             yield Problem(what, file, len(time_s) + 1, "time_s", expected)

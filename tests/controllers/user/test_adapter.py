@@ -84,7 +84,7 @@ def test_one_that_is_slow_is_said_to_be(tmp_path: Path, monkeypatch: pytest.Monk
     file = tmp_path / "own.py"
     file.write_text(
         "import time\nclass Own:\n    def __init__(self, setup): self.trim = setup.trim_commands\n"
-        "    def update(self, time_s, state, reference): time.sleep(0.03 * (time_s == 0)); return self.trim\n"
+        "    def update(self, time_s, state, reference): time.sleep(0.03 * (0 < time_s < 0.007)); return self.trim\n"
     )
     slow = scenario(tmp_path, "pid", 20)  # 4000 steps
     with pytest.warns(
