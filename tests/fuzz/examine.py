@@ -269,6 +269,7 @@ def _message(fly: bool, begin: Callable[[str], None]) -> str:
     """Fly by hand as messages say, each refused in words or carried out."""
     from testbed.inputs.problems import BadInput
     from testbed.live.choices import Choices
+    from testbed.live.line import Line
     from testbed.live.messages import read
     from testbed.live.pilot import Pilot
     from testbed.scenario.load import load_scenario
@@ -276,15 +277,18 @@ def _message(fly: bool, begin: Callable[[str], None]) -> str:
     Path("s.yaml").write_text(yaml.safe_dump(received._SCENARIO))
     before = _outside()
     begin("flying")
-    pilot = Pilot(Choices("s.yaml", load_scenario("s.yaml")), lambda _: None, lambda *_: (Path("kept"), ""))
+    own, page = Line.pair()
+    pilot = Pilot(Choices("s.yaml", load_scenario("s.yaml")), own, lambda *_: (Path("kept"), ""))
     refused: BadInput | None = None
     for line in Path("messages.jsonl").read_bytes().splitlines():
         try:
-            pilot._do(read(line))
+            pilot._do(0, read(line))
         except BadInput as error:
             refused = error
         pilot._advance(0.1)
         pilot._publish(True, 0.0)
+        while page.hear(0.0) is not None:
+            pass
     pilot.flight.close()
     assert _outside() == before, "wrote a file"
     if refused is not None:
