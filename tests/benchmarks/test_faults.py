@@ -36,6 +36,7 @@ def test_a_traceback_a_lost_flight_and_another_table_are_seen(tmp_path: Path) ->
 
 
 def test_neither_parent_nor_workers_grow(tmp_path: Path) -> None:
-    found = faults.memory(400, tmp_path, samples=4)
+    """While flights are flown: before, the parent imports, and at last it makes the table."""
+    found = [each for each in faults.memory(800, tmp_path, samples=20) if 0 < each[0] < 800]
     assert len(found) >= 3
     assert found[-1][1] - found[0][1] < 10 and found[-1][2] - found[0][2] < 10, found
