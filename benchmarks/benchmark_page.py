@@ -36,8 +36,8 @@ HEAD = """\
 
 This page compares controllers on flights that are drawn from a [suite](../reference/benchmark.md): any failure of any aircraft in
 any weather. No list can be learnt by heart, and no one chose the flights: their seed is made from a digest of the controllers'
-code and a word that was said after it was frozen. **Held** is flown to the end and never farther from the references of altitude and heading than limits
-that grow with the aircraft's span and speed. **Inside** is the share of the time within them.
+code and a word that was said after it was frozen. **Held** is flown to the end and never farther from the references of altitude
+and heading than limits that grow with the aircraft's span and speed. **Inside** is the share of the time within them.
 """
 NOTES = """\
 ## How to read it
