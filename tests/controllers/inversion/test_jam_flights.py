@@ -90,7 +90,13 @@ def test_a_propeller_that_fails_on_and_off_after_a_tail_is_used_on(controller: s
 
 @pytest.mark.parametrize(
     ("controller", "seed"),
-    [("adaptive_inversion", 6), ("adaptive_inversion", 11)],
+    [
+        ("adaptive_inversion", 6),
+        ("adaptive_inversion", 11),
+        pytest.param(
+            "indi, monitor: true", 8, marks=pytest.mark.xfail(strict=True, reason="strays by 9.9 m")
+        ),
+    ],
 )
 def test_a_tail_that_fails_on_and_off_after_a_propeller_is_used_as_long_as_the_flight_is_steady(
     controller: str, seed: int
