@@ -1,4 +1,4 @@
-"""Start and end the failures of a scenario when they are due, and keep a receipt of each start and end.
+"""Start and end the failures of a scenario when they are due, with receipts; `injection` writes to the plant.
 
 `Truth` says of them what an ideal diagnosis would find, to the controller `informed_inversion` alone. No other controller sees the
 plant or the failures.

@@ -1,4 +1,4 @@
-"""Problems with the user's input: where each is, what is wrong, and what was expected."""
+"""Problems with the user's input: where each is, what is wrong, what was expected, and what was probably meant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Translate an error of pydantic into a message that users understand, with its path in their file."""
+"""Translate an error of pydantic, such as an unknown key, into a message that users understand, with its path in their file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Linear models of the truth about a steady flight: A, B, C, D by central differences in JSBSim itself."""
+"""Linear models of the truth about a steady flight: A, B, C, D by central differences in JSBSim itself; for analysis."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Flying any kind of study into its folder: how to fly, what is flown and stored, the bar on stderr, and how it ends early."""
+"""Flying any kind of study into its folder: how to fly, which shard K/N, what is stored, the bar on stderr, how it ends early."""
 
 from __future__ import annotations
 

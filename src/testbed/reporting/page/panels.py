@@ -1,4 +1,4 @@
-"""Panels as `web/src/panels.js` draws them: groups with the columns of each, and the bands of the requirements."""
+"""The panels that `reporting.panels` declares, as `web/src/panels.js` draws them: groups, columns, bands of requirements."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Draw one flight of a suite. Nothing here flies; what is drawn are values of a scenario, by its keys."""
+"""Draw one flight of a suite, with dice that `plan` seeds. Nothing here flies; drawn are a scenario's values, by its keys."""
 
 from __future__ import annotations
 
