@@ -32,8 +32,8 @@ then 0.6 m/s."""
 ATTITUDE_RAD_S = 10.0
 """Corner of the lag on the rates that are differences of attitude [rad/s]."""
 UNSEEN_GUST = 0.76
-"""Standard deviation of gusts across the flow [m/s] at W20 = 25 ft/s (MIL-F-8785C, 3.7.3). At 18 m/s they last for 10 s, as the model
-error does."""
+"""Standard deviation of gusts across the flow [m/s] at W20 = 25 ft/s (MIL-F-8785C, 3.7.3). At 18 m/s they last for 10 s, as the
+model error does."""
 G_ALPHA, G_BETA, G_AIRSPEED, G_P, G_Q, G_R = range(len(GUARDED))
 wrap = compiled(angles.wrap)
 
