@@ -19,7 +19,7 @@ RIVALS: Mapping[str, Mapping[str, Any]] = {
     "adaptive_indi": {"type": "adaptive_indi"},
     "mrac": {"type": "mrac"},
     "l1_inversion": {"type": "l1_inversion"},
-    "rls_inversion": {"type": "rls_inversion"},
+    "rls_inversion": {"type": "rls_inversion", "forgetting_s": 1.0, "lambda_min": 0.3},
     "imm_inversion": {"type": "imm_inversion"},
 }
 """`controller` blocks by name, the default law first."""

@@ -101,16 +101,6 @@ class Identified:
     validation: tuple[Validation, ...]
 
 
-@dataclass(frozen=True)
-class _Row:
-    """Of one rate in all logs: what the model leaves, what each coefficient and the constant add, what was measured [bins]."""
-
-    names: tuple[str, ...]
-    left: np.ndarray
-    columns: np.ndarray
-    rate: np.ndarray
-
-
 def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified:
     """The design model that logs of healthy flight give, from that of their `setups`, whose trim and condition it keeps."""
     parts, setup = [rows_of(log, each, BIN_S) for log, each in zip(logs, setups, strict=True)], setups[0]

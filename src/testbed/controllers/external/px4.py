@@ -91,7 +91,7 @@ class PX4:
             self._set(reference, sensed)
         attitude = (sensed.roll, sensed.pitch, sensed.heading)
         force = (sensed.force_x, sensed.force_y, sensed.force_z)
-        controls = self._exchange(sensed, (sensed.p, sensed.q, sensed.r), force, attitude, 0.0)
+        controls = self._controls(self._say(sensed, (sensed.p, sensed.q, sensed.r), force, attitude, 0.0))
         if not self._armed:
             raise self._problem("is not armed", f"the reason in {CONSOLE}")
         middle, half = self._travel
@@ -145,7 +145,8 @@ class PX4:
                 first = step == arm
                 command = (mavlink.ARM, 1, _FORCE) if first else (mavlink.SET_MODE, 1, _OFFBOARD)
                 self._send(mavlink.command_long(self._sent, *command))
-            self._exchange(sensed, (0.0,) * 3, force, (0.0, self._pitch, sensed.heading), self._time_s)
+            still = (0.0, self._pitch, sensed.heading)
+            self._controls(self._say(sensed, (0.0,) * 3, force, still, self._time_s))
 
     def _boot(self, sensed: Sensed, force: Sequence[float]) -> None:
         """Give it time until it answers: its modules start one after the other."""
@@ -177,16 +178,8 @@ class PX4:
         self._link.sendto(frame, self._its_link)
         self._sent += 1
 
-    def _exchange(
-        self,
-        sensed: Sensed,
-        gyro: Sequence[float],
-        force: Sequence[float],
-        attitude: Sequence[float],
-        before_s: float,
-    ) -> Sequence[float]:
-        """Send the sensors' readings; the controls of their time."""
-        said_us = self._say(sensed, gyro, force, attitude, before_s)
+    def _controls(self, said_us: int) -> Sequence[float]:
+        """The controls that answer the readings of this time [us]."""
         until_s = time.monotonic() + STEP_S
         while (left_s := until_s - time.monotonic()) > 0.0:
             for number, payload in self._heard(left_s):

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from testbed.common.jit import compiled
 from testbed.controllers.inversion.offset_detection import expect_offset, no_effectiveness
+from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R
 
 HEALTHY_VARIANCE = 0.01
@@ -52,7 +53,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
             change = phi[i, j] * s.lambda_hat[j] - pressure_ratio * m.B[i, j] * m.trim_position[j]
             squares += change * change
         floor = c.model_error_std[i] * c.model_error_std[i]
-        variance = floor + c.coefficient_error * c.coefficient_error * squares
+        variance = floor + c.coefficient_error * c.coefficient_error * squares + unseen(i, m, s)
         s.model_error_variance[i] += c.dt / c.residual_time * (variance - s.model_error_variance[i])
 
 

@@ -80,10 +80,10 @@ def estimate(y, ref, m, c, s, w):
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
     if c.monitors and monitor(is_steady(y, ref), c, s):  # section 2.3
         return 1
-    if not c.tests_jams or vane_is_stuck(s):
-        return 0
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
+    if not c.tests_jams or vane_is_stuck(s):
+        return 0
     if c.weighted and detect_swings(e, pressure_ratio, m, c, s):
         return 1
     return detect_jam(e, pressure_ratio, m, c, s)
@@ -123,6 +123,9 @@ def believed_command_step(step, parts):
 @compiled
 def command(y, ref, row, m, c, k, s, w):
     """Outer loops, inversion and commands for a state y, and a row of telemetry."""
+    if vane_is_stuck(s):
+        for i in range(4):
+            w.f[i] += s.b[i]  # what gusts do that are not measured
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(row, k.released, s)
