@@ -35,9 +35,10 @@ HEAD = """\
 <!-- Written by python benchmarks/benchmark_page.py: change that, not this. -->
 
 This page compares controllers on flights that are drawn from a [suite](../reference/benchmark.md): any failure of any aircraft in
-any weather. No list can be learnt by heart, and no one chose the flights: their seed is made from a digest of the controllers'
-code and a word that was said after it was frozen. **Held** is flown to the end and never farther from the references of altitude
-and heading than limits that grow with the aircraft's span and speed. **Inside** is the share of the time within them.
+any weather. No list can be learnt by heart. Their seed is made from a digest of the controllers' code and a word, here the hash of
+the commit that froze it: who changes the code has other flights. **Held** is flown to the end and never farther from the
+references of altitude and heading than limits that grow with the aircraft's span and speed. **Inside** is the share of the time
+within them.
 """
 NOTES = """\
 ## How to read it
@@ -61,8 +62,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument(
         "--fly", action="store_true", help="fly the suites into the folders, and go on with what is there"
     )
+    head = pages.git("rev-parse", "HEAD")[:12]
     parser.add_argument(
-        "--word", default="open 2", help="from which, with the law's digest, the seed is made"
+        "--word", default=f"commit {head}", help="from which, with the law's digest, the seed is made"
     )
     parser.add_argument(
         "--controller",

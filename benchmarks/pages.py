@@ -87,7 +87,7 @@ def put(page: Page, stamp: Stamp) -> None:
 def known(name: str, commit: str, flown_in: str = NOT_RECORDED) -> int:
     """Stamp a page as it is with the commit that it was flown with, and the environment in words."""
     (page,) = chosen([name])
-    day = _git("show", "--no-patch", "--format=%cs", commit)
+    day = git("show", "--no-patch", "--format=%cs", commit)
     with checked_out(commit) as tree:
         digests = {part: value for part, value in digests_of(page.on, tree).items() if value}
     put(page, Stamp(commit, day, page.seeds, page.command, flown_in, digests))
@@ -109,11 +109,12 @@ def _expanded(command: str) -> list[str]:
 
 def _commit() -> str:
     """The commit that is checked out; `with changes` follows where files that flights depend on differ from it."""
-    changed = _git("status", "--porcelain", "--", "src", "aircraft", "scenarios")
-    return _git("rev-parse", "--short", "HEAD") + (" with changes" if changed else "")
+    changed = git("status", "--porcelain", "--", "src", "aircraft", "scenarios")
+    return git("rev-parse", "--short", "HEAD") + (" with changes" if changed else "")
 
 
-def _git(*arguments: str) -> str:
+def git(*arguments: str) -> str:
+    """What git says in this repository."""
     run = ["git", "-C", str(ROOT), *arguments]
     return subprocess.run(run, check=True, capture_output=True, text=True).stdout.strip()
 

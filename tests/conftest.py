@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import signal
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,9 @@ import pytest
 from chromium import chromium
 
 from testbed.aircraft.description import Aircraft, load_aircraft
+
+# Programs started from here hear Ctrl-C, even where the tests themselves were begun in the background, which ignores it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")

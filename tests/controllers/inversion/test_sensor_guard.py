@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from command_line import ROOT
 from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, setpoint, trim_state, vtail_setup
 
-from testbed.common.signals import STATE, record_dtype
+from testbed.common.signals import STATE, Belief, record_dtype
 from testbed.controllers.inversion.sensor_guard import REPEATS_S, guard
 from testbed.controllers.records import GUARDED
 from testbed.flight.flight import Flight, Outcome
@@ -95,6 +96,16 @@ def test_a_stuck_sensor_is_said_and_flown_without(sensor: str) -> None:
     assert said and said[0].startswith(sensor.removeprefix("gyro_")) and "taken for stuck" in said[0]
     if sensor != "alpha":  # without it gusts are sometimes taken for a weak surface
         assert not [e for e in flight.events if e["kind"] == "false_alarm"]
+
+
+def test_with_a_stuck_vane_an_aileron_that_moves_again_is_used_again() -> None:
+    """Probing goes on, and the elevator is not blamed for gusts that the vane would have shown."""
+    flight = fly(load_scenario(Path(__file__).with_name("stuck_vane.yaml")))
+    log = flight.log
+    later = log.time_s > 42.0
+    assert flight.outcome is Outcome.completed and worst_errors(flight, 20.0)[0] < 5.0
+    assert log.aileron_belief[later].isin([Belief.works, Belief.doubted]).all()  # used, and not given up
+    assert (log.elevator_effectiveness_estimate[later] > 0.5).all()
 
 
 def test_without_the_guard_an_airspeed_that_is_asked_for_is_never_seen() -> None:
