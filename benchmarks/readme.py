@@ -46,7 +46,7 @@ WITHOUT_DIAGNOSIS = ("indi", "rls_inversion", "fixed_inversion", "pid")
 TEXT = """\
 The left ruddervator of an aircraft that is unstable in pitch acts against its commands, in turbulence, with MEMS sensors
 (`{scenario}`, seeds {first} to {last}; held is within 5 m and 15 deg).
-Not all that adapts copes: of {n} flights the paper's own law, made for calm air, holds {paper}, `imm_inversion` {imm}, and
+Of {n} flights the paper's own law, made for calm air, holds {paper}, `imm_inversion` {imm}, and
 `indi` with the default's diagnosis {indi}. The default flags the surface within {delay_s:.2f} s and holds {default}, within
 {altitude_m:.1f} m and {heading_deg:.0f} deg; `l1_inversion` with the same diagnosis holds {l1}.
 `indi`, `rls_inversion`, `fixed_inversion` and `pid`, which diagnose nothing, lose the aircraft in {lost} of {flights} flights.
@@ -131,6 +131,7 @@ WORDS = {
     "imm_inversion": "`imm_inversion`: one model for each failure",
     "indi": "`indi`: incremental inversion",
     "indi_monitor": "`indi` with the default's diagnosis",
+    "l1_inversion": "`l1_inversion`: adapts behind a filter, the default's diagnosis",
     "mrac": "`mrac`: model reference, adaptive",
     "rls_inversion": "`rls_inversion`: adapts, no diagnosis",
     "fixed_inversion": "`fixed_inversion`: no adaptation",
