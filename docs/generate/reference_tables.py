@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
 import equations
+import law_numbers
 import log_meanings
 import model_tables
 import property_tables
@@ -182,6 +183,12 @@ def exports() -> str:
     )
 
 
+def numbers_of_the_law() -> str:
+    """Each number in the code of the law, with its meaning and source."""
+    rows = ((f"`{each.where}`", f"`{each.said}`", each.meaning) for each in law_numbers.numbers())
+    return markdown(("in", "number", "what it is, and why it is that"), rows)
+
+
 TABLES: dict[str, Callable[[], str]] = {
     "commands": commands,
     "top_options": top_options,
@@ -195,4 +202,5 @@ TABLES: dict[str, Callable[[], str]] = {
     "motor_properties": lambda: property_tables.motor(markdown),
     "exports": exports,
     "equations": equations.table,
+    "numbers_of_the_law": numbers_of_the_law,
 }

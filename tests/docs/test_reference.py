@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import law_numbers
 import log_meanings
 import model_tables
 import property_tables
@@ -132,6 +133,13 @@ def test_every_package_says_what_it_is() -> None:
     rows = reference_tables.packages().splitlines()[2:]
     assert len(rows) > 15
     assert not [row for row in rows if row.endswith("|  |")]
+
+
+def test_every_number_of_the_law_says_what_it_is() -> None:
+    numbers = list(law_numbers.numbers())
+    assert len(numbers) > 80 and ("sensor_guard", "REPEATS_S = 0.2") in [each[:2] for each in numbers]
+    # Iterations of Gauss and Newton, whose name says all.
+    assert {each.said for each in numbers if not each.meaning} <= {"ITERATIONS = 12"}
 
 
 def test_equations_become_mathml() -> None:
