@@ -146,6 +146,12 @@ def test_one_that_goes_on_is_ended(monkeypatch):
     assert process.returncode is not None and not os.path.exists(f"/proc/{process.pid}")
 
 
+def test_one_that_has_flown_no_step_is_closed():
+    with testbed.Session("left_tail_fail.yaml", load(f"ardupilot:{FAKE}"), set=SHORT) as session:
+        process = session.parts.controller._flown._process
+    assert process.returncode is not None
+
+
 def test_frames_are_those_of_mavlink():
     decoder = common.MAVLink(None)
     arm = decoder.decode(bytearray(mavlink.command_long(7, mavlink.ARM, 1, 21196)))

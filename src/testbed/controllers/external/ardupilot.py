@@ -62,6 +62,7 @@ class ArduPilot:
     def __init__(self, setup: Setup, path: str, parameters: str | None = None) -> None:
         self._name, self._dt, self._pitch = os.path.basename(path), setup.dt_s, setup.trim_pitch
         self._time_s, self._count, self._frames, self._sent = -WARM_UP_S, -1, 0, 0
+        self._line = b""
         self._last_sent = dict.fromkeys(("altitude", "airspeed", "heading"), math.nan)
         if setup.plan is None:
             raise self._problem("is flown only with a plan of the flight")
