@@ -78,6 +78,10 @@ def test_the_project_runs(tmp_path: Path) -> None:
         "my_controller.py:MyController",
     )
     assert own.returncode in (0, 1), own.stderr
+    subprocess.run(["cc", "-shared", "-fPIC", "-o", "pilot.so", "pilot.c", "-lm"], cwd=folder, check=True)
+    for other in ("./pilot.so", "perl pilot.pl"):
+        flown = in_this_process(folder, "run", "scenario.yaml", "--no-plots", "--controller", other)
+        assert flown.returncode in (0, 1), flown.stderr
     swept = in_this_process(folder, "sweep", "sweep.yaml", "--no-plots", "--runs", "2")
     assert swept.returncode in (0, 1), swept.stderr
 

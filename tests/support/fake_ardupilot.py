@@ -7,6 +7,7 @@ FAKE_FAULT of the environment is what it does wrong, from its packet FAKE_AT on.
 import json
 import math
 import os
+import re
 import signal
 import socket
 import struct
@@ -36,6 +37,17 @@ pulses = [0] * 16
 begun = time.monotonic()
 
 
+def say_parameters(name):
+    """Send the value of a parameter, or of all; of one that it does not have nothing, as the real one."""
+    from pymavlink.dialects.v20 import common
+
+    known = re.compile(r"(?!PTHC).*(?<!_RATE_PX)")
+    has = [each for each in parameters if known.fullmatch(each)]
+    for each in has if not name else {name} & {*has}:
+        value = common.MAVLink_param_value_message(each.encode(), parameters[each], 9, len(has), 65535)
+        link.send(value.pack(common.MAVLink(None)))
+
+
 def listen():
     """Take the MAVLink commands that have come."""
     global armed, guided
@@ -45,6 +57,9 @@ def listen():
         except BlockingIOError:
             return
         payload = frame[10:-2].ljust(35, b"\0")
+        if frame[7] in (20, 21):
+            say_parameters(payload[4:20].rstrip(b"\0").decode() if frame[7] == 20 else "")
+            continue
         if frame[7] == 76:
             _, second, *_, command = struct.unpack("<7fH", payload[:30])
             armed, guided = (

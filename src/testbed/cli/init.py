@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from testbed.aircraft.description import Aircraft
 
 TEMPLATES = Path(__file__).parent / "template"
-"""The files that a new project begins with, beside the example of a controller."""
-EXAMPLE = Path("examples/my_controller.py")
+"""The files that a new project begins with, beside the examples of controllers."""
+EXAMPLES = ("my_controller.py", "pilot.pl", "pilot.c", "testbed_controller.h")
 _USUAL = "vtail"
 """The aircraft of a project for which none is chosen."""
 _CLIMB_M = 10
@@ -42,7 +42,8 @@ def _run(options: Namespace) -> int:
         for file in sorted(each for each in TEMPLATES.rglob("*") if each.is_file()):
             text = _filled(file.read_text(encoding="utf-8"), choice, aircraft)
             write(folder / file.relative_to(TEMPLATES), text, within=folder)
-        write(folder / EXAMPLE.name, (data_root() / EXAMPLE).read_bytes())
+        for name in EXAMPLES:
+            write(folder / name, (data_root() / "examples" / name).read_bytes())
         for kind in TABLE:
             write(folder / "schemas" / f"{kind}.json", text_of(kind), within=folder)
     except OSError as error:
@@ -64,7 +65,7 @@ def _filled(text: str, choice: str, aircraft: Aircraft) -> str:
 
 
 COMMAND = Command(
-    "make a small project: a scenario, a sweep, a controller, and schemas for editors",
+    "make a small project: a scenario, a sweep, controllers, and schemas for editors",
     _arguments,
     _run,
     ("testbed init my_project", "testbed init my_project --aircraft ./my_aircraft"),

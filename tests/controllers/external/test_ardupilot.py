@@ -146,6 +146,12 @@ def test_one_that_goes_on_is_ended(monkeypatch):
     assert process.returncode is not None and not os.path.exists(f"/proc/{process.pid}")
 
 
+def test_one_that_has_flown_no_step_is_closed():
+    with testbed.Session("left_tail_fail.yaml", load(f"ardupilot:{FAKE}"), set=SHORT) as session:
+        process = session.parts.controller._flown._process
+    assert process.returncode is not None
+
+
 def test_frames_are_those_of_mavlink():
     decoder = common.MAVLink(None)
     arm = decoder.decode(bytearray(mavlink.command_long(7, mavlink.ARM, 1, 21196)))
@@ -153,6 +159,9 @@ def test_frames_are_those_of_mavlink():
     climb = decoder.decode(bytearray(mavlink.command_int(300, mavlink.CHANGE_ALTITUDE, z=310.5)))
     assert (climb.command, climb.z, climb.frame) == (43001, 310.5, 0)
     assert climb.get_seq() == 300 % 256
+    asked = decoder.decode(bytearray(mavlink.parameter_request(1, "SIXTEEN_LETTERS_")))
+    assert (asked.param_id, asked.param_index) == ("SIXTEEN_LETTERS_", -1)
+    assert decoder.decode(bytearray(mavlink.parameter_list(2))).get_type() == "PARAM_REQUEST_LIST"
 
 
 @pytest.mark.parametrize(
@@ -205,6 +214,26 @@ def test_parameters_of_a_scenario_are_names_and_numbers():
     said = refused(**{"controller.parameters": {"PTCH_RATE_P": "high"}})
     assert "controller.parameters: 'PTCH_RATE_P' is 'high'" in said
     assert "no SERVOn_FUNCTION is 79" in refused(**{"controller.parameters": {"SERVO1_FUNCTION": 0}})
+
+
+def refused_as_unknown(path, tmp_path):
+    file = tmp_path / "tuned.parm"
+    file.write_text("PTCH_RATE_P 0.1\nRLL_RATE_PX 0.2\n")
+    changes = {"controller.parameters": {"PTHC_RATE_P": 1}, "duration_s": 0.1}
+    assert refused(path=path, parameters=file, **changes).splitlines() == [
+        f"{Path(path).name}: it has no parameter RLL_RATE_PX, did you mean RLL_RATE_P?",
+        f"{Path(path).name}: it has no parameter PTHC_RATE_P, did you mean PTCH_RATE_P?",
+    ]
+    assert flown(path, **{**changes, "controller.parameters": {"PTCH_RATE_P": 0.1}}).outcome == "completed"
+
+
+def test_a_parameter_that_it_does_not_have_is_refused_before_the_flight(tmp_path):
+    refused_as_unknown(FAKE, tmp_path)
+
+
+@pytest.mark.skipif(not REAL, reason="TESTBED_ARDUPILOT names no executable of ArduPilot")
+def test_a_parameter_that_a_real_one_does_not_have_is_refused(tmp_path):
+    refused_as_unknown(REAL, tmp_path)
 
 
 def test_executables_that_cannot_be_run_are_refused(tmp_path, monkeypatch):

@@ -31,14 +31,14 @@ def variables(fmi, names):
     """The variables of `pilot_fmu.c` in the description's words."""
     inputs = (*SIGNALS, *(f"trim.{name}" for name in names))
     rows = [(name, "input", "continuous", "") for name in inputs]
-    rows += [(name, "output", "continuous", "") for name in names]
+    rows += [(name, "output", "discrete" if name == "count" else "continuous", "") for name in names]
     rows += [("gain", "parameter", "fixed", "1"), ("fault", "parameter", "fixed", "0")]
     for reference, (name, causality, variability, start) in enumerate(rows):
         start = start or ("0" if causality == "input" else "")
         said = (
             f'name="{name}" valueReference="{reference}" causality="{causality}" variability="{variability}"'
         )
-        kind = {2: ("Real", "Integer"), 3: ("Float64", "Int32")}[fmi][name == "fault"]
+        kind = {2: ("Real", "Integer"), 3: ("Float64", "Int32")}[fmi][name in ("fault", "count")]
         unit = 'unit="deg"' if name == "pitch" else ""
         value = f'start="{start}"' if start else ""
         yield (
@@ -213,6 +213,8 @@ def test_what_is_no_unit_is_refused(unit, tmp_path):
     said = refused(f"{unit(names=OTHERS)} {mapping}")
     assert "there is no pich, did you mean pitch?" in said and "there is no rol, did you mean roll?" in said
     assert "inputs: " in said and "there is no left_tail" in said
+    mapping.write_text("outputs: {left_ruddervator: count}\n")
+    assert "outputs: count is no real scalar" in refused(f"{unit(names=('count', *OTHERS[1:]))} {mapping}")
 
 
 def test_a_sweep_knows_it_by_name_with_its_mapping(unit, tmp_path):

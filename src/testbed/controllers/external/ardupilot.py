@@ -18,7 +18,7 @@ import struct
 import subprocess
 import time
 import weakref
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,9 +26,9 @@ import numpy as np
 from testbed.common.units import GRAVITY_M_S2
 from testbed.common.writing import write_new
 from testbed.controllers.external import mavlink
-from testbed.controllers.external.ardupilot_parameters import Outputs, density_ratio, merged, text
+from testbed.controllers.external.ardupilot_parameters import Outputs, density_ratio, given, text, written
 from testbed.controllers.external.process import CONSOLE, ended, how_it_ended, in_folder
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, did_you_mean
 
 if TYPE_CHECKING:
     from testbed.controllers.setup import Setup
@@ -38,7 +38,12 @@ START_S, STEP_S = 60.0, 10.0
 """How long it may take to send its first packet, and each further one [s]; it repeats a packet after one second."""
 WARM_UP_S = 20.0
 """Its filters need 12 s of steady flight; the length changes the flight."""
-_ARM_S, _GUIDED_S, _SETPOINTS_S = 1.0, 0.2, 0.1  # before the release
+_ASK_S, _ARM_S, _GUIDED_S, _SETPOINTS_S = 18.0, 1.0, 0.2, 0.1  # before the release
+_ASKING_S, _LISTING_S, _ANSWERS_US = (
+    15.0,
+    10.0,
+    10_000,
+)  # it looks up a hundred parameters in a second, and lists more
 _SETPOINT_EVERY_S = 0.1  # a heading resets an integrator of the autopilot's, so it is sent no oftener
 _LATERAL_LIMIT_M_S2 = 10.0  # of a commanded turn: its own limit of the bank is what counts
 _GUIDED, _FORCE = 15, 21196
@@ -57,14 +62,18 @@ class ArduPilot:
     def __init__(self, setup: Setup, path: str, parameters: str | None = None) -> None:
         self._name, self._dt, self._pitch = os.path.basename(path), setup.dt_s, setup.trim_pitch
         self._time_s, self._count, self._frames, self._sent = -WARM_UP_S, -1, 0, 0
+        self._line = b""
         self._last_sent = dict.fromkeys(("altitude", "airspeed", "heading"), math.nan)
         if setup.plan is None:
             raise self._problem("is flown only with a plan of the flight")
         self._folder = setup.plan.folder
-        values = merged(setup, parameters)
+        mine = given(setup, parameters)
+        values = {**written(setup), **mine}
+        self._asks, self._asked, self._has = [*mine], 0, set[str]()
         self._outputs = Outputs(setup, values)
         write_new(self._folder / _PARAMETERS, text(values))
         self._states, self._link = _bound(), _bound()
+        self._link.setblocking(False)  # it is listened to between two states
         self._link_address: tuple[str, int] | None = None
         try:
             self._process = self._started(path)
@@ -115,7 +124,10 @@ class ArduPilot:
         )
         for step in range(steps):
             self._time_s = (step - steps) * self._dt
+            if step < arm:
+                self._ask()
             if step == arm:
+                self._refuse_unknown(sensed)
                 self._command(mavlink.ARM, 1, _FORCE)
             if step == guided:
                 self._command(mavlink.SET_MODE, 1, _GUIDED)
@@ -123,6 +135,39 @@ class ArduPilot:
                 self._set(reference)
             self._exchange(_holding(sensed, self._pitch, self._time_s))
         self._time_s = 0.0
+
+    def _ask(self) -> None:
+        """Ask for the next of the parameters that the user gave: it ignores one that it does not have in silence."""
+        due = math.ceil(len(self._asks) * min((self._time_s + _ASK_S) / _ASKING_S, 1.0))
+        for name in self._asks[self._asked : max(due, 0)]:
+            if not self._asked:
+                self._command(mavlink.SET_INTERVAL, mavlink.PARAM_VALUE, _ANSWERS_US)
+            self._send(mavlink.parameter_request(self._sent, name))
+            self._asked += 1
+        if self._asked:
+            self._has.update(self._named())
+
+    def _refuse_unknown(self, sensed: Sensed) -> None:
+        """Raise BadInput if it has not answered for a parameter; it is asked for all that it has, to say which was meant."""
+        if not (unknown := [name for name in self._asks if name not in self._has]):
+            return
+        self._send(mavlink.parameter_list(self._sent))
+        for _ in range(round(_LISTING_S / self._dt)):
+            self._exchange(_holding(sensed, self._pitch, self._time_s))
+            self._has.update(self._named())
+        raise BadInput(
+            Problem(f"it has no parameter {name}", self._name, suggestion=did_you_mean(name, self._has))
+            for name in unknown
+        )
+
+    def _named(self) -> Iterator[str]:
+        """The parameters whose values it has sent since."""
+        with contextlib.suppress(OSError):  # there is no more
+            while data := self._link.recv(1 << 16):
+                with contextlib.suppress(ValueError):  # nothing else that it says counts
+                    for number, payload, _ in mavlink.frames(data):
+                        if number == mavlink.PARAM_VALUE:
+                            yield mavlink.parameter_name(payload)
 
     def _command(self, command: int, *parameters: float) -> None:
         self._send(mavlink.command_long(self._sent, command, *parameters))

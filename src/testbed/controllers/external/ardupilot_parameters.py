@@ -57,13 +57,13 @@ _OUTER_LOOPS = {
 
 def merged(setup: Setup, file: str | None) -> dict[str, float]:
     """Value of each parameter: of the aircraft, then of the user's file, then of `controller.parameters`; raises BadInput."""
-    return overridden(written(setup), setup, file)
+    return {**written(setup), **given(setup, file)}
 
 
-def overridden(values: dict[str, float], setup: Setup, file: str | None) -> dict[str, float]:
-    """These values, then those of a file of the user's, then those of `controller.parameters`; raises BadInput."""
-    given = _checked(setup.parameters.items(), "controller.parameters")
-    return {**values, **(_read(file) if file else {}), **given}
+def given(setup: Setup, file: str | None) -> dict[str, float]:
+    """What the user gives: the values of a file, then those of `controller.parameters`; raises BadInput."""
+    scenario = _checked(setup.parameters.items(), "controller.parameters")
+    return {**(_read(file) if file else {}), **scenario}
 
 
 def text(values: Mapping[str, float]) -> str:
@@ -186,7 +186,7 @@ def _servos(setup: Setup, functions: list[int]) -> dict[str, float]:
 def speeds(setup: Setup) -> dict[str, float]:
     """Airspeeds [m/s, equivalent] and the trim. The lowest is 1.1 of that at which the lift stops to grow.
 
-    Height and speed are exchanged in a time that grows with the speed: 3 s at 18 m/s; at 39 m/s that oscillated.
+    Height and speed are exchanged in a time that grows with the speed; `benchmarks/tune_ardupilot.py` chose it.
     """
     model = setup.model
     lift = -model.derivatives[ROWS.index("w_dot")][COLUMNS.index("alpha")] / GRAVITY_M_S2
@@ -201,7 +201,7 @@ def speeds(setup: Setup) -> dict[str, float]:
         "SCALING_SPEED": cruise,
         "PTCH_TRIM_DEG": math.degrees(setup.trim_pitch),
         "TRIM_THROTTLE": 100.0 * float(throttles.mean()) if len(throttles) else 0.0,
-        "TECS_TIME_CONST": cruise / 6.0,
+        "TECS_TIME_CONST": cruise / 3.75,
         "TECS_INTEG_GAIN": 9.0 / cruise,
         "TECS_CLMB_MAX": climb,
         "TECS_SINK_MIN": cruise / 12.0,

@@ -179,14 +179,16 @@ def _refuse_unknown(
     ]
     problems = [
         Problem(
-            f"there is no {name}",
+            f"{name} is no real scalar"
+            if name in variables[place.removesuffix("s")]
+            else f"there is no {name}",
             file,
             path=place,
             expected=one_of(known),
             suggestion=did_you_mean(name, known),
         )
         for place, names, known in checks
-        for name in names
+        for name in dict.fromkeys(names)
         if name not in known
     ]
     if problems:

@@ -5,15 +5,16 @@ from __future__ import annotations
 import struct
 from collections.abc import Iterator
 
-ARM, SET_MODE, PLAIN_SPEED = 400, 176, 178
-"""Commands of COMMAND_LONG: arm (1, 21196 without checks); set the mode (1, the autopilot's own number); the airspeed (0, m/s)."""
+ARM, SET_MODE, PLAIN_SPEED, SET_INTERVAL = 400, 176, 178, 511
+"""Commands of COMMAND_LONG: arm (1, 21196 without checks); set the mode (1, the autopilot's own number); the airspeed (0, m/s);
+how often a message is sent (its number, us)."""
 CHANGE_SPEED, CHANGE_ALTITUDE, CHANGE_HEADING = 43000, 43001, 43002
 """Commands of COMMAND_INT that move the setpoints of guided flight."""
-HIL_ACTUATOR_CONTROLS = 93
+PARAM_VALUE, HIL_ACTUATOR_CONTROLS = 22, 93
 
 _MAGIC, _HEAD, _TAIL = 0xFD, 10, 2
 _STATION, _PART = 255, 190  # a ground station
-_EXTRA = {0: 50, 75: 158, 76: 152, 84: 143, 93: 47, 107: 108, 113: 124}
+_EXTRA = {0: 50, 20: 214, 21: 159, 22: 220, 75: 158, 76: 152, 84: 143, 93: 47, 107: 108, 113: 124}
 """Of each message's number, the byte of its definition that enters the checksum."""
 _TARGET = (1, 1)
 _NED, _WITHOUT_ACCELERATION_AND_YAW = 1, 0b1101_1100_0000
@@ -43,6 +44,21 @@ def command_int(sequence: int, command: int, *parameters: float, z: float = 0.0)
 def heartbeat(sequence: int) -> bytes:
     """The frame of HEARTBEAT, by which an autopilot knows that a ground station is there."""
     return _frame(sequence, 0, struct.pack("<I5B", 0, 6, 8, 0, 4, 3))
+
+
+def parameter_request(sequence: int, name: str) -> bytes:
+    """The frame of PARAM_REQUEST_READ; who does not have the parameter may stay silent."""
+    return _frame(sequence, 20, struct.pack("<hBB16s", -1, *_TARGET, name.encode()))
+
+
+def parameter_list(sequence: int) -> bytes:
+    """The frame of PARAM_REQUEST_LIST."""
+    return _frame(sequence, 21, struct.pack("<BB", *_TARGET))
+
+
+def parameter_name(payload: bytes) -> str:
+    """Of PARAM_VALUE: the parameter's name."""
+    return payload[8:24].rstrip(b"\0").decode("ascii", "replace")
 
 
 def path_target(sequence: int, *position_and_velocity: float) -> bytes:

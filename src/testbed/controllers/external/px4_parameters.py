@@ -32,7 +32,7 @@ _FIXED = {
 
 def merged(setup: Setup, file: str | None) -> dict[str, float]:
     """Value of each parameter: of the aircraft, then of the user's file, then of `controller.parameters`; raises BadInput."""
-    return conventional.overridden(written(setup), setup, file)
+    return {**written(setup), **conventional.given(setup, file)}
 
 
 def written(setup: Setup) -> dict[str, float]:
