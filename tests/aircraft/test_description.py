@@ -124,6 +124,7 @@ def test_the_fingerprint_is_of_the_contents(vtail: Aircraft, vtail_copy: Path) -
     ("old", "new", "words"),
     [
         ("prefix: fcs/left-ruddervator", "prefix: 'nan]]>fcs/left'", "is no name of a property"),
+        ("prefix: fcs/left-ruddervator", "prefix: fcs/left-rudde]rvator", "is no name of a property"),
         ("  left_ruddervator:", "  '=left, right':", "cannot begin the name of a column"),
     ],
 )

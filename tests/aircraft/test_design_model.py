@@ -218,6 +218,7 @@ def test_a_list_in_the_place_of_one_value_is_refused(model: DesignModel, tmp_pat
         ('"kinds": [', '"kinds": [1e300, ', r"kinds has 1e\+300, expected servo, motor, engine"),
         ('"airspeed_m_s": 18.0', '"airspeed_m_s": -18.0', "airspeed_m_s is not positive"),
         ('"airspeed_m_s": 18.0', '"airspeed_m_s": 1e300', "airspeed_m_s is beyond"),
+        ('"airspeed_m_s": 18.0', f'"airspeed_m_s": {10**400}', "has a number beyond"),
         ('"span_m": 2', '"span_m": -2', "span_m is not positive"),
     ],
 )

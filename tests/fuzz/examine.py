@@ -10,6 +10,8 @@ The last answer to a mutant has `outcome`:
     flown     flown to its end, or until the aircraft was lost
     DEFECT    any other exception
 
+A mutant after which a file is changed or made where none may be, or which opens one for writing elsewhere, is a DEFECT too.
+
 An answer {"stage": ...} says what is begun, in case the fork ends or hangs, and {"ended": status} that it has ended. An
 aircraft's model is loaded here as the process of the first load does it (`plant.probe`): this fork may die as well as that.
 """
@@ -28,7 +30,8 @@ import time
 import traceback
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from functools import partial
+from functools import cache, partial
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TextIO
 
@@ -53,6 +56,12 @@ _LONGEST_S = 4.0
 """Longest flight that is flown here [s]."""
 _BUDGET, _MOST_PARTS, _MOST_VARIANTS = 20, 1, 3
 """Flights of a search that is flown here, most searches in one file, and most variants of a sweep."""
+_MADE = {received.FOLDER, "run", "out", "again.yaml"}
+"""What a command is asked to make or to change."""
+_SIZES = {"benchmark": {"draws": 2, "seed": 5}}
+"""Options of those studies whose size is not in their file."""
+_elsewhere: list[str] = []
+"""What was opened for writing outside of the mutant's folder and of the caches."""
 _NO_MORE = 77
 """Exit status of a fork that has read the last mutant; a mutant that makes it exit gives another one."""
 
@@ -61,8 +70,12 @@ def main() -> None:
     answers = os.fdopen(os.dup(1), "w", buffering=1)
     sys.stdout = sys.stderr  # what the program prints is no answer
     root = Path(tempfile.mkdtemp(prefix="fuzz-"))
+    tempfile.tempdir = os.environ["TMPDIR"] = os.environ["XDG_CACHE_HOME"]
     try:
         _warm_up(root)
+        sys.addaudithook(
+            partial(_hear, (root, *map(Path, (tempfile.tempdir, os.environ["NUMBA_CACHE_DIR"]))))
+        )
         while _forked(root, answers):
             pass
     finally:
@@ -79,6 +92,16 @@ def _warm_up(root: Path) -> None:
         request = {"kind": "scenario", "files": {"s.yaml": yaml.safe_dump(tree)}, "fly": True}
         answer = _examined(request, root, sys.stderr)
         assert answer["outcome"] == "flown", answer
+
+
+def _hear(places: tuple[Path, ...], event: str, arguments: tuple[Any, ...]) -> None:
+    """Keep the name of a file that is opened for writing in none of the places; Python tells each opening to an audit hook."""
+    if event != "open" or not isinstance(arguments[0], str | bytes):
+        return
+    if arguments[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
+        name = os.path.abspath(os.fsdecode(arguments[0]))
+        if name != os.devnull and not any(Path(name).is_relative_to(place) for place in places):
+            _elsewhere.append(name)
 
 
 def _forked(root: Path, answers: TextIO) -> bool:
@@ -100,8 +123,6 @@ def _answer_all(root: Path, answers: TextIO) -> None:
 
 
 def _examined(request: dict[str, Any], root: Path, answers: TextIO) -> dict[str, str]:
-    from testbed.inputs.problems import BadInput
-
     def begin(stage: str) -> None:
         answers.write(json.dumps({"stage": stage}) + "\n")
 
@@ -110,6 +131,19 @@ def _examined(request: dict[str, Any], root: Path, answers: TextIO) -> dict[str,
     root.mkdir()
     os.chdir(root)
     _write(request["files"], root)
+    before = _outside()
+    answer = _outcome(request, begin)
+    after = _outside()
+    changed = [name for name in {*before, *after} if before.get(name) != after.get(name)]
+    if wrote := [*changed, *_elsewhere]:
+        _elsewhere.clear()
+        return {"outcome": "DEFECT", "words": f"wrote {wrote}"[:300]}
+    return answer
+
+
+def _outcome(request: dict[str, Any], begin: Callable[[str], None]) -> dict[str, str]:
+    from testbed.inputs.problems import BadInput
+
     try:
         return {"outcome": TABLE[request["kind"]](request["fly"], begin)}
     except BadInput as error:
@@ -274,8 +308,6 @@ def _message(fly: bool, begin: Callable[[str], None]) -> str:
     from testbed.live.pilot import Pilot
     from testbed.scenario.load import load_scenario
 
-    Path("s.yaml").write_text(yaml.safe_dump(received._SCENARIO))
-    before = _outside()
     begin("flying")
     own, page = Line.pair()
     pilot = Pilot(Choices("s.yaml", load_scenario("s.yaml")), own, lambda *_: (Path("kept"), ""))
@@ -290,7 +322,6 @@ def _message(fly: bool, begin: Callable[[str], None]) -> str:
         while page.hear(0.0) is not None:
             pass
     pilot.flight.close()
-    assert _outside() == before, "wrote a file"
     if refused is not None:
         raise refused
     return "flown"
@@ -316,44 +347,74 @@ def _aircraft(fly: bool, begin: Callable[[str], None]) -> str:
 
 
 def _run_folder(fly: bool, begin: Callable[[str], None]) -> str:
+    """Read the folder of a run, write its page and its log's other forms and, with `fly`, draw all figures."""
     import testbed
     from testbed.reporting.comparison.compare import compare
     from testbed.reporting.export import TABLE as FORMATS
     from testbed.reporting.figures import draw
     from testbed.reporting.run_report import write_report
 
-    before = _outside()
     begin("reading")
     flight = testbed.load(received.FOLDER)
     begin("telling")
     write_report(received.FOLDER)
     flight._repr_html_()
-    compare([flight, flight], f"{received.FOLDER}/comparison.html")
     for to in FORMATS:
         flight.export(to, f"{received.FOLDER}/flight.{to}")
     if fly:
+        compare([flight, flight], f"{received.FOLDER}/comparison.html")
         draw(flight, received.FOLDER)
-    assert _outside() == before, "wrote outside of the folder"
     return "valid"
 
 
 def _study_folder(kind: str, fly: bool, begin: Callable[[str], None]) -> str:
-    """Read, report on and, with `fly`, resume the folder of a study, by the commands that users give."""
+    """Read and resume the folder of a study and, with `fly`, report on it, each whether or not another refuses it."""
     import testbed
+    from testbed.inputs.problems import BadInput
 
-    study = f"{kind}.yaml"
-    Path(study).write_text(yaml.safe_dump(received.STUDIES[study]))
-    before = _outside()
-    begin("reading")
-    testbed.load(received.FOLDER)
-    begin("reporting")
-    _called("report", received.FOLDER)
+    refused: BadInput | None = None
+    steps = {"reading": partial(testbed.load, received.FOLDER), "resuming": partial(_resumed, kind, fly)}
     if fly:
-        begin("resuming")
-        size = ("--draws", "2", "--seed", "5") if kind == "benchmark" else ()
-        _called(kind, study, "--out", received.FOLDER, "--resume", "--jobs", "1", *size)
-    assert _outside() == before, "wrote outside of the folder"
+        steps["reporting"] = partial(_called, "report", received.FOLDER)
+    for stage, step in steps.items():
+        begin(stage)
+        try:
+            step()
+        except BadInput as error:
+            refused = error
+    if refused is not None:
+        raise refused
     return "valid"
+
+
+def _resumed(kind: str, finish: bool) -> None:
+    """Fly what a folder lacks, in this process, as its command does with `--resume`; raises BadInput where that refuses.
+
+    Only what is to be finished is planned for this folder, which in all else depends on the study's file alone.
+    """
+    from testbed.inputs.problems import BadInput, Problem
+    from testbed.studies.run import Options, Stopped
+
+    study: Any = import_module(f"testbed.api.{kind}")
+    plan = (
+        study.prepare(f"{kind}.yaml", received.FOLDER, resume=True, **_SIZES.get(kind, {}))[0]
+        if finish
+        else _planned(kind)
+    )
+    folder = Path(received.FOLDER)
+    try:
+        flights = study.fly(plan, folder, Options(save_logs="none", workers=_here), resume=True)
+    except Stopped as error:
+        raise BadInput([Problem(str(error))]) from None
+    if finish:
+        study.finish(plan, folder, flights, figures=False)
+
+
+@cache
+def _planned(kind: str) -> Any:
+    """The plan of a kind of study whose folders are received."""
+    study: Any = import_module(f"testbed.api.{kind}")
+    return study.prepare(f"{kind}.yaml", received.FOLDER, **_SIZES.get(kind, {}))[0]
 
 
 def _called(*arguments: str) -> None:
@@ -370,11 +431,11 @@ def _called(*arguments: str) -> None:
 
 
 def _outside() -> dict[str, bytes]:
-    """The files that are not in the received folder."""
+    """The files that must stay as they are."""
     return {
         str(file): file.read_bytes()
         for file in Path().rglob("*")
-        if file.is_file() and file.parts[0] != received.FOLDER
+        if file.is_file() and file.parts[0] not in _MADE
     }
 
 

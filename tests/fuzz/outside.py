@@ -164,4 +164,7 @@ def messages(
     spoilt = trees(MESSAGES).map(lambda tree: json.dumps(tree, default=str)) | texts(
         [json.dumps(each) for each in MESSAGES]
     )
-    return st.lists(spoilt, min_size=1, max_size=4).map(lambda lines: {"messages.jsonl": "\n".join(lines)})
+    flown = yaml.safe_dump(received._SCENARIO)
+    return st.lists(spoilt, min_size=1, max_size=4).map(
+        lambda lines: {"s.yaml": flown, "messages.jsonl": "\n".join(lines)}
+    )

@@ -83,14 +83,19 @@ def mutants_of(kind: str, trees: Callable[[list[Any]], Any], texts: Callable[[li
     """The mutants of a kind of folder, by the strategies of `mutants` for trees of values and for texts."""
 
     def changed(name: str) -> st.SearchStrategy[Mutant]:
-        files = files_of(kind)
-        return _contents(files[name], name, trees, texts).map(
-            lambda content: {
-                f"{FOLDER}/{each}": _said(content if each == name else old) for each, old in files.items()
-            }
+        sent = {f"{FOLDER}/{each}": _said(old) for each, old in files_of(kind).items()} | _study(kind)
+        return _contents(files_of(kind)[name], name, trees, texts).map(
+            lambda content: {**sent, f"{FOLDER}/{name}": _said(content)}
         )
 
     return st.deferred(lambda: st.sampled_from(_read_back(sorted(files_of(kind)))).flatmap(changed))
+
+
+@cache
+def _study(kind: str) -> Mutant:
+    """The file with which a study's folder is resumed."""
+    name = f"{kind.split()[0]}.yaml"
+    return {name: yaml.safe_dump(STUDIES[name])} if name in STUDIES else {}
 
 
 def _read_back(names: list[str]) -> list[str]:

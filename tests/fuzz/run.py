@@ -55,8 +55,7 @@ class Examiner:
             "OPENBLAS_NUM_THREADS": "1",
             "XDG_CACHE_HOME": cache,
         }
-        if jit._FOLDER is not None:
-            environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER)
+        environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER or cache)
         command = [sys.executable, str(Path(__file__).with_name("examine.py"))]
         self._process = subprocess.Popen(
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,

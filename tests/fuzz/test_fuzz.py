@@ -51,7 +51,8 @@ def test_further_unspoilt_files_are_valid(examiner: Examiner) -> None:
         assert answer["outcome"] == "valid", answer
     table = {"sweep.yaml": yaml.safe_dump(outside._WITH_TABLE), "cases.csv": outside._TABLE}
     suite = {"benchmark.yaml": yaml.safe_dump(received.STUDIES["benchmark.yaml"])}
-    said = {"messages.jsonl": "\n".join(map(json.dumps, outside.MESSAGES))}
+    flown = yaml.safe_dump(received._SCENARIO)
+    said = {"s.yaml": flown, "messages.jsonl": "\n".join(map(json.dumps, outside.MESSAGES))}
     for kind, one in (
         ("cases", table),
         ("entry", {**suite, "entry.yaml": files["entry.yaml"]}),

@@ -31,6 +31,7 @@ REFUSED = [
     ("a: !!int ''\n", 1, "a", "'' cannot be read: no int"),
     ("a: !!float ''\n", 1, "a", "cannot be read: no float"),
     ("a: !!timestamp x\n", 1, "a", "cannot be read: no timestamp"),
+    (f"a: {10**400}\n", 1, "a", "too large a number"),
     (f"a: 0x{'f' * 5000}\n", 1, "a", "too large a number"),
     (f"a: 1{':59' * 3000}\n", 1, "a", "too large a number"),
 ]

@@ -83,6 +83,12 @@ def test_without_failures_no_property_is_looked_for(tmp_path: Path) -> None:
     assert found(tmp_path, healthy, SIGNALS, METRICS, {}) == []
 
 
+def test_noise_to_the_end_of_an_endless_flight_is_refused(file: Path) -> None:
+    noise = "atmosphere={model: dryden_8785c, turbulence_w20_m_s: 5, noise: {w: [1]}}"
+    found = problems_of(file, "duration_s=1e300", noise)
+    assert "atmosphere.noise.until_s" in [problem.path for problem in found]
+
+
 def test_envelope_is_the_aircrafts(file: Path, tmp_path: Path) -> None:
     folder = tmp_path / "plane"
     folder.mkdir()

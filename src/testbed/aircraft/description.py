@@ -23,7 +23,8 @@ from testbed.inputs.problems import Issue, guess, one_of
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import TreePath, describe, parsed
 
-_PROPERTY = re.compile(r"[A-Za-z_][\w./\[\]-]*", re.ASCII)
+_SEGMENT = r"[A-Za-z_][\w.-]*(\[\d+\])?"
+_PROPERTY = re.compile(rf"{_SEGMENT}(/{_SEGMENT})*", re.ASCII)
 """Names that JSBSim's properties can have."""
 _ACTUATOR = re.compile(r"[^\W\d][\w-]*")
 """Names of actuators: the log's columns begin with them, and `+` and `.` have a meaning in `control` and in --set."""
@@ -86,7 +87,10 @@ class Actuator(Settings):
     @classmethod
     def _property(cls, prefix: str) -> str:
         if not _PROPERTY.fullmatch(prefix):
-            raise refuse(f"{describe(prefix)} is no name of a property", "letters, digits and ._-/[]")
+            raise refuse(
+                f"{describe(prefix)} is no name of a property",
+                "letters, digits and ._- between slashes, as fcs/left or engine[1]",
+            )
         return prefix
 
     @field_validator("limits")

@@ -173,7 +173,11 @@ def _words(error: Exception) -> str:
 def _from_tree(data: dict[str, Any]) -> DesignModel:
     propulsors = tuple(p and _propulsor(p) for p in data["propulsors"])
     model = DesignModel(**{**{key: _tuple(value) for key, value in data.items()}, "propulsors": propulsors})
-    for wrong in _impossible(model):
+    try:
+        wrong = next(_impossible(model), "")
+    except OverflowError:  # JSON has whole numbers that no float can be
+        wrong = f"has a number beyond {_LARGEST:g}"
+    if wrong:
         raise ValueError(wrong)
     return model
 

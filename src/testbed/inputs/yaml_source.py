@@ -22,7 +22,7 @@ MAX_NODES = 100_000
 """Most keys and values in one file, and most values with aliases expanded: these can expand a small file to any size."""
 _TOO_MANY = f"more than {MAX_NODES} values"
 
-_MOST_BITS = 4096
+_MOST_BITS = 1023
 """Longest whole number, some 1200 digits."""
 
 _FORBIDDEN = re.compile("[\0\ud800-\udfff]")
@@ -196,7 +196,7 @@ class _Reader:
             )
             self._complain(node, path, f"{describe(node.value)} cannot be read: {what}")
             return None
-        if isinstance(value, int) and value.bit_length() > _MOST_BITS:  # Python would not print it
+        if isinstance(value, int) and value.bit_length() > _MOST_BITS:  # no float can be it
             self._complain(node, path, f"{describe(node.value)} is too large a number")
             return None
         if isinstance(value, str) and _FORBIDDEN.search(value):

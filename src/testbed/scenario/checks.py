@@ -267,7 +267,8 @@ def _noise(scenario: Scenario) -> Iterator[Issue]:
         return
     first, end = window_of(noise, scenario.rate_hz, scenario.steps)
     if end > MAX_STEPS:
-        what = f"{noise.until_s:g} s is control step {end}"
+        until_s = scenario.duration_s if noise.until_s is None else noise.until_s
+        what = f"{until_s:g} s is control step {end}"
         yield Issue(("atmosphere", "noise", "until_s"), what, f"at most {MAX_STEPS}")
     for part in PARTS:
         count = len(getattr(noise, part))

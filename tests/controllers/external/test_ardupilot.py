@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from pymavlink.dialects.v20 import common
+from scripts import runnable
 
 import testbed
 from testbed.__main__ import main
@@ -23,7 +24,7 @@ from testbed.inputs.problems import BadInput
 from testbed.scenario.load import load_scenario
 from testbed.simulation import start_and_setup
 
-FAKE = Path(__file__).parents[2] / "support" / "fake_ardupilot.py"
+FAKE = runnable("fake_ardupilot.py")
 SHORT = {"duration_s": 2.0, "failures": [], "requirements": []}
 REAL = os.environ.get("TESTBED_ARDUPILOT", "")
 

@@ -6,6 +6,7 @@ import math
 from collections import Counter
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,6 +18,7 @@ from testbed.aircraft.changes import ChangedAircraft, load_with_changes
 from testbed.aircraft.shipped import files_in
 from testbed.api.benchmark import prepare
 from testbed.failures import TABLE
+from testbed.inputs.problems import BadInput
 from testbed.plant.jsbsim import Plant
 from testbed.plant.trim import trim
 from testbed.simulation.check import check
@@ -24,6 +26,8 @@ from testbed.studies.benchmark.load import load_suite
 from testbed.studies.benchmark.model import Craft, Weather
 from testbed.studies.benchmark.plan import Benchmark
 from testbed.studies.drawing.builder import Task
+
+STUCK = [entry["type"] for entry in tree()["failures"]["types"]].index("stuck_at")
 
 
 def plan_of(suite: Path | str, seed: int = 5, draws: int = 4, controllers: tuple[str, ...] = ()) -> Benchmark:
@@ -41,6 +45,20 @@ def test_a_draw_depends_on_nothing_but_suite_seed_and_number(tmp_path: Path) -> 
     assert forth == back
     other = drawn(plan_of(file, seed=6), range(8))
     assert all(forth[k].values != other[k].values and forth[k].seed != other[k].seed for k in forth)
+
+
+@pytest.mark.parametrize(
+    "path", [("references", "legs"), ("failures", "count"), ("failures", "types", STUCK, "values", "value")]
+)
+def test_a_choice_between_things_that_are_no_numbers_is_refused(
+    tmp_path: Path, path: tuple[Any, ...]
+) -> None:
+    suite = part = tree()
+    for key in path[:-1]:
+        part = part[key]
+    part[path[-1]] = {"choice": [1, {"a": 1}]}
+    with pytest.raises(BadInput, match="can draw a mapping, expected numbers"):
+        load_suite(written(tmp_path, suite))
 
 
 def test_controllers_change_no_draw_and_another_suite_changes_each(tmp_path: Path) -> None:

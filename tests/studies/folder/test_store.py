@@ -259,12 +259,19 @@ def test_a_damaged_page_is_refused(tmp_path: Path) -> None:
         read(tmp_path)
 
 
-def test_a_flight_in_place_of_another_is_refused(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("instead", "run"),
+    [
+        ("(SELECT record FROM flights LIMIT 1)", "0"),
+        (f"replace(record, '\"run\":1,', '\"run\":{10**40},')", "10+"),
+    ],
+)
+def test_a_flight_in_place_of_another_is_refused(tmp_path: Path, instead: str, run: str) -> None:
     plan = load_sweep(written(tmp_path))
     folder = fly_here(plan, tmp_path / "out")
-    change(folder, "UPDATE flights SET record = (SELECT record FROM flights LIMIT 1)")
+    change(folder, f"UPDATE flights SET record = {instead}")
     with (
-        pytest.raises(BadInput, match="has run 0, variant 0 in place of another flight"),
+        pytest.raises(BadInput, match=f"has run {run}, variant 0 in place of another flight"),
         store.reading(folder) as all_,
     ):
         list(records(plan, all_))

@@ -14,22 +14,11 @@ from testbed.common.units import GRAVITY_M_S2
 from testbed.failures import TABLE as FAILURES
 from testbed.failures.base import travel_of
 from testbed.studies.benchmark.craft import placed
-from testbed.studies.benchmark.model import Craft, FailureEntry, Suite
+from testbed.studies.benchmark.model import SHARES, Craft, FailureEntry, Suite
 from testbed.studies.drawing.distributions import Distribution
 
 Values = dict[str, Any]
 Item = TypeVar("Item")
-_SHARES = {
-    "stuck_at": {"value": "place"},
-    "position_limit": {"low": "place", "high": "place"},
-    "bias": {"value": "travel"},
-    "oscillation": {"amplitude": "travel"},
-    "runaway": {"rate": "speed"},
-    "rate_limit": {"value": "rate"},
-    "lag": {"lag_rad_s": "lag"},
-}
-"""Keys of failures that a suite gives as a share: of the way from the lowest to the highest command, of that distance, of that
-distance per second, of the servo's rate limit, of the corner frequency of its lag."""
 _AXES = ("forward", "right", "down")
 
 
@@ -245,7 +234,7 @@ def _filled(dice: Dice, entry: FailureEntry, aircraft: Aircraft, actuator: str) 
     if entry.type == "property":
         prefixes = [aircraft.actuators[each].prefix for each in _able(entry, aircraft, None)]
         return {"set": {f"{prefix}/{key}": value for prefix in prefixes for key, value in values.items()}}
-    shares = _SHARES.get(entry.type, {})
+    shares = SHARES.get(entry.type, {})
     broken = aircraft.actuators[actuator]
     return {"actuator": actuator} | {
         key: _scaled(broken, shares[key], value) if key in shares else value for key, value in values.items()
@@ -253,7 +242,7 @@ def _filled(dice: Dice, entry: FailureEntry, aircraft: Aircraft, actuator: str) 
 
 
 def _scaled(actuator: AnyActuator, share_of: str, share: float) -> float:
-    """A share of an actuator's travel, rate or lag, in its own unit (see _SHARES)."""
+    """A share of an actuator's travel, rate or lag, in its own unit (see SHARES)."""
     low, high = travel_of(actuator)
     value = {
         "place": low + share * (high - low),

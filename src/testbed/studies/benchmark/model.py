@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from testbed.controllers.config import AnyController
 from testbed.failures import TABLE as FAILURES
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, Text, refuse
 from testbed.inputs.problems import guess
+from testbed.inputs.yaml_source import describe
 from testbed.sensors.faults import TABLE as SENSOR_FAULTS
 from testbed.sensors.settings import PRESETS
 from testbed.studies.drawing.distributions import Distribution
@@ -17,6 +18,28 @@ from testbed.studies.model import Study
 
 Share = Annotated[Number, Field(ge=0, le=1)]
 Range = tuple[Positive, Positive]
+SHARES = {
+    "stuck_at": {"value": "place"},
+    "position_limit": {"low": "place", "high": "place"},
+    "bias": {"value": "travel"},
+    "oscillation": {"amplitude": "travel"},
+    "runaway": {"rate": "speed"},
+    "rate_limit": {"value": "rate"},
+    "lag": {"lag_rad_s": "lag"},
+}
+"""Keys of failures that a suite gives as a share: of the way from the lowest to the highest command, of that distance, of that
+distance per second, of the servo's rate limit, of the corner frequency of its lag."""
+
+
+def _of_numbers(drawn: Distribution) -> Distribution:
+    options = drawn.parameters if drawn.name == "choice" else ()
+    for option in options:
+        if isinstance(option, bool) or not isinstance(option, int | float):
+            raise refuse(f"can draw {describe(option)}", "numbers")
+    return drawn
+
+
+Numbers = Annotated[Distribution, AfterValidator(_of_numbers)]
 
 
 class Limits(Settings):
@@ -58,32 +81,32 @@ class Truth(Settings):
 
     share: Share
     """Share of the flights in which it differs; each of the following then does in half of them."""
-    mass: Distribution
+    mass: Numbers
     """Factor on the mass."""
-    cg_shift: Distribution
+    cg_shift: Numbers
     """Shift of the centre of gravity aft, in chords."""
-    coefficient: Distribution
+    coefficient: Numbers
     """Factor on each of the aircraft's `coefficients`."""
-    servo: Distribution
+    servo: Numbers
     """Factor on the corner frequency of all servos' lags."""
 
 
 class References(Settings):
     """What is commanded: legs, each with a new heading, and perhaps a new altitude and airspeed."""
 
-    legs: Distribution
+    legs: Numbers
     """Number of legs."""
-    at_s: Distribution
+    at_s: Numbers
     """When a leg begins [s]."""
-    heading_deg: Distribution
+    heading_deg: Numbers
     """Change of heading [deg]."""
-    altitude_s: Distribution
+    altitude_s: Numbers
     """Change of altitude, in seconds of flight at the first airspeed; the other way where it would leave `altitude_m`."""
-    airspeed: Distribution
+    airspeed: Numbers
     """Airspeed, as a factor on the first one; within the aircraft's range."""
-    bank_deg: Distribution
+    bank_deg: Numbers
     """Bank of the turns, which sets the rate of the heading's reference [deg]."""
-    slope: Distribution
+    slope: Numbers
     """Slope of climbs and descents, which sets the rate of the altitude's reference."""
 
 
@@ -92,9 +115,9 @@ class Weather(Settings):
 
     weight: Positive
     """How often it is drawn, against the others."""
-    turbulence_w20_m_s: Distribution | None = None
+    turbulence_w20_m_s: Numbers | None = None
     """W20 of MIL-F-8785C [m/s]; none by default."""
-    wind_m_s: Distribution | None = None
+    wind_m_s: Numbers | None = None
     """Steady wind from any side [m/s]; none by default."""
 
 
@@ -105,9 +128,9 @@ class Gusts(Settings):
     """Share of the flights that have one."""
     with_failure: Share
     """Share of these gusts that begin with the first failure; the others at any time."""
-    magnitude: Distribution
+    magnitude: Numbers
     """Velocity, as a share of the airspeed."""
-    duration_s: Distribution
+    duration_s: Numbers
     """Duration of the rise [s]; the fall takes as long."""
 
 
@@ -130,11 +153,11 @@ class SensorFaults(Settings):
 
     share: Share
     """Share of these flights in which a sensor fails."""
-    at_s: Distribution
+    at_s: Numbers
     """When [s]."""
     ends: Share
     """Share of the faults that end."""
-    lasts_s: Distribution
+    lasts_s: Numbers
     """How long those last [s]."""
     faults: Annotated[tuple[SensorFaultEntry, ...], Field(min_length=1)]
 
@@ -164,29 +187,31 @@ class FailureEntry(Settings):
     def _whose(self) -> FailureEntry:
         if self.type == "property" and self.of is None:
             raise refuse("does not say whose properties", "of: servo or motor")
+        for key in SHARES.get(self.type, {}).keys() & self.values.keys():
+            _of_numbers(self.values[key])
         return self
 
 
 class Failures(Settings):
     """How many failures a flight has, when, on which actuators, and whether they end."""
 
-    count: Distribution
+    count: Numbers
     """Number of failures, without those that come back."""
-    first_s: Distribution
+    first_s: Numbers
     """When the first begins [s]."""
     together: Share
     """Share of the further ones that begin with the one before."""
-    after_s: Distribution
+    after_s: Numbers
     """How long after the one before the others begin [s]."""
     same: Share
     """Share of the further ones that befall the actuator of the one before."""
     ends: Share
     """Share of the failures that end, of those that can."""
-    lasts_s: Distribution
+    lasts_s: Numbers
     """How long those last [s]."""
     back: Share
     """Share of those that come back, once."""
-    back_after_s: Distribution
+    back_after_s: Numbers
     """How long after its end a failure comes back [s]."""
     types: Annotated[tuple[FailureEntry, ...], Field(min_length=1)]
 

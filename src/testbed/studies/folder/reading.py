@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 TABLE = "results.parquet"
 _ALWAYS = ("run", "seed", "outcome", "passed", "end_time_s")
+_LARGEST_KEY = 2**64 - 1
+"""A key has eight bytes (see `record.key_of`)."""
 
 
 def load(folder: str | Path) -> pd.DataFrame:
@@ -103,7 +105,8 @@ def records(plan: Plan, stored: store.Store, runs: int | None = None) -> Iterato
     for key, record in stored.records():
         if key >= end:
             return
-        if record.variant >= variants or key_of(record.run * variants + record.variant) != key:
+        place = min(record.run * variants + record.variant, _LARGEST_KEY)
+        if record.variant >= variants or key_of(place) != key:
             what = f"has run {record.run}, variant {record.variant} in place of another flight"
             raise BadInput([Problem(what, str(stored.folder / store.NAME))])
         yield record
