@@ -2,9 +2,11 @@
 
     python benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly
     python benchmarks/benchmark_page.py runs/benchmark runs/healthy --commit 97ad5e2
+    python benchmarks/benchmark_page.py runs/benchmark runs/healthy --beside runs/more --parts runs/ablations
 
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
-Else a folder may be unfinished: the draws that every controller has flown count. With `--commit` the page is stamped with the
+Else a folder may be unfinished: the draws that every controller has flown count. Folders `--beside` have further controllers on
+the same draws; the one of `--parts` has the default without its parts. With `--commit` the page is stamped with the
 commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
@@ -12,11 +14,14 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pages
+import pandas as pd
 import yaml
 
 import testbed
@@ -74,6 +79,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
         help="as of `testbed benchmark`: only these in `open`, and those with settings too",
     )
     parser.add_argument("--draws", type=int, default=1000, help="flights of each controller in `open`")
+    parser.add_argument(
+        "--beside", nargs="+", type=Path, default=[], help="folders of other controllers, same draws"
+    )
+    parser.add_argument("--parts", type=Path, help="folder of the default without its parts")
     parser.add_argument("--commit", help="that flew the folders, for the page's stamp")
     options = parser.parse_args(arguments)
     for folder, suite, draws in zip(options.folders, SUITES, (options.draws, HEALTHY), strict=False):
@@ -82,17 +91,38 @@ def main(arguments: Sequence[str] | None = None) -> None:
             testbed.benchmark(
                 suite, folder, controllers=chosen, word=options.word, draws=draws, resume=folder.exists()
             )
-    PAGE.write_text(text([summary_of(folder) for folder in options.folders]), encoding="utf-8")
+    first, *others = options.folders
+    summaries = [summary_of(first, options.beside), *map(summary_of, others)]
+    parts = [] if options.parts is None else parts_of(summary_of(options.parts))
+    PAGE.write_text(text(summaries, parts), encoding="utf-8")
     if options.commit:
         pages.known("benchmark", options.commit, environment_of(options.folders[0]))
 
 
-def summary_of(folder: Path) -> dict[str, Any]:
-    """What a folder's table says, with the law's digest as the folder has it: its flights need not be of this commit."""
+def summary_of(folder: Path, beside: Sequence[Path] = ()) -> dict[str, Any]:
+    """What the tables of a folder, and of others of the same draws, say; with the law's digest as the folder has it: its flights
+    need not be of this commit. Exits if the others have other draws."""
     if not (folder / "results.csv").is_file():
-        return benchmark.rebuild(folder)
+        benchmark.rebuild(folder)
     law = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["law_sha256"]
-    return scores.summarize(benchmark.plan_of(folder), benchmark.table(folder)) | {"law_sha256": law}
+    plan, frames = benchmark.plan_of(folder), [benchmark.table(folder)]
+    for other in beside:
+        more = benchmark.plan_of(other)
+        if (more.digest, more.study.seed) != (plan.digest, plan.study.seed):
+            sys.exit(f"{other} has other draws than {folder}")
+        builder = replace(plan.builder, variants=(*plan.variants, *more.variants))
+        plan, frames = replace(plan, builder=builder), [*frames, benchmark.table(other)]
+    frame = pd.concat(frames)
+    flown = frame.groupby("draw")["controller"].transform("nunique") == len(plan.labels)
+    return scores.summarize(plan, frame[flown]) | {"law_sha256": law}
+
+
+def parts_of(summary: dict[str, Any]) -> list[str]:
+    """The lines of what each part of the default brings."""
+    lines = markdown(summary)
+    begin = next(i for i, line in enumerate(lines) if line.startswith("## What the parts of"))
+    end = next(i for i in range(begin + 1, len(lines)) if lines[i].startswith("## "))
+    return ["", *lines[begin:end], f"Of the first {summary['draws']} draws."]
 
 
 def environment_of(folder: Path) -> str:
@@ -105,9 +135,9 @@ def environment_of(folder: Path) -> str:
     )
 
 
-def text(summaries: Sequence[dict[str, Any]]) -> str:
+def text(summaries: Sequence[dict[str, Any]], parts: Sequence[str] = ()) -> str:
     """The page's Markdown."""
-    lines = [HEAD, *markdown(summaries[0])]
+    lines = [HEAD, *markdown(summaries[0]), *parts]
     for summary in summaries[1:]:
         lines += ["", f"#{HEALTHY_HEAD}", *markdown(summary, "###")]
     return "\n".join([*lines, "", NOTES, *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
