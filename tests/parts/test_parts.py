@@ -167,6 +167,12 @@ def test_what_is_no_part_is_refused_and_nothing_is_used(tmp_path: Path, text: st
     assert words in str(caught.value) and before == FAILURES
 
 
+@pytest.mark.parametrize("name", ["none.py", "a\0b.py"])
+def test_a_file_that_is_not_there_is_refused(name: str) -> None:
+    with pytest.raises(BadInput, match="there is no such file"):
+        testbed.use(name)
+
+
 def test_an_error_in_a_part_is_reported_with_its_line(own: Path, tmp_path: Path) -> None:
     own.write_text(own.read_text().replace("rate = 2 * math.pi", "rate = 2 / 0"))
     run = in_this_process(tmp_path, "run", "own.yaml", "--with", "my_parts.py")

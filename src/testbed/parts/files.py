@@ -102,8 +102,8 @@ class Parts:
 
 def loaded(file: str | Path) -> Parts:
     """Run a file of parts. Raises BadInput with every part that is none, or when the file cannot be run."""
-    path = Path(file).resolve()
     module = module_of(Path(file))
+    path = Path(file).resolve()
     problems: list[Problem] = []
     tables: dict[str, dict[str, Any]] = {}
     for kind in KINDS:
