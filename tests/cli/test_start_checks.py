@@ -55,3 +55,23 @@ def test_numbers_that_numba_takes_are_taken(text: str | None, monkeypatch: pytes
     if text is not None:
         monkeypatch.setenv("NUMBA_NUM_THREADS", text)
     assert start_checks.wrong_setting() == ""
+
+
+_NO_THREAD = """\
+import os, resource, threading
+from testbed.cli import commands
+resource.setrlimit(resource.RLIMIT_NPROC, (1, 1))
+os.setuid(54321)
+try:
+    threading.Thread(target=print).start()
+except RuntimeError as error:
+    print(commands._in_words(error))
+"""
+
+
+@pytest.mark.skipif(
+    os.name != "posix" or os.getuid() != 0, reason="needs root, who is not limited, to become another"
+)
+def test_a_thread_too_many_is_said() -> None:
+    done = subprocess.run([sys.executable, "-c", _NO_THREAD], capture_output=True, text=True, check=True)
+    assert "as many as are allowed, see `ulimit -u`" in done.stdout

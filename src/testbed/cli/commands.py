@@ -83,6 +83,8 @@ def _in_words(error: Exception) -> str:
         return f"{where}cannot be read or written: {error.strerror or error}"
     if isinstance(error, MemoryError):
         return "there is not enough memory for this"
+    if "can't start new thread" in str(error):  # Python says it in no other way
+        return "no further thread can be started: this user has as many as are allowed, see `ulimit -u`"
     last = traceback.extract_tb(error.__traceback__)[-1]
     place = f"{Path(last.filename).name}:{last.lineno}"
     words = " ".join(str(error).split())
