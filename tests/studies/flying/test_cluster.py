@@ -22,6 +22,7 @@ import testbed
 from testbed.aircraft.shipped import find_aircraft
 from testbed.controllers.user.own import own_controllers
 from testbed.inputs.problems import BadInput
+from testbed.studies.flying import cluster as flying_cluster
 from testbed.studies.flying.cluster import fly_packed, pack, refuse_dead
 from testbed.studies.flying.flight import Job, fly_task
 from testbed.studies.load import load_sweep
@@ -74,6 +75,24 @@ def test_a_killed_scheduler_is_one_line(cluster: Cluster, tmp_path: Path, flight
     _, err = process.communicate()
     assert process.returncode == 3 and err.startswith("out: ") and err.count("\n") == 1, err
     assert finished(tmp_path / "out") >= flights
+
+
+@pytest.mark.nightly
+def test_a_cluster_whose_workers_are_gone_is_not_waited_for(
+    cluster: Cluster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(flying_cluster, "_WITHOUT_S", 2.0)
+    monkeypatch.setattr(flying_cluster, "_LOOK_S", 0.5)
+
+    def kill_midway() -> None:
+        while finished(tmp_path / "out") < 5:
+            time.sleep(0.005)
+        for worker in cluster.processes[1:]:
+            worker.kill()
+
+    threading.Thread(target=kill_midway, daemon=True).start()
+    with pytest.raises(testbed.Stopped, match=r"has had no worker for 2 s; \d+ of 200 flights are kept"):
+        testbed.sweep(written(tmp_path), tmp_path / "out", runs=100, cluster=cluster.address, figures=False)
 
 
 @pytest.mark.nightly

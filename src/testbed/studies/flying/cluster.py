@@ -18,6 +18,7 @@ from contextlib import ExitStack
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from testbed.aircraft.changes import name_in
 from testbed.aircraft.description import load_aircraft
@@ -29,6 +30,9 @@ from testbed.studies.flying.flight import Job
 from testbed.studies.flying.worker import Children
 from testbed.studies.record import Flown
 
+if TYPE_CHECKING:
+    from distributed import Future
+
 _ANSWER_S = 8
 """Longest time in which a cluster must answer [s]."""
 _NO_DASK = Problem("--cluster needs dask.distributed", expected="pip install 'testbed[cluster]'")
@@ -36,6 +40,10 @@ _AHEAD = 3
 """Tasks sent ahead for each thread of the cluster, so that none waits for work."""
 _TRIES = 5
 """How often a flight is sent at most if its Dask workers die."""
+_WITHOUT_S = 600.0
+"""Longest time in which a cluster may be without any worker [s]: they come and go, but a dead one is not waited for all night."""
+_LOOK_S = 5.0
+"""How often it is asked for its workers while nothing comes back [s]."""
 _OWN = "own controllers"
 """Folder of the users' controllers among the unpacked files, with a folder for each."""
 _PARTS = "own parts"
@@ -118,8 +126,7 @@ class Connection:
         for _ in range(_TRIES):
             future = self._client.submit(fly_packed, self._packed, task, pure=False, retries=0)
             try:
-                flown: Flown = future.result()
-                return flown
+                return self._result(future)
             except BadInput:
                 raise
             except Exception as error:
@@ -130,6 +137,21 @@ class Connection:
                 words = "the connection was lost"
                 break
         raise BadInput([Problem(f"the cluster at {self._address} failed: {words}")])
+
+    def _result(self, future: Future) -> Flown:
+        """What a flight returns; raises BadInput when the cluster is without workers for too long."""
+        without_s = 0.0
+        while True:
+            try:
+                flown: Flown = future.result(_LOOK_S)
+                return flown
+            except TimeoutError:
+                if future.done():
+                    raise
+                without_s = 0.0 if self._client.nthreads() else without_s + _LOOK_S
+                if without_s >= _WITHOUT_S:
+                    what = f"the cluster at {self._address} has had no worker for {_WITHOUT_S:g} s"
+                    raise BadInput([Problem(what)]) from None
 
     def close(self) -> None:
         """Leave the cluster; what is being flown there is lost."""
