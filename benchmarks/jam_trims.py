@@ -160,7 +160,8 @@ def design(setup: Setup, jammed: int, position: float) -> str:
     return f"{slope}, {flight.state[AIRSPEED]:.1f} m/s"
 
 
-def row(setup: Setup, aircraft: Aircraft, jammed: int, name: str, command: float, words: str) -> str:
+def row(setup: Setup, aircraft: Aircraft, jammed: int, command: float, words: str) -> str:
+    """A row of the table, but for the actuator's name: of those that mirror each other it is the same."""
     level, sloping = truth(aircraft, jammed, command)
     inside = [flight for flight in level if flight.margin > 0.0]
     best = max(inside or level + sloping, key=lambda flight: flight.margin, default=None)
@@ -171,13 +172,13 @@ def row(setup: Setup, aircraft: Aircraft, jammed: int, name: str, command: float
         else f"; with less thrust than the limit {level[0].airspeed_m_s:.0f} to {level[-1].airspeed_m_s:.0f}"
     )
     if best is None:
-        return f"| {name} | {words} | {speeds}{beyond} | none | | |"
+        return f"{words} | {speeds}{beyond} | none | | |"
     actuator = list(aircraft.actuators.values())[jammed]
     position = math.degrees(command) if isinstance(actuator, Servo) else best.positions[jammed]
     chosen = design(setup, jammed, position / actuator.scale)
     slope = "level" if best.path_deg == 0.0 else f"path {best.path_deg:+.0f} deg"
     what = f"{slope}, {best.airspeed_m_s:.0f} m/s"
-    return f"| {name} | {words} | {speeds}{beyond} | {what} | {best.margin:.2f} | {chosen} |"
+    return f"{words} | {speeds}{beyond} | {what} | {best.margin:.2f} | {chosen} |"
 
 
 HEAD = """# Which jams have a trim
@@ -213,11 +214,13 @@ def main(arguments: Sequence[str] | None = None) -> None:
     setup = setup_for(
         aircraft, stored(aircraft), settings, 0.005, start.commands, start.positions, start.state["pitch"]
     )
-    lines = [HEAD]
-    for jam in jams(aircraft, options.quick):
-        if options.only in (None, jam[1]):
-            lines.append(row(setup, aircraft, *jam))
-            print(lines[-1], flush=True)
+    rows: dict[str, list[str]] = {}
+    for i, name, command, words in jams(aircraft, options.quick):
+        if options.only in (None, name):
+            found = row(setup, aircraft, i, command, words)
+            rows.setdefault(found, []).append(name)
+            print(f"| {name} | {found}", flush=True)
+    lines = [HEAD, *(f"| {', '.join(names)} | {found}" for found, names in rows.items())]
     options.out.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(f"wrote {options.out}")
 
