@@ -215,6 +215,7 @@ def alive(pid: int) -> bool:
     return False
 
 
+@pytest.mark.nightly
 def test_going_back_wakes_a_frozen_copy_and_nothing_is_left_in_the_end(tmp_path: Path) -> None:
     """Three frozen copies; going back to between the first two, twice; what is saved flies to the same bytes."""
     with serving(tmp_path, *SCENARIO) as (address, process):
