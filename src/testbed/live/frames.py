@@ -84,7 +84,7 @@ def facts(session: Session) -> dict[str, Any]:
     }
     return {
         "name": scenario.name,
-        "aircraft": Path(scenario.aircraft).name,
+        "aircraft": Path(str(scenario.aircraft)).name,
         "controller": parts.flown_by or scenario.controller.type,
         "columns": list(last),
         "actuators": actuators,
