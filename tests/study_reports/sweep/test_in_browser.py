@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Window, drawn
+from chromium import Window, drawn, unreadable
 from figure_flights import broken
 from sweep_files import fly_here, written
 
@@ -158,3 +158,8 @@ def test_panels_of_a_comparison_share_cursor_and_range(browser: Any, comparison:
             "comparison.panels.made.filter(m => m.plot).map(m => [m.plot.scales.x.min, m.plot.scales.x.max])"
         )
         assert shown and all(pair == pytest.approx([low, high]) for pair in shown)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, sweep: Path, scheme: str) -> None:
+    assert unreadable(browser, sweep.as_uri(), scheme) == []
