@@ -95,12 +95,16 @@ def known(name: str, commit: str, flown_in: str = NOT_RECORDED) -> int:
 
 
 def _expanded(command: str) -> list[str]:
-    """The words of a command; one that ends in `/*` stands for the folders there."""
+    """The words of a command; one that ends in `/*` stands for the folders of aircraft there."""
     words: list[str] = []
     for word in shlex.split(command):
         place = ROOT / word.removesuffix("/*")
         words += (
-            [f"{each.relative_to(ROOT)}" for each in sorted(place.iterdir())]
+            [
+                f"{each.relative_to(ROOT)}"
+                for each in sorted(place.iterdir())
+                if (each / f"{each.name}.yaml").is_file()
+            ]
             if word.endswith("/*")
             else [word]
         )

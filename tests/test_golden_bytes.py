@@ -21,6 +21,7 @@ def test_a_flight_is_the_one_that_was_stored(scenario: str) -> None:
     )
 
 
+@pytest.mark.nightly
 def test_another_kernel_is_noticed() -> None:
     """Negative control, and the reason for what is promised: a kernel without FMA rounds otherwise."""
     (scenario, *_) = golden.FLIGHTS

@@ -40,6 +40,7 @@ def _wing(level: np.ndarray, gain: float, seed: int, gusts: float = 0.02) -> Fli
     return Flight(STEP_S * np.arange(COUNT), rates, commands)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("number", range(1, len(CLASSES)))
 def test_a_weak_elevon_is_named_in_another_flight(number: int) -> None:
     """With the model of one flight, another with 10 % more gain: class, effectiveness, a flag in time and none before."""

@@ -45,6 +45,7 @@ def test_shards_meet_in_a_bucket(here: Path, called: Called, bucket: str) -> Non
     assert missed == [not passed for passed in table(here / "whole").passed]
 
 
+@pytest.mark.nightly
 def test_a_shard_goes_on_where_its_folder_is_not(here: Path, called: Called, bucket: str) -> None:
     file = written(here, SMALL).name
     arguments = ["sweep", file, "--shard", "1/2", *QUIET, "--out", "one", "--copy-to", f"{bucket}/1"]

@@ -103,6 +103,7 @@ def test_model_error_at_another_airspeed_is_predicted_as_flown() -> None:
         assert abs(predicted[0] - 1.0) > 0.04
 
 
+@pytest.mark.nightly
 def test_white_noise_in_flight_is_within_a_quarter_of_the_prediction() -> None:
     """(32) in JSBSim: an accelerometer of 0.2 m/s2/rtHz, gamma 2; and the designed gain has the deviation asked for."""
     sensors = {"accelerometer": {"noise_m_s2_rthz": 0.2}}

@@ -70,6 +70,7 @@ def test_two_actuators_are_diagonally_stable_exactly_if_p(seed: int) -> None:
     assert (diagonal_stability(m)[0] > 0.0) == is_p_matrix(m)
 
 
+@pytest.mark.nightly
 @FEW
 @given(seeds)
 def test_weighted_norm_never_increases_under_any_switching(seed: int) -> None:

@@ -218,3 +218,6 @@ def test_what_a_noticed_actuator_was_taken_for_is_said() -> None:
 def test_what_is_used_on_is_said_where_nothing_was_flagged() -> None:
     text = told(believed(Belief.late, math.nan, 6.0), injection(4.0))
     assert "It took the elevon for late from 6.0 s on, and used it." in text
+    log = believed(Belief.late, math.nan, 6.0)
+    log["elevon_belief"][log["time_s"] >= 7.0] = Belief.works
+    assert "It took the elevon for late from 6.0 s to 7.0 s, and used it." in told(log, injection(4.0))

@@ -51,6 +51,7 @@ def begun_elsewhere(folder: Path) -> Path:
     return folder
 
 
+@pytest.mark.nightly
 @pytest.mark.usefixtures("elsewhere")
 def test_a_worker_of_another_environment_is_refused_or_its_flights_are_marked(tmp_path: Path) -> None:
     sweep = written(tmp_path)

@@ -45,6 +45,7 @@ def written(folder: Path, *requirements: str) -> Path:
     return file
 
 
+@pytest.mark.nightly
 @pytest.mark.skipif(
     not (shutil.which("cc") and shutil.which("perl")), reason="there is no C compiler or no perl"
 )

@@ -29,7 +29,7 @@ function start() {
   });
   mergeLegends(bars);
   const picture = document.getElementById("replay"); // not there where a log does not say where its aircraft was
-  const flown = comparison.flights.map((flight, i) => ({ flight, name: flight.name, columns: own(columns, i) }));
+  const flown = comparison.flights.map((flight, i) => ({ flight, name: flight.key, columns: own(columns, i) }));
   const scene = picture && replay(picture, flown, clock);
   clock.go(clock.now);
   onSchemeChange(() => {

@@ -23,6 +23,12 @@ export function decode(told, base64) {
   return columns;
 }
 
+// A number with so many decimals, and no sign before a zero.
+export function fixed(value, decimals) {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? (0).toFixed(decimals) : text;
+}
+
 export function rowAt(time, t) {
   let low = 0;
   let high = time.length - 1;

@@ -7,6 +7,7 @@ import { Past } from "./live_past.js";
 import { gamepad } from "./live_gamepad.js";
 import { Table } from "./live_table.js";
 import { Clock } from "./clock.js";
+import { fixed } from "./data.js";
 import { onSchemeChange } from "./colours.js";
 import { Panels } from "./panels.js";
 
@@ -137,7 +138,7 @@ function readout({ past }) {
   const now = (name) => past.now[name][1];
   const [height, speed, turn] = [now("altitude_m"), now("airspeed_m_s"), now("heading_deg")];
   document.querySelector(".picture output").textContent =
-    `${past.time.toFixed(1)} s   ${height.toFixed(1)} m   ${speed.toFixed(1)} m/s   heading ${turn.toFixed(0)} deg   bank ${now("roll_deg").toFixed(0)} deg`;
+    `${past.time.toFixed(1)} s   ${height.toFixed(1)} m   ${speed.toFixed(1)} m/s   heading ${(Math.round(turn) + 360) % 360} deg   bank ${fixed(now("roll_deg"), 0)} deg`;
   const back = find("back");
   if (document.activeElement !== back) {
     back.max = past.time.toFixed(1);

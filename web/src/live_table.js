@@ -28,8 +28,8 @@ export class Table {
       row.classList.toggle("flagged", value("failed") > 0);
       mends.hidden = broken.length === 0;
     }
-    const released = Object.entries(AXES).filter(([axis]) => now[`${axis}_released`][1] > 0);
-    put(this.modes, released.length ? `given up: ${released.map(([, words]) => words).join(", ")}` : "all axes are controlled");
+    const released = Object.entries(AXES).filter(([axis]) => now[`${axis}_released`][1] > 0 && !this.facts.never.includes(axis));
+    put(this.modes, released.length ? `given up: ${released.map(([, words]) => words).join(", ")}` : "no axis is given up");
   }
 
   believed(value, unit) {

@@ -1,7 +1,7 @@
 // Panels on one cursor and one range of time. Truth is a solid line, belief dashed, a command dotted; each has a colour of its own.
 import { uPlot } from "uplot";
 import { colour } from "./colours.js";
-import { rowAt } from "./data.js";
+import { fixed, rowAt } from "./data.js";
 
 const HEIGHT = 150;
 const STROKES = { truth: [], belief: [7, 4], command: [2, 3], second: [10, 3, 2, 3], third: [4, 2], v0: [], v1: [7, 4], v2: [2, 3], v3: [10, 3, 2, 3], v4: [12, 3], v5: [4, 2] };
@@ -9,7 +9,7 @@ const STROKES = { truth: [], belief: [7, 4], command: [2, 3], second: [10, 3, 2,
 function number(value) {
   if (value == null || Number.isNaN(value)) return "-";
   const size = Math.abs(value);
-  return size >= 100 ? value.toFixed(0) : size >= 10 ? value.toFixed(1) : value.toFixed(2);
+  return fixed(value, size >= 100 ? 0 : size >= 10 ? 1 : 2);
 }
 
 function bands(plot, panel) {
@@ -145,6 +145,10 @@ export class Panels {
       if (seen.isIntersecting) this.draw(entry);
     }, { rootMargin: "200px" });
     entry.seen.observe(box);
+    // Those that no one has scrolled to are drawn once there is time, for print.
+    (window.requestIdleCallback ?? setTimeout)(() => {
+      if (!entry.plot && box.offsetParent) this.draw(entry);
+    });
     return entry;
   }
 
@@ -159,7 +163,7 @@ export class Panels {
     entry.hand = document.createElement("i");
     entry.hand.className = "hand";
     entry.plot.over.append(entry.hand);
-    place(entry.hand, entry.plot, this.clock);
+    queueMicrotask(() => place(entry.hand, entry.plot, this.clock)); // after uPlot's own first drawing, which empties the legend
   }
 
   data(panel) {

@@ -1,5 +1,5 @@
 // The replay's picture and its controls: play, speed, scrub, views and keys.
-import { lastOf, rowAt } from "./data.js";
+import { fixed, lastOf, rowAt } from "./data.js";
 import { Flat } from "./flat.js";
 import { Scene } from "./scene.js";
 import { VIEWS } from "./camera.js";
@@ -25,7 +25,8 @@ function thought(flight, columns, row) {
     const words = said.filter(Boolean).join(", ");
     return words && `${name.replaceAll("_", " ")}: ${words}`;
   });
-  const given = Object.keys(AXES).filter((axis) => at(`${axis}_released`) > 0);
+  // What is so from the first row on is how the aircraft or the controller is made, and nothing that was given up.
+  const given = Object.keys(AXES).filter((axis) => at(`${axis}_released`) > 0 && !(columns[`${axis}_released`][0] > 0));
   if (given.length) lines.push(`given up: ${given.map((axis) => AXES[axis]).join(", ")}`);
   return lines.filter(Boolean).map((line) => `\n${line}`).join("");
 }
@@ -87,7 +88,7 @@ export function replay(root, flights, clock) {
     slider.setAttribute("aria-valuetext", `${clock.now.toFixed(2)} s`);
     play.textContent = clock.playing ? "Pause" : "Play";
     const { altitude_m, airspeed_m_s, roll_deg } = columns;
-    output.textContent = `${clock.now.toFixed(2)} s   ${altitude_m[row].toFixed(1)} m   ${airspeed_m_s[row].toFixed(1)} m/s   bank ${roll_deg[row].toFixed(1)} deg${thought(flight, columns, row)}`;
+    output.textContent = `${clock.now.toFixed(2)} s   ${altitude_m[row].toFixed(1)} m   ${airspeed_m_s[row].toFixed(1)} m/s   bank ${fixed(roll_deg[row], 1)} deg${thought(flight, columns, row)}`;
   });
   look("chase");
   return scene;

@@ -19,6 +19,8 @@ from functools import cache
 import numpy as np
 
 _ROUNDING = 1e-9  # of a step: 0.3 s at 200 Hz is 60.00000000000001 steps, and means step 60
+_ROOM = 8
+"""How many times as long a flight can become before its rows are copied again."""
 
 STATE = (
     "north", "east", "altitude", "airspeed", "climb_rate",
@@ -119,8 +121,16 @@ def begins_within(at_s: float | None, rate_hz: float, steps: float) -> bool:
     return at_s is None or first_step_at(at_s, rate_hz) < steps
 
 
-def longer(rows: np.ndarray, steps: int) -> np.ndarray:
-    """Rows of signals [N, ...] for more control steps [steps, ...]: those so far, then zeros."""
-    made = np.zeros((steps, *rows.shape[1:]))
-    made[: len(rows)] = rows
-    return made
+def longer(rows: np.ndarray, steps: int, rest: float = 0.0) -> np.ndarray:
+    """Rows of signals [N, ...] for more control steps [steps, ...]: those so far, then `rest`.
+
+    They may be the same memory. There is room in it for some more times, so that a flight that goes on is seldom copied; the
+    system gives memory for what is written only.
+    """
+    room = rows.base  # of which these rows are the beginning, if they come from here
+    if room is None or room.shape[1:] != rows.shape[1:] or len(room) < steps:
+        room = np.zeros((_ROOM * steps, *rows.shape[1:]))
+        room[: len(rows)] = rows
+    if rest:
+        room[len(rows) : steps] = rest
+    return room[:steps]

@@ -89,7 +89,7 @@ class Aloft:
             while True:
                 self._take(self._line.hear())
         if not self._ended:
-            self._told({"note": "state", **self._state, "ended": _GONE})
+            self._told({**self.state, "ended": _GONE})
         self._refuse_all()
 
     def _take(self, said: tuple[Any, ...]) -> None:

@@ -8,6 +8,7 @@ a frozen copy ends with the process that can wake it.
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import traceback
 from collections.abc import Callable
@@ -24,9 +25,9 @@ class Copies:
         self._children: list[int] = []
 
     @property
-    def last(self) -> int:
-        """Control step of the last frozen copy; 0 if there is none."""
-        return self._frozen[-1][0] if self._frozen else 0
+    def last(self) -> float:
+        """Control step of the last frozen copy; minus infinity if there is none."""
+        return self._frozen[-1][0] if self._frozen else -math.inf
 
     def begin(self, work: Callable[[], object]) -> None:
         """Do something in a copy, which ends then. Raises OSError if there can be no copy."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from testbed.common.signals import Belief
+from testbed.common.signals import RATES, Belief
 from testbed.failures import TABLE as FAILURES
 from testbed.failures import Failure
 from testbed.flight.breakage import failures_of, response
@@ -83,10 +84,11 @@ def facts(session: Session) -> dict[str, Any]:
     }
     return {
         "name": scenario.name,
-        "aircraft": str(scenario.aircraft),
+        "aircraft": Path(str(scenario.aircraft)).name,
         "controller": parts.flown_by or scenario.controller.type,
         "columns": list(last),
         "actuators": actuators,
+        "never": [axis for axis in RATES if last[f"{axis}_released"][0] > 0.0],
         "beliefs": {belief.value: belief.name for belief in Belief},
         "limits": _limits(scenario),
         "shape": parts.shape.model_dump(),
@@ -102,7 +104,7 @@ def _failures(kind: str) -> list[dict[str, Any]]:
         if kind not in failure.kinds or "actuator" not in failure.model_fields or name == "property":
             continue
         schema = failure.model_json_schema()
-        about = str(schema.get("description", "")).partition("\n")[0]
+        about = str(schema.get("description", "")).partition("\n")[0].replace("`", "")
         settings = {key: value for key, value in schema["properties"].items() if key not in base}
         example = failure.examples.get("motor" if kind == "engine" else kind, {})
         found.append({"type": name, "about": about, "settings": settings, "example": dict(example)})

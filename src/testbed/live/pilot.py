@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import gc
 import traceback
 from collections.abc import Callable
 from pathlib import Path
@@ -23,8 +24,8 @@ FRAME_S = 1.0 / 60.0
 _MOST_BEHIND_S = 0.25  # what a slow machine has not flown in this time is not caught up with
 _STORY_S, _STORY_SHARE = 2.0, 0.04  # the story is told this often, and takes no more of the time than this
 _IDLE_S = 0.2
-_FROZEN_S = 60.0
-"""A copy is frozen this often [s of flight]: what is flown again to go back takes about a second at most."""
+_FROZEN_S = 180.0
+"""A copy is frozen at the start and this often [s of flight]: what is flown again to go back takes about a second at most."""
 
 Keep = Callable[[ReportedFlight, str | None], tuple[Path, str]]
 """Writes the run folder of a flight, given its `own` controller; returns it, and the command that flies it again."""
@@ -72,6 +73,7 @@ class Pilot:
 
     def run(self) -> None:
         """Fly until nobody can ask for anything any more."""
+        gc.freeze()  # collecting touches what it looks at, and a touched page is no longer shared with the copies
         with contextlib.suppress(EOFError):
             self._run()
         self.flight.close()

@@ -163,8 +163,9 @@ def _cell(value: Cell) -> Html:
 def table(heads: Iterable[str], rows: Iterable[Html], caption: str = "") -> Html:
     """A table with a head, from rows made by `row`. On a narrow screen the table scrolls, not the page."""
     above = tag("caption", caption) if caption else None
-    head = tag("thead", tag("tr", [tag("th", text) for text in heads]))
-    return tag("div", tag("table", above, head, "\n", tag("tbody", joined(rows, "\n"))), class_="table")
+    head = tag("thead", tag("tr", [tag("th" if text else "td", text) for text in heads]))
+    made = tag("table", above, head, "\n", tag("tbody", joined(rows, "\n")))
+    return tag("div", made, class_="table", tabindex=0)  # so that keys can scroll it
 
 
 def listing(

@@ -136,8 +136,10 @@ def _used_on(view: Readings) -> Iterator[str]:
     for name in view.actuators:
         own = [belief for belief in beliefs(view.log, [name]) if belief["belief"] not in ("works", "doubted")]
         if own and not np.any(view.log[f"{name}_failed"] > 0.0):
-            taken = believed(own[-1], view.actuators)
-            yield f"It took the {title(name)} for {taken} from {own[-1]['time_s']:.1f} s on, and used it."
+            last, end_s = own[-1], own[-1]["until_s"]
+            until = "on" if end_s >= view.time_s[-1] else f"to {end_s + view.step_s:.1f} s"
+            taken = believed(last, view.actuators)
+            yield f"It took the {title(name)} for {taken} from {last['time_s']:.1f} s {until}, and used it."
 
 
 def _gave_up(axes: Sequence[str]) -> list[str]:
@@ -200,7 +202,7 @@ def _settled(view: Readings, rows: slice, worst: Mapping[str, float]) -> Iterato
             since = max(since, stays_from(~(np.abs(error) > band), rows.start, len(error)) or 0)
             bands.append(f"{band:g} {unit}")
     if bands:
-        yield f"Settled within {' and '.join(bands)} by {view.time_s[since]:.0f} s."
+        yield f"Settled within {' and '.join(bands)} by {math.ceil(view.time_s[since]):.0f} s."
 
 
 def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from testbed.common.jit import bound
@@ -66,8 +68,7 @@ class Lockstep:
     def lengthen(self, references: np.ndarray) -> None:
         """Take more control steps: `references` [steps, 6] begin with those so far, and weather and sensors have theirs."""
         so_far, steps = self.rows, len(references)
-        telemetry = telemetry_rows(steps, len(self.parts.aircraft.actuators))
-        telemetry[: len(so_far.telemetry)] = so_far.telemetry
+        telemetry = longer(so_far.telemetry, steps, math.nan)
         truth, measured = longer(so_far.truth, steps), longer(so_far.measured, steps)
         self.parts.references = references
         self._bind(Recorded(truth, measured, references, telemetry))

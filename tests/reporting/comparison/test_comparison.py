@@ -152,3 +152,16 @@ def test_it_is_in_the_package() -> None:
 def test_what_is_no_flight_is_refused() -> None:
     with pytest.raises(BadInput, match=r"flights\.1: is 'b', expected a flight"):
         compare([made("a"), "b"])  # type: ignore[list-item]
+
+
+def test_flights_with_long_names_have_letters_in_heads_and_legends(tmp_path: Path) -> None:
+    name = "{} with a name that takes a line by itself"
+    flights = [made(name.format(each), roll_deg=i, off_from_s=4.0) for i, each in enumerate("xyz")]
+    long = compare(flights, tmp_path / "three.html")
+    assert long.keys == ["A", "B", "C"] and long.names[1] == "B: " + name.format("y")
+    assert list(long.metrics.columns) == long.keys
+    text = Page((tmp_path / "three.html").read_text()).text
+    assert "3 flights: A, B and C" in text
+    assert "\nA and C first differ at 4.000 s" in repr(long)
+    two = compare([made(name.format(each)) for each in "xy"])
+    assert two.keys == two.names == [name.format(each) for each in "xy"]

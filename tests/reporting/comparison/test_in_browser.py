@@ -54,7 +54,7 @@ def test_both_are_in_one_picture_each_where_it_is(window: Window) -> None:
     apart = value(window, places)
     assert max(abs(a - b) for a, b in zip(*apart, strict=True)) > 5.0
     names = window.page.locator(".picture .craft").all_inner_texts()
-    assert names == value(window, "r.comparison.flights.map(flight => flight.name)")
+    assert names == value(window, "r.comparison.flights.map(flight => flight.key)")
 
 
 def test_another_is_followed_and_one_that_is_lost_stays_where_it_ended(window: Window) -> None:

@@ -160,6 +160,7 @@ def test_an_entry_is_confirmed_in_another_checkout_and_nothing_else_is(entered: 
     assert "other code of the shipped controllers" in verified().stderr
 
 
+@pytest.mark.nightly
 def test_an_entry_of_another_processor_says_so(entered: Path, tmp_path: Path) -> None:
     said = yamlfile.read(entered / "entry.yaml").tree
     mine = said["controllers"]["mine"]

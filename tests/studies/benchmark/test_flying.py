@@ -50,6 +50,7 @@ def test_two_workers_give_the_bytes_of_one(suite: Path, folder: Path, tmp_path: 
     same_results(folder, flown(suite, tmp_path / "two", jobs=2))
 
 
+@pytest.mark.nightly
 def test_going_on_with_fewer_draws_gives_the_bytes_of_all(suite: Path, folder: Path, tmp_path: Path) -> None:
     flown(suite, tmp_path / "more", draws=2)
     same_results(folder, flown(suite, tmp_path / "more", resume=True))
@@ -168,6 +169,7 @@ def test_what_the_summary_says(folder: Path) -> None:
         assert sum(group["draws"] for group in groups.values()) == 4
 
 
+@pytest.mark.nightly
 def test_merged_shards_have_the_bytes_of_all(suite: Path, folder: Path, tmp_path: Path) -> None:
     shard = ("benchmark", str(suite), "--draws", "4", "--seed", "5", "--jobs", "1", "--shard")
     for k in "12":

@@ -145,6 +145,7 @@ def test_the_aircraft_must_be_there_to_be_packed(tmp_path: Path) -> None:
         pack(Job(plan.builder.with_aircraft(str(tmp_path / "none"))))
 
 
+@pytest.mark.nightly
 def test_a_cluster_that_starts_slowly_is_waited_for() -> None:
     """A port at which a scheduler answers only later; and one at which none ever does, after the time that was asked for."""
     with socket.create_server(("127.0.0.1", 0)) as taken:

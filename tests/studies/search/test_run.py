@@ -50,6 +50,7 @@ def test_the_scenario_found_flies_again_to_the_same_log(tmp_path: Path) -> None:
     assert not gusty(again).passed
 
 
+@pytest.mark.nightly
 def test_two_workers_and_a_search_that_went_on_give_the_same_bytes(tmp_path: Path) -> None:
     file = written(tmp_path)
     searched(file, tmp_path / "one")

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from chromium import Window, drawn
+from chromium import Window, drawn, unreadable
 from figure_flights import broken
 from sweep_files import fly_here, written
 
@@ -68,7 +68,7 @@ def rows(window: Window) -> list[list[str]]:
 
 
 def test_the_table_sorts_both_ways(window: Window) -> None:
-    head = window.page.locator("#flights th", has_text="failures.0.value")
+    head = window.page.locator("#flights th", has_text="failure 1: value")
     column = window.page.evaluate(
         "[...document.querySelectorAll('#flights th')].findIndex(h => h.innerText.includes('value'))"
     )
@@ -143,9 +143,9 @@ def test_a_click_picks_a_flight(window: Window) -> None:
 
 
 def test_axes_of_the_map_are_chosen(window: Window) -> None:
-    window.page.locator("#map select").first.select_option(label="failures.0.actuator")
+    window.page.locator("#map select").first.select_option(label="failure 1: actuator")
     titles = window.page.locator("#map svg text.title").all_text_contents()
-    assert "failures.0.actuator" in titles
+    assert "failure 1: actuator" in titles
     assert window.page.locator("#map svg .flight").count() == 120
 
 
@@ -158,3 +158,8 @@ def test_panels_of_a_comparison_share_cursor_and_range(browser: Any, comparison:
             "comparison.panels.made.filter(m => m.plot).map(m => [m.plot.scales.x.min, m.plot.scales.x.max])"
         )
         assert shown and all(pair == pytest.approx([low, high]) for pair in shown)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_axe_finds_nothing(browser: Any, sweep: Path, scheme: str) -> None:
+    assert unreadable(browser, sweep.as_uri(), scheme) == []

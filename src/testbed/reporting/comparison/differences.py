@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from string import ascii_uppercase
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -21,6 +22,7 @@ FLOWN = (
     "p_deg_s", "q_deg_s", "r_deg_s",
 )  # fmt: skip
 """Columns of how the aircraft truly moves."""
+_MOST_LETTERS = 80  # of all names together, that one line or the heads of a table can take
 _MOST_NAMED = 2  # failures in the name of a flight
 _SAME_TIME = 1e-6  # rows of two logs belong together if their times differ by no more [s]
 
@@ -45,14 +47,22 @@ class FirstDifference(NamedTuple):
 
 
 class Compared:
-    """Flights side by side, each with a name. The first is the one that the others are compared with."""
+    """Flights side by side, each with a name. The first is the one that the others are compared with.
+
+    Attributes:
+        names: what tells each flight from the others.
+        keys: the same, short: letters, with which the names begin then, where the names are long together.
+    """
 
     def __init__(
         self, flights: Sequence[Flight], names: Sequence[str] | None = None, folders: Sequence[str] = ()
     ) -> None:
         """Without `names` each flight is named by what is different about it, else by its folder if those are given."""
         self.flights = tuple(flights)
-        self.names = names_of(self.flights, folders) if names is None else list(names)
+        own = names_of(self.flights, folders) if names is None else list(names)
+        long = len(own) > 2 and sum(map(len, own)) > _MOST_LETTERS
+        self.keys = list(ascii_uppercase[: len(own)]) if long else own
+        self.names = [f"{key}: {name}" for key, name in zip(self.keys, own, strict=True)] if long else own
 
     @property
     def settings(self) -> list[Setting]:
@@ -69,7 +79,7 @@ class Compared:
         """The metrics, a row for each, with a column for each flight."""
         import pandas as pd
 
-        named = zip(self.names, self.flights, strict=True)
+        named = zip(self.keys, self.flights, strict=True)
         return pd.DataFrame({name: dict(flight.metrics) for name, flight in named})
 
 

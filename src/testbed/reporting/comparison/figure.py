@@ -39,13 +39,13 @@ def picture(comparison: Compared) -> bytes:
 def _marks(comparison: Compared) -> Iterator[Mark]:
     """When failures began, and in which flights if not in all, and when each flight was lost, in its colour."""
     began: dict[float, list[str]] = {}
-    for name, flight in zip(comparison.names, comparison.flights, strict=True):
+    for name, flight in zip(comparison.keys, comparison.flights, strict=True):
         for time in failure_times_s(flight.events):
             began.setdefault(time, []).append(name)
     for time, names in sorted(began.items()):
-        whose = "" if len(names) == len(comparison.names) else f" {joined(names)}"
+        whose = "" if len(names) == len(comparison.keys) else f" {joined(names)}"
         yield Mark(time, f"failure{whose}", STYLES["injection"], MARKERS["injection"])
-    for i, (name, flight) in enumerate(zip(comparison.names, comparison.flights, strict=True)):
+    for i, (name, flight) in enumerate(zip(comparison.keys, comparison.flights, strict=True)):
         if flight.outcome.is_lost:
             look = {**STYLES["lost"], "linewidth": 1.2, "color": COLOURS[i % 6]}
             yield Mark(flight.end_time_s, f"{name} lost", look, MARKERS["lost"])

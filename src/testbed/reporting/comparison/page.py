@@ -27,7 +27,10 @@ def write(comparison: Compared, file: Path) -> Path:
     shown = groups(comparison, log)
     told, columns = packed(log)
     data = {"data": told, "panels": shown, "flights": list(_flights(comparison))}
-    title = " and ".join((", ".join(comparison.names[:-1]), comparison.names[-1]))
+    keys = comparison.keys
+    title = " and ".join((", ".join(keys[:-1]), keys[-1]))
+    if keys != comparison.names:
+        title = f"{len(keys)} flights: {title}"
     parts = _parts(comparison, title, shown)
     return html.write_page(file, title, parts, "compare.js", {"comparison": data, "columns": columns})
 
@@ -53,8 +56,8 @@ def _parts(comparison: Compared, title: str, shown: list[dict[str, Any]]) -> Ite
 
 
 def _flights(comparison: Compared) -> Iterator[dict[str, Any]]:
-    for name, flight in zip(comparison.names, comparison.flights, strict=True):
-        yield {"name": name, **drawn(flight, flight.signals)}
+    for key, name, flight in zip(comparison.keys, comparison.names, comparison.flights, strict=True):
+        yield {"key": key, "name": name, **drawn(flight, flight.signals)}
 
 
 def sentences(comparison: Compared) -> list[str]:
@@ -63,8 +66,8 @@ def sentences(comparison: Compared) -> list[str]:
     differing = _paths(comparison)
     few = ", ".join(differing[:6]) + (f" and {len(differing) - 6} more" if len(differing) > 6 else "")
     lines.append(f"Set differently: {few}." if differing else "The scenarios are the same.")
-    first = comparison.names[0]
-    for name, found in zip(comparison.names[1:], comparison.first_differences, strict=True):
+    first = comparison.keys[0]
+    for name, found in zip(comparison.keys[1:], comparison.first_differences, strict=True):
         if found.time_s is None:
             lines.append(f"The logs of {first} and {name} are the same in every step and column.")
             continue
@@ -80,12 +83,13 @@ def sentences(comparison: Compared) -> list[str]:
 
 
 def _paths(comparison: Compared) -> list[str]:
-    """The settings that differ; those of controllers of another type are not named one by one."""
+    """The settings that differ; those of controllers of another type, and requirements, are not named one by one."""
     paths = [each.path for each in comparison.settings]
-    if "controller.type" not in paths:
-        return list(map(setting, paths))
-    others = [path for path in paths if not path.startswith("controller.")]
-    return ["the controller and what belongs to it", *map(setting, others)]
+    whole = {"requirements.": "requirements"}
+    if "controller.type" in paths:
+        whole = {"controller.": "the controller and what belongs to it", **whole}
+    said = [words for start, words in whole.items() if any(path.startswith(start) for path in paths)]
+    return [*said, *(setting(path) for path in paths if not path.startswith(tuple(whole)))]
 
 
 def _ended(i: int, comparison: Compared) -> str:
@@ -132,7 +136,7 @@ def _requirements(comparison: Compared) -> Iterator[Html]:
         yield tag("h2", "Requirements")
         caption = "Verdict and worst value; those that any flight missed come first."
         ordered = [row for _, row in sorted(rows, key=lambda row: row[0])]
-        yield html.table(["requirement", *comparison.names], ordered, caption)
+        yield html.table(["requirement", *comparison.keys], ordered, caption)
 
 
 def _metrics(comparison: Compared) -> Iterator[Html]:
@@ -140,9 +144,13 @@ def _metrics(comparison: Compared) -> Iterator[Html]:
     rows: dict[bool, list[Html]] = {True: [], False: []}
     for name, values in comparison.metrics.iterrows():
         numbers = [rounded(value) for value in values]
-        cells = [str(name), definition(str(name)), *(tag("span", number) for number in numbers)]
+        cells = [
+            str(name),
+            tag("span", definition(str(name)), class_="definition"),
+            *(tag("span", number) for number in numbers),
+        ]
         rows[len(set(numbers)) > 1].append(html.row(cells))
-    heads = ["metric", "definition and [unit]", *comparison.names]
+    heads = ["metric", "definition and [unit]", *comparison.keys]
     yield tag("h2", "Metrics side by side")
     yield html.table(heads, rows[True]) if rows[True] else tag("p", "All are the same.")
     if rows[False]:
@@ -155,4 +163,4 @@ def _settings(comparison: Compared) -> Iterator[Html]:
         for each in comparison.settings
     ]
     if rows:
-        yield html.folded("Settings that differ", html.table(["setting", *comparison.names], rows))
+        yield html.folded("Settings that differ", html.table(["setting", *comparison.keys], rows))

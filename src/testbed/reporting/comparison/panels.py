@@ -49,7 +49,7 @@ def columns_of(flights: Sequence[Flight]) -> dict[str, np.ndarray]:
 
 def groups(comparison: Compared, log: Mapping[str, np.ndarray]) -> list[dict[str, Any]]:
     """{name, title, folded, panels} of each group, as `web/src/panels.js` draws them."""
-    flights, names = comparison.flights, comparison.names
+    flights, names = comparison.flights, comparison.keys
     failures = list(_failures(comparison))
     made = [
         ("errors", "Errors against the references", False, _all_panels(flights, errors)),
@@ -104,7 +104,7 @@ def of_all(panels: Sequence[Panel], comparison: Compared, log: Mapping[str, np.n
         first = panel.series[0]
         main = next((series for series in panel.series if series.style == "belief"), first)
         series = [
-            Series(f"{i}:{main.column}", name, f"v{i % _STYLES}") for i, name in enumerate(comparison.names)
+            Series(f"{i}:{main.column}", name, f"v{i % _STYLES}") for i, name in enumerate(comparison.keys)
         ]
         truth = [] if main is first else _truths(first, comparison, log)
         if known := [each for each in (*truth, *series) if each.column in log]:
@@ -115,7 +115,7 @@ def _truths(true: Series, comparison: Compared, log: Mapping[str, np.ndarray]) -
     """What is true in each flight, and once what is true in all for as long as they fly."""
     found = {
         i: true._replace(column=f"{i}:{true.column}", label=f"true, {name}")
-        for i, name in enumerate(comparison.names)
+        for i, name in enumerate(comparison.keys)
         if f"{i}:{true.column}" in log
     }
     together = log["time_s"] < min(comparison.flights[i].end_time_s for i in found)

@@ -41,7 +41,7 @@ def group_of(name: str, title: str, folded: bool, panels: Iterable[Panel]) -> di
 
 
 def _drawn(panel: Panel) -> dict[str, Any]:
-    notes = (f"{words} from {since:.1f} s on" for since, _, words in panel.notes[-_NOTES:])
+    notes = (f"{words} from {since:.1f} to {until:.1f} s" for since, until, words in panel.notes[-_NOTES:])
     said: dict[str, Any] = {
         "title": "; ".join([panel.heading, *notes]),
         "series": [_series(series) for series in panel.series if series.on_page],

@@ -7,7 +7,7 @@ from typing import Any
 
 from testbed.flight.flight import LOSSES, Outcome
 from testbed.reporting.numbers import number
-from testbed.reporting.words import count
+from testbed.reporting.words import count, setting
 
 _SIGNIFICANT = 0.05  # above this, a difference is called one that chance may explain
 
@@ -94,7 +94,7 @@ def _drivers(best: Mapping[str, Any]) -> Iterator[str]:
         return
     sure = f" This is indicative: {best['all_requirements']['n']} runs." if found.get("indicative") else ""
     matter = ranked(inputs)
-    names = [name for name, index in matter if index["matters"]]
+    names = [setting(name) for name, index in matter if index["matters"]]
     if names:
         rest = f", then on {names[1]}" if len(names) > 1 else ""
         yield f"Whether it passes depends most on {names[0]}{rest}.{sure}"

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from testbed.reporting.panels import TRACKED, error_of, error_panel
+from testbed.reporting.words import setting
 from testbed.scenario.requirement import Requirement
 from testbed.studies.folder import histories
 from testbed.studies.folder.names import flight_label, in_file_names
@@ -54,10 +55,10 @@ def for_the_script(plan: Plan, frame: pd.DataFrame, folder: Path) -> dict[str, A
 
 
 def shares(plan: Plan, frame: pd.DataFrame) -> list[dict[str, Any]]:
-    """{path, variants} of each varied value that can be drawn: of each variant its points [at, share, low, high, flights]."""
+    """{path, in words, variants} of each that can be drawn: of each variant its points [at, share, low, high, flights]."""
     groups = [rows for _, rows in groups_of(plan, frame)]
     return [
-        {"path": path, "variants": [[_point(p) for p in pass_shares(rows, path)] for rows in groups]}
+        {"path": setting(path), "variants": [[_point(p) for p in pass_shares(rows, path)] for rows in groups]}
         for path in drawn_inputs(frame, plan.paths)
     ]
 
@@ -69,13 +70,14 @@ def _first_runs(frame: pd.DataFrame, variants: int) -> pd.DataFrame:
 
 
 def _axis(name: str, frame: pd.DataFrame) -> dict[str, Any]:
-    """{path, unit, names, values}: values by flight, numbers, or indices of `names`."""
+    """{path, in words, unit if they do not say it, names, values}: values by flight, numbers, or indices of `names`."""
     column = frame[name]
     if column.dtype.kind in "fiu":
         values = [_rounded(value) for value in column.to_numpy(dtype=float)]
-        return {"path": name, "unit": unit(name), "names": None, "values": values}
+        words = setting(name)
+        return {"path": words, "unit": "" if "[" in words else unit(name), "names": None, "values": values}
     names, codes = np.unique(column.astype(str).to_numpy(), return_inverse=True)
-    return {"path": name, "unit": "", "names": names.tolist(), "values": codes.tolist()}
+    return {"path": setting(name), "unit": "", "names": names.tolist(), "values": codes.tolist()}
 
 
 def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, Any]]:

@@ -9,7 +9,7 @@ from typing import Any
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import DIGITS, title
+from testbed.reporting.words import DIGITS, setting, title
 from testbed.study_reports.sweep.answer import answer, ranked
 from testbed.study_reports.sweep.flight_page import only
 
@@ -39,7 +39,7 @@ def _facts(summary: Summary) -> dict[str, str]:
     code = {
         f"code of {name}": digest[:DIGITS] for name, digest in summary.get("controllers_sha256", {}).items()
     }
-    return facts | {"varied": ", ".join(summary["varied"])} | code
+    return facts | {"varied": ", ".join(map(setting, summary["varied"]))} | code
 
 
 def probabilities(summary: Summary) -> Iterator[Html]:
@@ -53,7 +53,7 @@ def probabilities(summary: Summary) -> Iterator[Html]:
         key=lambda shares: min(1.0 if share["estimate"] is None else share["estimate"] for share in shares)
     )
     total = _dots("all requirements", [v["all_requirements"] for v in variants], "total")
-    yield tag("div", total, (_dots(shares[0]["name"], shares) for shares in each), class_="dots")
+    yield tag("div", total, (_dots(shares[0]["name"], shares) for shares in each), _ends(), class_="dots")
     ended = {"": lambda v: v["label"] or "all", "how flights ended": lambda v: _outcomes(v["outcomes"])}
     yield html.listing(variants, ended)
     yield html.note(
@@ -65,6 +65,13 @@ def probabilities(summary: Summary) -> Iterator[Html]:
 def _dots(name: str, shares: Sequence[Mapping[str, Any]], kind: str = "") -> Html:
     lines = tag("div", (_dot(i, share) for i, share in enumerate(shares)), class_="lines")
     return tag("div", tag("div", name, class_="name"), lines, class_=f"requirement {kind}")
+
+
+def _ends() -> Html:
+    """The numbers of the axis."""
+    numbers = tag("div", [tag("span", f"{share} %") for share in (0, 50, 100)], class_="ends")
+    line = tag("div", numbers, tag("div", "", class_="number"), class_="line")
+    return tag("div", tag("div", "", class_="name"), tag("div", line, class_="lines"), class_="requirement")
 
 
 def _dot(i: int, share: Mapping[str, Any]) -> Html:
@@ -161,7 +168,9 @@ def _bars(result: Mapping[str, Any], runs: int, i: int) -> Iterator[Html]:
 
 def _bar(name: str, index: Mapping[str, Any], i: int) -> Html:
     size, chance = (min(index[k] or 0.0, 1.0) for k in ("pawn", "pawn_by_chance"))
-    return html.bar(name, size, number(index["pawn"], ".2f"), i, chance, "" if index["matters"] else " weak")
+    return html.bar(
+        setting(name), size, number(index["pawn"], ".2f"), i, chance, "" if index["matters"] else " weak"
+    )
 
 
 def _indices(label: str, output: str, result: Mapping[str, Any]) -> Iterator[Html]:
@@ -169,7 +178,8 @@ def _indices(label: str, output: str, result: Mapping[str, Any]) -> Iterator[Htm
         yield html.row([label, output, tag("span", result["reason"], class_="note"), "", ""])
     for name, index in ranked(result.get("inputs", {})):
         weak = not index["matters"] and index["pawn"] is not None
-        about = [name, " ", tag("span", "no more than chance", class_="note")] if weak else name
+        words = setting(name)
+        about = [words, " ", tag("span", "no more than chance", class_="note")] if weak else words
         share = number(index["s1"], ".2f")
         if index["s1"] is not None:
             share += f" ± {number(index['s1_half_width'], '.2f', absent='unknown')}"
