@@ -82,6 +82,17 @@ def identified(
     return Output(factors, dict(enumerate(constants)), dict(enumerate(fits)))
 
 
+def residuals(log: FlightLog, setup: Setup) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(time_s [stretches, bins], p q r measured [stretches, bins, 3], what the model simulates minus it), all actuators working."""
+    rows = rows_of(log, setup, BIN_S)
+    slopes = [np.array(setup.model.derivatives[i])[[COLUMNS.index(name) for name in "pqr"]] for i in range(3)]
+    still = np.zeros((len(rows.time_s), 1))
+    parts = [Part((), rows.rates[i].left, still, slopes[i], (-1, -1, -1)) for i in range(3)]
+    used, _ = _stretches([rows.known], 0.0)
+    error, _, _ = simulated(parts, rows.speed, used, np.zeros(3))
+    return rows.time_s[used], rows.turning[used], error
+
+
 def _stretches(known: Sequence[np.ndarray], kept_back: float) -> tuple[np.ndarray, np.ndarray]:
     """[stretches, bins of one] rows of all logs in which everything is known: those used, and those kept back."""
     width, first = round(STRETCH_S / BIN_S), 0
