@@ -15,6 +15,11 @@ import pytest
 from command_line import in_this_process
 
 import testbed
+from testbed.aircraft.description import load_aircraft
+from testbed.logs import own
+from testbed.logs.entry import _setup
+from testbed.logs.output_error import residuals
+from testbed.logs.page import _believed
 from testbed.logs.smoothing import alone
 
 from .conftest import AT_S, Run
@@ -105,6 +110,28 @@ def test_the_command_writes_a_folder(run: Run, tmp_path: Path) -> None:
     assert set(states) == {"weak"} and {row[f"{RIGHT}_state"] for row in rows} == {"works"}
     assert in_this_process(tmp_path, "diagnose", str(folder), "--out", "out").returncode == 2
     assert in_this_process(tmp_path, "diagnose", str(run())).returncode == 0
+
+
+def test_residuals_grow_where_an_actuator_fails(run: Run) -> None:
+    """What the model of a healthy aircraft leaves of the pitch rate: twice as large after a tail has lost 70 %."""
+    log, _ = own.read(run(BROKEN["weak"][0], True))
+    time_s, measured, left = residuals(log, _setup(load_aircraft("vtail"), log.step_s))
+    healthy, _ = own.read(run(None, True))
+    _, _, usual = residuals(healthy, _setup(load_aircraft("vtail"), healthy.step_s))
+    broken = time_s[:, 0] > AT_S
+    assert np.std(left[broken, :, 1]) > 2.0 * np.std(usual[broken, :, 1])
+    assert np.std(usual[..., 1]) < np.std(measured[..., 1])
+
+
+def test_the_page_replays_a_run_as_it_was_diagnosed(run: Run, tmp_path: Path) -> None:
+    """The beliefs of the replay are those of the diagnosis, whatever the controller believed."""
+    folder = run(BROKEN["weak"][0], True)
+    found = testbed.diagnose(folder, out=tmp_path / "out")
+    _, flight = own.read(folder)
+    column = _believed(found, flight)[f"{LEFT}_effectiveness_estimate"]
+    assert column[-1] == found.effectiveness[-1, 0] and len(column) == len(flight.signals["time_s"])
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert 'id="replay"' in page and "Residuals" in page
 
 
 def test_what_did_not_move_is_unknown() -> None:

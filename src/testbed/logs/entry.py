@@ -11,12 +11,14 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 from testbed.common.writing import write
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup, setup_for
+from testbed.flight.flight import Flight
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
 from testbed.logs import mapped, own
 from testbed.logs.diagnosis import Diagnosis, diagnosed
 from testbed.logs.flight_log import FlightLog
 from testbed.logs.identification import Identified, identified
+from testbed.logs.output_error import residuals
 from testbed.logs.page import write_page
 from testbed.logs.words import story, summary, table
 from testbed.plant.identification import stored
@@ -53,10 +55,11 @@ def diagnose(
     path = Path(log)
     if out is not None:
         refuse_existing(Path(out))
-    read, aircraft = _read(path, model, columns)
-    found = _diagnosed(read, aircraft)
+    read, aircraft, flight = _read(path, model, columns)
+    setup = _setup(aircraft, read.step_s)
+    found = _diagnosed(read, aircraft, setup)
     if out is not None:
-        _write(found, Path(out), aircraft.name)
+        _write(found, Path(out), aircraft.name, setup, flight)
     return found
 
 
@@ -74,10 +77,12 @@ def identify(
         BadInput: a log, the mapping or the aircraft cannot be used.
     """
     read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
-    return identified([log for log, _ in read], [_setup(own, log.step_s) for log, own in read])
+    return identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
 
 
-def _read(path: Path, model: str | Path | None, columns: str | Path | None) -> tuple[FlightLog, Aircraft]:
+def _read(
+    path: Path, model: str | Path | None, columns: str | Path | None
+) -> tuple[FlightLog, Aircraft, Flight | None]:
     if path.is_dir():
         if columns is not None:
             raise BadInput([Problem("is for a file, and the log is a run folder", "--columns")])
@@ -85,7 +90,7 @@ def _read(path: Path, model: str | Path | None, columns: str | Path | None) -> t
         aircraft = load_aircraft(str(model or flight.scenario.aircraft))
         if tuple(aircraft.actuators) != tuple(flight.actuators):
             raise BadInput([Problem(f"has other actuators than {aircraft.name}", str(path))])
-        return read, aircraft
+        return read, aircraft, flight
     needed = {"--model": model, "--columns": columns}
     missing = [
         Problem("is needed with a log that is no run folder", name)
@@ -95,12 +100,12 @@ def _read(path: Path, model: str | Path | None, columns: str | Path | None) -> t
     if missing:
         raise BadInput(missing)
     aircraft = load_aircraft(str(model))
-    return mapped.read_table(path, Path(str(columns)), aircraft), aircraft
+    return mapped.read_table(path, Path(str(columns)), aircraft), aircraft, None
 
 
-def _diagnosed(log: FlightLog, aircraft: Aircraft) -> Diagnosed:
+def _diagnosed(log: FlightLog, aircraft: Aircraft, setup: Setup) -> Diagnosed:
     units = ["deg" if a.kind == "servo" else "N" for a in aircraft.actuators.values()]
-    found = diagnosed(log, _setup(aircraft, log.step_s), units)
+    found = diagnosed(log, setup, units)
     return Diagnosed(**vars(found))
 
 
@@ -115,9 +120,9 @@ def _setup(aircraft: Aircraft, step_s: float) -> Setup:
     )
 
 
-def _write(found: Diagnosis, out: Path, model: str) -> None:
+def _write(found: Diagnosis, out: Path, model: str, setup: Setup, flight: Flight | None) -> None:
     refuse_unwritable(out)
     text = json.dumps(summary(found, model), indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
     write(out / "diagnosis.csv", table(found), out)
-    write_page(found, out / "report.html", out)
+    write_page(found, residuals(found.log, setup), out / "report.html", out, flight)
     write(out / "summary.json", text + "\n", out)

@@ -65,13 +65,15 @@ class Factor:
 
     @property
     def contradicted(self) -> bool:
-        """Whether both methods put the aircraft's own value beyond two standard deviations, on the same side, and are nearer to
-        each other than to it."""
+        """Whether both methods put the aircraft's own value beyond two standard deviations, on the same side.
+
+        How far they are apart counts as a deviation too: noise and gusts bias each in its own way.
+        """
         each = [(self.value, self.std)]
         each += [(self.simulated, self.simulated_std)] if np.isfinite(self.simulated) else []
-        sides = {np.sign(value - 1.0) if abs(value - 1.0) > 2.0 * std else 0.0 for value, std in each}
-        apart = abs(self.taken - self.value)
-        return self.known and len(sides) == 1 and 0.0 not in sides and abs(self.taken - 1.0) > apart
+        apart = self.taken - self.value
+        sides = {np.sign(v - 1.0) * (abs(v - 1.0) > 2.0 * np.hypot(std, apart)) for v, std in each}
+        return self.known and len(sides) == 1 and 0.0 not in sides
 
 
 @dataclass(frozen=True)

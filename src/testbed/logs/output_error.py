@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import toeplitz
 
 from testbed.aircraft.design_model import COLUMNS, DesignModel, coefficient_names
 from testbed.controllers.setup import Setup
@@ -22,6 +23,10 @@ STRETCH_S = 5.0
 BIN_S = 0.02
 """Short against the damping of roll, 1/26 s."""
 _ROUNDS = 5
+_SHARE = 0.03
+"""What each coefficient adds is known no better than this: vanes lag, and gusts act elsewhere than where they are read."""
+_STEP = 0.5
+"""Largest change of a factor in a round: beyond, a damping may turn its sign, and what is simulated runs away."""
 _LEAST = 4
 """Stretches, below which nothing is said."""
 
@@ -77,6 +82,17 @@ def identified(
     return Output(factors, dict(enumerate(constants)), dict(enumerate(fits)))
 
 
+def residuals(log: FlightLog, setup: Setup) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(time_s [stretches, bins], p q r measured [stretches, bins, 3], what the model simulates minus it), all actuators working."""
+    rows = rows_of(log, setup, BIN_S)
+    slopes = [np.array(setup.model.derivatives[i])[[COLUMNS.index(name) for name in "pqr"]] for i in range(3)]
+    still = np.zeros((len(rows.time_s), 1))
+    parts = [Part((), rows.rates[i].left, still, slopes[i], (-1, -1, -1)) for i in range(3)]
+    used, _ = _stretches([rows.known], 0.0)
+    error, _, _ = simulated(parts, rows.speed, used, np.zeros(3))
+    return rows.time_s[used], rows.turning[used], error
+
+
 def _stretches(known: Sequence[np.ndarray], kept_back: float) -> tuple[np.ndarray, np.ndarray]:
     """[stretches, bins of one] rows of all logs in which everything is known: those used, and those kept back."""
     width, first = round(STRETCH_S / BIN_S), 0
@@ -130,14 +146,34 @@ def fitted(
         scores, information = _projected(*weighted)
         total = information.sum(axis=0) + 1e-9 * np.eye(int(free.sum()))
         step = np.linalg.solve(total, scores.sum(axis=0))
+        step *= min(1.0, _STEP / np.abs(step).max())
         change[free] -= step
         left = error - by_change[..., free] @ step
         weight = 1.0 / (np.std(left, axis=(0, 1)) + 1e-9)
-    # gusts colour what is left: how much the stretches' own scores differ says how sure their sum is (White 1980)
-    inverse, scores = np.linalg.inv(total), scores - information @ step
-    std = np.full(len(free), np.nan)
-    std[free] = np.sqrt(np.diagonal(inverse @ (scores.T @ scores) @ inverse))
+    inverse, std = np.linalg.inv(total), np.full(len(free), np.nan)
+    columns = _free(*weighted[1:])
+    middle = _coloured(columns, left * weight)
+    for i, factor in enumerate(1.0 + change[free]):
+        middle += _coloured(columns, _SHARE * factor * columns[..., i])
+    std[free] = np.sqrt(np.diagonal(inverse @ middle @ inverse))
     return change, std
+
+
+def _coloured(columns: np.ndarray, left: np.ndarray) -> np.ndarray:
+    """Covariance of the sum of all scores when what is left is coloured, by gusts above all (Klein and Morelli 2006, eq. 5.25).
+
+    Args:
+        columns: [stretches, bins, 3, factors] derivatives, weighted, without what the beginnings explain.
+        left: [stretches, bins, 3] weighted.
+    """
+    _, each, _, size = columns.shape
+    made = np.zeros((size, size))
+    for i in range(3):
+        power = np.mean(np.abs(np.fft.rfft(left[:, :, i], 2 * each, axis=1)) ** 2, axis=0)
+        correlation = np.fft.irfft(power)[:each] / each
+        D = columns[:, :, i]
+        made += np.einsum("skp,kl,slq->pq", D, toeplitz(correlation), D, optimize=True)
+    return made
 
 
 def simulated(
@@ -190,7 +226,12 @@ def _projected(
     error: np.ndarray, by_change: np.ndarray, by_start: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """([stretches, factors] scores, [stretches, factors, factors] information) without what the beginnings explain."""
+    free = _free(by_change, by_start)
+    return np.einsum("skip,ski->sp", free, error), np.einsum("skip,skiq->spq", free, by_change)
+
+
+def _free(by_change: np.ndarray, by_start: np.ndarray) -> np.ndarray:
+    """[stretches, bins, 3, factors] what a change does that no other beginning does."""
     to_start = np.einsum("skia,skip->sap", by_start, by_change)
     inside = np.linalg.solve(np.einsum("skia,skib->sab", by_start, by_start), to_start)
-    free = by_change - np.einsum("skia,sap->skip", by_start, inside)
-    return np.einsum("skip,ski->sp", free, error), np.einsum("skip,skiq->spq", free, by_change)
+    return np.asarray(by_change - np.einsum("skia,sap->skip", by_start, inside))

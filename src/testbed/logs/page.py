@@ -1,4 +1,5 @@
-"""The page of a diagnosis: the story, each actuator's effectiveness beside the truth where the log has it, and the findings."""
+"""The page of a diagnosis: the story, each actuator's effectiveness beside the truth where the log has it, the findings, what the
+model leaves of the turning rates, and the replay of a run folder."""
 
 from __future__ import annotations
 
@@ -8,13 +9,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from testbed.common.signals import Belief
 from testbed.flight.columns import stretches
 from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding
 from testbed.logs.hypotheses import MEANINGS, STATES
+from testbed.logs.output_error import STRETCH_S
 from testbed.logs.words import story
 from testbed.reporting import html
 from testbed.reporting.html import Cell, tag
+from testbed.reporting.page.drawn import can_be_replayed
 from testbed.reporting.palette import PALETTE
+from testbed.reporting.panels import shown_log
+from testbed.reporting.run_report import replay
 from testbed.reporting.words import title
 
 if TYPE_CHECKING:
@@ -22,14 +28,30 @@ if TYPE_CHECKING:
 
     from matplotlib.axes import Axes
 
+    from testbed.flight.flight import Flight
+
 _CAPTION = (
     "Effectiveness of each actuator with two standard deviations, and the truth where the log has it. Red: something was found. "
     f"Grey: nothing can be known, because {WINDOW_S:g} s say it no better than +-{UNKNOWN_STD:g}."
 )
 
 
-def write_page(diagnosis: Diagnosis, file: Path, within: Path) -> Path:
-    """Write the page; returns its file. Raises OSError."""
+_LEFT = (
+    f"Turning rates, measured and as the design model simulates them in stretches of {STRETCH_S:g} s if every actuator works, and "
+    "what is left. It grows where an actuator does not do what it was told, and in gusts."
+)
+Residuals = tuple[np.ndarray, np.ndarray, np.ndarray]
+
+
+def write_page(
+    diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, flight: Flight | None = None
+) -> Path:
+    """Write the page; returns its file. Raises OSError.
+
+    Args:
+        left: as `output_error.residuals` gives them.
+        flight: that of a run folder, which is replayed with what the diagnosis believes.
+    """
     columns: dict[str, Callable[[Finding], Cell]] = {
         "actuator": lambda f: title(f.actuator),
         "state": lambda f: f.state,
@@ -48,7 +70,33 @@ def write_page(diagnosis: Diagnosis, file: Path, within: Path) -> Path:
         html.listing(diagnosis.findings, columns) if diagnosis.findings else html.note("None."),
         html.folded("What the states mean", html.listed(meanings)),
     ]
-    return html.write_page(file, f"Diagnosis of {diagnosis.log.name}", parts, within=within)
+    name = f"Diagnosis of {diagnosis.log.name}"
+    if len(left[0]):
+        parts += [tag("h2", "Residuals"), html.picture(residuals_picture(diagnosis, left), _LEFT)]
+    log = {} if flight is None else shown_log(flight) | _believed(diagnosis, flight)
+    if flight is None or not can_be_replayed(log):
+        return html.write_page(file, name, parts, within=within)
+    moving, data = replay(flight, log, [])
+    parts[1:1] = [
+        moving,
+        html.note("Beliefs in the replay are the diagnosis's; phases are the controller's."),
+    ]
+    return html.write_page(file, name, parts, "flight.js", data, within)
+
+
+def _believed(diagnosis: Diagnosis, flight: Flight) -> dict[str, np.ndarray]:
+    """Columns of a flight's log in which a controller says what it believes, with what the diagnosis does."""
+    time_s = flight.signals["time_s"]
+    at = np.clip(np.searchsorted(diagnosis.time_s, time_s, "right") - 1, 0, None)
+    kinds = np.array([Belief[s].value if s in Belief.__members__ else Belief.works.value for s in STATES])
+    made: dict[str, np.ndarray] = {}
+    for i, name in enumerate(diagnosis.actuators):
+        states = diagnosis.states[at, i]
+        made[f"{name}_effectiveness_estimate"] = diagnosis.effectiveness[at, i]
+        made[f"{name}_belief"] = kinds[states].astype(float)
+        made[f"{name}_failed"] = (states > 0).astype(float)
+        made[f"{name}_believed_position"] = np.full(len(time_s), np.nan)
+    return made
 
 
 def _cell(value: float) -> float | None:
@@ -92,3 +140,29 @@ def _draw(axes: Axes, diagnosis: Diagnosis, i: int) -> None:
     axes.set_ylim(-1.3, 1.4)
     axes.set_ylabel(title(name).replace(" ", "\n"), parse_math=False)
     axes.legend(loc="lower right", fontsize="small")
+
+
+def residuals_picture(diagnosis: Diagnosis, left: Residuals) -> bytes:
+    """PNG with a panel for each of p, q and r."""
+    from matplotlib.figure import Figure
+
+    from testbed.reporting.figures.sheet import png
+
+    figure = Figure(figsize=(10.0, 6.0), layout="constrained")
+    made = figure.subplots(3, 1, sharex=True)
+    time_s, measured, error = (np.concatenate([x, 0.0 * x[:, :1] + np.nan], axis=1) for x in left)
+    for i, axes in enumerate(made):
+        lines = {
+            "measured": (measured, PALETTE["truth"], "-"),
+            "predicted": (measured + error, PALETTE["belief"], "--"),
+            "left": (-error, PALETTE["missed"], "-"),
+        }
+        for label, (rates, colour, style) in lines.items():
+            rate = np.degrees(rates[..., i]).ravel()
+            axes.plot(time_s.ravel(), rate, color=colour, ls=style, lw=0.8, label=label)
+        for time in diagnosis.log.failures_s:
+            axes.axvline(time, color=PALETTE["failure"], lw=1.0)
+        axes.set_ylabel(f"{'pqr'[i]} [deg/s]")
+        axes.legend(loc="lower right", fontsize="small", ncols=3)
+    made[-1].set_xlabel("time [s]")
+    return png(figure)

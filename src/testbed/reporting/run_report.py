@@ -53,11 +53,18 @@ def write_page(
         return html.write_page(file, flight.scenario.name, parts, within=within)
     turned = error_of("heading")
     log |= {turned: unwrapped_deg(log[turned])} if turned in log else {}  # it goes on beyond a half turn
+    moving, data = replay(flight, log, groups(flight, log))
+    return html.write_page(
+        file, flight.scenario.name, _parts(flight, moving, figures, again, back), "flight.js", data, within
+    )
+
+
+def replay(
+    flight: Flight, log: Mapping[str, np.ndarray], shown: list[dict[str, Any]]
+) -> tuple[Html, dict[str, Any]]:
+    """(timeline, replay and the panels `shown` in HTML, the data of the page) for `flight.js`; see `drawn.can_be_replayed`."""
     told, columns = packed(log)
-    shown = groups(flight, log)
-    data = {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
-    parts = _parts(flight, _moving(shown, log), figures, again, back)
-    return html.write_page(file, flight.scenario.name, parts, "flight.js", data, within)
+    return _moving(shown, log), {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
 
 
 def _parts(flight: Flight, moving: Part, figures: Path | None, again: Html, back: Part) -> Iterator[Part]:
