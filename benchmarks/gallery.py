@@ -47,7 +47,8 @@ Case = tuple[str, str, str, float, int]
 def main(arguments: Sequence[str] | None = None) -> None:
     options = _parser().parse_args(arguments)
     options.results.mkdir(parents=True, exist_ok=True)
-    rows = [row for folder in options.folders for row in rows_of(folder, options)]
+    folders = {Path(folder).name: folder for folder in options.folders}  # one that is named twice counts once
+    rows = [row for folder in folders.values() for row in rows_of(folder, options)]
     if options.document:
         options.document.write_text("\n".join(page(rows)) + "\n", encoding="utf-8")
 
