@@ -189,10 +189,12 @@ def _held(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
 
 
 def _taken_for(flight: Flight, actuator: str) -> Iterator[tuple[float, float, str]]:
-    """What the controller took an actuator for, where not for one that works, and when."""
+    """What the controller took an actuator for, where not for one that works, and when; to the end of the flight is without end."""
+    end_s = float(flight.signals["time_s"][-1])
     for belief in beliefs(flight.signals, [actuator]):
         if belief["belief"] not in ("works", "doubted"):
-            yield belief["time_s"], belief["until_s"], f"believed {believed(belief, flight.actuators)}"
+            until_s = belief["until_s"] if belief["until_s"] < end_s else math.inf
+            yield belief["time_s"], until_s, f"believed {believed(belief, flight.actuators)}"
 
 
 def actuators(flight: Flight) -> Iterator[Panel]:

@@ -50,16 +50,16 @@ def broke(flight: Flight, number: int) -> str:
 
 def setting(path: str) -> str:
     """A setting by its dotted path, in words: `failures.0.from_deg` is `failure 1: from [deg]`."""
-    said: list[str] = []
+    said: list[tuple[str, str]] = []
     for part in path.split("."):
         if part.isdigit() and said:
-            said[-1] = f"{said[-1].removesuffix('s')} {int(part) + 1}"
+            name, of = said[-1]
+            said[-1] = (f"{name.removesuffix('s')} {int(part) + 1}", of)
         else:
-            said.append(title(part))
-    if of := unit(path):
-        ending = title(next(end for end in endings(of) if path.endswith(end)))
-        said[-1] = f"{said[-1].removesuffix(ending)} [{of}]"
-    return ": ".join(said)
+            of = unit(part)
+            ending = title(next((end for end in endings(of) if part.endswith(end)), "")) if of else ""
+            said.append((title(part).removesuffix(ending), of))
+    return ": ".join(f"{name} [{of}]" if of else name for name, of in said)
 
 
 _TAKEN_FOR = {"doubted": "doubtful", "swings": "swinging"}

@@ -9,6 +9,7 @@ import pandas as pd
 import pytest
 from sweep_files import fly_here, table, written
 
+from testbed.reporting.words import setting
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.study_reports.sweep.figures import TABLE, draw_sweep
@@ -63,7 +64,7 @@ def test_the_share_that_passes_is_along_each_varied_value(flown: Flown) -> None:
     assert figure is not None
     panels = {axes.get_xlabel(): axes for axes in figure.axes if axes.get_visible()}
     assert len(panels) == len(plan.paths)
-    x, share = (np.asarray(v, dtype=float) for v in panels["failures.0.value"].lines[0].get_data())
+    x, share = (np.asarray(v, dtype=float) for v in panels[setting("failures.0.value")].lines[0].get_data())
     assert (share[x < 0.4] == 0).all() and (share[x > 0.6] == 1).all()  # what a made-up flight does
 
 

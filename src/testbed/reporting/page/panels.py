@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -41,7 +42,10 @@ def group_of(name: str, title: str, folded: bool, panels: Iterable[Panel]) -> di
 
 
 def _drawn(panel: Panel) -> dict[str, Any]:
-    notes = (f"{words} from {since:.1f} to {until:.1f} s" for since, until, words in panel.notes[-_NOTES:])
+    notes = (
+        f"{words} from {since:.1f} {'s on' if math.isinf(until) else f'to {until:.1f} s'}"
+        for since, until, words in panel.notes[-_NOTES:]
+    )
     said: dict[str, Any] = {
         "title": "; ".join([panel.heading, *notes]),
         "series": [_series(series) for series in panel.series if series.on_page],

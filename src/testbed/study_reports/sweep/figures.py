@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from testbed.common.statistics import proportion
 from testbed.reporting.palette import COLOURS, MET, MISSED, nth
+from testbed.reporting.words import setting
 from testbed.studies.folder.reading import groups_of, unit
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
@@ -89,7 +90,7 @@ def pass_share(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     for k, (axes, panel) in enumerate(zip(grid.flat, panels, strict=False)):
         for i, (points, variant) in enumerate(zip(panel["variants"], plan.variants, strict=True)):
             _share(axes, points, i, variant.label, len(plan.variants))
-        axes.set(xlabel=_axis(panel["path"]), ylim=(-0.02, 1.02))
+        axes.set(xlabel=panel["path"], ylim=(-0.02, 1.02))
         axes.set_ylabel("" if k % columns else "share that passes")
     legend(grid[0, 0])
     return drawn
@@ -213,7 +214,8 @@ TABLE: dict[str, Draw] = {
 
 
 def _axis(name: str) -> str:
-    return f"{name} [{unit(name)}]" if unit(name) else name
+    words = setting(name)
+    return f"{words} [{unit(name)}]" if unit(name) and "[" not in words else words
 
 
 def _short(text: str) -> str:
