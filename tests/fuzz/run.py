@@ -53,6 +53,7 @@ class Examiner:
             **os.environ,
             "PYTHONPATH": str(ROOT / "src"),
             "OPENBLAS_NUM_THREADS": "1",
+            "PYTHONDONTWRITEBYTECODE": "1",  # else a first import is heard as a file written outside
             "XDG_CACHE_HOME": cache,
         }
         environment["NUMBA_CACHE_DIR"] = str(jit._FOLDER or cache)

@@ -62,7 +62,11 @@ def test_a_full_disk_keeps_what_has_flown(small_disk: Path, tmp_path: Path) -> N
 def test_few_open_files_are_enough_or_said_in_one_line(tmp_path: Path, files: int) -> None:
     status, err = swept(written(tmp_path), tmp_path / "out", 3, files=files)
     assert (status in (0, 1) and not err) or (status == 3 and err.count("\n") == 1), err
+    said = (
+        "a worker process does not start",
+        "cannot write",
+    )  # which file is the one too many depends on timing
     assert status != 3 or err.partition(": ")[2].startswith(
-        "a worker process does not start: Too many open files"
+        tuple(f"{what}: Too many open files" for what in said)
     )
     assert files < 64 or status != 3
