@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from testbed.reporting.palette import nth
+from testbed.reporting.words import setting
 from testbed.study_reports.drawing import Draw, draw_all, figure, legend
 
 Summary = Mapping[str, Any]
@@ -55,7 +56,7 @@ def path(summary: Summary) -> Figure | None:
         names = sorted(part["point"], key=lambda name: -part["point"][name]["share"])[:_MOST_INPUTS]
         for j, name in enumerate(names):
             values = [step["coordinates"][name] for step in part["path"]]
-            axes.plot(range(1, len(values) + 1), values, label=name, ms=4, **nth(j, "marker"))
+            axes.plot(range(1, len(values) + 1), values, label=setting(name), ms=4, **nth(j, "marker"))
         axes.set(ylabel="standard deviations", title=part["label"])
         axes.xaxis.set_major_locator(MaxNLocator(integer=True))
         legend(axes, beside=True)

@@ -10,6 +10,7 @@ from typing import Any
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import number
+from testbed.reporting.words import setting
 from testbed.study_reports.search.words import answer, rounded
 
 Summary = Mapping[str, Any]
@@ -19,7 +20,7 @@ Columns = dict[str, Callable[[Summary], html.Cell]]
 def head(summary: Summary) -> Html:
     """Title, chips, the answer in sentences."""
     facts = {"goal": summary["goal"], "flights": str(summary["flights"]), "budget": f"{summary['budget']} each",
-             "seed": str(summary["seed"]), "varied": ", ".join(summary["varied"])}  # fmt: skip
+             "seed": str(summary["seed"]), "varied": ", ".join(map(setting, summary["varied"]))}  # fmt: skip
     if summary["requirement"]:
         facts["requirement"] = summary["requirement"]
     return html.opening(summary["search"], answer(summary), facts)
@@ -68,7 +69,7 @@ def design_points(summary: Summary) -> Iterator[Html]:
     }
     for part in found:
         yield tag("h3", part["label"]) if part["label"] else Html()
-        inputs = [{"input": name, **each} for name, each in part["point"].items()]
+        inputs = [{"input": setting(name), **each} for name, each in part["point"].items()]
         bars = (
             html.bar(each["input"], each["share"], number(each["value"], ".3g"))
             for each in sorted(inputs, key=lambda each: -each["share"])
