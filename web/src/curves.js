@@ -30,7 +30,7 @@ export function shares(root, sweep) {
   root.append(box);
   for (const { path: input, variants } of sweep.shares) {
     const axis = sweep.inputs.find((one) => one.path === input);
-    const spec = { x: scaleFor(axis), y: { kind: "linear", low: 0, high: 1 }, xTitle: axis.unit ? `[${axis.unit}]` : "", yTitle: "passed", height: 200, label: `share that passes along ${input}` };
+    const spec = { x: scaleFor(axis), y: { kind: "linear", low: 0, high: 1 }, xTitle: "", yTitle: "passed", height: 200, label: `share that passes along ${input}` };
     new Plot(figure(box, input), spec, (plot) => variants.forEach((points, v) => share(plot, axis, points, v, variants.length)));
   }
 }

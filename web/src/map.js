@@ -11,10 +11,6 @@ function spread(axis, i) {
   return axis.names && value != null ? value + (((i * 0.618034) % 1) - 0.5) * 0.55 : value;
 }
 
-export function title({ path, unit }) {
-  return unit ? `${path} [${unit}]` : path;
-}
-
 function select(label, options, chosen, act) {
   const box = document.createElement("label");
   box.textContent = `${label} `;
@@ -68,7 +64,7 @@ export function map(root, sweep, chosen) {
     figure.innerHTML = "<figcaption></figcaption>";
     figure.firstChild.textContent = name;
     box.append(figure);
-    const spec = { x: scaleFor(x), y: scaleFor(y), xTitle: title(x), yTitle: title(y), height: HEIGHT, label: `map of the flights ${name}` };
+    const spec = { x: scaleFor(x), y: scaleFor(y), xTitle: x.path, yTitle: y.path, height: HEIGHT, label: `map of the flights ${name}` };
     return new Plot(figure, spec, (plot) => {
       plot.points = [];
       sweep.flights.forEach((flight, i) => {

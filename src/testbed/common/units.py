@@ -10,8 +10,8 @@ GRAVITY_M_S2 = 9.80665
 METRES_PER_SECOND_PER_KNOT = 1852.0 / 3600.0
 
 _BY_ENDING = {
-    "_per_s": "1/s", "_deg_s2": "deg/s^2", "_m_s2": "m/s^2", "_deg_s": "deg/s", "_m_s": "m/s", "_deg": "deg", "_rad": "rad",
-    "_hz": "Hz", "_m": "m", "_s": "s", "_n": "N", "_percent": "%",
+    "_per_s": "1/s", "_deg_s2": "deg/s^2", "_m_s2": "m/s^2", "_deg_s": "deg/s", "_m_s": "m/s", "_deg": "deg",
+    "_rad_s": "rad/s", "_rad": "rad", "_hz": "Hz", "_m": "m", "_s": "s", "_n": "N", "_percent": "%",
 }  # fmt: skip
 
 

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from testbed.common.statistics import proportion
 from testbed.reporting.palette import COLOURS, MET, MISSED, nth
 from testbed.reporting.words import setting
-from testbed.studies.folder.reading import groups_of, unit
+from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
 from testbed.studies.summary import requirement_shares, requirement_titles
@@ -123,9 +123,9 @@ def flight_map(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
             if (count := int((ended == name).sum())) > 0:
                 first = rows[ended == name].head(_MOST_POINTS)
                 axes.scatter(first[numbers[0]], first[numbers[1]], label=f"{name} ({count})", **style)
-        axes.set(xlabel=_axis(numbers[0]), title=label)
+        axes.set(xlabel=setting(numbers[0]), title=label)
         axes.legend(fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
-    cells[0].set_ylabel(_axis(numbers[1]))
+    cells[0].set_ylabel(setting(numbers[1]))
     return drawn
 
 
@@ -211,11 +211,6 @@ TABLE: dict[str, Draw] = {
     "detection_delay": detection_delay,
     "drivers": drivers,
 }
-
-
-def _axis(name: str) -> str:
-    words = setting(name)
-    return f"{words} [{unit(name)}]" if unit(name) and "[" not in words else words
 
 
 def _short(text: str) -> str:

@@ -14,7 +14,7 @@ from testbed.reporting.words import setting
 from testbed.scenario.requirement import Requirement
 from testbed.studies.folder import histories
 from testbed.studies.folder.names import flight_label, in_file_names
-from testbed.studies.folder.reading import groups_of, unit
+from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.verdicts import STATES, missed, requirements_of, state
 from testbed.study_reports.sweep.curves import Band, Point, drawn_inputs, error_band, is_number, pass_shares
@@ -70,14 +70,13 @@ def _first_runs(frame: pd.DataFrame, variants: int) -> pd.DataFrame:
 
 
 def _axis(name: str, frame: pd.DataFrame) -> dict[str, Any]:
-    """{path, in words, unit if they do not say it, names, values}: values by flight, numbers, or indices of `names`."""
+    """{path, in words with the unit, names, values}: values by flight, numbers, or indices of `names`."""
     column = frame[name]
     if column.dtype.kind in "fiu":
         values = [_rounded(value) for value in column.to_numpy(dtype=float)]
-        words = setting(name)
-        return {"path": words, "unit": "" if "[" in words else unit(name), "names": None, "values": values}
+        return {"path": setting(name), "names": None, "values": values}
     names, codes = np.unique(column.astype(str).to_numpy(), return_inverse=True)
-    return {"path": setting(name), "unit": "", "names": names.tolist(), "values": codes.tolist()}
+    return {"path": setting(name), "names": names.tolist(), "values": codes.tolist()}
 
 
 def _flights(plan: Plan, frame: pd.DataFrame, folder: Path) -> Iterator[dict[str, Any]]:
