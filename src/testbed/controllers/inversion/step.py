@@ -30,6 +30,7 @@ from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
 from testbed.controllers.inversion.swing_detection import detect_swings, expect_swings
 from testbed.controllers.outer_loops import virtual_control
+from testbed.controllers.records import U_DOT
 
 
 @compiled
@@ -121,11 +122,20 @@ def believed_command_step(step, parts):
 
 
 @compiled
+def add_model_error(f, s):
+    """Add the estimated model error b to f_m [4]: along the axis always, of the rotations while a vane is stuck.
+
+    The outer loop of airspeed may ask for less acceleration than the error of the modelled drag far from trim, and then airspeed
+    would run away. Those of rotation may ask for more, and gusts, which their b follows too, are better left to them."""
+    for i in range(4):
+        if i == U_DOT or vane_is_stuck(s):  # then it is also what gusts do that are not measured
+            f[i] += s.b[i]
+
+
+@compiled
 def command(y, ref, row, m, c, k, s, w):
     """Outer loops, inversion and commands for a state y, and a row of telemetry."""
-    if vane_is_stuck(s):
-        for i in range(4):
-            w.f[i] += s.b[i]  # what gusts do that are not measured
+    add_model_error(w.f, s)
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(row, k.released, s)
