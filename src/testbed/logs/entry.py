@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from testbed.aircraft.description import Aircraft, load_aircraft
@@ -17,6 +18,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.logs import mapped, own
 from testbed.logs.diagnosis import Diagnosis, diagnosed
 from testbed.logs.flight_log import FlightLog
+from testbed.logs.functions import makers
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import residuals
 from testbed.logs.page import write_page
@@ -77,7 +79,9 @@ def identify(
         BadInput: a log, the mapping or the aircraft cannot be used.
     """
     read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
-    return identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
+    found = identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
+    wrong = [factor.name for factor in found.factors if factor.contradicted]
+    return replace(found, makers=makers(load_aircraft(str(aircraft)), wrong))
 
 
 def _read(
