@@ -108,6 +108,7 @@ def test_a_log_that_was_cut_is_read_as_far_as_it_goes(tmp_path: Path, log: Path)
     ("change", "words"),
     [
         ({"column": "actuator_outputs.output[0]", "unit": "deg"}, "has no topic actuator_outputs"),
+        ({"column": "left_rudervator.command", "unit": "deg"}, "did you mean left_ruddervator?"),
         ({"column": "left_ruddervator.comand", "unit": "deg"}, "did you mean command"),
         ({"column": "pwm", "unit": "deg"}, "expected TOPIC.field"),
         ({"column": "left_ruddervator[2].command", "unit": "deg"}, "has no topic left_ruddervator"),
@@ -148,6 +149,15 @@ def test_a_gyro_in_degrees_is_refused(tmp_path: Path, log: Path) -> None:
 
 def _message(kind: bytes, body: bytes) -> bytes:
     return struct.pack("<H", len(body)) + kind + body
+
+
+@pytest.mark.parametrize(("kind", "words"), [(2, "is the log of a quadcopter, by its MAV_TYPE"), (1, "")])
+def test_a_quadcopters_log_is_refused(tmp_path: Path, log: Path, kind: int, words: str) -> None:
+    content, key = log.read_bytes(), b"int32_t MAV_TYPE"
+    said = _message(b"P", bytes([len(key)]) + key + struct.pack("<i", kind))
+    (tmp_path / "log.ulg").write_bytes(content[:16] + said + content[16:])
+    ended = _diagnosed(tmp_path, tmp_path / "log.ulg")
+    assert ended.returncode == (2 if words else 1) and words in ended.stderr
 
 
 FORMATS = {

@@ -6,7 +6,7 @@ Only what a real log has is in it: what sensors read and what was commanded.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -118,6 +118,24 @@ def even(
         )
     made = np.stack([columns[actuator] for actuator in commands], axis=1)
     return FlightLog(name, after, states, made, as_positions, known, tuple(remarks))
+
+
+def flown(log: FlightLog, least_m_s: float, aircraft: str) -> FlightLog:
+    """The log with nothing known where it is too slow to fly: on the ground wheels hold what actuators would turn.
+
+    Raises BadInput if less than LEAST_S are flown.
+    """
+    slow = log.known & ~(log.states[:, STATE.index("airspeed")] >= least_m_s)
+    if not np.any(slow):
+        return log
+    known = log.known & ~slow
+    if np.sum(known) * log.step_s < LEAST_S:
+        what = f"is above {least_m_s:g} m/s, the least airspeed of {aircraft}, for {np.sum(known) * log.step_s:.0f} s"
+        raise BadInput(
+            [Problem(what, log.name, path="airspeed", expected=f"at least {LEAST_S:g} s of flight")]
+        )
+    said = f"In {100 * np.mean(slow):.1f} % of the time the airspeed is below {least_m_s:g} m/s; nothing is said there."
+    return replace(log, known=known, remarks=(*log.remarks, said))
 
 
 def _missing(name: str, signals: Mapping[str, np.ndarray]) -> list[Problem]:
