@@ -186,6 +186,33 @@ def test_a_throttle_that_is_switched_off_is_none(tmp_path: Path, table: pd.DataF
     assert ended.returncode == 2 and "as a throttle" in ended.stderr
 
 
+def test_a_place_on_the_globe(tmp_path: Path, table: pd.DataFrame) -> None:
+    """Degrees become metres from where it was first; without a fix, zero and zero, straight lines lead on."""
+    north, east = 20.0 * np.arange(len(table)) / 100.0, -5.0 * np.arange(len(table)) / 100.0
+    latitude, longitude = (
+        60.0 + np.degrees(north / 6371e3),
+        10.0 + np.degrees(east / 6371e3 / np.cos(np.pi / 3)),
+    )
+    lost = slice(1000, 1500)
+    latitude[lost] = longitude[lost] = 0.0
+    placed = table.assign(
+        lat=latitude, lon=longitude, alt=300.0, hdg=(np.arange(len(table)) * 0.1 + 350.0) % 360.0
+    )
+    degrees = {name: {"column": column, "unit": "deg"} for name, column in (
+        ("latitude", "lat"), ("longitude", "lon"), ("heading", "hdg"))}  # fmt: skip
+    signals = {**MAPPING["signals"], **degrees, "altitude": {"column": "alt", "unit": "m"}}
+    _written(tmp_path, placed, {**MAPPING, "signals": signals})
+    log = read_table(tmp_path / "log.csv", tmp_path / "map.yaml", load_aircraft("vtail"))
+    rows = len(log.time_s)
+    np.testing.assert_allclose(log.place["north"], north[:rows], atol=0.01)
+    np.testing.assert_allclose(log.place["east"], east[:rows], atol=0.1)
+    assert np.degrees(log.place["heading"][-1]) == pytest.approx(350.0 + 0.1 * (rows - 1), abs=0.2)
+    assert log.known.all()
+    del signals["longitude"]
+    ended = in_this_process(tmp_path, *_written(tmp_path, placed, {**MAPPING, "signals": signals}))
+    assert ended.returncode == 2 and "has no longitude, without which there is no replay" in ended.stderr
+
+
 def test_a_truncated_parquet_file_is_refused(tmp_path: Path, table: pd.DataFrame) -> None:
     arguments = _written(tmp_path, table, name="log.parquet")
     content = (tmp_path / "log.parquet").read_bytes()

@@ -110,7 +110,8 @@ def _series(
         raise BadInput([Problem("has no message of this sensor", str(file), path=name)])
     assert kind.time is not None
     time_us = kind.values(content, kind.time) * TIMES_US[kind.time]
-    return time_us[rows], kind.values(content, which[1])[rows]
+    values = kind.values(content, which[1])[rows]
+    return time_us[rows], np.unwrap(values, period=360.0) if which[1] == "Yaw" else values
 
 
 def _parts(file: Path, name: str) -> tuple[str, int, str]:

@@ -22,6 +22,7 @@ from testbed.logs.functions import makers
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import residuals
 from testbed.logs.page import write_page
+from testbed.logs.scene import Scene, of_flight, of_log
 from testbed.logs.words import story, summary, table
 from testbed.plant.identification import stored
 
@@ -61,7 +62,8 @@ def diagnose(
     setup = _setup(aircraft, read.step_s)
     found = _diagnosed(read, aircraft, setup)
     if out is not None:
-        _write(found, Path(out), aircraft.name, setup, flight)
+        scene = of_log(found, aircraft, setup.model) if flight is None else of_flight(found, flight)
+        _write(found, Path(out), aircraft.name, setup, scene)
     return found
 
 
@@ -124,9 +126,9 @@ def _setup(aircraft: Aircraft, step_s: float) -> Setup:
     )
 
 
-def _write(found: Diagnosis, out: Path, model: str, setup: Setup, flight: Flight | None) -> None:
+def _write(found: Diagnosis, out: Path, model: str, setup: Setup, scene: Scene) -> None:
     refuse_unwritable(out)
     text = json.dumps(summary(found, model), indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
     write(out / "diagnosis.csv", table(found), out)
-    write_page(found, residuals(found.log, setup), out / "report.html", out, flight)
+    write_page(found, residuals(found.log, setup), out / "report.html", out, scene)
     write(out / "summary.json", text + "\n", out)

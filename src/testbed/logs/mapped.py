@@ -17,7 +17,7 @@ from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
 from testbed.logs import dataflash, ulog
-from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, FlightLog, even, flown, shown
+from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, PLACE, FlightLog, even, flown, shown
 
 LARGEST = 2000 * MEGABYTE
 """Largest log that is read [bytes]."""
@@ -26,11 +26,12 @@ _EXPECTED = "a CSV, Parquet, DataFlash (.BIN) or ULog (.ulg) log"
 _DEG = np.pi / 180.0
 _UNITS: dict[str, float] = {
     "s": 1.0, "ms": 1e-3, "us": 1e-6, "rad": 1.0, "deg": _DEG, "rad_s": 1.0, "deg_s": _DEG, "m_s": 1.0, "kt": 1852.0 / 3600.0,
-    "m_s2": 1.0, "g": 9.80665, "throttle": 1.0, "percent": 0.01, "N": 1.0,
+    "m": 1.0, "m_s2": 1.0, "g": 9.80665, "throttle": 1.0, "percent": 0.01, "N": 1.0,
 }  # fmt: skip
 """Factor to SI of each unit."""
 _KINDS = {"time": ("s", "ms", "us"), "p": ("rad_s", "deg_s"), "q": ("rad_s", "deg_s"), "r": ("rad_s", "deg_s"),
-          "airspeed": ("m_s", "kt"), "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
+          "airspeed": ("m_s", "kt"), "north": ("m",), "east": ("m",), "altitude": ("m",),
+          "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
 _ANGLES, _SERVO, _ENGINE = ("rad", "deg"), ("rad", "deg"), ("throttle", "percent", "N")
 
 
@@ -75,9 +76,16 @@ def read_mapping(file: Path, aircraft: Aircraft) -> tuple[Source, ColumnMap]:
                 )
             )
     for name in mapping.signals:
-        if name not in (*NEEDED, *OPTIONAL):
-            what, known = f"is no signal that is used: {shown(name)}", (*NEEDED, *OPTIONAL)
+        if name not in (known := (*NEEDED, *OPTIONAL, *PLACE)):
+            what = f"is no signal that is used: {shown(name)}"
             problems.append(source.problem(("signals", name), what, *guess(name, known)))
+    globe = {"latitude", "longitude"} if "latitude" in mapping.signals else {"north", "east"}
+    lacks = sorted({"altitude", "heading", *globe} - set(mapping.signals))
+    if lacks and set(PLACE) & set(mapping.signals):
+        what = f"has no {' and no '.join(lacks)}, without which there is no replay"
+        problems.append(
+            source.problem(("signals",), what, f"none of {', '.join(PLACE)}, or all that are needed")
+        )
     for path, column, units in _with_units(mapping, aircraft):
         if column.unit not in units:
             problems.append(

@@ -129,5 +129,5 @@ def _fields(data: Mapping[str, Any]) -> dict[str, np.ndarray]:
         w, x, y, z = (made[f"q[{i}]"] for i in range(4))
         made["roll"] = np.arctan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
         made["pitch"] = np.arcsin(np.clip(2.0 * (w * y - z * x), -1.0, 1.0))
-        made["yaw"] = np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+        made["yaw"] = np.unwrap(np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z)))
     return made
