@@ -121,6 +121,48 @@ def test_what_the_log_has_not_is_said(tmp_path: Path, content: bytes, change: An
     assert "Traceback" not in ended.stderr and not (tmp_path / "out").exists()
 
 
+def _message(name: str, number: int, kinds: str, fields: str, *rows: tuple[Any, ...]) -> bytes:
+    """Messages of a kind of their own, with its declaration."""
+    letters = kinds.replace("Z", "64s")
+    said = (number, 3 + struct.calcsize("<" + letters), name.encode(), kinds.encode(), fields.encode())
+    made = [struct.pack("<2sB" + letters, b"\xa3\x95", number, *row) for row in rows]
+    return b"\xa3\x95\x80" + struct.pack("<BB4s16s64s", *said) + b"".join(made)
+
+
+@pytest.mark.parametrize(
+    ("added", "refused"),
+    [
+        (_message("MSG", 140, "QZ", "TimeUS,Message", (0, b"ArduCopter V4.5.0 (2f4096)")), True),
+        (_message("MSG", 140, "QZ", "TimeUS,Message", (0, b"ArduPlane V4.5.0 (2f4096)")), False),
+        (_message("MOTB", 140, "Qf", "TimeUS,LiftMax", (0, 1.0)), True),
+        (_message("MOTB", 140, "Qf", "TimeUS,LiftMax"), False),
+    ],
+)
+def test_a_multicopters_log_is_refused(tmp_path: Path, content: bytes, added: bytes, refused: bool) -> None:
+    """By its program's name, or by what its mixer writes; a kind that is declared and never written says nothing."""
+    ended = _diagnosed(tmp_path, content + added)
+    assert ended.returncode == (2 if refused else 1)
+    assert ("is the log of a multicopter, expected an aircraft with a wing" in ended.stderr) == refused
+
+
+def test_times_of_old_logs_are_milliseconds(content: bytes) -> None:
+    old = _message("OLD", 140, "If", "TimeMS,X", *((20 * i, 0.5 * i) for i in range(200)))
+    found = columns(Path("log.bin"), content + old, ["IMU.TimeUS", "OLD.X"], "IMU.TimeUS")
+    until = found["IMU.TimeUS"] <= 199 * 20e3
+    np.testing.assert_allclose(found["OLD.X"][until], found["IMU.TimeUS"][until] / 40e3, atol=1e-6)
+
+
+def test_everything_that_a_log_has_not_is_said_at_once(tmp_path: Path, content: bytes) -> None:
+    changed = {
+        **MAPPING["actuators"],
+        "left_propeller": {"column": "ESC.T1", "unit": "N"},
+        "right_propeller": {"column": "RCOU.T3", "unit": "N"},
+    }
+    ended = _diagnosed(tmp_path, content, {**MAPPING, "actuators": changed})
+    assert "has no message ESC, for ESC.T1" in ended.stderr
+    assert "has no field T3 of RCOU, for RCOU.T3, expected one of TimeUS, C1" in ended.stderr
+
+
 def test_noise_behind_the_first_bytes_is_refused(tmp_path: Path) -> None:
     ended = _diagnosed(tmp_path, b"\xa3\x95" + np.random.default_rng(3).bytes(5000))
     assert ended.returncode == 2 and ended.stderr.startswith("log.bin: ")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import dataclasses
 import json
 import math
 import shutil
@@ -19,7 +20,7 @@ from testbed.aircraft.description import load_aircraft
 from testbed.logs import own
 from testbed.logs.entry import _setup
 from testbed.logs.output_error import residuals
-from testbed.logs.page import _believed
+from testbed.logs.scene import believed, of_flight, phases
 from testbed.logs.smoothing import alone
 
 from .conftest import AT_S, Run
@@ -123,15 +124,54 @@ def test_residuals_grow_where_an_actuator_fails(run: Run) -> None:
     assert np.std(usual[..., 1]) < np.std(measured[..., 1])
 
 
+def _of_the_page(file: Path) -> dict[str, Any]:
+    """What the script of a page draws."""
+    page = file.read_text()
+    assert 'id="replay"' in page and "Residuals" in page and "as listed below" in page
+    found: dict[str, Any] = json.loads(page.split('id="flight">')[1].split("</script>")[0])
+    return found
+
+
 def test_the_page_replays_a_run_as_it_was_diagnosed(run: Run, tmp_path: Path) -> None:
-    """The beliefs of the replay are those of the diagnosis, whatever the controller believed."""
-    folder = run(BROKEN["weak"][0], True)
-    found = testbed.diagnose(folder, out=tmp_path / "out")
-    _, flight = own.read(folder)
-    column = _believed(found, flight)[f"{LEFT}_effectiveness_estimate"]
+    """Beliefs, phases and strokes are those of the diagnosis, whatever the controller believed and gave up."""
+    found = testbed.diagnose(run(BROKEN["weak"][0], True), out=tmp_path / "out")
+    (finding,) = found.findings
+    _, flight = own.read(run(BROKEN["weak"][0], True))
+    scene = of_flight(found, flight)
+    column = scene.log[f"{LEFT}_effectiveness_estimate"]
     assert column[-1] == found.effectiveness[-1, 0] and len(column) == len(flight.signals["time_s"])
-    page = (tmp_path / "out" / "report.html").read_text()
-    assert 'id="replay"' in page and "Residuals" in page
+    drawn = _of_the_page(tmp_path / "out" / "report.html")
+    assert not [each["name"] for each in drawn["data"]["columns"] if each["name"].endswith("_released")]
+    assert [(e["kind"], e["time_s"]) for e in drawn["events"]] == [
+        ("injection", pytest.approx(AT_S, abs=0.02)),
+        ("detection", finding.from_s),
+    ]
+    named = {each["name"]: each["from_s"] for each in drawn["phases"]}
+    assert (
+        named["flagged"] == finding.from_s
+        and named["healthy"] == 0.0
+        and drawn["believer"] == "the diagnosis"
+    )
+
+
+def test_the_phase_before_a_finding_is_not_healthy(run: Run) -> None:
+    """From the true failure on until it is found; to the end if it never is."""
+    found = testbed.diagnose(run(BROKEN["weak"][0], True))
+    early = dataclasses.replace(found.log, failures_s=(10.0,))
+    names = [each["name"] for each in phases(dataclasses.replace(found, log=early))]
+    assert names == ["healthy", "unnoticed", "flagged"]
+    none = dataclasses.replace(found, log=early, states=0 * found.states)
+    assert [(p["name"], p["from_s"]) for p in phases(none)] == [
+        ("healthy", 0.0),
+        ("unnoticed", pytest.approx(10.0, abs=0.2)),
+    ]
+
+
+def test_a_held_surface_is_drawn_where_it_is_believed_to_be(run: Run) -> None:
+    found = testbed.diagnose(run(BROKEN["stuck"][0], False))
+    (finding,) = (each for each in found.findings if each.state == "held")
+    place = believed(found, found.log.time_s)[f"{RIGHT}_believed_position"]
+    assert place[-1] == finding.position and np.isnan(place[0])
 
 
 def test_what_did_not_move_is_unknown() -> None:

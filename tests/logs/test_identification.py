@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -97,6 +98,18 @@ def test_what_moves_alike_is_said(run: Run) -> None:
     factors = {each.name: each for each in _found(run(), {}).factors}
     assert factors["Cn_beta"].inflation > 30.0 > factors["Cm_alpha"].inflation
     assert not factors["Cn_left_propeller"].known and factors["Cn_left_propeller"].value == 1.0
+
+
+def test_the_function_of_the_xml_that_a_log_contradicts_is_named(run: Run, tmp_path: Path) -> None:
+    """An aircraft whose XML has a pitch damping 1.8 times too large, against a log of the right one."""
+    folder = shutil.copytree(load_aircraft("vtail").folder, tmp_path / "vtail")
+    xml = folder / "vtail.xml"
+    xml.write_text(xml.read_text().replace("<value>-10.0586</value>", f"<value>{-10.0586 * 1.8}</value>"))
+    ended = in_this_process(tmp_path, "identify", str(folder), "--log", str(run()))
+    lines = ended.stdout.splitlines()
+    (at,) = (i for i, line in enumerate(lines) if line.startswith("  Cm_q "))
+    assert "contradicts the model" in lines[at], ended.stdout + ended.stderr
+    assert lines[at + 1].startswith("    made in the XML by aero/coefficient/Cm_q (PITCH) 8")
 
 
 def test_the_command_writes_a_model(run: Run, tmp_path: Path) -> None:

@@ -14,6 +14,8 @@ import yaml
 from command_line import in_this_process
 
 import testbed
+from testbed.aircraft.description import load_aircraft
+from testbed.logs.mapped import read_table
 
 from .conftest import AT_S, Run
 
@@ -148,6 +150,67 @@ def test_other_files_are_refused(tmp_path: Path, table: pd.DataFrame, content: b
     ended = in_this_process(tmp_path, *arguments)
     assert ended.returncode == 2 and ended.stderr.startswith("log.csv: ")
     assert not (tmp_path / "out").exists()
+
+
+def test_a_file_of_lines_is_no_table(tmp_path: Path, table: pd.DataFrame) -> None:
+    """Such as a DataFlash log that was written as text, or a pointer to a large file."""
+    arguments = _written(tmp_path, table)
+    (tmp_path / "log.csv").write_text("ArduCopter V3.1\n\nFMT, 128, 89, FMT, BBnNZ, Type,Length,Name\n")
+    ended = in_this_process(tmp_path, *arguments)
+    assert ended.returncode == 2 and "is no table: its first line has one column" in ended.stderr
+
+
+def test_what_is_not_flown_is_not_judged(tmp_path: Path, table: pd.DataFrame) -> None:
+    """Twenty seconds on the ground, in which nothing answers the commands: the finding is the flight's, and the rest is said."""
+    ground = table.iloc[:2000].assign(tas=3.0, gx=0.0, gy=0.0, gz=0.0, roll=0.0, pitch=0.0, ax=0.0)
+    later = table.assign(t_us=table["t_us"] + 20e6)
+    _written(tmp_path, pd.concat([ground, later], ignore_index=True))
+    found = testbed.diagnose(tmp_path / "log.csv", "vtail", tmp_path / "map.yaml")
+    assert [(f.actuator, f.state) for f in found.findings] == [("left_ruddervator", "weak")]
+    assert any("is below 8 m/s; nothing is said there" in line for line in found.log.remarks)
+    _written(tmp_path, pd.concat([ground, later.iloc[:800]], ignore_index=True))
+    ended = in_this_process(tmp_path, "diagnose", "log.csv", "--model", "vtail", "--columns", "map.yaml")
+    assert ended.returncode == 2 and "the least airspeed of vtail" in ended.stderr
+
+
+def test_a_throttle_that_is_switched_off_is_none(tmp_path: Path, table: pd.DataFrame) -> None:
+    """Outputs of 900 before arming are below the 1000 of an idle motor; ones that are never above it have the wrong sign."""
+    pulses = 1000.0 + 60.0 * np.maximum(table["thrust1"].to_numpy(), 0.0)
+    mapping = {**MAPPING, "actuators": {
+        **MAPPING["actuators"], "left_propeller": {"column": "thrust1", "unit": "throttle", "zero": 1000, "scale": 1e-3}
+    }}  # fmt: skip
+    _written(tmp_path, table.assign(thrust1=np.where(np.arange(len(table)) < 100, 900.0, pulses)), mapping)
+    log = read_table(tmp_path / "log.csv", tmp_path / "map.yaml", load_aircraft("vtail"))
+    assert log.commands[:90, 2].max() == 0.0 < np.median(log.commands[200:, 2])
+    ended = in_this_process(tmp_path, *_written(tmp_path, table.assign(thrust1=2000.0 - pulses), mapping))
+    assert ended.returncode == 2 and "as a throttle" in ended.stderr
+
+
+def test_a_place_on_the_globe(tmp_path: Path, table: pd.DataFrame) -> None:
+    """Degrees become metres from where it was first; without a fix, zero and zero, straight lines lead on."""
+    north, east = 20.0 * np.arange(len(table)) / 100.0, -5.0 * np.arange(len(table)) / 100.0
+    latitude, longitude = (
+        60.0 + np.degrees(north / 6371e3),
+        10.0 + np.degrees(east / 6371e3 / np.cos(np.pi / 3)),
+    )
+    lost = slice(1000, 1500)
+    latitude[lost] = longitude[lost] = 0.0
+    placed = table.assign(
+        lat=latitude, lon=longitude, alt=300.0, hdg=(np.arange(len(table)) * 0.1 + 350.0) % 360.0
+    )
+    degrees = {name: {"column": column, "unit": "deg"} for name, column in (
+        ("latitude", "lat"), ("longitude", "lon"), ("heading", "hdg"))}  # fmt: skip
+    signals = {**MAPPING["signals"], **degrees, "altitude": {"column": "alt", "unit": "m"}}
+    _written(tmp_path, placed, {**MAPPING, "signals": signals})
+    log = read_table(tmp_path / "log.csv", tmp_path / "map.yaml", load_aircraft("vtail"))
+    rows = len(log.time_s)
+    np.testing.assert_allclose(log.place["north"], north[:rows], atol=0.01)
+    np.testing.assert_allclose(log.place["east"], east[:rows], atol=0.1)
+    assert np.degrees(log.place["heading"][-1]) == pytest.approx(350.0 + 0.1 * (rows - 1), abs=0.2)
+    assert log.known.all()
+    del signals["longitude"]
+    ended = in_this_process(tmp_path, *_written(tmp_path, placed, {**MAPPING, "signals": signals}))
+    assert ended.returncode == 2 and "has no longitude, without which there is no replay" in ended.stderr
 
 
 def test_a_truncated_parquet_file_is_refused(tmp_path: Path, table: pd.DataFrame) -> None:

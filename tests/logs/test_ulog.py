@@ -13,8 +13,14 @@ from command_line import ROOT, in_this_process
 from pyulog import ULog
 
 import testbed
+from testbed.aircraft.description import load_aircraft
 from testbed.failures import TABLE
 from testbed.flight.folder import load
+from testbed.logs.entry import _diagnosed as diagnose_read
+from testbed.logs.entry import _setup
+from testbed.logs.mapped import read_table
+from testbed.logs.scene import of_log
+from testbed.plant.identification import stored
 from testbed.reporting.export import export
 
 from .conftest import AT_S, Run
@@ -74,6 +80,23 @@ def test_the_way_back_leads_to_the_failure(tmp_path: Path, run: Run, log: Path) 
     assert abs(found["from_s"] - own.from_s) < 0.21 and abs(found["effectiveness"] - own.effectiveness) < 0.02
 
 
+def test_a_files_page_replays_where_it_flew(tmp_path: Path, run: Run, log: Path) -> None:
+    """From a log's position, attitude and commands: the run's own place and heading, within single precision."""
+    flown = load(run(WEAK, True)).log
+    aircraft = load_aircraft("vtail")
+    read = read_table(log, MAPPING, aircraft)
+    found = diagnose_read(read, aircraft, _setup(aircraft, read.step_s))
+    scene = of_log(found, aircraft, stored(aircraft))
+    for name in ("north_m", "east_m", "altitude_m", "left_ruddervator_command", "right_propeller_position"):
+        there = flown[name.replace("_position", "_command")]
+        np.testing.assert_allclose(scene.log[name], there[: len(scene.log[name])], rtol=1e-4, atol=1e-2)
+    turned = scene.log["heading_deg"] - flown["heading_measured_deg"][: len(scene.log["heading_deg"])]
+    np.testing.assert_allclose((turned + 180.0) % 360.0 - 180.0, 0.0, atol=1e-2)
+    assert _diagnosed(tmp_path, log).returncode == 1
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert 'id="replay"' in page and "The log has no truth" in page
+
+
 @pytest.mark.nightly
 @pytest.mark.parametrize("weather", [False, True], ids=["calm", "mems"])
 @pytest.mark.parametrize("name", sorted(TABLE))
@@ -108,6 +131,7 @@ def test_a_log_that_was_cut_is_read_as_far_as_it_goes(tmp_path: Path, log: Path)
     ("change", "words"),
     [
         ({"column": "actuator_outputs.output[0]", "unit": "deg"}, "has no topic actuator_outputs"),
+        ({"column": "left_rudervator.command", "unit": "deg"}, "did you mean left_ruddervator?"),
         ({"column": "left_ruddervator.comand", "unit": "deg"}, "did you mean command"),
         ({"column": "pwm", "unit": "deg"}, "expected TOPIC.field"),
         ({"column": "left_ruddervator[2].command", "unit": "deg"}, "has no topic left_ruddervator"),
@@ -148,6 +172,15 @@ def test_a_gyro_in_degrees_is_refused(tmp_path: Path, log: Path) -> None:
 
 def _message(kind: bytes, body: bytes) -> bytes:
     return struct.pack("<H", len(body)) + kind + body
+
+
+@pytest.mark.parametrize(("kind", "words"), [(2, "is the log of a quadcopter, by its MAV_TYPE"), (1, "")])
+def test_a_quadcopters_log_is_refused(tmp_path: Path, log: Path, kind: int, words: str) -> None:
+    content, key = log.read_bytes(), b"int32_t MAV_TYPE"
+    said = _message(b"P", bytes([len(key)]) + key + struct.pack("<i", kind))
+    (tmp_path / "log.ulg").write_bytes(content[:16] + said + content[16:])
+    ended = _diagnosed(tmp_path, tmp_path / "log.ulg")
+    assert ended.returncode == (2 if words else 1) and words in ended.stderr
 
 
 FORMATS = {

@@ -43,7 +43,7 @@ export function replay(root, flights, clock) {
       ${chosen}
       <input type="range" min="${clock.start}" max="${clock.end}" step="any" value="${clock.now}" aria-label="time">
     </div>
-    <p class="note">Surfaces and discs are coloured by what they truly do for their command, edges and thrust arrows by the controller's belief; a ghost is where a surface that does not follow is commanded to be.
+    <p class="note">Surfaces and discs are coloured by what they truly do for their command, edges and thrust arrows by the belief of ${flights[0].flight.believer ?? "the controller"}; a ghost is where a surface that does not follow is commanded to be.
     The sheet leads from the trail to the ordered height, the needle to the ordered heading. Drag to turn; wheel, two fingers, + and - zoom. Keys: space plays, arrows step, 1 to 4 choose the view.</p>`;
   const scene = picture(root.querySelector("canvas"), flights);
   let followed = flights[0];

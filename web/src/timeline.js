@@ -13,6 +13,7 @@ const TITLES = {
 
 // `until` is where its axis ends: by default where the flight should have ended, which is later than where a lost one did.
 export function timeline(root, flight, clock, until = flight.phases[flight.phases.length - 1].until_s) {
+  const titles = { ...TITLES, ...flight.titles };
   const span = until - clock.start || 1;
   const share = (t) => `${(100 * (t - clock.start)) / span}%`;
   const bar = document.createElement("div");
@@ -25,9 +26,9 @@ export function timeline(root, flight, clock, until = flight.phases[flight.phase
     phase.style.left = share(from_s);
     phase.style.width = `${(100 * (until_s - from_s)) / span}%`;
     const words = document.createElement("span");
-    words.textContent = TITLES[name];
+    words.textContent = titles[name];
     phase.append(words);
-    phase.title = `${TITLES[name]}: ${from_s.toFixed(2)} to ${until_s.toFixed(2)} s`;
+    phase.title = `${titles[name]}: ${from_s.toFixed(2)} to ${until_s.toFixed(2)} s`;
     phase.addEventListener("click", () => {
       const margin = Math.max(0.15 * (until_s - from_s), 0.5);
       clock.show(from_s - margin, until_s + margin);
@@ -57,9 +58,9 @@ export function timeline(root, flight, clock, until = flight.phases[flight.phase
   const legend = document.createElement("p");
   legend.className = "legend";
   for (const name of PHASES.filter((p) => flight.phases.some((phase) => phase.name === p))) {
-    legend.insertAdjacentHTML("beforeend", `<span><i class="phase ${name}"></i>${TITLES[name]}</span>`);
+    legend.insertAdjacentHTML("beforeend", `<span><i class="phase ${name}"></i>${titles[name]}</span>`);
   }
-  legend.insertAdjacentHTML("beforeend", "<span>strokes: events, listed below</span>");
+  if (flight.events.length) legend.insertAdjacentHTML("beforeend", "<span>strokes: events, listed below</span>");
   const buttons = document.createElement("p");
   buttons.className = "buttons";
   const button = (text, act) => {

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 import struct
 from array import array
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -20,7 +20,8 @@ from testbed.inputs.problems import BadInput, Problem, guess
 
 MAGIC = b"\xa3\x95"
 """How every message begins; a byte with its kind follows."""
-TIME = "TimeUS"
+TIMES_US = {"TimeUS": 1.0, "TimeMS": 1e3}
+"""Names of a message's own time, and microseconds in a unit of it; the second was ArduPilot's until 2015."""
 _NAME = re.compile(r"(\w{1,4})(?:\[(\d{1,3})\])?\.(\w{1,64})")
 _GAP_US = 0.5e6
 _MOST, _MOST_LOST = 20_000_000, 100_000
@@ -31,6 +32,8 @@ _TYPES = {"b": "i1", "B": "u1", "M": "u1", "h": "<i2", "H": "<u2", "i": "<i4", "
           "f": "<f4", "d": "<f8", "c": "<i2", "C": "<u2", "e": "<i4", "E": "<u4", "L": "<i4", "n": "S4", "N": "S16", "Z": "S64",
           "a": "S64"}  # fmt: skip
 _SCALES = {"c": 0.01, "C": 0.01, "e": 0.01, "E": 0.01, "L": 1e-7}
+_COPTER = b"Copter V"
+"""What the messages of a multicopter's program begin with; MOTB is what a mixer of motors writes, QTUN that of a quadplane."""
 _INSTANCES = ("I", "Instance", "instance")
 
 
@@ -41,6 +44,11 @@ class _Kind:
     fields: dict[str, str]
     layout: np.dtype
     places: array[int] = field(default_factory=lambda: array("q"))
+
+    @property
+    def time(self) -> str | None:
+        """The field that is the message's time."""
+        return next((name for name in TIMES_US if name in self.fields), None)
 
     def values(self, content: bytes, name: str) -> np.ndarray:
         """[messages] a field; NaN where it is a text."""
@@ -64,17 +72,33 @@ def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict
     Raises BadInput for what is no such log, a name that is none, and a message or field that the log has not.
     """
     asked = {name: _parts(file, name) for name in names}
-    kinds = _kinds(file, content)
+    kinds = {name: kind for name, kind in _kinds(file, content).items() if kind.places}
+    if _is_copter(content, kinds):
+        raise BadInput(
+            [Problem("is the log of a multicopter", str(file), expected="an aircraft with a wing")]
+        )
+    problems = []
     for name, (kind, _, wanted) in asked.items():
         if kind not in kinds or wanted not in kinds[kind].fields:
             what = f"has no field {wanted} of {kind}" if kind in kinds else f"has no message {kind}"
             known = kinds[kind].fields if kind in kinds else kinds
-            raise BadInput([Problem(f"{what}, for {name}", str(file), None, "", *guess(wanted, known))])
-        if TIME not in kinds[kind].fields:
-            raise BadInput([Problem(f"has no {TIME} of {kind}, for {name}", str(file), expected=_EXPECTED)])
+            word = wanted if kind in kinds else kind
+            problems.append(Problem(f"{what}, for {name}", str(file), None, "", *guess(word, known)))
+        elif kinds[kind].time is None:
+            problems.append(
+                Problem(f"has no {next(iter(TIMES_US))} of {kind}, for {name}", str(file), expected=_EXPECTED)
+            )
+    if problems:
+        raise BadInput(problems)
     found = {name: _series(file, content, name, kinds[kind], (number, wanted))
              for name, (kind, number, wanted) in asked.items()}  # fmt: skip
     return {name: onto(found[time][0], *each) for name, each in found.items()}
+
+
+def _is_copter(content: bytes, kinds: Mapping[str, _Kind]) -> bool:
+    said = kinds.get("MSG")
+    texts = [content[at : at + said.layout.itemsize + 3] for at in said.places] if said else []
+    return any(_COPTER in text for text in texts) or ("MOTB" in kinds and "QTUN" not in kinds)
 
 
 def _series(
@@ -84,7 +108,10 @@ def _series(
     rows = kind.instances(content) == which[0]
     if not np.any(rows):
         raise BadInput([Problem("has no message of this sensor", str(file), path=name)])
-    return kind.values(content, TIME)[rows], kind.values(content, which[1])[rows]
+    assert kind.time is not None
+    time_us = kind.values(content, kind.time) * TIMES_US[kind.time]
+    values = kind.values(content, which[1])[rows]
+    return time_us[rows], np.unwrap(values, period=360.0) if which[1] == "Yaw" else values
 
 
 def _parts(file: Path, name: str) -> tuple[str, int, str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from testbed.aircraft.description import Aircraft, load_aircraft
@@ -17,9 +18,11 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.logs import mapped, own
 from testbed.logs.diagnosis import Diagnosis, diagnosed
 from testbed.logs.flight_log import FlightLog
+from testbed.logs.functions import makers
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import residuals
 from testbed.logs.page import write_page
+from testbed.logs.scene import Scene, of_flight, of_log
 from testbed.logs.words import story, summary, table
 from testbed.plant.identification import stored
 
@@ -59,7 +62,8 @@ def diagnose(
     setup = _setup(aircraft, read.step_s)
     found = _diagnosed(read, aircraft, setup)
     if out is not None:
-        _write(found, Path(out), aircraft.name, setup, flight)
+        scene = of_log(found, aircraft, setup.model) if flight is None else of_flight(found, flight)
+        _write(found, Path(out), aircraft.name, setup, scene)
     return found
 
 
@@ -77,7 +81,9 @@ def identify(
         BadInput: a log, the mapping or the aircraft cannot be used.
     """
     read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
-    return identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
+    found = identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
+    wrong = [factor.name for factor in found.factors if factor.contradicted]
+    return replace(found, makers=makers(load_aircraft(str(aircraft)), wrong))
 
 
 def _read(
@@ -120,9 +126,9 @@ def _setup(aircraft: Aircraft, step_s: float) -> Setup:
     )
 
 
-def _write(found: Diagnosis, out: Path, model: str, setup: Setup, flight: Flight | None) -> None:
+def _write(found: Diagnosis, out: Path, model: str, setup: Setup, scene: Scene) -> None:
     refuse_unwritable(out)
     text = json.dumps(summary(found, model), indent=2, sort_keys=True, ensure_ascii=False, allow_nan=False)
     write(out / "diagnosis.csv", table(found), out)
-    write_page(found, residuals(found.log, setup), out / "report.html", out, flight)
+    write_page(found, residuals(found.log, setup), out / "report.html", out, scene)
     write(out / "summary.json", text + "\n", out)

@@ -5,8 +5,9 @@ Only what a real log has is in it: what sensors read and what was commanded.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -25,6 +26,9 @@ _GAP_S = 0.5
 NEEDED = ("airspeed", "p", "q", "r", "roll", "pitch")
 """Signals without which there is no diagnosis."""
 OPTIONAL = ("alpha", "beta", "u_dot", "force_x")
+PLACE = ("north", "east", "altitude", "heading", "latitude", "longitude")
+"""Where the aircraft was, for the replay alone."""
+_EARTH_M, _FARTHEST_M = 6371e3, 1e6
 _LARGEST = {"p": 12.0, "q": 12.0, "r": 12.0, "roll": 6.4, "pitch": 1.6, "alpha": 1.6, "beta": 1.6, "airspeed": 400.0,
             "u_dot": 300.0, "force_x": 300.0}  # fmt: skip
 """Sizes [SI] that 99 % of a signal stay below, whatever flew."""
@@ -50,6 +54,7 @@ class FlightLog:
         remarks: sentences about what was mended or is missing.
         truth: what only a simulated flight knows, for pictures alone: [rows] by name of the actuator, what it does for its command.
         failures_s: when something truly broke.
+        place: [rows] north, east, altitude [m] and heading [rad]; empty where the log has not all of them.
     """
 
     name: str
@@ -61,6 +66,7 @@ class FlightLog:
     remarks: tuple[str, ...] = ()
     truth: Mapping[str, np.ndarray] = field(default_factory=dict)
     failures_s: tuple[float, ...] = ()
+    place: Mapping[str, np.ndarray] = field(default_factory=dict)
 
     @property
     def step_s(self) -> float:
@@ -76,7 +82,7 @@ def even(
     as_positions: np.ndarray,
     place: Callable[[str], str] = lambda signal: signal,
 ) -> FlightLog:
-    """The log of signals [rows] in SI by `NEEDED` and `OPTIONAL`, and of commands [rows] by actuator.
+    """The log of signals [rows] in SI by `NEEDED`, `OPTIONAL` and `PLACE`, and of commands [rows] by actuator.
 
     Args:
         place: where the user finds a signal, for messages.
@@ -86,6 +92,8 @@ def even(
     """
     if problems := _missing(name, signals):
         raise BadInput(problems)
+    where = {each: values for each, values in signals.items() if each in PLACE}
+    signals = {each: values for each, values in signals.items() if each not in PLACE}
     rows, remarks = _ascending(name, time_s)
     if problems := _impossible(name, time_s[rows], {n: v[rows] for n, v in signals.items()}, place):
         raise BadInput(problems)
@@ -117,7 +125,49 @@ def even(
             "The log has no acceleration along the body: propellers are seen by their moments alone."
         )
     made = np.stack([columns[actuator] for actuator in commands], axis=1)
-    return FlightLog(name, after, states, made, as_positions, known, tuple(remarks))
+    over = _place(after, before, {each: values[rows] for each, values in where.items()})
+    return FlightLog(name, after, states, made, as_positions, known, tuple(remarks), place=over)
+
+
+def _place(after: np.ndarray, before: np.ndarray, where: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """The place at other times, by straight lines through whatever is missing; a globe without a fix says zero and zero."""
+    columns = dict(where)
+    if {"latitude", "longitude"} <= set(where):
+        latitude, longitude = where["latitude"], where["longitude"]
+        seen = np.isfinite(latitude + longitude) & ((latitude != 0.0) | (longitude != 0.0))
+        if not np.any(seen):
+            return {}
+        first = int(np.argmax(seen))
+        east = math.cos(latitude[first]) * (longitude - longitude[first])
+        for name, turned in (("north", latitude - latitude[first]), ("east", east)):
+            columns[name] = np.where(seen, _EARTH_M * turned, np.nan)
+    made = {}
+    for name in PLACE[:4]:
+        values = columns.get(name, np.full(len(before), np.nan))
+        finite = np.isfinite(values) & (np.abs(values) < _FARTHEST_M)
+        if not np.any(finite):
+            return {}
+        known = np.unwrap(values[finite]) if name == "heading" else values[finite]
+        made[name] = np.interp(after, before[finite], known)
+    return made
+
+
+def flown(log: FlightLog, least_m_s: float, aircraft: str) -> FlightLog:
+    """The log with nothing known where it is too slow to fly: on the ground wheels hold what actuators would turn.
+
+    Raises BadInput if less than LEAST_S are flown.
+    """
+    slow = log.known & ~(log.states[:, STATE.index("airspeed")] >= least_m_s)
+    if not np.any(slow):
+        return log
+    known = log.known & ~slow
+    if np.sum(known) * log.step_s < LEAST_S:
+        what = f"is above {least_m_s:g} m/s, the least airspeed of {aircraft}, for {np.sum(known) * log.step_s:.0f} s"
+        raise BadInput(
+            [Problem(what, log.name, path="airspeed", expected=f"at least {LEAST_S:g} s of flight")]
+        )
+    said = f"In {100 * np.mean(slow):.1f} % of the time the airspeed is below {least_m_s:g} m/s; nothing is said there."
+    return replace(log, known=known, remarks=(*log.remarks, said))
 
 
 def _missing(name: str, signals: Mapping[str, np.ndarray]) -> list[Problem]:

@@ -7,8 +7,8 @@ makes the factors of equation error too small. A factor of 1 is the aircraft's o
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.signal import lfilter
@@ -21,6 +21,7 @@ from testbed.controllers.setup import Setup
 from testbed.logs import output_error
 from testbed.logs.coefficients import Row, joined, rows_of
 from testbed.logs.flight_log import FlightLog
+from testbed.logs.functions import Maker
 from testbed.logs.noise import noise_of, settled
 from testbed.logs.regression import BIN_S
 
@@ -96,11 +97,12 @@ class Validation:
 
 @dataclass(frozen=True)
 class Identified:
-    """A design model from logs, and how far it can be believed."""
+    """A design model from logs, how far it can be believed, and which functions of the XML make what they contradict, by name."""
 
     model: DesignModel
     factors: tuple[Factor, ...]
     validation: tuple[Validation, ...]
+    makers: Mapping[str, tuple[Maker, ...]] = field(default_factory=dict)
 
 
 def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified:

@@ -17,7 +17,7 @@ from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
 from testbed.logs import dataflash, ulog
-from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, FlightLog, even, shown
+from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, PLACE, FlightLog, even, flown, shown
 
 LARGEST = 2000 * MEGABYTE
 """Largest log that is read [bytes]."""
@@ -26,11 +26,12 @@ _EXPECTED = "a CSV, Parquet, DataFlash (.BIN) or ULog (.ulg) log"
 _DEG = np.pi / 180.0
 _UNITS: dict[str, float] = {
     "s": 1.0, "ms": 1e-3, "us": 1e-6, "rad": 1.0, "deg": _DEG, "rad_s": 1.0, "deg_s": _DEG, "m_s": 1.0, "kt": 1852.0 / 3600.0,
-    "m_s2": 1.0, "g": 9.80665, "throttle": 1.0, "percent": 0.01, "N": 1.0,
+    "m": 1.0, "m_s2": 1.0, "g": 9.80665, "throttle": 1.0, "percent": 0.01, "N": 1.0,
 }  # fmt: skip
 """Factor to SI of each unit."""
 _KINDS = {"time": ("s", "ms", "us"), "p": ("rad_s", "deg_s"), "q": ("rad_s", "deg_s"), "r": ("rad_s", "deg_s"),
-          "airspeed": ("m_s", "kt"), "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
+          "airspeed": ("m_s", "kt"), "north": ("m",), "east": ("m",), "altitude": ("m",),
+          "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
 _ANGLES, _SERVO, _ENGINE = ("rad", "deg"), ("rad", "deg"), ("throttle", "percent", "N")
 
 
@@ -75,9 +76,16 @@ def read_mapping(file: Path, aircraft: Aircraft) -> tuple[Source, ColumnMap]:
                 )
             )
     for name in mapping.signals:
-        if name not in (*NEEDED, *OPTIONAL):
-            what, known = f"is no signal that is used: {shown(name)}", (*NEEDED, *OPTIONAL)
+        if name not in (known := (*NEEDED, *OPTIONAL, *PLACE)):
+            what = f"is no signal that is used: {shown(name)}"
             problems.append(source.problem(("signals", name), what, *guess(name, known)))
+    globe = {"latitude", "longitude"} if "latitude" in mapping.signals else {"north", "east"}
+    lacks = sorted({"altitude", "heading", *globe} - set(mapping.signals))
+    if lacks and set(PLACE) & set(mapping.signals):
+        what = f"has no {' and no '.join(lacks)}, without which there is no replay"
+        problems.append(
+            source.problem(("signals",), what, f"none of {', '.join(PLACE)}, or all that are needed")
+        )
     for path, column, units in _with_units(mapping, aircraft):
         if column.unit not in units:
             problems.append(
@@ -106,12 +114,12 @@ def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
         **mapping.signals,
         **{f"actuators.{k}": v for k, v in mapping.actuators.items()},
     }
-    wanted_names = {column.column for column in wanted.values()}
+    wanted_names = sorted({column.column for column in wanted.values()})
     columns = _columns(file, wanted_names, source, mapping.time.column)
     values = {name: _value(columns, column) for name, column in wanted.items()}
     names = list(aircraft.actuators)
     commands = {name: values[f"actuators.{name}"] for name in names}
-    for name, each in commands.items():
+    for name, each in list(commands.items()):
         if not np.any(np.isfinite(each)):
             raise BadInput(
                 [
@@ -120,22 +128,26 @@ def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
                     )
                 ]
             )
-        _refuse_throttle(file, mapping.actuators[name], each)
+        commands[name] = _throttle(file, mapping.actuators[name], each)
     positions = np.array([mapping.actuators[name].unit == "N" for name in names])
     signals = {name: values[name] for name in mapping.signals}
-    return even(
+    log = even(
         str(file), values["time"], signals, commands, positions, lambda s: shown(mapping.signals[s].column)
     )
+    return flown(log, aircraft.envelope.airspeed_min_m_s or 0.0, aircraft.name)
 
 
-def _refuse_throttle(file: Path, column: Column, values: np.ndarray) -> None:
-    if column.unit in ("throttle", "percent"):
-        low, high = np.nanmin(values), np.nanmax(values)
-        if low < -0.05 or high > 1.05:
-            what = f"goes from {low:.3g} to {high:.3g} as a throttle"
-            raise BadInput(
-                [Problem(what, str(file), path=shown(column.column), expected="0 to 1; see zero and scale")]
-            )
+def _throttle(file: Path, column: Column, values: np.ndarray) -> np.ndarray:
+    """A command; as a throttle from 0 to 1, where what is below is an output that is switched off, as before arming."""
+    if column.unit not in ("throttle", "percent"):
+        return values
+    low, high = np.nanmin(values), np.nanmax(values)
+    if high > 1.05 or (low < -0.05 and high < 0.05):
+        what = f"goes from {low:.3g} to {high:.3g} as a throttle"
+        raise BadInput(
+            [Problem(what, str(file), path=shown(column.column), expected="0 to 1; see zero and scale")]
+        )
+    return np.maximum(values, 0.0)
 
 
 def _value(columns: Mapping[str, np.ndarray], column: Column) -> np.ndarray:
@@ -143,7 +155,7 @@ def _value(columns: Mapping[str, np.ndarray], column: Column) -> np.ndarray:
         return np.asarray((columns[column.column] - column.zero) * column.scale * _UNITS[column.unit])
 
 
-def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str, np.ndarray]:
+def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[str, np.ndarray]:
     """The columns of these names, as numbers; what is no number is NaN."""
     import pyarrow as pa
     import pyarrow.csv
@@ -165,12 +177,16 @@ def _columns(file: Path, names: set[str], source: Source, time: str) -> dict[str
             head = content[:100_000].partition(b"\n")[0].decode("utf-8")
             there = pa.csv.read_csv(io.BytesIO(head.encode() + b"\n")).column_names
             _refuse_large(file, content.count(b"\n"), len(there))
+            if len(there) < 2:
+                raise BadInput(
+                    [Problem("is no table: its first line has one column", str(file), expected=_EXPECTED)]
+                )
             parquet = None
         _refuse_missing(file, names, there, source)
         if parquet is not None:
-            table = parquet.read(columns=sorted(names))
+            table = parquet.read(columns=names)
         else:
-            options = pa.csv.ConvertOptions(include_columns=sorted(names), strings_can_be_null=True)
+            options = pa.csv.ConvertOptions(include_columns=names, strings_can_be_null=True)
             table = pa.csv.read_csv(io.BytesIO(content), convert_options=options)
         return {name: _numbers(file, name, table[name]) for name in names}
     except (pa.ArrowException, ValueError, KeyError, OSError) as error:
@@ -184,9 +200,9 @@ def _refuse_large(file: Path, rows: int, columns: int) -> None:
         raise BadInput([Problem(f"has {rows} rows and {columns} columns", str(file), expected=expected)])
 
 
-def _refuse_missing(file: Path, names: set[str], there: list[str], source: Source) -> None:
+def _refuse_missing(file: Path, names: list[str], there: list[str], source: Source) -> None:
     problems = []
-    for name in sorted(names - set(there)):
+    for name in (each for each in names if each not in there):
         expected, suggestion = guess(name, map(shown, there))
         problems.append(
             Problem(

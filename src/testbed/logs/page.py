@@ -1,5 +1,5 @@
 """The page of a diagnosis: the story, each actuator's effectiveness beside the truth where the log has it, the findings, what the
-model leaves of the turning rates, and the replay of a run folder."""
+model leaves of the turning rates, and the replay."""
 
 from __future__ import annotations
 
@@ -9,26 +9,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from testbed.common.signals import Belief
 from testbed.flight.columns import stretches
 from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding
 from testbed.logs.hypotheses import MEANINGS, STATES
 from testbed.logs.output_error import STRETCH_S
+from testbed.logs.scene import Scene, replay
 from testbed.logs.words import story
 from testbed.reporting import html
 from testbed.reporting.html import Cell, tag
-from testbed.reporting.page.drawn import can_be_replayed
 from testbed.reporting.palette import PALETTE
-from testbed.reporting.panels import shown_log
-from testbed.reporting.run_report import replay
 from testbed.reporting.words import title
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from matplotlib.axes import Axes
-
-    from testbed.flight.flight import Flight
 
 _CAPTION = (
     "Effectiveness of each actuator with two standard deviations, and the truth where the log has it. Red: something was found. "
@@ -40,17 +35,19 @@ _LEFT = (
     f"Turning rates, measured and as the design model simulates them in stretches of {STRETCH_S:g} s if every actuator works, and "
     "what is left. It grows where an actuator does not do what it was told, and in gusts."
 )
+_STROKES = (
+    "Strokes in the timeline: what was found, as listed below, and what truly broke, where the log has it."
+)
+_NO_TRUTH = " The log has no truth: surfaces, discs and thrusts are what the diagnosis believes."
 Residuals = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
-def write_page(
-    diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, flight: Flight | None = None
-) -> Path:
+def write_page(diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, scene: Scene) -> Path:
     """Write the page; returns its file. Raises OSError.
 
     Args:
         left: as `output_error.residuals` gives them.
-        flight: that of a run folder, which is replayed with what the diagnosis believes.
+        scene: what is replayed, if the log says where the aircraft was.
     """
     columns: dict[str, Callable[[Finding], Cell]] = {
         "actuator": lambda f: title(f.actuator),
@@ -73,30 +70,11 @@ def write_page(
     name = f"Diagnosis of {diagnosis.log.name}"
     if len(left[0]):
         parts += [tag("h2", "Residuals"), html.picture(residuals_picture(diagnosis, left), _LEFT)]
-    log = {} if flight is None else shown_log(flight) | _believed(diagnosis, flight)
-    if flight is None or not can_be_replayed(log):
+    shown = replay(diagnosis, scene)
+    if shown is None:
         return html.write_page(file, name, parts, within=within)
-    moving, data = replay(flight, log, [])
-    parts[1:1] = [
-        moving,
-        html.note("Beliefs in the replay are the diagnosis's; phases are the controller's."),
-    ]
-    return html.write_page(file, name, parts, "flight.js", data, within)
-
-
-def _believed(diagnosis: Diagnosis, flight: Flight) -> dict[str, np.ndarray]:
-    """Columns of a flight's log in which a controller says what it believes, with what the diagnosis does."""
-    time_s = flight.signals["time_s"]
-    at = np.clip(np.searchsorted(diagnosis.time_s, time_s, "right") - 1, 0, None)
-    kinds = np.array([Belief[s].value if s in Belief.__members__ else Belief.works.value for s in STATES])
-    made: dict[str, np.ndarray] = {}
-    for i, name in enumerate(diagnosis.actuators):
-        states = diagnosis.states[at, i]
-        made[f"{name}_effectiveness_estimate"] = diagnosis.effectiveness[at, i]
-        made[f"{name}_belief"] = kinds[states].astype(float)
-        made[f"{name}_failed"] = (states > 0).astype(float)
-        made[f"{name}_believed_position"] = np.full(len(time_s), np.nan)
-    return made
+    parts[1:1] = [shown[0], html.note(_STROKES + ("" if diagnosis.log.truth else _NO_TRUTH))]
+    return html.write_page(file, name, parts, "flight.js", shown[1], within)
 
 
 def _cell(value: float) -> float | None:

@@ -24,7 +24,10 @@ MAGIC = b"ULog\x01\x12\x35"
 TIME = "timestamp"
 _NAME = re.compile(r"([\w/-]{1,200}?)(?:\[(\d{1,3})\])?\.([\w.\[\]]{1,200})")
 _EXPECTED = "a log of PX4"
-_HEADER, _KINDS, _FORMAT = 16, frozenset(b"ABCDFILMOPQRS"), ord("F")
+_HEADER, _KINDS, _FORMAT, _ADDED = 16, frozenset(b"ABCDFILMOPQRS"), ord("F"), ord("A")
+_WINGLESS = {2: "quadcopter", 3: "coaxial helicopter", 4: "helicopter", 10: "rover", 11: "boat", 12: "submarine",
+             13: "hexacopter", 14: "octocopter", 15: "tricopter"}  # fmt: skip
+"""What PX4's parameter MAV_TYPE says, of what flies without a wing."""
 _MOST_FIELDS = 10_000
 _FIELD = re.compile(r"([\w/-]+)(?:\[(\d{1,18})\d*\])? [^;]*")
 
@@ -35,16 +38,19 @@ def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict
     Raises BadInput for what is no such log, a name that is none, and a topic or field that the log has not.
     """
     asked = {name: _parts(file, name) for name in names}
-    series = _series(file, content, {topic for topic, _, _ in asked.values()})
+    series, known = _series(file, content, {topic for topic, _, _ in asked.values()})
+    problems = []
     for name, (topic, instance, field) in asked.items():
-        if (topic, instance) not in series:
-            known = sorted({each for each, _ in series})
-            raise BadInput(
-                [Problem(f"has no topic {topic}, for {name}", str(file), None, "", *guess(topic, known))]
+        fields = series.get((topic, instance))
+        if fields is None:
+            problems.append(
+                Problem(f"has no topic {topic}, for {name}", str(file), None, "", *guess(topic, known))
             )
-        if field not in (fields := series[topic, instance]):
+        elif field not in fields:
             what = f"has no field {field} of {topic}, for {name}"
-            raise BadInput([Problem(what, str(file), None, "", *guess(field, fields))])
+            problems.append(Problem(what, str(file), None, "", *guess(field, fields)))
+    if problems:
+        raise BadInput(problems)
     topic, instance, _ = asked[time]
     base = series[topic, instance][TIME]
     return {
@@ -60,13 +66,15 @@ def _parts(file: Path, name: str) -> tuple[str, int, str]:
     return found[1], int(found[2] or 0), found[3]
 
 
-def _series(file: Path, content: bytes, topics: set[str]) -> dict[tuple[str, int], dict[str, np.ndarray]]:
-    """{(topic, instance): {field: [rows]}} of these topics."""
+def _series(
+    file: Path, content: bytes, topics: set[str]
+) -> tuple[dict[tuple[str, int], dict[str, np.ndarray]], list[str]]:
+    """{(topic, instance): {field: [rows]}} of these topics, and the names of all that the log has."""
     try:
         from pyulog import ULog
     except ImportError:
         raise BadInput([Problem("needs pyulog: pip install 'testbed[logs]'", str(file))]) from None
-    end, formats = _whole(content)
+    end, formats, known = _whole(content)
     if any(_size(name, formats) > _MOST_FIELDS for name in formats):
         what = f"has a format of more than {_MOST_FIELDS} fields, or of itself"
         raise BadInput([Problem(what, str(file), expected=_EXPECTED)])
@@ -74,23 +82,24 @@ def _series(file: Path, content: bytes, topics: set[str]) -> dict[tuple[str, int
         with redirect_stdout(io.StringIO()):  # it prints what it thinks of the file
             read = ULog(io.BytesIO(content[:end]), sorted(topics))
         found = {(each.name, int(each.multi_id)): _fields(each.data) for each in read.data_list}
+        kind = _WINGLESS.get(int(read.initial_parameters.get("MAV_TYPE", 1)))
     except (
         Exception
     ) as error:  # whatever pyulog says of bytes that are no log: it has errors of its own and Python's
         words = f"cannot be read: {type(error).__name__}: {str(error)[:100]}"
         raise BadInput([Problem(words, str(file), expected=_EXPECTED)]) from None
-    if not found:
-        declared = f"none of the topics {', '.join(sorted(topics))}"
-        raise BadInput([Problem(f"has {declared}", str(file), expected=_EXPECTED)])
-    return found
+    if kind is not None:
+        what = f"is the log of a {kind}, by its MAV_TYPE"
+        raise BadInput([Problem(what, str(file), expected="an aircraft with a wing")])
+    return found, known
 
 
-def _whole(content: bytes) -> tuple[int, dict[str, str]]:
-    """Up to where the file is a chain of whole messages of known kinds, and {format: its fields}.
+def _whole(content: bytes) -> tuple[int, dict[str, str], list[str]]:
+    """Up to where the file is a chain of whole messages of known kinds, {format: its fields}, and the topics that it has.
 
     In what is no such chain pyulog may search for ever.
     """
-    at, end, formats = _HEADER, len(content), dict[str, str]()
+    at, end, formats, topics = _HEADER, len(content), dict[str, str](), set[str]()
     while at + 3 <= end:
         following = at + 3 + content[at] + 256 * content[at + 1]
         if content[at + 2] not in _KINDS or following > end:
@@ -98,8 +107,10 @@ def _whole(content: bytes) -> tuple[int, dict[str, str]]:
         if content[at + 2] == _FORMAT:
             name, _, fields = content[at + 3 : following].decode("utf-8", "replace").partition(":")
             formats[name] = f"{formats.get(name, '')};{fields}"
+        if content[at + 2] == _ADDED:
+            topics.add(content[at + 6 : following].decode("utf-8", "replace"))
         at = following
-    return at, formats
+    return at, formats, sorted(topics)
 
 
 def _size(name: str, formats: Mapping[str, str], sizes: dict[str, float] | None = None) -> float:
@@ -118,5 +129,5 @@ def _fields(data: Mapping[str, Any]) -> dict[str, np.ndarray]:
         w, x, y, z = (made[f"q[{i}]"] for i in range(4))
         made["roll"] = np.arctan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
         made["pitch"] = np.arcsin(np.clip(2.0 * (w * y - z * x), -1.0, 1.0))
-        made["yaw"] = np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+        made["yaw"] = np.unwrap(np.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z)))
     return made

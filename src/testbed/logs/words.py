@@ -114,6 +114,10 @@ def identification_table(found: Identified, logs: Sequence[str]) -> str:
         both = f"{_factor(each.simulated, each.simulated_std)}  {_factor(each.value, each.std)}"
         remarks = "; ".join(filter(None, (said, alike)))
         lines.append(f"  {each.name:28} {both}  {logs[each.log]} at {each.from_s:.0f} s  {remarks}".rstrip())
+        if each.name in found.makers:
+            lines.append(
+                f"    made in the XML by {', '.join(map(str, found.makers[each.name])) or 'nothing'}"
+            )
     lines.append("on the part that was kept back, without what is constant:")
     for one in found.validation:
         lines.append(
