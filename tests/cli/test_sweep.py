@@ -95,7 +95,7 @@ def test_only_equals_the_row_and_keeps_the_flight(tmp_path: Path) -> None:
     lines = (reference / "results.csv").read_text().splitlines()
     rows = [line for line in lines if line.startswith("5,")]
     assert (tmp_path / "one/results.csv").read_text().splitlines()[1:] == rows
-    assert result.stdout.count("Worst: ") == 2  # the story of each variant's flight
+    assert result.stdout.count("Worst since ") == 2  # the story of each variant's flight
     assert (tmp_path / "one/run-000005-fixed_inversion/report.html").is_file()
     row = dict(zip(lines[0].split(","), rows[1].split(","), strict=True))
     flight = load_flight(tmp_path / "one/run-000005-fixed_inversion")

@@ -62,7 +62,7 @@ def test_repr_is_one_short_line() -> None:
     assert said == (
         "<Flight 'two rows': completed at 10 s, not passed (1 of 2 requirements met), 1000 rows x 29 columns, 1 event>"
     )
-    assert "passed (no requirements)" in repr(a_flight(outcome=Outcome.completed))
+    assert "not judged (no requirements)" in repr(a_flight(outcome=Outcome.completed))
     assert "ground_contact at 10 s, not passed" in repr(a_flight(outcome=Outcome.ground_contact))
 
 

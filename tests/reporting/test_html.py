@@ -91,6 +91,7 @@ def test_a_page_runs_its_own_script_and_no_other(tmp_path: Path) -> None:
     assert f"script-src 'sha256-{digest}'" in policy and policy.count("unsafe") == 1
     assert "default-src 'none'" in policy and "base-uri 'none'; form-action 'none'" in policy
     still = html.write_page(tmp_path / "b.html", "b", []).read_text(encoding="utf-8")
+    assert '<body data-drawn="yes">' in still and "data-drawn" not in text.split("<script>")[0]
     assert any("script-src 'none'" in (a.get("content") or "") for a in Page(still).attributes)
 
 

@@ -60,7 +60,7 @@ def test_the_worst_error_and_when_it_settled() -> None:
     log = lost(2.0)
     log["altitude_m"] += np.where((log["time_s"] > 2) & (log["time_s"] < 4), 2.5, 0.05)
     text = told(log, injection(2.0))
-    assert "Worst: 2.50 m of altitude, 0.00 deg of heading. Settled within 0.1 m by 4 s." in text
+    assert "Worst since 2.0 s: 2.50 m of altitude, 0.00 deg of heading. Settled within 0.1 m by 4 s." in text
 
 
 def test_a_lasting_difference_of_airspeed_is_said_as_the_mean_it_is() -> None:
@@ -78,7 +78,7 @@ def test_too_short_a_time_since_the_failure_tells_no_mean_and_no_settling() -> N
     log["airspeed_m_s"] += 1.2
     log["altitude_m"][at(9.9) : at(9.92)] += 0.4
     text = told(log, injection(9.9))
-    assert "Worst: 0.40 m of altitude" in text
+    assert "Worst since 9.9 s: 0.40 m of altitude" in text
     assert "On average" not in text and "ettle" not in text
 
 
@@ -128,7 +128,7 @@ def test_one_that_flags_nothing_and_one_that_says_nothing_are_told_apart() -> No
     assert "The controller flagged nothing as failed." in told(log, injection(2.0))
     for name in ("elevon", "fan"):
         log[f"{name}_failed"][:] = math.nan
-    assert "The controller does not say what it takes for failed." in told(log, injection(2.0))
+    assert "This controller never flags an actuator." in told(log, injection(2.0))
 
 
 def test_false_alarms() -> None:
@@ -209,10 +209,60 @@ def test_what_a_noticed_actuator_was_taken_for_is_said() -> None:
     log = believed(Belief.held, 8.1, 4.3)
     notice = {"time_s": 4.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
     assert "noticed the elevon after 0.30 s (as held at 8.1 deg)." in told(log, injection(4.0), notice)
+    jam = injection(4.0, type="stuck")
+    assert "after 0.30 s (as held at 8.1 deg, true 1.0 deg)." in told(log, jam, notice)
+    log["elevon_belief"][at(4.3) : at(4.33)] = Belief.reversed  # too brief to be told
+    log["elevon_belief"][at(4.33) : at(5)] = Belief.lost
+    log["elevon_believed_position"][: at(5)] = math.nan
+    changed = "(as lost, from 5.0 s on as held at 8.1 deg, true 1.0 deg)"
+    assert f"after 0.30 s {changed}." in told(log, jam, notice)
+    log = believed(Belief.held, 8.1, 4.3)
     (panel, *_) = effectiveness(flight_of(log, [injection(4.0), notice]))
     assert [(since, words) for since, _, words in panel.notes] == [
         (pytest.approx(4.3), "believed held at 8.1 deg")
     ]
+
+
+def test_a_failure_that_was_not_noticed_is_said_beside_one_that_was() -> None:
+    log = level_log()
+    log["fan_failed"][at(5.2) :] = 1.0
+    slow, gone = injection(2.0, type="lag"), injection(5.0, "fan", "prop_loss")
+    notice = {"time_s": 5.2, "kind": "detection", "actuator": "fan", "delay_s": 0.2}
+    missed = "It did not notice the failure of the elevon at 2.0 s."
+    assert missed in told(log, slow, gone, notice)
+    assert "did not notice" not in told(log, {**slow, "verified": None}, gone, notice)
+    believes = log | believed(Belief.late, math.nan, 3.0) | {"fan_failed": log["fan_failed"]}
+    assert "did not notice" not in told(believes, slow, gone, notice)
+
+
+def test_a_flag_that_outlasts_its_failure_is_said() -> None:
+    log = lost(2.0, 4.0)
+    log["elevon_failed"][at(2.3) :] = 1.0
+    notice = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    events = (injection(2.0), notice, injection(4.0, active=False))
+    said = "At the end it still flagged the elevon, which worked again."
+    assert said in told(log, *events)
+    assert said not in told(log, *events[:2])
+    log["elevon_failed"][at(5) :] = 0.0
+    assert said not in told(log, *events)
+
+
+def test_sideslip_of_a_moment_before_the_next_failure_is_not_told() -> None:
+    log = lost(2.0)
+    log["beta_deg"][at(2) : at(4)] = -8.0
+    notice = {"time_s": 2.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    assert "sideslip" not in told(log, injection(2.0), notice, injection(4.0, "fan", "prop_loss"))
+
+
+def test_half_a_turn_is_not_called_a_whole_one_and_a_bank_is_said_once() -> None:
+    log = lost(2.0)
+    log["heading_deg"] = np.mod(350.0 + 22.6 * np.maximum(log["time_s"] - 2.0, 0.0), 360.0)
+    log["roll_deg"][at(9) :] = -111.0
+    bank = {"limit": "roll_max_deg", "value": -111.0, "allowed": 110, "unit": "deg"}
+    event = {"time_s": 9.9, "kind": "lost", "outcome": "envelope_exceeded", "limits": [bank], "at_stop": []}
+    text = told(log, injection(2.0), event, outcome=Outcome.envelope_exceeded)
+    assert "180 deg of heading." in text
+    assert "bank of -111.0 deg passed its limit of 110 deg." in text
 
 
 def test_what_is_used_on_is_said_where_nothing_was_flagged() -> None:

@@ -15,9 +15,8 @@ from testbed.scenario.references import references
 RATES = {"heading_deg_s": 4, "altitude_m_s": 2, "airspeed_m_s2": 0.5}
 
 
-def flown(*commands: dict[str, Any], heading_deg: float = 90.0) -> dict[str, np.ndarray]:
-    """References of 20 s at 10 Hz by name, from 300 m, 18 m/s."""
-    scenario = Scenario.model_validate(
+def scenario_of(*commands: dict[str, Any], heading_deg: float = 90.0) -> Scenario:
+    return Scenario.model_validate(
         {
             "name": "references",
             "aircraft": "vtail",
@@ -28,7 +27,11 @@ def flown(*commands: dict[str, Any], heading_deg: float = 90.0) -> dict[str, np.
             "command_rates": RATES,
         }
     )
-    rows = references(scenario)
+
+
+def flown(*commands: dict[str, Any], heading_deg: float = 90.0) -> dict[str, np.ndarray]:
+    """References of 20 s at 10 Hz by name, from 300 m, 18 m/s."""
+    rows = references(scenario_of(*commands, heading_deg=heading_deg))
     assert rows.shape == (200, len(SETPOINT))
     return dict(zip(SETPOINT, rows.T, strict=True))
 
@@ -78,3 +81,16 @@ def test_a_command_after_the_last_step_changes_nothing() -> None:
     """The last step of 20 s at 10 Hz is at 19.9 s."""
     assert np.all(flown({"at_s": 19.95, "altitude_m": 310})["altitude"] == 300.0)
     assert flown({"at_s": 19.9, "altitude_m": 310})["altitude_rate"][-1] == 2.0
+
+
+@pytest.mark.parametrize("done", [1, 49, 50, 51, 90, 120, 199])
+def test_made_again_from_a_row_on_they_are_the_same_bytes(done: int) -> None:
+    """With a command before, at and after it, in the middle of a change; the rows before are not touched."""
+    before = [{"at_s": 1.3, "altitude_m": 307.7, "heading_deg": 10}, {"at_s": 5, "airspeed_m_s": 19.3}]
+    after = [{"at_s": done / 10, "altitude_m": 303.1}, {"at_s": 15.1, "heading_deg": 200, "altitude_m": 300}]
+    earlier = [command for command in before if command["at_s"] < done / 10]
+    both = scenario_of(*earlier, *(command for command in after if command["at_s"] >= done / 10))
+    for angle in (0.0, -0.05):
+        whole, rows = references(both, angle), references(scenario_of(*earlier), angle)
+        assert references(both, angle, rows, done) is rows
+        assert rows.tobytes() == whole.tobytes()

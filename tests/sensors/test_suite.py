@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from measuring import RATE, scenario
 
 from testbed import fly
+from testbed.sensors.measurement import ERROR, FAULT, OFFSET, READING
 from testbed.sensors.settings import Sensors
+from testbed.sensors.suite import RealSensors
 
 
 def test_the_accelerometer_feels_what_jsbsim_flies() -> None:
@@ -47,3 +50,24 @@ def test_the_same_flight_twice_and_another_seed() -> None:
     first, again, other = (fly(scenario(*settings, f"seed={seed}")) for seed in (1, 1, 2))
     assert first.data.tobytes() == again.data.tobytes()
     assert first.data.tobytes() != other.data.tobytes()
+
+
+class _Weightless:
+    def specific_force_reader(self, axis: str) -> Callable[[], float]:
+        return lambda: 0.0
+
+
+def test_a_flight_that_gets_longer_has_the_errors_of_a_long_one_and_keeps_its_memory() -> None:
+    """With a fault that draws random numbers to the end. Copies of the process share what is not written again."""
+    settings = Sensors.model_validate(
+        {"model": "mems", "faults": [{"type": "dropout", "sensor": "gyro_q", "at_s": 1, "fraction": 0.5}]}
+    )
+    whole, grown = (RealSensors(settings, _Weightless(), 200, steps, 3) for steps in (1600, 400))
+    grown.table[READING, :400] = 7.0
+    grown.lengthen(800)
+    before = grown.table
+    grown.lengthen(1600)
+    assert np.shares_memory(before, grown.table)
+    for layer in (ERROR, OFFSET, FAULT):
+        assert grown.table[layer, :1600].tobytes() == whole.table[layer].tobytes()
+    assert np.all(grown.table[READING, :400] == 7.0) and np.all(grown.table[READING, 400:1600] == 0.0)

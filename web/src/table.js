@@ -11,11 +11,11 @@ function columns(sweep, chosen) {
     { head: "run", number: true, value: (i) => flights[i].run, cell: (i, cell) => cell.append(link(flights[i].run, chosen.page(i))) },
     several && { head: "variant", value: (i) => sweep.variants[flights[i].variant] },
     { head: "ended", value: (i) => flights[i].state, html: (i) => `${inText(OF_STATES[flights[i].state], `s${flights[i].state}`)} ${sweep.states[flights[i].state]}` },
+    { head: "report, or the command that makes it", fixed: true, cell: (i, cell) => cell.append(chosen.page(i) ? link("report", chosen.page(i)) : command(chosen.command(i))) },
     { head: "missed by most", value: (i) => sweep.requirements[flights[i].missed] ?? flights[i].reason ?? "", more: (i) => (flights[i].others ? ` and ${flights[i].others} more` : "") },
     { head: "margin", number: true, value: (i) => flights[i].margin, missing: Infinity },
     { head: "end [s]", number: true, value: (i) => flights[i].end_s },
     ...sweep.inputs.map(({ path, names, values }) => ({ head: path, number: !names, value: (i) => (names ? names[values[i]] : values[i]) })),
-    { head: "report, or the command that makes it", fixed: true, cell: (i, cell) => cell.append(chosen.page(i) ? link("report", chosen.page(i)) : command(chosen.command(i))) },
   ].filter(Boolean);
 }
 

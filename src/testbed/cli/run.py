@@ -177,8 +177,11 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
         print("  ", end="")
         print_verdict_word("NOT MET", good=False)
         print(f"  {requirement['name']}: {number(requirement['value'])}{told(flight, requirement)}{reason}")
-    print_verdict_word(flight.verdict, bool(flight.passed))
-    print(f": {flight.counted}" if flight.requirements else "")
+    if flight.requirements or flight.passed is False:
+        print_verdict_word(flight.verdict, bool(flight.passed))
+    else:  # neither good nor bad news
+        print(flight.verdict, end="")
+    print(f": {flight.counted}")
     unjudged = [requirement["name"] for requirement in flight.requirements if requirement["passed"] is None]
     if unjudged:
         more = f" and {len(unjudged) - _NAMED} more" if unjudged[_NAMED:] else ""

@@ -19,8 +19,8 @@ from functools import cache
 import numpy as np
 
 _ROUNDING = 1e-9  # of a step: 0.3 s at 200 Hz is 60.00000000000001 steps, and means step 60
-_ROOM = 8
-"""How many times as long a flight can become before its rows are copied again."""
+_ROOM, _ROOM_STEPS = 32, 800_000
+"""How many times as long a flight can become before its rows are copied again, up to an hour at 200 Hz: memory is limited."""
 
 STATE = (
     "north", "east", "altitude", "airspeed", "climb_rate",
@@ -121,6 +121,11 @@ def begins_within(at_s: float | None, rate_hz: float, steps: float) -> bool:
     return at_s is None or first_step_at(at_s, rate_hz) < steps
 
 
+def room_for(steps: int) -> int:
+    """Rows to have room for where a flight has just become this long [control steps] and goes on."""
+    return max(steps, min(_ROOM * steps, _ROOM_STEPS))
+
+
 def longer(rows: np.ndarray, steps: int, rest: float = 0.0) -> np.ndarray:
     """Rows of signals [N, ...] for more control steps [steps, ...]: those so far, then `rest`.
 
@@ -129,7 +134,7 @@ def longer(rows: np.ndarray, steps: int, rest: float = 0.0) -> np.ndarray:
     """
     room = rows.base  # of which these rows are the beginning, if they come from here
     if room is None or room.shape[1:] != rows.shape[1:] or len(room) < steps:
-        room = np.zeros((_ROOM * steps, *rows.shape[1:]))
+        room = np.zeros((room_for(steps), *rows.shape[1:]))
         room[: len(rows)] = rows
     if rest:
         room[len(rows) : steps] = rest

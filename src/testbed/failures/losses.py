@@ -50,7 +50,7 @@ class PropLoss(ActuatorFailure):
     examples: ClassVar[Examples] = {"motor": {}}
 
     def words(self, kind: str, unit: str) -> str:
-        return "was lost completely (its propeller is gone)"
+        return "came off"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "effectiveness"): 0.0}

@@ -55,7 +55,7 @@ class Oscillation(ActuatorFailure):
     )
 
     def words(self, kind: str, unit: str) -> str:
-        return f"oscillated by {self.amplitude:g} {unit} at {self.frequency_hz:g} Hz"
+        return f"had a sine of {self.amplitude:g} {unit} at {self.frequency_hz:g} Hz added to its commands"
 
     def properties(self, aircraft: Aircraft) -> dict[str, float | Capture]:
         return {self.name(aircraft, "command-bias-rad", "command-bias-norm"): 0.0}

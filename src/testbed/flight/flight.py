@@ -132,8 +132,9 @@ class Flight:
 
     @property
     def verdict(self) -> str:
-        """`passed`, `not passed` or `not judged`."""
-        return {True: "passed", False: "not passed", None: "not judged"}[self.passed]
+        """`passed`, `not passed`, or `not judged`, as where the aircraft survived and nothing else was asked."""
+        asked = self.passed is False or bool(self.requirements)
+        return {True: "passed", False: "not passed", None: "not judged"}[self.passed if asked else None]
 
     @property
     def counted(self) -> str:

@@ -6,7 +6,7 @@ broken actuator for anything but one that works. What it does not notice it may 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from testbed.flight.columns import beliefs, row_at
 from testbed.flight.flight import Flight
 
 _LOSS = 0.1  # of effect, that an estimate is to find
+_NO_SIGN = ("works", "doubted")  # beliefs that do not say that something is broken
 
 
 def noticed_s(flight: Flight) -> list[float]:
@@ -26,6 +27,27 @@ def noticed_s(flight: Flight) -> list[float]:
     return sorted([*flags, *taken, *_estimated(log, failures)])
 
 
+def unnoticed(log: Mapping[str, np.ndarray], failures: Iterable[ActiveFailure]) -> list[ActiveFailure]:
+    """Those of some failures of actuators of which there was no sign while they were active.
+
+    Args:
+        log: columns by name, each [rows].
+    """
+    return [failure for failure in failures if not _seen(log, failure)]
+
+
+def _seen(log: Mapping[str, np.ndarray], failure: ActiveFailure) -> bool:
+    first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
+    return (
+        bool(np.any(log[f"{failure.actuator}_failed"][first:end] > 0.0))
+        or any(
+            b["belief"] not in _NO_SIGN and b["time_s"] < failure.until_s and b["until_s"] >= failure.from_s
+            for b in beliefs(log, [failure.actuator])
+        )
+        or next(_estimated(log, [failure]), None) is not None
+    )
+
+
 def _broken(failures: Sequence[ActiveFailure]) -> list[str]:
     return list(dict.fromkeys(failure.actuator for failure in failures if failure.actuator))
 
@@ -33,7 +55,7 @@ def _broken(failures: Sequence[ActiveFailure]) -> list[str]:
 def _true(belief: Mapping[str, Any], failures: Sequence[ActiveFailure]) -> bool:
     """Whether a belief is of something broken at that time."""
     of = [f for f in failures if f.actuator == belief["actuator"]]
-    wrong = belief["belief"] not in ("works", "doubted")
+    wrong = belief["belief"] not in _NO_SIGN
     return wrong and any(f.from_s <= belief["time_s"] < f.until_s for f in of)
 
 

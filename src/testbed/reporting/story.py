@@ -12,13 +12,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from testbed.flight.breakage import failure_times_s, failures_of
+from testbed.flight.breakage import broken, failure_times_s, failures_of
 from testbed.flight.columns import beliefs, stays_from
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.loss import LIMITS
 from testbed.flight.recovery import DWELL_S, RECOVERED
 from testbed.metrics import Readings, readings
-from testbed.reporting.noticing import noticed_s
+from testbed.reporting.noticing import noticed_s, unnoticed
 from testbed.reporting.panels import has_estimates
 from testbed.reporting.words import believed, broke, joined, title
 
@@ -33,7 +33,7 @@ _TRACKED = {"altitude": "m", "heading": "deg"}
 _BANDS = (0.1, 0.3, 1.0, 3.0, 5.0, 10.0, 15.0)  # what "settled within" may say, in m or deg
 _LAST = 0.25  # share of the time since a failure from which the final state is judged
 _MOST = 3  # failures that are told one by one
-_ROUND_DEG = 170.0  # heading is measured the short way, so that it cannot be much further off
+_BRIEF_S = 0.1  # beliefs that were held for less are not told, unless they were the last
 _STEEP_DEG = 30.0  # of bank or pitch, worth a word when the aircraft is lost
 _STAYED = (
     f"altitude stayed within {RECOVERED['altitude']:g} m and heading within {RECOVERED['heading']:g} deg"
@@ -90,6 +90,8 @@ def _controller(view: Readings) -> Iterator[str]:
     for stretch in stretches_of(view):
         yield from _noticed(view, stretch, notices)
     yield from _used_on(view)
+    yield from _missed(view)
+    yield from _flagged_still(view)
     if has_estimates(view.log, view.actuators):
         yield from _estimates(view)
     if false:
@@ -105,7 +107,7 @@ def _unnoticed(view: Readings, false_alarms: bool) -> str:
         return "The controller flagged nothing while it was broken."
     if any(np.isfinite(view.log[f"{name}_failed"]).any() for name in view.actuators):
         return "The controller flagged nothing as failed."
-    return "The controller does not say what it takes for failed."
+    return "This controller never flags an actuator."
 
 
 def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, Any]]) -> Iterator[str]:
@@ -123,12 +125,47 @@ def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, An
 
 
 def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
-    """What the controller took a noticed actuator for at last, before the next failure."""
-    own = beliefs(view.log, [notice["actuator"]])
-    latest = [
-        b for b in own if notice["time_s"] <= b["until_s"] and b["time_s"] < end_s and b["belief"] != "works"
+    """What the controller took a noticed actuator for, at first and at last before the next failure."""
+    own = [
+        b
+        for b in beliefs(view.log, [notice["actuator"]])
+        if notice["time_s"] <= b["until_s"] and b["time_s"] < end_s and b["belief"] != "works"
     ]
-    return f" (as {believed(latest[-1], view.actuators)})" if latest else ""
+    own = [b for b in own if b["until_s"] - b["time_s"] >= _BRIEF_S or b is own[-1]]
+    if not own:
+        return ""
+    first, last = own[0], own[-1]
+    said = f"{believed(last, view.actuators)}{_truly_at(view, last)}"
+    if first["belief"] == last["belief"]:
+        return f" (as {said})"
+    return f" (as {believed(first | {'position': math.nan}, view.actuators)}, from {last['time_s']:.1f} s on as {said})"
+
+
+def _truly_at(view: Readings, belief: Mapping[str, Any]) -> str:
+    """Where an actuator that is taken for held really was, if it was broken then."""
+    name, row = belief["actuator"], view.row_at(belief["until_s"])
+    if not math.isfinite(belief["position"]) or not broken(view.log, name, view.of_kind("injection"))[row]:
+        return ""
+    return f", true {view.log[f'{name}_position'][row]:.1f} {view.actuators[name].get('unit', '')}".rstrip()
+
+
+def _missed(view: Readings) -> Iterator[str]:
+    """The failures that were not noticed, where others were."""
+    failures = [f for f in failures_of(view.events) if f.actuator and f.verified]
+    missed = unnoticed(view.log, failures)
+    if 0 < len(missed) < len(failures):
+        which = joined([f"of the {title(f.actuator)} at {f.from_s:.1f} s" for f in missed])
+        yield f"It did not notice the failure{'s' if missed[1:] else ''} {which}."
+
+
+def _flagged_still(view: Readings) -> Iterator[str]:
+    """The actuators that work again, and are flagged at the end."""
+    ends: dict[str, float] = {}
+    for failure in failures_of(view.events):
+        ends[failure.actuator] = max(ends.get(failure.actuator, 0.0), failure.until_s)
+    for name in view.actuators:
+        if ends.get(name, math.inf) < view.time_s[-1] and view.log[f"{name}_failed"][-1] > 0.0:
+            yield f"At the end it still flagged the {title(name)}, which worked again."
 
 
 def _used_on(view: Readings) -> Iterator[str]:
@@ -164,7 +201,8 @@ def _released(view: Readings, flag: Mapping[str, Any]) -> list[str]:
 
 def _sideslip(view: Readings, stretch: Stretch) -> list[str]:
     beta = view.log["beta_deg"][_tail(stretch.rows)]
-    if not len(beta) or not view.survived or abs(beta.mean()) < max(0.5, 2.0 * beta.std()):
+    short = stretch.end_s - stretch.begin_s < DWELL_S
+    if short or not view.survived or abs(beta.mean()) < max(0.5, 2.0 * beta.std()):
         return []
     return [f"flew on with {abs(beta.mean()):.1f} deg of sideslip"]
 
@@ -182,8 +220,10 @@ def _errors(view: Readings) -> Iterator[str]:
     """The worst errors since the first failure and, if enough time has passed, whether they settled."""
     first = min(view.first_failed_row(), len(view.time_s) - 1) if view.failure_times_s() else 0
     worst = {q: float(np.abs(view.error(q)[first:]).max()) for q in _TRACKED}
-    round_ = " (it turned all the way round)" if worst["heading"] > _ROUND_DEG else ""
-    yield f"Worst: {_amount(worst['altitude'])} m of altitude, {_amount(worst['heading'])} deg of heading{round_}."
+    turned = np.unwrap(view.error("heading")[first:], period=360.0)
+    round_ = " (it turned all the way round)" if np.ptp(turned) >= 360.0 else ""
+    since = f" since {view.time_s[first]:.1f} s" if first else ""
+    yield f"Worst{since}: {_amount(worst['altitude'])} m of altitude, {_amount(worst['heading'])} deg of heading{round_}."
     if view.survived and view.time_s[-1] - view.time_s[first] >= DWELL_S:
         yield from _settled(view, slice(first, len(view.time_s)), worst)
         yield from _speed(view, first)
@@ -278,19 +318,18 @@ def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
         f"{LIMITS[m['limit']][0]} of {m['value']:.1f} {m['unit']} passed its limit of {m['allowed']:g} {m['unit']}"
         for m in event["limits"]
     ]
-    yield f"Lost at {event['time_s']:.1f} s: {joined(reached) or 'it ' + flight.outcome.sentence}{_attitude(flight)}."
+    yield f"Lost at {event['time_s']:.1f} s: {joined(reached) or 'it ' + flight.outcome.sentence}{_attitude(flight, event)}."
     asked = [f"the {title(a['actuator'])} for its {a['stop']}est" for a in event["at_stop"]]
     if asked:
         yield f"In the second before, the controller asked {joined(asked)}."
 
 
-def _attitude(flight: Flight) -> str:
-    """Bank and pitch at the end, where they are steep."""
+def _attitude(flight: Flight, event: Mapping[str, Any]) -> str:
+    """Bank and pitch at the end, where they are steep; a bank beyond its limit has been said."""
     last = flight.log.iloc[-1]
-    steep = {
-        "of bank": abs(last["roll_deg"]),
-        f"nose {'up' if last['pitch_deg'] > 0 else 'down'}": abs(last["pitch_deg"]),
-    }
+    steep = {f"nose {'up' if last['pitch_deg'] > 0 else 'down'}": abs(last["pitch_deg"])}
+    if all(m["limit"] != "roll_max_deg" for m in event["limits"]):
+        steep = {"of bank": abs(last["roll_deg"]), **steep}
     said = [f"{angle:.0f} deg {words}" for words, angle in steep.items() if angle > _STEEP_DEG]
     return f", at {joined(said)}" if said else ""
 

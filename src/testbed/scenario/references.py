@@ -23,7 +23,9 @@ TABLE: dict[str, Reference] = {}
 """References of the user's own by name: the key `reference` of a scenario names one."""
 
 
-def references(scenario: Scenario, path_angle: float = 0.0) -> np.ndarray:
+def references(
+    scenario: Scenario, path_angle: float = 0.0, rows: np.ndarray | None = None, done: int = 0
+) -> np.ndarray:
     """[steps, 6] rate-limited references and their rates, by `signals.SETPOINT` [m, m/s, rad; m/s, m/s2, rad/s].
 
     From each command on, the reference moves at a constant rate from its present value to the commanded one. Heading turns
@@ -32,36 +34,50 @@ def references(scenario: Scenario, path_angle: float = 0.0) -> np.ndarray:
     Args:
         path_angle: of the steady flight in which the flight begins [rad]. Without propulsion that is a glide, and the reference of
             altitude is the glide at the reference airspeed; its rate, which a controller is given to climb or descend, is zero.
+        rows: [steps, 6] where they are written, new ones by default.
+        done: the first rows that are there already, and stay.
     """
-    limits = scenario.command_rates
-    rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
-    rates["heading"] = math.radians(limits.heading_deg_s or 0.0)
-    time = np.arange(scenario.steps) / scenario.rate_hz
-    rows = np.zeros((scenario.steps, len(SETPOINT)))
+    if done and (path_angle or scenario.reference is not None):  # each row depends on all before it
+        whole = references(scenario, path_angle)
+        assert rows is not None and np.array_equal(whole[:done], rows[:done])
+        rows[done:] = whole[done:]
+        return rows
+    rows = np.zeros((scenario.steps, len(SETPOINT))) if rows is None else rows
     for name, key, factor in _FIELDS:
-        value = np.full_like(time, getattr(scenario.initial, key) * factor)
-        rate = np.zeros_like(time)
-        for first, end, target in _targets(scenario, key):
-            # One row more than until the next command, which starts from there.
-            after, start = slice(first, end + 1), value[first]
-            change = _change(start, target * factor, name)
-            elapsed = time[after] - time[first]
-            value[after] = start + math.copysign(1.0, change) * np.minimum(rates[name] * elapsed, abs(change))
-            rate[after] = np.where(
-                rates[name] * elapsed < abs(change), math.copysign(rates[name], change), 0.0
-            )
-        rows[:, SETPOINT.index(name)] = value
-        rows[:, SETPOINT.index(f"{name}_rate")] = rate
+        _approach(scenario, name, key, factor, rows, done)
+    if done:
+        return rows
     airspeed = rows[:, SETPOINT.index("airspeed")]
     sunk = np.concatenate([[0.0], np.cumsum(airspeed[:-1])]) * math.sin(path_angle) / scenario.rate_hz
     rows[:, SETPOINT.index("altitude")] += sunk
-    return rows if scenario.reference is None else _own(scenario, time, rows)
+    return rows if scenario.reference is None else _own(scenario, rows)
 
 
-def _own(scenario: Scenario, time: np.ndarray, rows: np.ndarray) -> np.ndarray:
+def _approach(scenario: Scenario, name: str, key: str, factor: float, rows: np.ndarray, done: int) -> None:
+    """Fill the rows from `done` on of one quantity and its rate."""
+    limits = scenario.command_rates
+    rates = {"altitude": limits.altitude_m_s, "airspeed": limits.airspeed_m_s2}
+    rates["heading"] = math.radians(limits.heading_deg_s or 0.0)
+    moves = rates[name]
+    value, rate = (rows[:, SETPOINT.index(of)] for of in (name, f"{name}_rate"))
+    value[done:], rate[done:] = getattr(scenario.initial, key) * factor, 0.0
+    for first, end, target in _targets(scenario, key):
+        # One row more than until the next command, which starts from there.
+        after, start = slice(max(first, done), end + 1), float(value[first])
+        change = _change(start, target * factor, name)
+        value[after], rate[after] = start + math.copysign(1.0, change) * abs(change), 0.0
+        there = first + abs(change) / moves * scenario.rate_hz + 2 if moves else math.inf
+        after = slice(after.start, int(min(after.stop, len(rows), max(there, after.start))))
+        elapsed = np.arange(after.start, after.stop) / scenario.rate_hz - first / scenario.rate_hz
+        value[after] = start + math.copysign(1.0, change) * np.minimum(moves * elapsed, abs(change))
+        rate[after] = np.where(moves * elapsed < abs(change), math.copysign(moves, change), 0.0)
+
+
+def _own(scenario: Scenario, rows: np.ndarray) -> np.ndarray:
     """The rows of a reference of the user's own; raises BadInput where they are none."""
     name = str(scenario.reference)
-    own = np.array(TABLE[name](scenario, time.copy(), rows.copy()), dtype=float)
+    time = np.arange(scenario.steps) / scenario.rate_hz
+    own = np.array(TABLE[name](scenario, time, rows.copy()), dtype=float)
     if own.shape != rows.shape or not np.isfinite(own).all():
         what = f"gives {own.shape} values, {np.count_nonzero(~np.isfinite(own))} of them no numbers"
         raise BadInput([scenario.source.problem(("reference",), what, f"{rows.shape} finite numbers")])

@@ -10,7 +10,7 @@ import numpy as np
 
 from testbed.common.angles import wrap
 from testbed.common.jit import bound
-from testbed.common.signals import STATE, as_records, begins_within
+from testbed.common.signals import STATE, as_records, begins_within, room_for
 from testbed.sensors.channels import CHANNELS, channels_of, logged
 from testbed.sensors.errors import drawn, enter
 from testbed.sensors.faults import SensorFault
@@ -32,7 +32,7 @@ class RealSensors:
     Ideal sensors need none of it: `plant.envelope.observe` copies the truth to the measured state.
 
     Attributes:
-        table: [5, steps, channels] errors, offsets, faults, what was sensed, and what was read (see `measurement`) [SI].
+        table: [5, steps or more, channels] errors, offsets, faults, what was sensed, and what was read (see `measurement`) [SI].
     """
 
     def __init__(
@@ -42,23 +42,31 @@ class RealSensors:
         self._channels = np.zeros(len(CHANNELS), PARAMETERS)
         self._lagged = np.zeros(len(CHANNELS))
         self._force = plant.specific_force_reader("x")
-        self.table = np.zeros((LAYERS, 0, len(CHANNELS)))
+        self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
+        self._steps = 0
         self.lengthen(steps)
 
     def lengthen(self, steps: int) -> None:
-        """Take more control steps: the errors of a longer flight begin with those so far. Call `bind` again after it."""
-        so_far, rate_hz = self.table, round(self.rate_hz)
-        self.table = np.zeros((LAYERS, steps, len(CHANNELS)))
+        """Take more control steps: the errors of a longer flight begin with those so far. Call `bind` again after it.
+
+        What is there is not written again: copies of this process share it. So the table has room, as `longer` gives it.
+        """
+        so_far, rate_hz, new = self.table, round(self.rate_hz), slice(self._steps, steps)
+        if so_far.shape[1] < steps:
+            self.table = np.zeros((LAYERS, room_for(steps), len(CHANNELS)))
+            self.table[:, : self._steps] = so_far[:, : self._steps]
+        self._steps = steps
         for i, channel in enumerate(CHANNELS):
             model = self.settings.of(channel.sensor)
-            scale, self.table[ERROR, :, i] = drawn(channel.name, model, steps, rate_hz, self._seed)
+            scale, error = drawn(channel.name, model, steps, rate_hz, self._seed)
+            self.table[ERROR, new, i] = error[new]
             reads = channel.reads
             source = STATE.index(reads) if reads in STATE else -1
             self._channels[i] = parameters(source, model, scale, rate_hz, reads == "heading")
+        if self.settings.faults:
+            self.table[[OFFSET, FAULT], :steps] = 0.0
         for i, fault in enumerate(self.settings.faults):
-            enter(fault, i, rate_hz, self._seed, self.table[OFFSET], self.table[FAULT])
-        for layer in (SENSED, READING):
-            self.table[layer, : so_far.shape[1]] = so_far[layer]
+            enter(fault, i, rate_hz, self._seed, self.table[OFFSET, :steps], self.table[FAULT, :steps])
 
     def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
         """Take the rows of a flight, one a step: the truth (as `Plant.read`) and the measured state to be filled."""

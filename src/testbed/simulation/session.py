@@ -8,10 +8,8 @@ from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, Self
 
-import numpy as np
-
 from testbed.air.config import Gust, WindChange
-from testbed.common.signals import first_step_at
+from testbed.common.signals import first_step_at, longer
 from testbed.controllers.setup import Setup
 from testbed.failures import Failure, same_property
 from testbed.flight.columns import Row, row_columns
@@ -120,7 +118,8 @@ class Session:
         parts.weather.lengthen(self._planned.atmosphere, round(steps))
         if parts.sensors is not None:
             parts.sensors.lengthen(round(steps))
-        self.loop.lengthen(references(self._planned, parts.path_angle))
+        rows = longer(parts.references, round(steps))
+        self.loop.lengthen(references(self._planned, parts.path_angle, rows, self.loop.done))
 
     # Look -----------------------------------------------------------------------------------------------------
 
@@ -198,9 +197,7 @@ class Session:
             new = others[new.at_s].model_copy(update=new.model_dump(exclude_none=True))
         in_order = tuple(sorted({**others, new.at_s: new}.values(), key=lambda each: each.at_s))
         planned = altered(self._planned, commands=in_order)
-        rows = references(planned, self.parts.path_angle)
-        assert np.array_equal(rows[:done], self.parts.references[:done])  # what was flown stays as it was
-        self.parts.references[done:] = rows[done:]
+        references(planned, self.parts.path_angle, self.parts.references, done)
         self._planned = self.parts.scenario = planned
 
     def blow(self, air: Gust | WindChange | Mapping[str, Any]) -> None:

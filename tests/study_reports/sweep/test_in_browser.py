@@ -95,8 +95,17 @@ def test_the_table_filters_and_shows_more(window: Window) -> None:
 def test_each_row_has_what_it_missed_and_its_command(window: Window) -> None:
     window.page.locator("[data-filter=state]").select_option("1")
     for row in rows(window):
-        assert row[3] == "altitude_error_max_m at most 0.02" and math.isfinite(float(row[4]))
-        assert "--only" in row[-1] or row[-1] == "report"
+        assert row[4] == "altitude_error_max_m at most 0.02" and math.isfinite(float(row[5]))
+        assert "--only" in row[3] or row[3] == "report"
+
+
+def test_the_command_of_each_row_is_seen_without_scrolling_sideways(browser: Any, sweep: Path) -> None:
+    ends = "[...document.querySelectorAll('#flights tr')].map(r => r.cells[3].getBoundingClientRect().right)"
+    with drawn(browser, sweep, 1400) as made:
+        assert "the command" in made.page.locator("#flights th").nth(3).inner_text()
+        assert max(made.page.evaluate(ends)) < made.page.evaluate(
+            "document.querySelector('#flights .table').clientWidth"
+        )
 
 
 def test_the_link_opens_the_flight(window: Window) -> None:
@@ -105,7 +114,7 @@ def test_the_link_opens_the_flight(window: Window) -> None:
     link.first.click()
     window.page.wait_for_url("**/flights/*")
     assert window.page.url.endswith(f"/flights/{KEPT}.html")
-    assert "Worst:" in window.page.inner_text("body")
+    assert "Worst since" in window.page.inner_text("body")
 
 
 def test_a_brush_chooses_flights(window: Window) -> None:
