@@ -53,7 +53,8 @@ def command(*arguments: object) -> list[str]:
 
 
 def run(folder: Path, *arguments: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(command(*arguments), cwd=folder, capture_output=True, text=True, check=False)
+    from command_line import in_this_process
+    return in_this_process(folder, *map(str, arguments))
 
 
 def same_rows(one: Path, other: Path) -> None:

@@ -1,4 +1,4 @@
-"""The whole adoption: from a model's name or folder to an aircraft's folder with its design model."""
+"""The steps of an adoption, in a process of its own, from a model to an aircraft's folder; `entry` starts it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Adoption as a user asks for it: a model by its name or folder, into a new folder.
+"""`testbed adopt MODEL`: a model by its name or folder, adopted into a new folder or refused.
 
 It happens in a child process, `python -m testbed.adoption.entry`: JSBSim may end the process of a model that it does not like, or
 never return. The child is asked with {source, folder}, and answers {card} or {problems}.

@@ -1,4 +1,4 @@
-"""Failures between command and position whose properties are held at fixed values from start to end."""
+"""Failures between command and position, the same from start to end: reversed, stuck, hard over, afloat, biased, limited, slow."""
 
 from __future__ import annotations
 

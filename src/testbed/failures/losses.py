@@ -1,4 +1,4 @@
-"""Failures that reduce the effect of an actuator on the aircraft: its force, its torque, its mass."""
+"""Failures of what an actuator does to the aircraft: a weak or lost surface, propeller or motor."""
 
 from __future__ import annotations
 

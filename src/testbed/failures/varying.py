@@ -1,4 +1,4 @@
-"""Failures whose held value changes with time, and the delay of commands."""
+"""Failures that change with time: late, oscillating, running away, intermittent, decaying."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A benchmark's result that others can check: what was flown, with what, the scores, and a digest of every flight.
+"""An entry: a benchmark's result with a digest of every flight; what `benchmark --verify` checks and flies again of it.
 
 It is data. Who checks an entry of a controller of its author's says which file to run.
 """

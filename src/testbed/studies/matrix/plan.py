@@ -1,4 +1,4 @@
-"""A resolved matrix: its cells, and the flights that are made of each."""
+"""A resolved matrix: its cells, what the baseline expects of each, and the flights that are made of it."""
 
 from __future__ import annotations
 
