@@ -187,7 +187,7 @@ def test_a_throttle_that_is_switched_off_is_none(tmp_path: Path, table: pd.DataF
 
 
 def test_a_place_on_the_globe(tmp_path: Path, table: pd.DataFrame) -> None:
-    """Degrees become metres from where it was first; without a fix, zero and zero, straight lines lead on."""
+    """Degrees become metres from where it was first; without a fix, zero and zero, or nonsense, straight lines lead on."""
     north, east = 20.0 * np.arange(len(table)) / 100.0, -5.0 * np.arange(len(table)) / 100.0
     latitude, longitude = (
         60.0 + np.degrees(north / 6371e3),
@@ -195,6 +195,7 @@ def test_a_place_on_the_globe(tmp_path: Path, table: pd.DataFrame) -> None:
     )
     lost = slice(1000, 1500)
     latitude[lost] = longitude[lost] = 0.0
+    latitude[2000] = 1e308
     placed = table.assign(
         lat=latitude, lon=longitude, alt=300.0, hdg=(np.arange(len(table)) * 0.1 + 350.0) % 360.0
     )

@@ -111,7 +111,9 @@ def _series(
     assert kind.time is not None
     time_us = kind.values(content, kind.time) * TIMES_US[kind.time]
     values = kind.values(content, which[1])[rows]
-    return time_us[rows], np.unwrap(values, period=360.0) if which[1] == "Yaw" else values
+    if which[1] == "Yaw" and np.all(np.isfinite(values)):
+        values = np.unwrap(values, period=360.0)
+    return time_us[rows], values
 
 
 def _parts(file: Path, name: str) -> tuple[str, int, str]:

@@ -25,6 +25,7 @@ from testbed.logs.page import write_page
 from testbed.logs.scene import Scene, of_flight, of_log
 from testbed.logs.words import story, summary, table
 from testbed.plant.identification import stored
+from testbed.scenario.load import Scenario
 
 
 class Diagnosed(Diagnosis):
@@ -83,7 +84,17 @@ def identify(
     read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
     found = identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
     wrong = [factor.name for factor in found.factors if factor.contradicted]
-    return replace(found, makers=makers(load_aircraft(str(aircraft)), wrong))
+    remarks = [_half_logged(log.name, flight.scenario) for log, _, flight in read if flight is not None]
+    named = makers(load_aircraft(str(aircraft)), wrong)
+    return replace(found, makers=named, remarks=tuple(filter(None, remarks)))
+
+
+def _half_logged(name: str, scenario: Scenario) -> str:
+    """A sentence about a run whose log has not every command; empty otherwise."""
+    if scenario.log_hz == scenario.rate_hz:
+        return ""
+    rates = f"has {scenario.log_hz:g} of {scenario.rate_hz:g} commands a second"
+    return f"{name} {rates}: with noise, factors by equation error are too small; fly with log_hz: {scenario.rate_hz:g}"
 
 
 def _read(

@@ -138,9 +138,10 @@ def _place(after: np.ndarray, before: np.ndarray, where: Mapping[str, np.ndarray
         if not np.any(seen):
             return {}
         first = int(np.argmax(seen))
-        east = math.cos(latitude[first]) * (longitude - longitude[first])
-        for name, turned in (("north", latitude - latitude[first]), ("east", east)):
-            columns[name] = np.where(seen, _EARTH_M * turned, np.nan)
+        with np.errstate(over="ignore"):  # what is too far is left out below
+            east = math.cos(latitude[first]) * (longitude - longitude[first])
+            for name, turned in (("north", latitude - latitude[first]), ("east", east)):
+                columns[name] = np.where(seen, _EARTH_M * turned, np.nan)
     made = {}
     for name in PLACE[:4]:
         values = columns.get(name, np.full(len(before), np.nan))

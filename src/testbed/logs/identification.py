@@ -1,8 +1,11 @@
 """A design model from logs of healthy flight: factors on the coefficients of an aircraft's own model.
 
 By equation error, the rates that the model leaves are regressed on what each coefficient adds to them, with white errors (Klein
-and Morelli, Aircraft System Identification, 2006, chapter 5). By `output_error`, the turning rates are simulated: noise of sensors
-makes the factors of equation error too small. A factor of 1 is the aircraft's own model. Coefficients that are zero stay so.
+and Morelli, Aircraft System Identification, 2006, chapter 5). By `output_error`, the turning rates are simulated. A factor of 1 is
+the aircraft's own model. Coefficients that are zero stay so.
+
+`vanes` takes the noise away that would make factors of both too small. What no filter gives back are commands that the log has not:
+a law answers the noise of its gyros in each of its steps, and of a log with every second one equation error makes half of a factor.
 """
 
 from __future__ import annotations
@@ -24,6 +27,7 @@ from testbed.logs.flight_log import FlightLog
 from testbed.logs.functions import Maker
 from testbed.logs.noise import noise_of, settled
 from testbed.logs.regression import BIN_S
+from testbed.logs.vanes import smoothed_vanes
 
 KEPT_BACK = 0.3
 """Share of each log, at its end, that is not used but to validate."""
@@ -97,16 +101,21 @@ class Validation:
 
 @dataclass(frozen=True)
 class Identified:
-    """A design model from logs, how far it can be believed, and which functions of the XML make what they contradict, by name."""
+    """A design model from logs, and how far it can be believed.
+
+    `makers` are the functions of the XML that make what the logs contradict, by name; `remarks` sentences about the logs.
+    """
 
     model: DesignModel
     factors: tuple[Factor, ...]
     validation: tuple[Validation, ...]
     makers: Mapping[str, tuple[Maker, ...]] = field(default_factory=dict)
+    remarks: tuple[str, ...] = ()
 
 
 def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified:
     """The design model that logs of healthy flight give, from that of their `setups`, whose trim and condition it keeps."""
+    logs = [smoothed_vanes(log) for log in logs]
     parts, setup = [rows_of(log, each, BIN_S) for log, each in zip(logs, setups, strict=True)], setups[0]
     which = np.concatenate([np.full(len(part.known), i) for i, part in enumerate(parts)])
     time_s, known = (np.concatenate([getattr(part, name) for part in parts]) for name in ("time_s", "known"))

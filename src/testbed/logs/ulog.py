@@ -29,6 +29,7 @@ _WINGLESS = {2: "quadcopter", 3: "coaxial helicopter", 4: "helicopter", 10: "rov
              13: "hexacopter", 14: "octocopter", 15: "tricopter"}  # fmt: skip
 """What PX4's parameter MAV_TYPE says, of what flies without a wing."""
 _MOST_FIELDS = 10_000
+_MOST_TOPICS, _LONGEST = 1000, 200  # whose names are suggested, and the longest of their messages [bytes]
 _FIELD = re.compile(r"([\w/-]+)(?:\[(\d{1,18})\d*\])? [^;]*")
 
 
@@ -107,7 +108,7 @@ def _whole(content: bytes) -> tuple[int, dict[str, str], list[str]]:
         if content[at + 2] == _FORMAT:
             name, _, fields = content[at + 3 : following].decode("utf-8", "replace").partition(":")
             formats[name] = f"{formats.get(name, '')};{fields}"
-        if content[at + 2] == _ADDED:
+        if content[at + 2] == _ADDED and following - at < _LONGEST and len(topics) < _MOST_TOPICS:
             topics.add(content[at + 6 : following].decode("utf-8", "replace"))
         at = following
     return at, formats, sorted(topics)

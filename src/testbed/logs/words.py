@@ -128,7 +128,7 @@ def identification_table(found: Identified, logs: Sequence[str]) -> str:
         if math.isfinite(one.simulated):
             before = f"(model of the aircraft {one.simulated_before:.2f})"
             lines.append(f"  {one.rate[0]}  simulated for {STRETCH_S:g} s: fit {one.simulated:.2f} {before}")
-    return "\n".join(lines)
+    return "\n".join([*lines, *found.remarks])
 
 
 def _factor(value: float, std: float) -> str:
