@@ -11,6 +11,7 @@ import ast
 import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +71,12 @@ def _code(part: str, root: Path) -> Iterator[str]:
         place = root / "src" / "testbed" / name
         for file in [place.with_suffix(".py"), *place.rglob("*.py")]:
             if file.is_file():
-                yield hashlib.sha256(syntax(file.read_text(encoding="utf-8")).encode()).hexdigest()
+                yield _syntax_digest(file.read_text(encoding="utf-8"))
+
+
+@cache
+def _syntax_digest(text: str) -> str:
+    return hashlib.sha256(syntax(text).encode()).hexdigest()
 
 
 def _data(place: Path) -> Iterator[str]:

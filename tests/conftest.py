@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+import suite_files
 from chromium import chromium
 
 from testbed.aircraft.description import Aircraft, load_aircraft
@@ -26,6 +27,18 @@ def vtail() -> Aircraft:
 def vtail_copy(vtail: Aircraft, tmp_path: Path) -> Path:
     """The v-tail in a folder of the test's own."""
     return Path(shutil.copytree(vtail.folder, tmp_path / "aircraft" / "vtail"))
+
+
+@pytest.fixture(scope="session")
+def suite(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The file of a small suite."""
+    return suite_files.written(tmp_path_factory.mktemp("suite"))
+
+
+@pytest.fixture(scope="session")
+def flown_suite(suite: Path) -> Path:
+    """Its four draws, flown by two controllers; nothing in this folder is changed."""
+    return suite_files.flown(suite, suite.parent / "one")
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from command_line import testbed
+from command_line import in_this_process, testbed
 
 BAD = """\
 name: bad
@@ -33,7 +33,7 @@ BAD_LINES = [
 )
 def test_bad_input_is_refused_before_anything_happens(tmp_path: Path, command: list[str]) -> None:
     (tmp_path / "bad.yaml").write_text(BAD)
-    result = testbed(tmp_path, command[0], "bad.yaml", *command[1:])
+    result = in_this_process(tmp_path, command[0], "bad.yaml", *command[1:])
     assert result.returncode == 2
     assert result.stderr.splitlines() == BAD_LINES
     assert result.stdout == ""
@@ -58,7 +58,7 @@ def test_validate_knows_the_model_the_log_and_the_metrics(tmp_path: Path) -> Non
         "  - {type: property, when: {signal: altitud_m, below: 1}, set: {atmosphere/delta-T: 1}}\n"
         "requirements:\n  - {metric: altitude_error_mx_m, at_most: 1}\n  - {signal: heading_dg, at_most: 1}\n"
     )
-    result = testbed(tmp_path, "validate", "x.yaml")
+    result = in_this_process(tmp_path, "validate", "x.yaml")
     assert result.returncode == 2
     assert sorted(line.split(":")[1:3] for line in result.stderr.splitlines()) == [
         ["10", " requirements.1.signal"],
@@ -72,7 +72,7 @@ def test_validate_knows_the_model_the_log_and_the_metrics(tmp_path: Path) -> Non
 
 def test_validate_goes_on_after_a_bad_file(tmp_path: Path) -> None:
     (tmp_path / "bad.yaml").write_text(BAD)
-    result = testbed(
+    result = in_this_process(
         tmp_path, "validate", "bad.yaml", "scenarios/left_tail_fail.yaml", "scenarios/lefttail_fail.yaml"
     )
     assert result.returncode == 2
@@ -85,7 +85,7 @@ def test_validate_goes_on_after_a_bad_file(tmp_path: Path) -> None:
 def test_a_file_in_the_folder_comes_before_a_shipped_one(tmp_path: Path) -> None:
     (tmp_path / "scenarios").mkdir()
     (tmp_path / "scenarios" / "left_tail_fail.yaml").write_text(BAD)
-    assert testbed(tmp_path, "validate", "scenarios/left_tail_fail.yaml").returncode == 2
+    assert in_this_process(tmp_path, "validate", "scenarios/left_tail_fail.yaml").returncode == 2
 
 
 def test_validating_what_is_known_imports_nothing_heavy(tmp_path: Path) -> None:

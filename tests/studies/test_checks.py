@@ -146,3 +146,9 @@ def test_the_parent_of_a_sweep_loads_no_model(tmp_path: Path) -> None:
     )
     program = "import sys; from testbed.api import sweep; sweep.prepare('s.yaml'); assert 'jsbsim' not in sys.modules"
     subprocess.run([sys.executable, "-c", program], cwd=tmp_path, check=True)
+
+
+def test_a_worker_draws_nothing() -> None:
+    """scipy.stats, from which runs are drawn, would take half of the time in which each of its processes starts."""
+    program = "import sys, testbed.studies.flying.worker; assert 'scipy.stats' not in sys.modules"
+    subprocess.run([sys.executable, "-c", program], check=True)

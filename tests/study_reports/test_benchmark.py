@@ -17,12 +17,10 @@ from testbed.study_reports.search.words import _flown_again
 from testbed.study_reports.sweep.flight_page import only
 
 
-@pytest.fixture(scope="module")
-def summary(tmp_path_factory: pytest.TempPathFactory) -> dict:
+@pytest.fixture
+def summary(flown_suite: Path) -> dict:
     """Of four draws that two controllers flew, with draws that only the second is said to have held."""
-    folder = tmp_path_factory.mktemp("page")
-    out = flown(written(folder, tree()), folder / "out")
-    return json.loads((out / "summary.json").read_text())
+    return json.loads((flown_suite / "summary.json").read_text())
 
 
 def lost(draw: int) -> dict:

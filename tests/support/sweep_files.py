@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 import pandas as pd
+from command_line import in_this_process
 
 import testbed
 from testbed.studies.flying.pool import serial
@@ -53,7 +54,7 @@ def command(*arguments: object) -> list[str]:
 
 
 def run(folder: Path, *arguments: object) -> subprocess.CompletedProcess[str]:
-    from command_line import in_this_process
+    """A command, in the test's own process."""
     return in_this_process(folder, *map(str, arguments))
 
 

@@ -20,8 +20,8 @@ from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
 from testbed.studies.folder import logs, reading, store, table
-from testbed.studies.folder.begin import begun_with, refuse_blocked, refuse_changed, runs_of
-from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file
+from testbed.studies.folder.begin import begun_with, refuse_blocked, refuse_changed
+from testbed.studies.folder.names import file_of, flight_label, in_file_names, log_file, runs_of
 from testbed.studies.load import load_sweep
 from testbed.studies.plan import Plan
 from testbed.studies.record import NO_RESULT

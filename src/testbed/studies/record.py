@@ -21,6 +21,9 @@ NO_RESULT = ("invalid", "error", "timeout", "crashed")
 OUTCOMES = (*map(str, Outcome), *NO_RESULT)
 """All outcomes of a flight of a study."""
 
+MIXED = "the same, or --mixed, which marks in the table what was flown otherwise"
+"""What is expected of an environment that differs from the one in which a study was begun."""
+
 
 def _known(outcome: str) -> str:
     if outcome not in OUTCOMES:

@@ -25,14 +25,9 @@ from testbed.inputs.problems import BadInput
 from testbed.studies.record import key_of
 
 
-@pytest.fixture(scope="module")
-def suite(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return written(tmp_path_factory.mktemp("suite"))
-
-
-@pytest.fixture(scope="module")
-def folder(suite: Path) -> Path:
-    return flown(suite, suite.parent / "one")
+@pytest.fixture
+def folder(flown_suite: Path) -> Path:
+    return flown_suite
 
 
 def test_a_row_for_each_draw_and_controller(folder: Path) -> None:
@@ -56,19 +51,18 @@ def test_going_on_with_fewer_draws_gives_the_bytes_of_all(suite: Path, folder: P
     same_results(folder, flown(suite, tmp_path / "more", resume=True))
 
 
-def test_other_seeds_are_not_mixed(suite: Path, tmp_path: Path) -> None:
-    flown(suite, tmp_path / "out", draws=1)
+def test_other_seeds_are_not_mixed(suite: Path, folder: Path, tmp_path: Path) -> None:
+    shutil.copytree(folder, tmp_path / "out")
     with pytest.raises(BadInput, match="seed"):
-        flown(suite, tmp_path / "out", draws=1, seed=6, resume=True)
+        flown(suite, tmp_path / "out", seed=6, resume=True)
 
 
-def test_flights_of_other_code_are_not_mixed(suite: Path, tmp_path: Path) -> None:
-    flown(suite, tmp_path / "out", draws=1)
-    begun = tmp_path / "out" / "benchmark.yaml"
+def test_flights_of_other_code_are_not_mixed(suite: Path, folder: Path, tmp_path: Path) -> None:
+    begun = shutil.copytree(folder, tmp_path / "out") / "benchmark.yaml"
     law = yamlfile.read(begun).tree["law_sha256"]
     begun.write_text(begun.read_text().replace(law, "a" * 64))
     with pytest.raises(BadInput, match="law_sha256: was 'aaaa"):
-        flown(suite, tmp_path / "out", draws=2, resume=True)
+        flown(suite, tmp_path / "out", resume=True)
 
 
 def test_a_stopped_benchmark_is_told_over_its_whole_draws(folder: Path, tmp_path: Path) -> None:

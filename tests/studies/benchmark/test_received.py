@@ -8,7 +8,6 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from suite_files import flown, written
 
 import testbed
 from testbed.api.benchmark import rebuild
@@ -16,16 +15,9 @@ from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
 
 
-@pytest.fixture(scope="module")
-def sent(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("sent")
-    flown(written(folder), folder / "out", draws=2, controllers=["default"])
-    return folder / "out"
-
-
 @pytest.fixture
-def copy(sent: Path, tmp_path: Path) -> Path:
-    return Path(shutil.copytree(sent, tmp_path / "received"))
+def copy(flown_suite: Path, tmp_path: Path) -> Path:
+    return Path(shutil.copytree(flown_suite, tmp_path / "received"))
 
 
 @pytest.mark.parametrize(
@@ -34,8 +26,8 @@ def copy(sent: Path, tmp_path: Path) -> Path:
         ("seed: 5", "seed: -5", "seed: is -5"),
         ("seed: 5", "seed: true", "seed: is true"),
         ("seed: 5", "seed: [5]", "seed: "),
-        ("draws: 2", "draws: 0", "draws: is 0"),
-        ("draws: 2", "drawn: 2", "draws: is missing"),
+        ("draws: 4", "draws: 0", "draws: is 0"),
+        ("draws: 4", "drawn: 2", "draws: is missing"),
         ("controllers:", "controllers: {}\nothers:", "controllers: "),
     ],
 )
@@ -80,8 +72,8 @@ def test_flights_that_are_none_of_it_are_refused(copy: Path, change: str, words:
 
 def test_a_plan_of_many_draws_takes_no_longer(copy: Path) -> None:
     file = copy / "benchmark.yaml"
-    file.write_text(file.read_text().replace("draws: 2", f"draws: {10**15}", 1))
-    assert rebuild(copy)["draws"] == 2
+    file.write_text(file.read_text().replace("draws: 4", f"draws: {10**15}", 1))
+    assert rebuild(copy)["draws"] == 4
 
 
 def test_links_are_refused(copy: Path, tmp_path: Path) -> None:

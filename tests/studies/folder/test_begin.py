@@ -12,8 +12,9 @@ import testbed
 from testbed.api.sweep import prepare, rebuild
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store
-from testbed.studies.folder.begin import MIXED, begun_with, refuse_changed, refuse_other
+from testbed.studies.folder.begin import begun_with, refuse_changed, refuse_other
 from testbed.studies.load import load_sweep
+from testbed.studies.record import MIXED
 
 CHANGES: list[tuple[list[str], str]] = [
     (["seed=4"], "sweep.yaml: seed: was 3, is now 4, expected an unchanged sweep"),

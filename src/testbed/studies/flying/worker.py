@@ -27,8 +27,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.parts import take
 from testbed.studies.drawing.builder import Task
 from testbed.studies.flying.flight import Job, fly_task, not_flown
-from testbed.studies.folder.begin import MIXED
-from testbed.studies.record import Flown
+from testbed.studies.record import MIXED, Flown
 
 _START_S = 300.0
 """Longest time a process may take to start [s]."""

@@ -28,12 +28,13 @@ from testbed.inputs.yaml_source import Source, describe
 from testbed.parts import digests
 from testbed.studies.drawing.cases import LARGEST_TABLE
 from testbed.studies.folder import store
+from testbed.studies.folder.names import runs_in
 from testbed.studies.plan import Plan
+from testbed.studies.record import MIXED
 
 _FILES = ("results.csv", "results.parquet", "summary.json", "report.html", store.NAME, f"{store.NAME}-wal")
 _RESULTS = _FILES[:4]
 _FOLDERS = ("logs", "figures", "flights")
-MIXED = "the same, or --mixed, which marks in the table what was flown otherwise"
 
 
 def begin(folder: Path, plan: Plan, fly: str, *, resume: bool, mixed: bool = False) -> store.Store:
@@ -156,20 +157,6 @@ def _refused_runs(plan: Plan, source: Source) -> Iterator[Problem]:
     if plan.runs > runs and plan.tree.get("sampling") == "latin_hypercube":
         what = f"a latin hypercube of {runs} runs cannot be made longer: its points depend on their number"
         yield Problem(what, source.file, None, "runs", "sobol, halton or random for that")
-
-
-def runs_of(folder: Path) -> int | None:
-    """Number of runs in the sweep.yaml of a folder; None if there is none. Raises BadInput if the file does not say."""
-    file = folder / "sweep.yaml"
-    return runs_in(yamlfile.read(file)) if os.path.isfile(file) else None
-
-
-def runs_in(source: Source) -> int:
-    """The number of runs that a folder's sweep.yaml says; raises BadInput if it does not say one."""
-    runs = source.tree.get("runs")
-    if not isinstance(runs, int) or isinstance(runs, bool) or runs < 1:
-        raise BadInput([source.problem(("runs",), f"is {describe(runs)}", "the number of runs, at least 1")])
-    return runs
 
 
 def _cases(folder: Path) -> str | None:

@@ -22,8 +22,7 @@ from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import json_of
 from testbed.inputs.received_table import read_table
 from testbed.scenario.load import Scenario, dump, scenario_from
-from testbed.studies.folder.begin import runs_of
-from testbed.studies.folder.names import file_of
+from testbed.studies.folder.names import file_of, runs_of
 
 _KEPT = "a log that a sweep kept"
 _SCENARIO, _SUMMARY = b"testbed.scenario", b"testbed.summary"

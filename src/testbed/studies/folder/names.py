@@ -1,16 +1,37 @@
-"""How file names tell the flights of a sweep or a matrix apart."""
+"""How file names tell the flights of a sweep or a matrix apart, and which of them a folder has. All workers import this module."""
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from testbed.studies.plan import Plan
+from testbed.inputs import yaml_source as yamlfile
+from testbed.inputs.problems import BadInput
+from testbed.inputs.yaml_source import Source, describe
+
+if TYPE_CHECKING:  # it needs scipy.stats, which takes half of the time in which a worker starts
+    from testbed.studies.plan import Plan
 
 
 def file_of(folder: Path) -> Path:
     """The file of the study in a folder that keeps logs: matrix.yaml of a matrix, else sweep.yaml."""
     matrix = folder / "matrix.yaml"
     return matrix if matrix.is_file() else folder / "sweep.yaml"
+
+
+def runs_of(folder: Path) -> int | None:
+    """Number of runs in the sweep.yaml of a folder; None if there is none. Raises BadInput if the file does not say."""
+    file = folder / "sweep.yaml"
+    return runs_in(yamlfile.read(file)) if os.path.isfile(file) else None
+
+
+def runs_in(source: Source) -> int:
+    """The number of runs that a folder's sweep.yaml says; raises BadInput if it does not say one."""
+    runs = source.tree.get("runs")
+    if not isinstance(runs, int) or isinstance(runs, bool) or runs < 1:
+        raise BadInput([source.problem(("runs",), f"is {describe(runs)}", "the number of runs, at least 1")])
+    return runs
 
 
 def flight_label(plan: Plan, k: int) -> str:
