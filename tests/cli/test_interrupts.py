@@ -39,7 +39,16 @@ def interrupted(
     return process.returncode, "".join(err.splitlines()[-1:]) if "Traceback" not in err else err
 
 
-@pytest.mark.parametrize("after_s", [0.0, 0.3, 0.6, 1.2, 2.4])
+@pytest.mark.parametrize(
+    "after_s",
+    [
+        0.0,
+        0.3,
+        pytest.param(0.6, marks=pytest.mark.nightly),
+        1.2,
+        pytest.param(2.4, marks=pytest.mark.nightly),
+    ],
+)
 def test_ctrl_c_in_a_run_is_one_line(tmp_path: Path, after_s: float) -> None:
     assert interrupted(tmp_path, after_s, *_FLIGHT) == (130, "interrupted")
     assert [path.name for path in tmp_path.iterdir()] == ["begun"]

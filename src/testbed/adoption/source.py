@@ -93,14 +93,20 @@ def read_whole(source: Source) -> ET.Element:
             [Problem(f"is <{tree.tag}>", str(source.file), expected="a JSBSim model, <fdm_config>")]
         )
     _inline(tree, source)
-    for element in [tree, *(each for each in tree.iter() if each.tag in _SECTIONS)]:
-        for dropped in [each for name in _DROPPED for each in element.findall(name)]:
-            element.remove(dropped)  # JSBSim's socket or file, not the input or output of a component
+    for element in tree.iter():
+        for name in _DROPPED:
+            for dropped in [each for each in element.findall(name) if _is_channel_of_data(each, element)]:
+                element.remove(dropped)
     for element in tree.iter("property"):
         if finite(element.get("value", "0")) is None:
             element.set("value", "0")  # as JSBSim reads it
     declare(tree, dict.fromkeys(sorted(set(_made_local(tree))), 0.0))
     return tree
+
+
+def _is_channel_of_data(element: ET.Element, parent: ET.Element) -> bool:
+    """Whether an `input` or `output` is JSBSim's socket or file, not the input or output of a component."""
+    return parent.tag in ("fdm_config", *_SECTIONS)
 
 
 def parsed(file: Path) -> ET.Element:

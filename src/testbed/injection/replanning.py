@@ -99,10 +99,15 @@ def _until_the_next(planned: Sequence[Planned], failure: Failure, aircraft: Airc
 
 def _renumbered(before: Sequence[Planned], after: list[Planned]) -> list[Planned]:
     """`after`, or BadInput if one that has started would have drawn other random numbers."""
-    drawn = stream_names([one.failure for one in before])
-    names = {id(one.injection): name for one, name in zip(before, drawn, strict=True)}
+    names = dict(
+        zip(map(id, _injections(before)), stream_names([one.failure for one in before]), strict=True)
+    )
     for one, name in zip(after, stream_names([one.failure for one in after]), strict=True):
         if one.injection and one.injection.started and one.failure.draws and names[id(one.injection)] != name:
             what = f"the random numbers of {one.failure.type} at {one.failure.at_s:g} s depend on one that would go"
             raise BadInput([Problem(what, path="failures")])
     return after
+
+
+def _injections(planned: Sequence[Planned]) -> list[object]:
+    return [one.injection for one in planned]

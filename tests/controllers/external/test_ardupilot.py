@@ -68,6 +68,7 @@ def test_it_flies_and_two_at_once_fly_the_same(tmp_path):
     assert log == json.loads((tmp_path / "b/controller/00000001.BIN").read_text())
 
 
+@pytest.mark.nightly
 def test_three_flights_are_the_same():
     flights = [flown(duration_s=5.0) for _ in range(3)]
     assert flights[0].outcome.value == "completed" and flights[0].flown_by == "fake_ardupilot.py"

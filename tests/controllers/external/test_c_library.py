@@ -110,5 +110,5 @@ def test_a_library_is_flown_in_a_sweep(tmp_path: Path) -> None:
         "scenario: left_tail_fail.yaml\nruns: 2\nseed: 1\nset: {duration_s: 1.0, failures: [], requirements: []}\n"
         "vary: {initial.airspeed_m_s: {uniform: [17.5, 18.5]}}\n"
     )
-    found = testbed.sweep(sweep, controllers=[f"mine={library}"], out=tmp_path / "out", jobs=2)
+    found = testbed.sweep(sweep, controllers=[f"mine={library}"], out=tmp_path / "out", jobs=1, figures=False)
     assert set(found["controller.type"]) >= {"mine"}

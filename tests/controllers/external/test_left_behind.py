@@ -62,8 +62,14 @@ def flying(tmp_path, monkeypatch):
 
 
 @pytest.mark.skipif(not Path("/proc/self/task").is_dir(), reason="there is no /proc")
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize(("how", "status"), [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
+@pytest.mark.parametrize(
+    ("kind", "how", "status"),
+    [
+        ("process", signal.SIGINT, 130),
+        *((kind, signal.SIGKILL, -9) for kind in KINDS),
+        *(pytest.param(kind, signal.SIGINT, 130, marks=pytest.mark.nightly) for kind in KINDS[1:]),
+    ],
+)
 def test_nothing_goes_on(flying, kind, how, status):
     flight, controller = flying(kind)
     time.sleep(1.0)

@@ -41,6 +41,7 @@ def test_a_row_for_each_draw_and_controller(folder: Path) -> None:
     assert (rows["inside"][rows["held"]] == 1.0).all(), "who holds is inside all the time"
 
 
+@pytest.mark.nightly
 def test_two_workers_give_the_bytes_of_one(suite: Path, folder: Path, tmp_path: Path) -> None:
     same_results(folder, flown(suite, tmp_path / "two", jobs=2))
 
@@ -124,7 +125,9 @@ def test_a_draw_flown_alone_is_the_row_of_the_table(suite: Path, folder: Path, t
     assert flight.metrics["altitude_error_max_m"] == pytest.approx(row["altitude_error_max_m"], rel=1e-12)
 
 
-@pytest.mark.parametrize("made_by", ["Raises", "NoNumber", pytest.param("Hangs", marks=pytest.mark.nightly)])
+@pytest.mark.parametrize(
+    "made_by", ["Raises", *(pytest.param(bad, marks=pytest.mark.nightly) for bad in ("NoNumber", "Hangs"))]
+)
 def test_who_does_not_fly_loses_alone(made_by: str, folder: Path, tmp_path: Path) -> None:
     (tmp_path / "bad.py").write_text(BAD)
     suite = written(tmp_path, tree() | {"time_limit_s": 20})
