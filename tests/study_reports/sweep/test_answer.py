@@ -37,7 +37,9 @@ def test_the_best_is_named_first_with_its_interval_and_its_pairs() -> None:
         told[1]
         == "Compared with fixed (42 of 60 flights, 57 to 80 %): better in 16 paired runs, worse in none."
     )
-    assert told[2] == "adaptive missed most often: heading held (in 2 of 60). adaptive never lost the aircraft."
+    assert (
+        told[2] == "adaptive missed most often: heading held (in 2 of 60). adaptive never lost the aircraft."
+    )
 
 
 def test_a_difference_that_chance_may_explain_is_called_so() -> None:
