@@ -94,7 +94,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
             )
     first, *others = options.folders
     summaries = [summary_of(first, options.beside), *map(summary_of, others)]
-    parts = [] if options.parts is None else parts_of(summary_of(options.parts))
+    law = summaries[0]["law_sha256"]
+    parts = [] if options.parts is None else parts_of(summary_of(options.parts), law)
     PAGE.write_text(text(summaries, parts), encoding="utf-8")
     if options.commit:
         pages.known("benchmark", options.commit, environment_of(options.folders[0]))
@@ -118,12 +119,16 @@ def summary_of(folder: Path, beside: Sequence[Path] = ()) -> dict[str, Any]:
     return scores.summarize(plan, frame[flown]) | {"law_sha256": law}
 
 
-def parts_of(summary: dict[str, Any]) -> list[str]:
-    """The lines of what each part of the default brings."""
+def parts_of(summary: dict[str, Any], law: str) -> list[str]:
+    """The lines of what each part of the default brings, which say it if they were flown with another law."""
     lines = markdown(summary)
     begin = next(i for i, line in enumerate(lines) if line.startswith("## What the parts of"))
     end = next(i for i in range(begin + 1, len(lines)) if lines[i].startswith("## "))
-    return ["", *lines[begin:end], f"Of the first {summary['draws']} draws."]
+    before = summary["law_sha256"]
+    other = (
+        "" if before == law else f", seed {summary['seed']}, flown with the law before this, `{before[:16]}`"
+    )
+    return ["", *lines[begin:end], f"Of the first {summary['draws']} draws{other}."]
 
 
 def environment_of(folder: Path) -> str:
