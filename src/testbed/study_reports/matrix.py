@@ -36,7 +36,7 @@ def _parts(plan: MatrixPlan, summary: Mapping[str, Any], folder: Path) -> Iterat
         here = [cell for cell in cells if (cell["weather"], cell["controller"]) == (weather, label)]
         yield _table(plan, here, folder)
     yield html.note(
-        "Each cell: what came of the worst of its flights, for each severity. Held: every requirement met. Survived: flown to the "
+        "Each cell: each severity, and what came of the worst of its flights. Held: every requirement met. Survived: flown to the "
         "end. Not possible (-): the failure does not fit the actuator. The commands are run in the folder of this page; "
         "matrix.csv has every cell."
     )
@@ -79,7 +79,7 @@ def _cell(plan: MatrixPlan, cell: Cell, folder: Path) -> Html:
         "details",
         tag(
             "summary",
-            f"{cell['severity']:g} {cell['result']}{against}",
+            f"{cell['severity']:g}: {cell['result']}{against}",
             class_=f"cell {cell['result'].replace(' ', '-')}",
         ),
         tag("p", cell["why"] or f"{cell['held']} of {cell['flights']} held"),

@@ -77,7 +77,9 @@ def _misses(best: Mapping[str, Any]) -> Iterator[str]:
     if worst is not None and worst["successes"] < worst["n"]:
         yield f"{who} missed most often: {worst['name']} (in {worst['n'] - worst['successes']} of {worst['n']})."
     lost = _lost(best)
-    yield f"The aircraft was lost in {lost} of its flights." if lost else "No flight of it was lost."
+    yield (
+        f"{who} lost the aircraft in {count(lost, 'flight')}." if lost else f"{who} never lost the aircraft."
+    )
     flown = {str(Outcome.completed), *LOSSES}
     if absent := sum(n for name, n in best["outcomes"].items() if name not in flown):
         yield f"{count(absent, 'flight')} gave no result."
