@@ -38,8 +38,9 @@ def unnoticed(log: Mapping[str, np.ndarray], failures: Iterable[ActiveFailure]) 
 
 def _seen(log: Mapping[str, np.ndarray], failure: ActiveFailure) -> bool:
     first, end = (row_at(log["time_s"], t) for t in (failure.from_s, failure.until_s))
+    flagged = log.get(f"{failure.actuator}_failed")  # a summary may name what the log does not have
     return (
-        bool(np.any(log[f"{failure.actuator}_failed"][first:end] > 0.0))
+        (flagged is not None and bool(np.any(flagged[first:end] > 0.0)))
         or any(
             b["belief"] not in _NO_SIGN and b["time_s"] < failure.until_s and b["until_s"] >= failure.from_s
             for b in beliefs(log, [failure.actuator])
