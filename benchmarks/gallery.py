@@ -186,6 +186,8 @@ def page(rows: Sequence[Row]) -> Iterator[str]:
     yield "Cells are `held/survived/flown`, then the largest errors of those that survived."
     yield "The default controller is not tuned for any of them. Sensors are ideal, in turbulence too. An empty cell was not flown."
     yield ""
+    yield "![Each aircraft as its replay draws it; what moves is coloured](../figures/gallery.png)"
+    yield ""
     kinds = {
         f"{air}, {name}": [r for r in rows if r["air"] == air and of(r)]
         for air in AIRS

@@ -127,6 +127,7 @@ PAGES: tuple[Page, ...] = (
             f"{_GALLERY} {_NAMED} --air turbulent --values 0 --seeds 2",
             f"{_GALLERY} runs/adopted/* --controllers default --values 0 --seeds 2 --actuators aileron,rudder",
             f"{_GALLERY} {_NAMED} runs/adopted/* --flown --document docs/results/gallery.md",
+            f"benchmarks/aircraft_pictures.py {_NAMED} runs/adopted/*",
         ),
         "1 and 2",
         1800,

@@ -4,6 +4,7 @@ A line `<!-- table: metrics -->` of a page stands for a table. `<!-- keys: testb
 the keys of a model of the package; `without` may follow, and keys that have pages of their own. A line
 `<!-- file: examples/my_controller.py -->` stands for a file. The results are not committed, so they cannot be out of date.
 A page of results says at its top with what it was flown, and whether the program has changed since (`benchmarks/stamps.py`).
+Two flights are flown for the site, and their report and comparison are pages of it.
 """
 
 from __future__ import annotations
@@ -11,8 +12,13 @@ from __future__ import annotations
 import html
 import re
 import sys
+import tempfile
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from mkdocs.config.defaults import MkDocsConfig
+    from mkdocs.structure.files import Files
 
 _ROOT = Path(__file__).parents[2]
 sys.path[:0] = [
@@ -29,6 +35,27 @@ _TABLE = re.compile(r"^<!-- (table|keys): (\S+)(?: without ([\w ]+))? -->$", fla
 _FILE = re.compile(r"^<!-- file: (\S+\.(?:py|pl|xml|yaml)) -->$", flags=re.MULTILINE)
 _INLINE = re.compile(r'<span class="arithmatex">\\\((.*?)\\\)</span>', flags=re.DOTALL)
 _BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=re.DOTALL)
+
+
+def on_files(files: Files, config: MkDocsConfig) -> Files:
+    """The site's files, with `examples/report.html` and `examples/comparison.html`: a flight of the first scenario, and the same
+    failure flown by a controller that does not adapt beside it."""
+    from mkdocs.structure.files import File
+
+    from testbed.cli.commands import main
+
+    scenario = str(_ROOT / "scenarios" / "reversed_in_turbulence.yaml")
+    with tempfile.TemporaryDirectory() as scratch:
+        runs = [Path(scratch) / name for name in ("adaptive_inversion", "fixed_inversion")]
+        for run in runs:
+            main(["run", scenario, "--set", f"controller.type={run.name}", "--out", str(run)])
+        main(["compare", *map(str, runs), "--out", str(Path(scratch) / "comparison.html")])
+        for name, page in (
+            ("report", runs[0] / "report.html"),
+            ("comparison", Path(scratch) / "comparison.html"),
+        ):
+            files.append(File.generated(config, f"examples/{name}.html", content=page.read_bytes()))
+    return files
 
 
 def on_page_markdown(markdown: str, **_: Any) -> str:
