@@ -38,7 +38,7 @@ _BLOCK = re.compile(r'<div class="arithmatex">\s*\\\[(.*?)\\\]\s*</div>', flags=
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
-    """The site's files, with `examples/report.html` and `examples/comparison.html`: a flight of the first scenario, and the same
+    """The site's files, with `examples/report.html` and `examples/comparison.html`: a reversed tail in turbulence, and the same
     failure flown by a controller that does not adapt beside it."""
     from mkdocs.structure.files import File
 
