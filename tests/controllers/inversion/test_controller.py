@@ -11,6 +11,7 @@ import pytest
 from turning_flights import flown, loss, model_off
 from vtail_setup import ACTUATORS, setpoint, trim_state, vtail_setup
 
+import testbed
 from testbed.common.signals import RATES, SETPOINT, STATE, record_dtype, telemetry_rows
 from testbed.controllers.inversion.controller import InversionController, fixed_inversion
 from testbed.controllers.records import REGULATOR_STATE
@@ -145,3 +146,19 @@ def test_the_mode_is_switched_in_the_step_that_flags() -> None:
 def test_a_fixed_inversion_neither_estimates_nor_flags() -> None:
     telemetry = flown_by_hand(vtail_setup(), False, 0.0)
     assert np.isnan(telemetry[:, 8:16]).all()
+
+
+def test_airspeed_is_kept_where_the_model_knows_its_drag_badly() -> None:
+    """The model's forward force by angle of attack is three times too large, and the flight 5 m/s faster than the design's."""
+    faster = {"altitude_m": 200.0, "airspeed_m_s": 30.0, "heading_deg": 90.0}
+    asked = {
+        "aircraft": "aerosonde", "initial": {**faster, "airspeed_m_s": 25.0}, "commands": [{"at_s": 0, **faster}],
+        "failures": [], "requirements": [], "duration_s": 50,
+    }  # fmt: skip
+    off_m_s = []
+    for ablate in ((), ("model_error",)):
+        law = {"type": "adaptive_inversion", "model_error": {"CX_alpha": 3.0}, "ablate": list(ablate)}
+        log = testbed.fly("scenarios/left_tail_fail.yaml", set={**asked, "controller": law}).log
+        late = log[log.time_s > 40.0]
+        off_m_s.append(float((late.airspeed_m_s - late.airspeed_command_m_s).abs().max()))
+    assert off_m_s[0] < 0.1 and off_m_s[1] > 2.0
