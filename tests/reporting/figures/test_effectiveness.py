@@ -8,6 +8,7 @@ import numpy as np
 from figure_flights import broken, panels
 from handmade import flight_of, injection, level_log
 
+from testbed.common.signals import Belief
 from testbed.reporting.comparison.differences import Compared
 from testbed.reporting.comparison.panels import columns_of
 from testbed.reporting.comparison.panels import groups as of_comparison
@@ -44,6 +45,15 @@ def test_what_is_true_is_what_the_actuator_does_for_its_command() -> None:
     assert "does not follow its command" in {text.get_text() for text in axes.texts}
     (group,) = (group for group in groups(held, shown_log(held)) if group["name"] == "effectiveness")
     assert "does not follow its command from 3.0 s on" in group["panels"][0]["title"]
+
+
+def test_what_is_believed_again_and_again_is_written_once() -> None:
+    log = level_log()
+    log["elevon_belief"] = np.zeros(len(log["time_s"]))
+    for first in (200, 400, 600):
+        log["elevon_belief"][first : first + 50] = Belief.late
+    axes = panels(plot(flight_of(log), "effectiveness"))[0]
+    assert [text.get_text() for text in axes.texts].count("believed late") == 1
 
 
 def test_compared_flights_share_what_is_true_only_where_it_is_the_same() -> None:

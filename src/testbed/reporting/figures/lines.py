@@ -179,12 +179,13 @@ def _levels(axes: Axes, panel: Panel) -> None:
 
 
 def _notes(axes: Axes, panel: Panel) -> None:
-    """Write each note where it begins, one below the other."""
+    """Write each text of a note where it first begins, one below the other."""
     first, last = axes.get_xlim()
-    for i, (since, until, words) in enumerate(panel.notes[:_MOST_NOTES]):
+    begins: dict[str, float] = {}
+    for since, until, words in panel.notes:
         if since < last and until > first:
-            place, y = (max(since, first) - first) / (last - first), 0.72 - 0.18 * (i % 3)
-            side, by = ("left", 0.01) if place < 0.6 else ("right", -0.01)
-            axes.text(
-                place + by, y, words, fontsize=8, ha=side, va="top", transform=axes.transAxes, bbox=_PAPER
-            )
+            begins.setdefault(words, since)
+    for i, (words, since) in enumerate(list(begins.items())[:_MOST_NOTES]):
+        place, y = (max(since, first) - first) / (last - first), 0.72 - 0.18 * (i % 3)
+        side, by = ("left", 0.01) if place < 0.6 else ("right", -0.01)
+        axes.text(place + by, y, words, fontsize=8, ha=side, va="top", transform=axes.transAxes, bbox=_PAPER)
