@@ -23,7 +23,7 @@ from testbed.reporting.html import Html
 from testbed.reporting.page.columns import packed
 from testbed.reporting.page.drawn import can_be_replayed
 from testbed.reporting.panels import response_of, shown_log
-from testbed.reporting.run_report import moving
+from testbed.reporting.run_report import to_fill
 
 _TITLES = {"healthy": "nothing found", "unnoticed": "broken, not found", "flagged": "found"}
 _PLACE = {"north": "north_m", "east": "east_m", "altitude": "altitude_m", "heading": "heading_deg"}
@@ -100,7 +100,7 @@ def replay(found: Diagnosis, scene: Scene) -> tuple[Html, dict[str, Any]] | None
         "actuators": scene.actuators, "beliefs": {belief.value: belief.name for belief in Belief}, "estimates": True,
         "shape": scene.shape.model_dump(), "events": failures + findings, "titles": _TITLES, "believer": "the diagnosis",
     }  # fmt: skip
-    return moving([], scene.log), {"flight": flight, "columns": columns}
+    return to_fill([], scene.log), {"flight": flight, "columns": columns}
 
 
 def phases(found: Diagnosis) -> list[dict[str, Any]]:

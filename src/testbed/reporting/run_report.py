@@ -64,7 +64,7 @@ def replay(
 ) -> tuple[Html, dict[str, Any]]:
     """(timeline, replay and the panels `shown` in HTML, the data of the page) for `flight.js`; see `drawn.can_be_replayed`."""
     told, columns = packed(log)
-    return moving(shown, log), {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
+    return to_fill(shown, log), {"flight": _for_the_script(flight, told, shown, log), "columns": columns}
 
 
 def _parts(flight: Flight, moving: Part, figures: Path | None, again: Html, back: Part) -> Iterator[Part]:
@@ -81,7 +81,7 @@ def _parts(flight: Flight, moving: Part, figures: Path | None, again: Html, back
     yield sections.again(flight, again)
 
 
-def moving(shown: list[dict[str, Any]], columns: Iterable[str]) -> Html:
+def to_fill(shown: list[dict[str, Any]], columns: Iterable[str]) -> Html:
     """The places that the script fills: timeline, replay, panels, and a panel of any column."""
     said = "Drag in a panel to zoom, double-click for the whole flight, click to go there."
     chosen = tag("select", [tag("option", name) for name in columns if name != "time_s"])

@@ -65,7 +65,7 @@ def _approach(scenario: Scenario, name: str, key: str, factor: float, rows: np.n
         # One row more than until the next command, which starts from there.
         after, start = slice(max(first, done), end + 1), float(value[first])
         change = _change(start, target * factor, name)
-        value[after], rate[after] = start + math.copysign(1.0, change) * abs(change), 0.0
+        value[after], rate[after] = start + change, 0.0
         there = first + abs(change) / moves * scenario.rate_hz + 2 if moves else math.inf
         after = slice(after.start, int(min(after.stop, len(rows), max(there, after.start))))
         elapsed = np.arange(after.start, after.stop) / scenario.rate_hz - first / scenario.rate_hz
