@@ -16,6 +16,7 @@ from testbed.inputs.received import refuse_links
 from testbed.reporting.attempt import add_report, attempt
 from testbed.reporting.junit import Test
 from testbed.reporting.numbers import interval, number
+from testbed.reporting.words import passing
 from testbed.studies import summary
 from testbed.studies.checks import check
 from testbed.studies.flying.flight import Fly, Job, flight_of
@@ -168,7 +169,7 @@ def _shares(summary: Mapping[str, Any]) -> Iterator[str]:
         total = variant["all_requirements"]
         if flown := total["n"] + total.get("not_judged", 0):
             yield f"{variant['label'] or summary['sweep']}: {flown} runs"
-            yield f"  {interval(total)}  all requirements"
+            yield f"  {interval(total)}  {passing(variant['requirements'])}"
             yield from (f"  {interval(each)}  {each['name']}" for each in variant["requirements"])
 
 

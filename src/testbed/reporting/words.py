@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from typing import Any
 
 from testbed.common.units import endings, unit
@@ -36,6 +36,11 @@ def joined(parts: Sequence[str]) -> str:
 def count(number: int, of: str) -> str:
     """`1 flight`, `2 flights`."""
     return f"{number} {of}" if number == 1 else f"{number} {of}s"
+
+
+def passing(requirements: Sized) -> str:
+    """What it is to pass: `all requirements`, or `flown to the end` where nothing more is asked."""
+    return "all requirements" if len(requirements) else "flown to the end"
 
 
 def broke(flight: Flight, number: int) -> str:

@@ -28,6 +28,11 @@ def compared(better: int, worse: int, first: str, second: str, n: int = 60) -> d
     return {"first": first, "second": second, "n": n, **paired(one, other).plain}
 
 
+def test_without_requirements_it_says_how_often_it_flew_to_the_end() -> None:
+    told = answer(summary(variant("fixed", 58, requirements=[])))
+    assert told[0] == "fixed flies to the end in 58 of 60 flights (89 to 99 %); nothing more is asked of it."
+
+
 def test_the_best_is_named_first_with_its_interval_and_its_pairs() -> None:
     told = answer(
         summary(variant("fixed", 42), variant("adaptive", 58), pairs=[compared(0, 16, "fixed", "adaptive")])

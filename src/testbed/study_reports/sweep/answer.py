@@ -35,6 +35,8 @@ def _unjudged(summary: Mapping[str, Any]) -> Iterator[str]:
 
 def _first(summary: Mapping[str, Any], best: Mapping[str, Any]) -> str:
     share = _share(best["all_requirements"], summary["probabilistic"])
+    if not best["requirements"]:
+        return f"{best['label'] or 'It'} flies to the end in {share}; nothing more is asked of it."
     return (
         f"{best['label']} meets all requirements in {share}."
         if best["label"]

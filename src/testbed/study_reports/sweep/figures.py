@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from testbed.common.statistics import proportion
 from testbed.reporting.palette import COLOURS, MET, MISSED, nth
-from testbed.reporting.words import setting
+from testbed.reporting.words import passing, setting
 from testbed.studies.folder.reading import groups_of
 from testbed.studies.plan import Plan
 from testbed.studies.sensitivity import sensitivity
@@ -42,7 +42,8 @@ def draw_sweep(plan: Plan, frame: pd.DataFrame, folder: Path) -> list[Path]:
 
 def probabilities(plan: Plan, frame: pd.DataFrame, folder: Path) -> Figure | None:
     """Probability that all requirements are met, and that each is met, with 95 % intervals."""
-    names = ["all requirements", *requirement_titles(plan)]
+    titles = requirement_titles(plan)
+    names = [passing(titles), *titles]
     drawn, ((axes,),) = figure(8.0, 0.9 + 0.42 * len(names))
     for i, (label, rows) in enumerate(groups_of(plan, frame)):
         total = judged(rows["passed"])

@@ -9,7 +9,7 @@ from typing import Any
 from testbed.reporting import html
 from testbed.reporting.html import Html, tag
 from testbed.reporting.numbers import interval, number
-from testbed.reporting.words import DIGITS, setting, title
+from testbed.reporting.words import DIGITS, passing, setting, title
 from testbed.study_reports.sweep.answer import answer, ranked
 from testbed.study_reports.sweep.flight_page import only
 
@@ -52,7 +52,7 @@ def probabilities(summary: Summary) -> Iterator[Html]:
     each.sort(
         key=lambda shares: min(1.0 if share["estimate"] is None else share["estimate"] for share in shares)
     )
-    total = _dots("all requirements", [v["all_requirements"] for v in variants], "total")
+    total = _dots(passing(each), [v["all_requirements"] for v in variants], "total")
     yield tag("div", total, (_dots(shares[0]["name"], shares) for shares in each), _ends(), class_="dots")
     ended = {"": lambda v: v["label"] or "all", "how flights ended": lambda v: _outcomes(v["outcomes"])}
     yield html.listing(variants, ended)
