@@ -126,7 +126,7 @@ def parts_of(summary: dict[str, Any], law: str) -> list[str]:
     end = next(i for i in range(begin + 1, len(lines)) if lines[i].startswith("## "))
     before = summary["law_sha256"]
     other = (
-        "" if before == law else f", seed {summary['seed']}, flown with the law before this, `{before[:16]}`"
+        "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
     )
     return ["", *lines[begin:end], f"Of the first {summary['draws']} draws{other}."]
 

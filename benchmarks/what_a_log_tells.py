@@ -33,9 +33,10 @@ A healthy flight of the v-tail, {length:g} s, seed {seed}. *Deviation* is that o
 {line}
 {rows}
 
-- **What does not move cannot be judged.** In steady calm flight nothing moves, and what moves, moves alike: both tails hold one
-  moment, so less of the left and less of the right look the same. Gusts move them; turns do it better. The columns are
-  `A_alone_std` and `A_variance_inflation` of `diagnosis.csv`; an inflation of 10 or more says that a manoeuvre is missing.
+- **What does not move cannot be judged.** In steady calm flight actuators hardly move, and both tails move alike: less of the left
+  and less of the right look the same. Gusts move them; turns do it better. The columns are `A_alone_std` and
+  `A_variance_inflation` of `diagnosis.csv`: a deviation above 0.3 says that a manoeuvre is missing, an inflation of 10 or
+  more that two actuators moved alike.
 - **A steady error looks like none.** A weak propeller and more drag are the same in level flight; a change is seen when it happens.
 - **A force of zero has many names**: lost, held near neutral, or floating. The probabilities say so.
 - A second failure while the first lasts is not looked for. Only servos can be slow or late: throttles answer to the noise of

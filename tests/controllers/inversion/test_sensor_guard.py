@@ -115,3 +115,17 @@ def test_without_the_guard_an_airspeed_that_is_asked_for_is_never_seen() -> None
         log = flown("airspeed", ablate).log
         errors.append(float((log.airspeed_m_s - log.airspeed_command_m_s)[log.time_s > 60.0].abs().mean()))
     assert errors[0] < 3.0 and errors[1] > 2.0 * errors[0]
+
+
+@pytest.mark.parametrize(("surface", "vane"), [("rudder", "alpha"), ("aileron", "beta")])
+def test_an_offset_is_made_up_for_once_with_a_stuck_vane(surface: str, vane: str) -> None:
+    """Its force is in the model's error, which is inverted then, and in what its commands are shifted by."""
+    start = "altitude_m: 250, airspeed_m_s: 25, heading_deg: 90"
+    changes = [
+        "aircraft=aerosonde", f"initial={{{start}}}", f"commands=[{{at_s: 0, {start}}}, {{at_s: 15, heading_deg: 110}}]",
+        f"failures=[{{type: bias, actuator: {surface}, at_s: 12, value: 6}}]", "requirements=[]",
+        f"sensors={{model: mems, faults: [{{type: stuck, sensor: {vane}, at_s: 30}}]}}",
+        "atmosphere={turbulence_w20_m_s: 3.1}", "seed=5", "duration_s=60",
+    ]  # fmt: skip
+    flight = fly(load_scenario(ROOT / "scenarios" / "left_tail_fail.yaml", changes))
+    assert worst_errors(flight, 31.0)[1] < 5.0

@@ -17,6 +17,7 @@ from testbed.controllers.inversion.lateness import delay_regressor, estimate_lat
 from testbed.controllers.inversion.law import (
     adapt,
     assume_ideal_actuators,
+    effect_ratio,
     is_steady,
     low_pass,
     measured_error,
@@ -122,20 +123,24 @@ def believed_command_step(step, parts):
 
 
 @compiled
-def add_model_error(f, s):
-    """Add the estimated model error b to f_m [4]: along the axis always, of the rotations while a vane is stuck.
+def add_model_error(f, pressure_ratio, m, s):
+    """Add the estimated model error b to f_m [4]: of u_dot always, of the rotations while a vane is stuck.
 
     The outer loop of airspeed may ask for less acceleration than the error of the modelled drag far from trim, and then airspeed
-    would run away. Those of rotation may ask for more, and gusts, which their b follows too, are better left to them."""
+    would run away. Those of rotation may ask for more, and gusts, which their b follows too, are better left to them. The force of
+    an offset is in b as well (`keep_offsets`), and commands make up for it already by its `shift`: it is left out.
+    """
     for i in range(4):
         if i == U_DOT or vane_is_stuck(s):  # then it is also what gusts do that are not measured
             f[i] += s.b[i]
+            for j in range(len(s.shift)):
+                f[i] -= m.B[i, j] * effect_ratio(j, pressure_ratio, m) * s.shift[j]
 
 
 @compiled
 def command(y, ref, row, m, c, k, s, w):
     """Outer loops, inversion and commands for a state y, and a row of telemetry."""
-    add_model_error(w.f, s)
+    add_model_error(w.f, pressure_ratio_of(y, m), m, s)
     virtual_control(y, ref, m, c, k, s, w)  # the bracket of (6) and (29)
     allocate_and_command(w.nu, pressure_ratio_of(y, m), axial_speed(y), m, c, k, s, w)  # (6), (29), (8)
     write_telemetry(row, k.released, s)
