@@ -136,7 +136,7 @@ class AdaptiveInversionSettings(ControllerSettings):
     ablate: tuple[Part, ...] = ()
     """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
     `monitor` (nothing is flagged for a low estimate), `model_error` (the model's own error is neither estimated nor inverted),
-    `speed_rule` (no other airspeed after a failure, no altitude given up for airspeed), `jam_test` (no jam or reversal is looked for),
+    `speed_rule` (no other airspeed after a failure, no altitude given up for it), `jam_test` (no jam or reversal is looked for),
     `actuator_model` (actuators are taken to be where they are commanded, at once and without stops: the paper's (10)), `probing`
     (what is given up stands still at its trim position), `sensor_guard` (stuck sensors are believed)."""
 
