@@ -16,10 +16,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from testbed.aircraft.conventional_shape import drawn_by_effect
+from testbed.aircraft.conventional_shape import shape_of
 from testbed.aircraft.description import load_aircraft
-from testbed.aircraft.looks import looks_of
-from testbed.aircraft.shape import Shape, load_shape
+from testbed.aircraft.shape import Shape
 from testbed.plant.identification import stored
 
 COLUMNS, SIDE_IN, DOTS_PER_IN = 7, 1.5, 100
@@ -34,15 +33,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("folders", nargs="+", metavar="FOLDER")
     parser.add_argument("--out", type=Path, default=Path("docs/figures/gallery.png"))
     options = parser.parse_args(arguments)
-    shapes = {Path(folder).name: shape_of(folder) for folder in options.folders}
+    found = {Path(folder).name: load_aircraft(folder) for folder in options.folders}
+    shapes = {name: shape_of(aircraft, stored(aircraft)) for name, aircraft in found.items()}
     figure(shapes).savefig(options.out, dpi=DOTS_PER_IN, metadata={"Software": None})
-
-
-def shape_of(folder: str) -> Shape:
-    """The shape that a replay of this aircraft has."""
-    aircraft = load_aircraft(folder)
-    model = stored(aircraft)
-    return load_shape(aircraft.folder) or drawn_by_effect(model, model.span_m or 0.0, looks_of(aircraft))
 
 
 def figure(shapes: dict[str, Shape]) -> Figure:

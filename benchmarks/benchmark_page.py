@@ -5,8 +5,8 @@
     python benchmarks/benchmark_page.py runs/benchmark runs/healthy --beside runs/more --parts runs/ablations
 
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
-Else a folder may be unfinished: the draws that every controller has flown count. Folders `--beside` have further controllers on
-the same draws; the one of `--parts` has the default without its parts. With `--commit` the page is stamped with the
+Else a folder may be unfinished: the draws that every controller has flown count. Of folders `--beside` further controllers on
+the same draws are taken; the one of `--parts` has the default without its parts. With `--commit` the page is stamped with the
 commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
@@ -112,8 +112,10 @@ def summary_of(folder: Path, beside: Sequence[Path] = ()) -> dict[str, Any]:
         more = benchmark.plan_of(other)
         if (more.digest, more.study.seed) != (plan.digest, plan.study.seed):
             sys.exit(f"{other} has other draws than {folder}")
-        builder = replace(plan.builder, variants=(*plan.variants, *more.variants))
-        plan, frames = replace(plan, builder=builder), [*frames, benchmark.table(other)]
+        new = [variant for variant in more.variants if variant.label not in plan.labels]
+        flights = benchmark.table(other)
+        frames.append(flights[flights["controller"].isin([variant.label for variant in new])])
+        plan = replace(plan, builder=replace(plan.builder, variants=(*plan.variants, *new)))
     frame = pd.concat(frames)
     flown = frame.groupby("draw")["controller"].transform("nunique") == len(plan.labels)
     return scores.summarize(plan, frame[flown]) | {"law_sha256": law}
@@ -125,9 +127,7 @@ def parts_of(summary: dict[str, Any], law: str) -> list[str]:
     begin = next(i for i, line in enumerate(lines) if line.startswith("## What the parts of"))
     end = next(i for i in range(begin + 1, len(lines)) if lines[i].startswith("## "))
     before = summary["law_sha256"]
-    other = (
-        "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
-    )
+    other = "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
     return ["", *lines[begin:end], f"Of the first {summary['draws']} draws{other}."]
 
 

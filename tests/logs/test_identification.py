@@ -18,7 +18,7 @@ from testbed.logs import own
 from testbed.logs.entry import _setup
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import BIN_S, Part, simulated
-from testbed.logs.vanes import smoothed
+from testbed.logs.vanes import without_white_noise
 
 from .conftest import SCENARIO, Run
 
@@ -103,10 +103,10 @@ def test_what_a_vane_measures_without_its_noise() -> None:
     """Motion below 1 Hz in as much white noise: nine tenths of the noise are gone, without delay; without noise all of it stays."""
     rng, time_s = np.random.default_rng(4), 0.005 * np.arange(24000)
     motion = sum(np.sin(2.0 * np.pi * hz * time_s + hz) for hz in (0.1, 0.37, 0.9))
-    noisy = smoothed(motion + rng.normal(size=len(time_s)), 0.005)
+    noisy = without_white_noise(motion + rng.normal(size=len(time_s)), 0.005)
     assert np.std(noisy - motion) < 0.25
     assert np.corrcoef(noisy[20:-20], motion[20:-20])[0, 1] > np.corrcoef(noisy[20:-20], motion[:-40])[0, 1]
-    np.testing.assert_allclose(smoothed(motion, 0.005)[200:-200], motion[200:-200], atol=0.01)
+    np.testing.assert_allclose(without_white_noise(motion, 0.005)[200:-200], motion[200:-200], atol=0.01)
 
 
 def test_noise_and_gusts_contradict_nothing_that_is_right(run: Run) -> None:

@@ -41,7 +41,9 @@ def test_the_first_section_is_where_the_reference_loses(summary: dict) -> None:
     assert lines[2] == "## Where `default` loses"
     assert "| storm | 40 | 0.250 | 0.750 | `fixed` |" in lines
     said = next(
-        line for line in lines if line.startswith("It does not hold 2 of 4 draws that another holds.")
+        line
+        for line in lines
+        if line.startswith("It does not hold 2 of 4 draws that another, told nothing, holds.")
     )
     assert "--seed 5 --only DRAW --controller default` flies one again" in said
     assert "| 3 | x | x, x | x | 0.25 | 1 of 1 |" in lines

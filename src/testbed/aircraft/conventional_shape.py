@@ -14,9 +14,10 @@ from functools import lru_cache
 
 import numpy as np
 
+from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DesignModel
-from testbed.aircraft.looks import Looks, Power
-from testbed.aircraft.shape import Body, Panel, Point, Propulsor, Sense, Shape
+from testbed.aircraft.looks import Looks, Power, looks_of
+from testbed.aircraft.shape import Body, Panel, Point, Propulsor, Sense, Shape, load_shape
 
 _UNKNOWN_SPAN_M = 2.0
 _SOME = 0.1
@@ -33,6 +34,12 @@ _ROLES = ((1, "elevator"), (0, "aileron"), (2, "rudder"))
 
 Roles = Mapping[str, tuple[str, Sense]]
 """Role and sense (see `Panel`) of surfaces by their names."""
+
+
+def shape_of(aircraft: Aircraft, model: DesignModel, span_m: float | None = None) -> Shape:
+    """The shape in the aircraft's folder, or else one that is drawn by the effects of its actuators and the looks of its model."""
+    span_m = model.span_m if span_m is None else span_m
+    return load_shape(aircraft.folder) or drawn_by_effect(model, span_m or 0.0, looks_of(aircraft))
 
 
 @lru_cache(maxsize=16)

@@ -177,10 +177,10 @@ def print_verdict(flight: Flight, said: Collection[str] = ()) -> None:
         print("  ", end="")
         print_verdict_word("NOT MET", good=False)
         print(f"  {requirement['name']}: {number(requirement['value'])}{told(flight, requirement)}{reason}")
-    if flight.requirements or flight.passed is False:
-        print_verdict_word(flight.verdict, bool(flight.passed))
-    else:  # neither good nor bad news
+    if flight.judged is None:
         print(flight.verdict, end="")
+    else:
+        print_verdict_word(flight.verdict, flight.judged)
     print(f": {flight.counted}")
     unjudged = [requirement["name"] for requirement in flight.requirements if requirement["passed"] is None]
     if unjudged:

@@ -131,10 +131,14 @@ class Flight:
         return [r for r in self.requirements if r["passed"] is not None]
 
     @property
+    def judged(self) -> bool | None:
+        """As `passed`, but None where the aircraft survived and nothing else was asked: that is neither good nor bad news."""
+        return self.passed if self.requirements or self.outcome.is_lost else None
+
+    @property
     def verdict(self) -> str:
-        """`passed`, `not passed`, or `not judged`, as where the aircraft survived and nothing else was asked."""
-        asked = self.passed is False or bool(self.requirements)
-        return {True: "passed", False: "not passed", None: "not judged"}[self.passed if asked else None]
+        """`passed`, `not passed` or `not judged`."""
+        return {True: "passed", False: "not passed", None: "not judged"}[self.judged]
 
     @property
     def counted(self) -> str:

@@ -26,8 +26,8 @@ _GAP_S = 0.5
 NEEDED = ("airspeed", "p", "q", "r", "roll", "pitch")
 """Signals without which there is no diagnosis."""
 OPTIONAL = ("alpha", "beta", "u_dot", "force_x")
-PLACE = ("north", "east", "altitude", "heading", "latitude", "longitude")
-"""Where the aircraft was, for the replay alone."""
+PLACE, GLOBE = ("north", "east", "altitude", "heading"), ("latitude", "longitude")
+"""Where the aircraft was, for the replay alone; on the globe in place of north and east."""
 _EARTH_M, _FARTHEST_M = 6371e3, 1e6
 _LARGEST = {"p": 12.0, "q": 12.0, "r": 12.0, "roll": 6.4, "pitch": 1.6, "alpha": 1.6, "beta": 1.6, "airspeed": 400.0,
             "u_dot": 300.0, "force_x": 300.0}  # fmt: skip
@@ -80,22 +80,22 @@ def even(
     signals: Mapping[str, np.ndarray],
     commands: Mapping[str, np.ndarray],
     as_positions: np.ndarray,
-    place: Callable[[str], str] = lambda signal: signal,
+    column_of: Callable[[str], str] = lambda signal: signal,
 ) -> FlightLog:
-    """The log of signals [rows] in SI by `NEEDED`, `OPTIONAL` and `PLACE`, and of commands [rows] by actuator.
+    """The log of signals [rows] in SI by `NEEDED`, `OPTIONAL`, `PLACE` and `GLOBE`, and of commands [rows] by actuator.
 
     Args:
-        place: where the user finds a signal, for messages.
+        column_of: where the user finds a signal, for messages.
 
     Raises:
         BadInput: too short or too long, times that are none, a signal that is missing, or in another unit.
     """
     if problems := _missing(name, signals):
         raise BadInput(problems)
-    where = {each: values for each, values in signals.items() if each in PLACE}
-    signals = {each: values for each, values in signals.items() if each not in PLACE}
+    where = {each: values for each, values in signals.items() if each in (*PLACE, *GLOBE)}
+    signals = {each: values for each, values in signals.items() if each not in where}
     rows, remarks = _ascending(name, time_s)
-    if problems := _impossible(name, time_s[rows], {n: v[rows] for n, v in signals.items()}, place):
+    if problems := _impossible(name, time_s[rows], {n: v[rows] for n, v in signals.items()}, column_of):
         raise BadInput(problems)
     if problems := [*_oversized(name, commands, dict.fromkeys(commands, _LARGEST_COMMAND), str)]:
         raise BadInput(problems)
@@ -125,15 +125,15 @@ def even(
             "The log has no acceleration along the body: propellers are seen by their moments alone."
         )
     made = np.stack([columns[actuator] for actuator in commands], axis=1)
-    over = _place(after, before, {each: values[rows] for each, values in where.items()})
-    return FlightLog(name, after, states, made, as_positions, known, tuple(remarks), place=over)
+    place = _place(after, before, {each: values[rows] for each, values in where.items()})
+    return FlightLog(name, after, states, made, as_positions, known, tuple(remarks), place=place)
 
 
 def _place(after: np.ndarray, before: np.ndarray, where: Mapping[str, np.ndarray]) -> dict[str, np.ndarray]:
     """The place at other times, by straight lines through whatever is missing; a globe without a fix says zero and zero."""
     columns = dict(where)
-    if {"latitude", "longitude"} <= set(where):
-        latitude, longitude = where["latitude"], where["longitude"]
+    if set(GLOBE) <= set(where):
+        latitude, longitude = (where[name] for name in GLOBE)
         seen = np.isfinite(latitude + longitude) & ((latitude != 0.0) | (longitude != 0.0))
         if not np.any(seen):
             return {}
@@ -143,7 +143,7 @@ def _place(after: np.ndarray, before: np.ndarray, where: Mapping[str, np.ndarray
             for name, turned in (("north", latitude - latitude[first]), ("east", east)):
                 columns[name] = np.where(seen, _EARTH_M * turned, np.nan)
     made = {}
-    for name in PLACE[:4]:
+    for name in PLACE:
         values = columns.get(name, np.full(len(before), np.nan))
         finite = np.isfinite(values) & (np.abs(values) < _FARTHEST_M)
         if not np.any(finite):
@@ -176,38 +176,44 @@ def _missing(name: str, signals: Mapping[str, np.ndarray]) -> list[Problem]:
 
 
 def _impossible(
-    name: str, time_s: np.ndarray, signals: Mapping[str, np.ndarray], place: Callable[[str], str]
+    name: str, time_s: np.ndarray, signals: Mapping[str, np.ndarray], column_of: Callable[[str], str]
 ) -> list[Problem]:
     """Signals of a size that no aircraft has, and turning rates that do not fit the attitude."""
-    found = [*_oversized(name, signals, _LARGEST, place)]
+    found = [*_oversized(name, signals, _LARGEST, column_of)]
     if not found and not np.nanpercentile(signals["airspeed"], 99.0) > _FLIES_M_S:
-        what, path = f"is never above {_FLIES_M_S:g} m/s", place("airspeed")
+        what, path = f"is never above {_FLIES_M_S:g} m/s", column_of("airspeed")
         found.append(Problem(what, name, path=path, expected="an aircraft that flies; is its sign right?"))
     for rate, angle in (("p", "roll"), ("q", "pitch")):
         if not found and rate in signals and angle in signals and len(time_s) > 100:
             ratio = _ratio(time_s, signals[rate], signals[angle])
             if ratio > 10.0 or ratio < 0.1:
-                what = f"is {ratio:.3g} times the rate of {place(angle)}"
+                what = f"is {ratio:.3g} times the rate of {column_of(angle)}"
                 found.append(
                     Problem(
-                        what, name, path=place(rate), expected=f"about 1 ({_DEGREES} is a unit of degrees)"
+                        what,
+                        name,
+                        path=column_of(rate),
+                        expected=f"about 1 ({_DEGREES} is a unit of degrees)",
                     )
                 )
     return found
 
 
 def _oversized(
-    name: str, signals: Mapping[str, np.ndarray], largest: Mapping[str, float], place: Callable[[str], str]
+    name: str,
+    signals: Mapping[str, np.ndarray],
+    largest: Mapping[str, float],
+    column_of: Callable[[str], str],
 ) -> Iterator[Problem]:
     """Signals without a number, and those that are above their largest value in more than one percent of the log."""
     for signal, values in signals.items():
         if not np.any(np.isfinite(values)):
-            yield Problem("has no numbers", name, path=place(signal))
+            yield Problem("has no numbers", name, path=column_of(signal))
             continue
         size = float(np.percentile(np.abs(values[~np.isnan(values)]), 99.0, method="higher"))
         if size > largest[signal]:
             expected = f"less than {largest[signal]:g}; is its unit right?"
-            yield Problem(f"is up to {size:.3g} in SI", name, path=place(signal), expected=expected)
+            yield Problem(f"is up to {size:.3g} in SI", name, path=column_of(signal), expected=expected)
 
 
 def _ratio(time_s: np.ndarray, rate: np.ndarray, angle: np.ndarray) -> float:

@@ -11,13 +11,14 @@ import numpy as np
 from pydantic import Field
 
 from testbed.aircraft.description import Aircraft
+from testbed.common.units import GRAVITY_M_S2, METRES_PER_SECOND_PER_KNOT
 from testbed.inputs.base import Number, Settings, Text
 from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
 from testbed.inputs.yaml_source import Source, read
 from testbed.logs import dataflash, ulog
-from testbed.logs.flight_log import MOST_ROWS, NEEDED, OPTIONAL, PLACE, FlightLog, even, flown, shown
+from testbed.logs.flight_log import GLOBE, MOST_ROWS, NEEDED, OPTIONAL, PLACE, FlightLog, even, flown, shown
 
 LARGEST = 2000 * MEGABYTE
 """Largest log that is read [bytes]."""
@@ -25,8 +26,8 @@ _MOST_COLUMNS = 5000
 _EXPECTED = "a CSV, Parquet, DataFlash (.BIN) or ULog (.ulg) log"
 _DEG = np.pi / 180.0
 _UNITS: dict[str, float] = {
-    "s": 1.0, "ms": 1e-3, "us": 1e-6, "rad": 1.0, "deg": _DEG, "rad_s": 1.0, "deg_s": _DEG, "m_s": 1.0, "kt": 1852.0 / 3600.0,
-    "m": 1.0, "m_s2": 1.0, "g": 9.80665, "throttle": 1.0, "percent": 0.01, "N": 1.0,
+    "s": 1.0, "ms": 1e-3, "us": 1e-6, "rad": 1.0, "deg": _DEG, "rad_s": 1.0, "deg_s": _DEG, "m_s": 1.0,
+    "kt": METRES_PER_SECOND_PER_KNOT, "m": 1.0, "m_s2": 1.0, "g": GRAVITY_M_S2, "throttle": 1.0, "percent": 0.01, "N": 1.0,
 }  # fmt: skip
 """Factor to SI of each unit."""
 _KINDS = {"time": ("s", "ms", "us"), "p": ("rad_s", "deg_s"), "q": ("rad_s", "deg_s"), "r": ("rad_s", "deg_s"),
@@ -76,15 +77,17 @@ def read_mapping(file: Path, aircraft: Aircraft) -> tuple[Source, ColumnMap]:
                 )
             )
     for name in mapping.signals:
-        if name not in (known := (*NEEDED, *OPTIONAL, *PLACE)):
+        if name not in (known := (*NEEDED, *OPTIONAL, *PLACE, *GLOBE)):
             what = f"is no signal that is used: {shown(name)}"
             problems.append(source.problem(("signals", name), what, *guess(name, known)))
-    globe = {"latitude", "longitude"} if "latitude" in mapping.signals else {"north", "east"}
-    lacks = sorted({"altitude", "heading", *globe} - set(mapping.signals))
-    if lacks and set(PLACE) & set(mapping.signals):
+    needed = (*PLACE[2:], *GLOBE) if set(GLOBE) & set(mapping.signals) else PLACE
+    lacks = sorted(set(needed) - set(mapping.signals))
+    if lacks and {*PLACE, *GLOBE} & set(mapping.signals):
         what = f"has no {' and no '.join(lacks)}, without which there is no replay"
         problems.append(
-            source.problem(("signals",), what, f"none of {', '.join(PLACE)}, or all that are needed")
+            source.problem(
+                ("signals",), what, f"none of {', '.join((*PLACE, *GLOBE))}, or all that are needed"
+            )
         )
     for path, column, units in _with_units(mapping, aircraft):
         if column.unit not in units:

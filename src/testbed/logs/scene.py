@@ -8,11 +8,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from testbed.aircraft.conventional_shape import conventional, drawn_by_effect
+from testbed.aircraft.conventional_shape import conventional, shape_of
 from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import DesignModel
-from testbed.aircraft.looks import looks_of
-from testbed.aircraft.shape import Shape, load_shape
+from testbed.aircraft.shape import Shape
 from testbed.common.signals import STATE, Belief
 from testbed.flight.columns import stretches
 from testbed.flight.flight import Flight
@@ -67,8 +66,7 @@ def of_log(found: Diagnosis, aircraft: Aircraft, model: DesignModel) -> Scene:
             f"{name}_command": command, f"{name}_position": np.where(np.isfinite(held), held, command),
             f"{name}_effectiveness": np.where(np.isfinite(works), works, 1.0), response_of(name): works,
         }  # fmt: skip
-    shape = load_shape(aircraft.folder) or drawn_by_effect(model, model.span_m or 0.0, looks_of(aircraft))
-    return Scene(columns, facts, shape)
+    return Scene(columns, facts, shape_of(aircraft, model))
 
 
 def believed(found: Diagnosis, time_s: np.ndarray) -> dict[str, np.ndarray]:

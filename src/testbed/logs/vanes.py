@@ -24,11 +24,11 @@ def smoothed_vanes(log: FlightLog) -> FlightLog:
     states = log.states.copy()
     for column in (STATE.index(name) for name in _VANES):
         if np.all(np.isfinite(states[:, column])):
-            states[:, column] = smoothed(states[:, column], log.step_s)
+            states[:, column] = without_white_noise(states[:, column], log.step_s)
     return replace(log, states=states)
 
 
-def smoothed(values: np.ndarray, step_s: float) -> np.ndarray:
+def without_white_noise(values: np.ndarray, step_s: float) -> np.ndarray:
     """[rows] what a signal [rows] has beyond its white noise, at even times."""
     width = min(round(_WINDOW_S / step_s), len(values))
     hz, power = welch(values, fs=1.0 / step_s, nperseg=width)

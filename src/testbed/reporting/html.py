@@ -120,9 +120,12 @@ def page_text(
         "html",
         tag("head", head),
         "\n",
-        tag("body", tag("main", body), tag("script", Html(code)))
-        if code
-        else tag("body", tag("main", body), data_drawn="yes"),  # there is nothing to wait for
+        tag(
+            "body",
+            tag("main", body),
+            tag("script", Html(code)) if code else None,
+            data_drawn=None if code else "yes",  # there is nothing to wait for
+        ),
         lang="en",
     )
     return f"<!DOCTYPE html>\n{text}\n"

@@ -164,7 +164,8 @@ def _flagged_still(view: Readings) -> Iterator[str]:
     for failure in failures_of(view.events):
         ends[failure.actuator] = max(ends.get(failure.actuator, 0.0), failure.until_s)
     for name in view.actuators:
-        if ends.get(name, math.inf) < view.time_s[-1] and view.log[f"{name}_failed"][-1] > 0.0:
+        flagged = view.log.get(f"{name}_failed")
+        if flagged is not None and ends.get(name, math.inf) < view.time_s[-1] and flagged[-1] > 0.0:
             yield f"At the end it still flagged the {title(name)}, which worked again."
 
 

@@ -49,7 +49,8 @@ class RealSensors:
     def lengthen(self, steps: int) -> None:
         """Take more control steps: the errors of a longer flight begin with those so far. Call `bind` again after it.
 
-        What is there is not written again: copies of this process share it. So the table has room, as `longer` gives it.
+        What is there, but for faults, is not written again, and is shared by copies of this process. So the table has room, as
+        `longer` gives it.
         """
         so_far, rate_hz, new = self.table, round(self.rate_hz), slice(self._steps, steps)
         if so_far.shape[1] < steps:

@@ -11,10 +11,9 @@ import numpy as np
 
 from testbed.air.wind import Weather
 from testbed.aircraft.changes import load_with_changes
-from testbed.aircraft.conventional_shape import drawn_by_effect
+from testbed.aircraft.conventional_shape import shape_of
 from testbed.aircraft.description import Aircraft
-from testbed.aircraft.looks import looks_of
-from testbed.aircraft.shape import Shape, load_shape
+from testbed.aircraft.shape import Shape
 from testbed.controllers import Controller
 from testbed.controllers.config import InformedSettings
 from testbed.controllers.make import make_controller
@@ -97,7 +96,7 @@ def assemble(scenario: Scenario, controller: Callable[[Setup], Any] | None = Non
         sensors=sensors,
         references=references(scenario, start.state["path_angle"]),
         path_angle=start.state["path_angle"],
-        shape=load_shape(aircraft.folder) or drawn_by_effect(setup.model, plant.span_m, looks_of(aircraft)),
+        shape=shape_of(aircraft, setup.model, plant.span_m),
         flown_by=name_of(controller) if controller else "",
         flown_by_sha256=digest_of(controller) if controller else "",
         sensed=sensed,

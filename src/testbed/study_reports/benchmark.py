@@ -97,7 +97,7 @@ def _where(summary: Summary) -> Iterator[Section]:
         yield Section(title, said, ("group", "draws", first, "the best other", "which"), rows[:_WORST_GROUPS])
         title = ""
     if lost:
-        of = f"It does not hold {lost[0]['of']} of {summary['draws']} draws that another holds. The longest outside"
+        of = f"It does not hold {lost[0]['of']} of {summary['draws']} draws that another, told nothing, holds. The longest outside"
         head = ("draw", "aircraft", "failures", "weather", "inside", "held by others")
         others = len(compared(summary)) - 1
         drawn = [

@@ -18,9 +18,10 @@ from sweep_files import table as table_of
 from sweep_flights import quick
 
 import testbed
+from testbed.common.units import unit
 from testbed.inputs.problems import BadInput
 from testbed.studies.folder import store, table
-from testbed.studies.folder.reading import groups_of, load, unit
+from testbed.studies.folder.reading import groups_of, load
 from testbed.studies.load import load_sweep
 from testbed.studies.sweep import fly_sweep
 

@@ -26,7 +26,6 @@ _THEMES = {
 }
 """Titles of the metrics' modules."""
 _CLASSES = {True: "met", False: "missed", None: ""}
-_COLOURS = {"passed": "met", "not passed": "missed", "not judged": ""}
 AGAIN = Html("""<p>Run this in the folder of this report.
 With the same versions of testbed and JSBSim the log is the same to the last digit.</p>
 <pre>python -m testbed run scenario.yaml --out again</pre>""")
@@ -35,7 +34,7 @@ With the same versions of testbed and JSBSim the log is the same to the last dig
 def head(flight: Flight) -> Iterator[Html]:
     """Title, chips, verdict, story, what the controller said, and warnings."""
     said = diagnoses(flight)
-    sentence = tag("p", verdict(flight), class_=f"verdict {_COLOURS[flight.verdict]}".rstrip())
+    sentence = tag("p", verdict(flight), class_=f"verdict {_CLASSES[flight.judged]}".rstrip())
     yield html.opening(flight.scenario.name, story(flight), facts(flight), sentence)
     if said:
         yield html.folded(said[0], html.listed(said[1:])) if said[1:] else tag("p", said[0])

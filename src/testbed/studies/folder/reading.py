@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from testbed.common.units import unit as unit
+from testbed.common.units import unit
 from testbed.inputs.problems import BadInput, Problem
 from testbed.inputs.received import refuse_links
 from testbed.inputs.received_table import read_frame
