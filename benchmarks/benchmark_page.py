@@ -84,6 +84,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--beside", nargs="+", type=Path, default=[], help="folders of other controllers, same draws"
     )
     parser.add_argument("--parts", type=Path, help="folder of the default without its parts")
+    parser.add_argument("--remark", default="", help="what else a reader must know of the flights")
     parser.add_argument("--commit", help="that flew the folders, for the page's stamp")
     options = parser.parse_args(arguments)
     for folder, suite, draws in zip(options.folders, SUITES, (options.draws, HEALTHY), strict=False):
@@ -96,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     summaries = [summary_of(first, options.beside), *map(summary_of, others)]
     law = summaries[0]["law_sha256"]
     parts = [] if options.parts is None else parts_of(summary_of(options.parts), law)
-    PAGE.write_text(text(summaries, parts), encoding="utf-8")
+    PAGE.write_text(text(summaries, parts, options.remark), encoding="utf-8")
     if options.commit:
         pages.known("benchmark", options.commit, environment_of(options.folders[0]))
 
@@ -141,9 +142,9 @@ def environment_of(folder: Path) -> str:
     )
 
 
-def text(summaries: Sequence[dict[str, Any]], parts: Sequence[str] = ()) -> str:
+def text(summaries: Sequence[dict[str, Any]], parts: Sequence[str] = (), remark: str = "") -> str:
     """The page's Markdown."""
-    lines = [HEAD, *markdown(summaries[0]), *parts]
+    lines = [HEAD, *([remark, ""] if remark else []), *markdown(summaries[0]), *parts]
     for summary in summaries[1:]:
         lines += ["", f"#{HEALTHY_HEAD}", *markdown(summary, "###")]
     return "\n".join([*lines, "", NOTES, *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
