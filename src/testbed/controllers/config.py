@@ -90,6 +90,9 @@ Part = Literal[
     "model_error",
     "speed_rule",
     "jam_test",
+    "offset_test",
+    "swing_test",
+    "lateness",
     "actuator_model",
     "probing",
     "sensor_guard",
@@ -137,8 +140,9 @@ class AdaptiveInversionSettings(ControllerSettings):
     """Parts of the law to switch off, to measure what each brings: `estimate` (references are not divided by the estimates),
     `monitor` (nothing is flagged for a low estimate), `model_error` (the model's own error is neither estimated nor inverted),
     `speed_rule` (no other airspeed after a failure, no altitude given up for it), `jam_test` (no jam or reversal is looked for),
-    `actuator_model` (actuators are taken to be where they are commanded, at once and without stops: the paper's (10)), `probing`
-    (what is given up stands still at its trim position), `sensor_guard` (stuck sensors are believed)."""
+    `offset_test` (an offset is taken for a jam), `swing_test` (nothing is found to oscillate by itself), `lateness` (actuators are
+    taken to act in time), `actuator_model` (actuators are taken to be where they are commanded, at once and without stops: the
+    paper's (10)), `probing` (what is given up stands still at its trim position), `sensor_guard` (stuck sensors are believed)."""
 
     def applied_to(self, control: ControlDesign) -> ControlDesign:
         """See `ControllerSettings.applied_to`."""

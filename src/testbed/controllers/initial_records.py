@@ -98,7 +98,6 @@ def settings_record(setup: Setup, estimation: AdaptiveInversionSettings | None) 
     c.model_error_rate, c.coefficient_error = 1.0 / control.model_error_time_s, control.coefficient_error
     c.jam_sigma, c.jam_time = _JAM_SIGMA, _JAM_TIME_S
     c.jam_process_noise, c.residual_time = _JAM_PROCESS_NOISE, _RESIDUAL_TIME_S
-    c.late_noise = _LATE_NOISE
     paper = estimation is not None and estimation.preset == "paper"
     c.give_up_time, c.sink_time = (0.0, 0.0) if paper else (_GIVE_UP_TIME_S, _SINK_TIME_S)
     c.change_time, c.change_sigma, c.change_lead = _CHANGE_TIME_S, _CHANGE_SIGMA, _CHANGE_LEAD
@@ -121,9 +120,12 @@ def _fill_estimation(c: np.record, chosen: AdaptiveInversionSettings, kinds: tup
     c.adapts, c.estimates, c.weighted = True, True, chosen.estimation == "weighted"
     c.uncompensated, c.monitors = "estimate" in chosen.ablate, "monitor" not in chosen.ablate
     c.tests_jams = "jam_test" not in chosen.ablate
+    c.tests_offsets = c.weighted and "offset_test" not in chosen.ablate
+    c.tests_swings = c.weighted and "swing_test" not in chosen.ablate
     c.probes = c.weighted and "probing" not in chosen.ablate
     c.guards = c.weighted and "sensor_guard" not in chosen.ablate
     c.ideal_actuators = "actuator_model" in chosen.ablate
+    c.late_noise = 0.0 if "lateness" in chosen.ablate else _LATE_NOISE
     if "model_error" in chosen.ablate:
         c.model_error_std[:], c.coefficient_error = 0.0, 0.0
     c.gamma[:] = [chosen.gamma.of(kind) for kind in kinds]

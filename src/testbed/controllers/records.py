@@ -109,6 +109,8 @@ SETTINGS = (
     Field("ideal_actuators", (), "flag", "positions are taken for the commands r / lambda_hat", "(10)"),
     Field("monitors", (), "flag", "flag actuators whose estimate is low", "section 2.3"),
     Field("tests_jams", (), "flag", "look for jammed, offset and reversed actuators"),
+    Field("tests_offsets", (), "flag", "tell an offset of a surface from a jam"),
+    Field("tests_swings", (), "flag", "look for given-up actuators that oscillate by themselves"),
     Field("probes", (), "flag", "actuators that are given up are probed"),
     Field("guards", (), "flag", "readings that repeat themselves are not believed"),
     Field("weighted", (), "flag", "estimate with a Kalman gain in place of (13)"),

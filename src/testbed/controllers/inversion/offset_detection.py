@@ -31,7 +31,7 @@ BEYOND_SIGMAS = 3.0
 def no_effectiveness(i, estimate, m, c, s):
     """Whether surface i is in use, and cannot have this effectiveness: its change is one of position. One that acts late is
     excluded, because a wrong time explains such changes too."""
-    in_use = m.servo[i] and not (s.failed[i] or s.jammed[i])
+    in_use = c.tests_offsets and m.servo[i] and not (s.failed[i] or s.jammed[i])
     return in_use and not is_late(i, s) and not c.lambda_min <= estimate <= c.lambda_max
 
 
@@ -88,7 +88,7 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
 def follows(i, m, c, s):
     """Whether surface i moves with its commands: effectiveness 0 is out of question."""
     sure = s.lambda_hat[i] > max(DECISION_THRESHOLD, BEYOND_SIGMAS * deviation(i, s))
-    return c.weighted and m.servo[i] and sure and not s.failed[i]
+    return c.tests_offsets and m.servo[i] and sure and not s.failed[i]
 
 
 @compiled

@@ -86,7 +86,7 @@ def estimate(y, ref, m, c, s, w):
         return 1
     if not c.tests_jams or vane_is_stuck(s):
         return 0
-    if c.weighted and detect_swings(e, pressure_ratio, m, c, s):
+    if c.tests_swings and detect_swings(e, pressure_ratio, m, c, s):
         return 1
     return detect_jam(e, pressure_ratio, m, c, s)
 
