@@ -63,7 +63,7 @@ def filtered(z: np.ndarray, phi: np.ndarray, one: np.ndarray, classes: np.ndarra
     return made
 
 
-@njit
+@njit(cache=True)
 def _run(z, phi, one, of_columns, classes, change, decay, walk, start, out, evidence, state, variance):
     count = len(classes)
     x, P = np.zeros((count, 3)), np.zeros((count, 3, 3))
@@ -99,7 +99,7 @@ def _run(z, phi, one, of_columns, classes, change, decay, walk, start, out, evid
         state[k] = np.exp(log) @ x
 
 
-@njit
+@njit(cache=True)
 def _mixed(x, P, weight, change, before, P_before):
     """Fill what each class begins a sample with: its own state, and that of the classes from which it may come."""
     count = len(weight)
@@ -117,7 +117,7 @@ def _mixed(x, P, weight, change, before, P_before):
                         P_before[j, a, b] += share * (P[i, a, b] + apart)
 
 
-@njit
+@njit(cache=True)
 def _updated(error, H, P_before, variance, before, x, P):
     """Fill a class's state after a sample; returns its log-likelihood, of Student's distribution of two rates."""
     PH = P_before @ H.T
@@ -133,12 +133,12 @@ def _updated(error, H, P_before, variance, before, x, P):
     return -0.5 * np.log(determinant) - 0.5 * (FREEDOM + 2.0) * np.log1p(distance / FREEDOM)
 
 
-@njit
+@njit(cache=True)
 def _squared(error, a, d, b):
     return (error[0] ** 2 * d - 2.0 * error[0] * error[1] * b + error[1] ** 2 * a) / (a * d - b * b)
 
 
-@njit
+@njit(cache=True)
 def _levelled(level, k, z, phi, one, elevons, x, of_columns):
     """The variance of the errors after a sample, from what the likeliest class leaves."""
     left = z - (1.0 + x[0]) * elevons[0] * phi[:, 0] - (1.0 - x[0]) * elevons[1] * phi[:, 1] - one @ x[1:]

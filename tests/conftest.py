@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import gc
+import os
 import shutil
 import signal
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +18,22 @@ from testbed.aircraft.description import Aircraft, load_aircraft
 
 # Programs started from here hear Ctrl-C, even where the tests themselves were begun in the background, which ignores it.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Generator[None, object, object]:
+    """What the tests import stays: the collector of garbage need not look at it, now and later."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.freeze()
+        gc.enable()
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
+    """One process more than cores, as some tests wait for other processes; four for the nightly tests, which wait more."""
+    return 4 if config.option.markexpr == "nightly" else min(4, 1 + (os.cpu_count() or 1))
 
 
 @pytest.fixture(scope="session")

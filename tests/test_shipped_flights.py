@@ -7,7 +7,7 @@ import json
 import subprocess
 import sys
 import types
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from command_line import in_this_process
+from command_line import testbed as in_a_process
 
 import testbed
 from testbed.common.signals import STATE
@@ -32,11 +34,6 @@ from testbed.simulation.lockstep import Lockstep
 TAIL, PROPELLER = "scenarios/left_tail_fail.yaml", "scenarios/left_propeller_fail.yaml"
 ACTUATORS = ("left_ruddervator", "right_ruddervator", "left_propeller", "right_propeller")
 FILES = ("scenario.yaml", "log.csv", "summary.json")
-
-
-def command(*arguments: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    line = [sys.executable, "-m", "testbed", *arguments]
-    return subprocess.run(line, cwd=folder, capture_output=True, text=True, check=False)
 
 
 def flown(file: str, *settings: str) -> Flight:
@@ -59,21 +56,20 @@ class Run:
         return pd.read_csv(self.folder / "log.csv")
 
 
-def run(folder: Path, file: str, *settings: str) -> Run:
+def run(folder: Path, file: str, *settings: str, call: Callable[..., Any] = in_this_process) -> Run:
     """A scenario flown by the command line, from a folder that has nothing to do with the testbed."""
     options = [part for setting in settings for part in ("--set", setting)]
-    process = command("run", file, "--no-plots", "--out", "out", *options, folder=folder)
-    return Run(folder / "out", process)
+    return Run(folder / "out", call(folder, "run", file, "--no-plots", "--out", "out", *options))
 
 
 @pytest.fixture(scope="session")
 def tail(tmp_path_factory: pytest.TempPathFactory) -> Run:
-    return run(tmp_path_factory.mktemp("tail"), TAIL)
+    return run(tmp_path_factory.mktemp("tail"), TAIL, call=in_a_process)
 
 
 @pytest.fixture(scope="session")
 def propeller(tmp_path_factory: pytest.TempPathFactory) -> Run:
-    return run(tmp_path_factory.mktemp("propeller"), PROPELLER)
+    return run(tmp_path_factory.mktemp("propeller"), PROPELLER, call=in_a_process)
 
 
 # What the scenarios must show ---------------------------------------------------------------------------------------
@@ -378,12 +374,13 @@ LOST = [
 
 @pytest.mark.parametrize(("outcome", "file", "settings"), LOST, ids=[str(case[0]) for case in LOST])
 def test_a_lost_aircraft_is_an_outcome(
-    outcome: Outcome, file: str, settings: list[str], tmp_path: Path
+    outcome: Outcome, file: str, settings: list[str], tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """Exit status 1, no traceback, and a log that is finite up to its last row, read with pandas."""
     lost = run(tmp_path, file, "requirements=[]", *settings)
     summary: Mapping[str, Any] = json.loads((lost.folder / "summary.json").read_text())
     assert (lost.process.returncode, lost.process.stderr) == (1, "")
+    assert capfd.readouterr() == ("", ""), "JSBSim said something"
     assert outcome.sentence in lost.process.stdout
     assert (summary["outcome"], summary["passed"]) == (str(outcome), False)
     log = lost.log

@@ -61,6 +61,21 @@ def test_a_weak_elevon_is_named_in_another_flight(number: int) -> None:
         assert (int(np.sum(said.delays_s <= 3.0)), said.wrong, said.false) == (sudden, 0, 0)
 
 
+def test_the_model_of_a_flight_is_that_of_the_wing_and_leaves_its_gusts() -> None:
+    """Rates, constants, and the elevons at once; of a wing with twice the gain it leaves more."""
+    healthy = np.ones((COUNT, 2))
+    home, strong = _wing(healthy, 1.0, 1), _wing(healthy, 2.0, 2)
+    model = fitted(home, healthy, np.ones(COUNT, dtype=bool))
+    wing = [[0.7, 0.0], [0.0, 0.7], [0.0, 0.0], [-0.3, 0.4], [1.0, 1.0], [-1.0, 1.0], *[[0.0, 0.0]] * 6]
+    np.testing.assert_allclose(model, wing, atol=0.1)
+    left = []
+    for flight in (home, strong):
+        data = regression(flight, 0.0, healthy, model, JUDGED)
+        left.append(np.std(data.z - np.einsum("kri,ki->kr", data.phi, data.truth)))
+    assert left[0] == pytest.approx(0.02, rel=0.05) and left[1] > 2.0 * left[0]
+
+
+@pytest.mark.nightly
 def test_gusts_are_no_failures() -> None:
     """Errors three times those of the flight that the model is of: the size that was learnt there would make them failures."""
     healthy = np.ones((COUNT, 2))

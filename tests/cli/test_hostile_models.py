@@ -47,9 +47,14 @@ def test_validate_says_what_is_wrong_with_the_file(name: str, here: Path, called
     assert sorted(here.rglob("*")) == before
 
 
-@pytest.mark.parametrize("name", _DEADLY)
 @pytest.mark.parametrize(
-    "command", [("run", "s.yaml"), ("sweep", "sweep.yaml"), ("identify", "./vtail")], ids=lambda c: c[0]
+    ("command", "name"),
+    [
+        *((command, name) for command in (("run", "s.yaml"), ("identify", "./vtail")) for name in _DEADLY),
+        (("sweep", "sweep.yaml"), _DEADLY[0]),
+        *(pytest.param(("sweep", "sweep.yaml"), name, marks=pytest.mark.nightly) for name in _DEADLY[1:]),
+    ],
+    ids=lambda each: each if isinstance(each, str) else each[0],
 )
 def test_every_command_survives_what_ends_jsbsim(
     name: str, command: tuple[str, ...], here: Path, called: Called

@@ -28,7 +28,11 @@ Result = subprocess.CompletedProcess[str]
         (["--goal", "least"], "--goal: is 'least', expected smallest or probability"),
         (["--budget", "1"], "--budget 1: budget: is 1, expected greater than or equal to 20"),
         (["--set", "bogus.path=1"], "--set bogus.path=1: bogus: unknown key, expected one of "),
-        (["--cluster", "tcp://127.0.0.1:1"], "--cluster: no cluster answers at tcp://127.0.0.1:1"),
+        pytest.param(
+            ["--cluster", "tcp://127.0.0.1:1"],
+            "--cluster: no cluster answers at tcp://127.0.0.1:1",
+            marks=pytest.mark.nightly,  # it waits for 8 s
+        ),
     ],
 )
 def test_bad_options_are_refused_and_leave_nothing(

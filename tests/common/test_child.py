@@ -67,8 +67,8 @@ def test_one_that_waits_is_ended_by_the_clock(tmp_path: Path, monkeypatch: pytes
 
 
 def test_its_memory_is_limited() -> None:
-    assert ask("child_greedy", 1_000_000_000, Limits(10)).last == {"size": 1_000_000_000}
-    ended = ask("child_greedy", 1_000_000_000, Limits(10, memory_bytes=1_000_000_000))
+    assert ask("child_greedy", 300_000_000, Limits(10)).last == {"size": 300_000_000}
+    ended = ask("child_greedy", 300_000_000, Limits(10, memory_bytes=300_000_000))
     assert ended.errors.strip().endswith("MemoryError") and not ended.answers
 
 

@@ -63,7 +63,7 @@ def test_every_rival_is_a_controller_and_every_controller_has_a_place() -> None:
 
 @pytest.mark.parametrize("name", NEW)
 @pytest.mark.parametrize(
-    "aircraft", ["vtail", "aerosonde", "A320", pytest.param("c172p", marks=pytest.mark.nightly)]
+    "aircraft", ["vtail", "aerosonde", *(pytest.param(name, marks=pytest.mark.nightly) for name in ADOPTED)]
 )
 def test_healthy_flights_are_held(
     tmp_path: Path, adopted: Callable[[str], str], aircraft: str, name: str
@@ -86,6 +86,7 @@ def test_everybody_holds_them(
     assert (altitude < 0.3, heading < 15.0) == (True, True), (altitude, heading)
 
 
+@pytest.mark.nightly
 def test_gains_of_a_small_v_tail_lose_an_airliner(tmp_path: Path, adopted: Callable[[str], str]) -> None:
     """Negative control: gains found for 5 kg."""
     small = {

@@ -33,7 +33,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Run:
         if text not in made:
             folder = tmp_path_factory.mktemp("logged")
             (folder / "scenario.yaml").write_text(text)
-            made[text] = testbed.fly(folder / "scenario.yaml").save(folder / "run")
+            made[text] = testbed.fly(folder / "scenario.yaml").save(folder / "run", figures=False)
         return made[text]
 
     return fly

@@ -77,9 +77,10 @@ def every_command(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (folder / "scenario.yaml").write_text(
         dump({**SCENARIO, **air, "duration_s": 120, "log_hz": 200, "seed": 9})
     )
-    return testbed.fly(folder / "scenario.yaml").save(folder / "run")
+    return testbed.fly(folder / "scenario.yaml").save(folder / "run", figures=False)
 
 
+@pytest.mark.nightly
 def test_a_tail_that_is_wrong_is_told_with_mems_sensors(every_command: Path) -> None:
     """Both methods put its moment, 1.3 times too large, within 15 % of the truth; nothing that is right is contradicted. With every
     second command missing it is not told."""

@@ -16,6 +16,12 @@ from testbed.reporting.figures import TABLE as FIGURES
 from testbed.reporting.figures import draw, plot
 
 
+@pytest.fixture(scope="module")
+def drawn(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """The files of all figures of a flight."""
+    return draw(broken(), tmp_path_factory.mktemp("drawn"))
+
+
 @pytest.mark.parametrize("name", FIGURES)
 def test_axes_have_units_and_lines(name: str) -> None:
     shown = panels(plot(broken(), name))
@@ -73,20 +79,19 @@ def test_a_name_is_no_formula(name: str, tmp_path: Path) -> None:
     assert len(draw(flight_of(level_log(), EVENTS[:1], name=name), tmp_path)) == len(FIGURES)
 
 
-def test_files_are_there_and_not_blank(tmp_path: Path) -> None:
+def test_files_are_there_and_not_blank(drawn: list[Path]) -> None:
     from matplotlib.image import imread
 
-    files = draw(broken(), tmp_path)
-    assert [file.name for file in files] == [f"{name}.png" for name in FIGURES]
-    for file in files:
+    assert [file.name for file in drawn] == [f"{name}.png" for name in FIGURES]
+    for file in drawn:
         ink = imread(file)[..., :3].min(axis=2) < 0.5
         assert 0.001 < ink.mean() < 0.5
         assert ink[ink.shape[0] // 2 :].any() and ink[: ink.shape[0] // 2].any()
 
 
-def test_drawing_twice_gives_the_same_bytes(tmp_path: Path) -> None:
-    one, two = draw(broken(), tmp_path / "one"), draw(broken(), tmp_path / "two")
-    assert [file.read_bytes() for file in one] == [file.read_bytes() for file in two]
+def test_drawing_twice_gives_the_same_bytes(drawn: list[Path], tmp_path: Path) -> None:
+    again = draw(broken(), tmp_path)
+    assert [file.read_bytes() for file in drawn] == [file.read_bytes() for file in again]
 
 
 def test_reading_side_needs_no_simulator() -> None:
@@ -101,11 +106,11 @@ def test_reading_side_needs_no_simulator() -> None:
 
 
 @pytest.mark.parametrize("name", FIGURES)
-def test_a_sheet_drawn_again_shows_nothing_of_what_it_showed_before(name: str, tmp_path: Path) -> None:
+def test_a_sheet_drawn_again_shows_nothing_of_what_it_showed_before(name: str, drawn: list[Path]) -> None:
     """All figures of a flight are drawn on one sheet; each is what a sheet of its own shows."""
     from testbed.reporting.figures.sheet import plain_text, png
 
-    draw(broken(), tmp_path)
     with plain_text():
         alone = png(plot(broken(), name))
-    assert (tmp_path / "figures" / f"{name}.png").read_bytes() == alone
+    (file,) = (each for each in drawn if each.stem == name)
+    assert file.read_bytes() == alone

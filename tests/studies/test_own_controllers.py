@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 import pytest
+import sweep_files
 from own_controllers import SWEEP, own_controller
 
 import testbed
@@ -21,9 +22,7 @@ from testbed.studies.load import load_sweep
 
 
 def swept(folder: Path, own: str, **more: object) -> object:
-    return testbed.sweep(
-        folder / "own.yaml", folder / "out", controllers=[own], jobs=1, figures=False, **more
-    )
+    return sweep_files.swept(folder / "own.yaml", folder / "out", None, controllers=[own], **more)
 
 
 def test_it_is_compared_with_the_shipped_ones_on_the_same_draws(tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ from sweep_files import (
     script,
     sorted_files,
     stored,
+    swept,
     table,
     written,
 )
@@ -35,7 +36,7 @@ def test_any_number_of_workers_gives_the_same_bytes(tmp_path: Path) -> None:
     """More workers than cores, and only one."""
     sweep, one = written(tmp_path), tmp_path / "one"
     testbed.sweep(sweep, one, jobs=1, figures=False)
-    testbed.sweep(sweep, tmp_path / "out", jobs=4, figures=False)
+    testbed.sweep(sweep, tmp_path / "out", jobs=3, figures=False)
     same_rows(one, tmp_path / "out")
     assert sorted_files(one) == sorted_files(tmp_path / "out")
     assert (one / "summary.json").read_bytes() == (tmp_path / "out/summary.json").read_bytes()
@@ -68,21 +69,21 @@ def test_killed_at_random_instants_and_resumed(tmp_path: Path) -> None:
 def test_what_a_killed_process_had_begun_to_write_is_removed(tmp_path: Path) -> None:
     """Killed in the very moment in which the table was written, or a flight's folder."""
     sweep, out = written(tmp_path), tmp_path / "out"
-    testbed.sweep(sweep, out, runs=2, jobs=1, fly=quick, figures=False)
+    swept(sweep, out, runs=2)
     (out / ".0123456789abcdef.partial").write_text("run,see")
     (out / "logs").mkdir(exist_ok=True)
     (out / "logs/.0123456789abcdef.partial").write_text("PAR1")
     (out / ".found.x.partial").mkdir()
     (out / ".found.x.partial/log.csv").write_text("time_s")
-    testbed.sweep(sweep, out, runs=2, jobs=1, resume=True, fly=quick, figures=False)
+    swept(sweep, out, runs=2, resume=True)
     assert not list(out.rglob(".*"))
 
 
 def test_resuming_flies_only_the_rest(tmp_path: Path) -> None:
     sweep = written(tmp_path)
-    testbed.sweep(sweep, tmp_path / "out", runs=5, jobs=1, fly=quick, figures=False)
+    swept(sweep, tmp_path / "out", runs=5)
     before = stored(tmp_path / "out")
-    testbed.sweep(sweep, tmp_path / "out", runs=9, jobs=1, resume=True, fly=quick, figures=False)
+    swept(sweep, tmp_path / "out", runs=9, resume=True)
     after = stored(tmp_path / "out")
     assert after[:10] == before and len(after) == 9 * 2
     same_rows(fly_here(load_sweep(sweep, ["runs=9"]), tmp_path / "whole"), tmp_path / "out")

@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import search_files
-from sweep_files import run
+from sweep_files import run, swept
 
 import testbed
 from testbed.api import search
@@ -124,13 +124,13 @@ def test_an_argument_and_a_file_are_part_of_what_flies(tmp_path: Path) -> None:
 def test_a_sweep_is_not_resumed_with_other_arguments(tmp_path: Path) -> None:
     file = written(tmp_path, ON_HEIGHT)
 
-    def swept(words: str, **more: object) -> object:
+    def flown(words: str, **more: object) -> object:
         own = [f"mine={EXAMPLES / 'pilot.pl'} {words}"]
-        return testbed.sweep(file, tmp_path / "out", controllers=own, jobs=1, figures=False, **more)
+        return swept(file, tmp_path / "out", None, controllers=own, **more)
 
-    swept("--gain 2")
+    flown("--gain 2")
     with pytest.raises(BadInput, match="other code of mine"):
-        swept("--gain 3", resume=True, runs=3)
+        flown("--gain 3", resume=True, runs=3)
 
 
 def test_a_flight_in_which_nothing_can_be_judged_has_not_passed(tmp_path: Path) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import testbed
 from testbed.aircraft.shipped import find_suite
 from testbed.inputs import yaml_source as yamlfile
 
@@ -44,9 +43,15 @@ def written(folder: Path, suite: dict[str, Any] | None = None) -> Path:
     return file
 
 
-def flown(suite: Path, out: Path, **options: Any) -> Path:
-    """Four draws of a suite, flown into a folder."""
-    testbed.benchmark(suite, out, **{"draws": 4, "seed": 5, "jobs": 1, **options})
+def flown(suite: Path, out: Path, *, jobs: int | None = None, resume: bool = False, **asked: Any) -> Path:
+    """Four draws of a suite, flown into a folder: in this process, or with `jobs` by as many others."""
+    from testbed.api.benchmark import finish, fly, prepare  # not when tests are looked for
+    from testbed.studies.flying.pool import serial, workers
+    from testbed.studies.run import Options
+
+    plan, folder = prepare(suite, out, **{"draws": 4, "seed": 5, **asked})
+    how = Options(jobs, save_logs="none", workers=workers if jobs else serial)
+    finish(plan, folder, fly(plan, folder, how, resume=resume))
     return out
 
 

@@ -5,12 +5,15 @@ from __future__ import annotations
 import pkgutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pandas as pd
 from command_line import in_this_process
 
 import testbed
+from testbed.api.sweep import finish, prepare
 from testbed.studies.flying.pool import serial
 from testbed.studies.folder import store
 from testbed.studies.plan import Plan
@@ -91,9 +94,26 @@ def fly_here(plan: Plan, folder: Path, fly: str = "sweep_flights:quick", save_lo
     return folder
 
 
-def here(fly: str = "sweep_flights:quick", save_logs: str = "none") -> Options:
-    """Options that fly in this process."""
-    return Options(save_logs=save_logs, fly=pkgutil.resolve_name(fly), workers=serial)
+def here(fly: str | None = "sweep_flights:quick", save_logs: str = "none") -> Options:
+    """Options that fly in this process; None flies really."""
+    return Options(save_logs=save_logs, fly=pkgutil.resolve_name(fly) if fly else None, workers=serial)
+
+
+def swept(
+    sweep: Path,
+    out: Path,
+    fly: str | None = "sweep_flights:quick",
+    *,
+    resume: bool = False,
+    mixed: bool = False,
+    figures: bool = False,
+    **asked: Any,
+) -> pd.DataFrame:
+    """As `testbed.sweep`, in this process."""
+    plan, folder = prepare(sweep, out, resume=resume, **asked)
+    options = replace(here(fly), mixed=mixed)
+    finish(plan, folder, fly_sweep(plan, folder, options, resume=resume), figures=figures)
+    return table(folder)
 
 
 def script(text: str) -> list[str]:

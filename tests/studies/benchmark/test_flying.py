@@ -132,7 +132,7 @@ def test_who_does_not_fly_loses_alone(made_by: str, folder: Path, tmp_path: Path
     (tmp_path / "bad.py").write_text(BAD)
     suite = written(tmp_path, tree() | {"time_limit_s": 20})
     own = f"bad={tmp_path / 'bad.py'}:{made_by}"
-    rows = testbed.load(flown(suite, tmp_path / "out", draws=1, controllers=["default", own]))
+    rows = testbed.load(flown(suite, tmp_path / "out", draws=1, controllers=["default", own], jobs=1))
     default, bad = rows.iloc[0], rows.iloc[1]
     assert (bad["survived"], bad["held"], bad["inside"]) == (False, False, 0.0)
     reason = {"Raises": "ZeroDivisionError", "NoNumber": "finite", "Hangs": "no result within 20 s"}[made_by]

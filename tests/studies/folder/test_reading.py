@@ -13,9 +13,8 @@ import pandas as pd
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
-from sweep_files import SWEEP, fly_here, here, written
+from sweep_files import SWEEP, fly_here, here, swept, written
 from sweep_files import table as table_of
-from sweep_flights import quick
 
 import testbed
 from testbed.common.units import unit
@@ -101,7 +100,7 @@ def test_results_of_fewer_flights_do_not_stay(
 ) -> None:
     """As after an interruption in the middle of a resume: the table of before, and what was made of it, are gone."""
     file = written(tmp_path, SWEEP + rule)
-    testbed.sweep(file, tmp_path / "out", runs=3, fly=quick, jobs=1)
+    swept(file, tmp_path / "out", runs=3, figures=True)
     assert len(load(tmp_path / "out")) == 6
     with monkeypatch.context() as patched, pytest.raises(testbed.Stopped):
         patched.setattr(table, "write", interrupted)
@@ -117,10 +116,10 @@ def interrupted(*_: object) -> None:
 
 def test_a_resume_without_figures_leaves_none_of_before(tmp_path: Path) -> None:
     file = written(tmp_path)
-    testbed.sweep(file, tmp_path / "out", runs=3, fly=quick, jobs=1)
-    testbed.sweep(file, tmp_path / "out", runs=3, fly=quick, jobs=1, resume=True, figures=False)
+    swept(file, tmp_path / "out", runs=3, figures=True)
+    swept(file, tmp_path / "out", runs=3, resume=True)
     assert (tmp_path / "out/figures").is_dir(), "which are still those of these flights"
-    testbed.sweep(file, tmp_path / "out", runs=4, fly=quick, jobs=1, resume=True, figures=False)
+    swept(file, tmp_path / "out", runs=4, resume=True)
     assert not (tmp_path / "out/figures").exists() and not (tmp_path / "out/report.html").exists()
 
 
