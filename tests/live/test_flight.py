@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from testbed.inputs.problems import BadInput
 from testbed.live import flight as flights
-from testbed.live import frames
+from testbed.live import frames, long
 from testbed.live.flight import LiveFlight
 from testbed.live.messages import Blow, Break, Mend, Order
 from testbed.scenario.load import changed, load_scenario
@@ -18,6 +20,13 @@ from testbed.simulation import fly
 STUCK = Break(id=1, do="break", failure={"type": "stuck", "actuator": "left_ruddervator"})
 MENDED = Mend(id=2, do="mend", actuator="left_ruddervator")
 TURN = Order(id=3, do="order", command={"heading_deg": 120.0})
+NOISY = {
+    "sensors": {
+        "model": "mems",
+        "faults": [{"type": "noise", "sensor": "airspeed", "at_s": 1.0, "noise_m_s_rthz": 0.1}],
+    },
+    "atmosphere": {"turbulence_w20_m_s": 7.62},
+}
 GUST = Blow(id=4, do="blow", air={"magnitude_m_s": [0.0, 3.0, 0.0], "duration_s": 0.5, "hold_s": 1.0})
 
 
@@ -145,6 +154,37 @@ def test_it_ends_where_memory_would(live: LiveFlight, monkeypatch: pytest.Monkey
     for _ in range(5):
         live.fly(700)
     assert live.session.time_s == 10.0 and live.session.loop.steps == 10 * live.rate_hz
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="rows stay in memory there")
+def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(long, "_KEPT_S", 1.0)
+    live.fly(1)
+    noisy = changed(live.session.scenario, {"duration_s": 2.0, **NOISY})
+    found = []
+    for folder in (long._FOLDER, "/nowhere"):
+        monkeypatch.setattr(long, "_FOLDER", folder)
+        flight = LiveFlight(noisy)
+        for steps, act in ((700, STUCK), (900, TURN), (700, MENDED), (1700, GUST), (500, TURN)):
+            flight.fly(steps)
+            flight.do(act)
+        parts, rows = flight.session.parts, flight.session.loop.rows
+        assert parts.sensors is not None
+        long_ones = (*rows, parts.weather.wind, *parts.sensors.table)
+        found.append((log(flight).tobytes(), [in_a_file(each) for each in long_ones]))
+        flight.close()
+    assert found[0][0] == found[1][0]
+    assert all(found[0][1]) and not any(found[1][1])
+
+
+def in_a_file(rows: np.ndarray) -> bool:
+    """Whether a row in the middle begins in a file that has no name any more."""
+    at = rows[1000].ctypes.data
+    for line in Path("/proc/self/maps").read_text().splitlines():
+        first, end = (int(each, 16) for each in line.split()[0].split("-"))
+        if first <= at < end:
+            return line.endswith("(deleted)")
+    return False
 
 
 def test_numbers_are_those_of_the_log(live: LiveFlight) -> None:

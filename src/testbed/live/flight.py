@@ -9,6 +9,7 @@ from typing import Any, assert_never
 from testbed.common.signals import first_step_at
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
+from testbed.live.long import LongSession
 from testbed.live.messages import Act, Blow, Break, Mend, Order
 from testbed.scenario.load import changed
 from testbed.scenario.model import Scenario
@@ -16,6 +17,9 @@ from testbed.simulation.session import Session
 
 LONGEST_S = 3600.0
 """Longest flight by hand [s]: its log has to fit into memory."""
+_LEAST_S = (
+    120.0  # what is made longer gets this long [s]: rows then have room for an hour, and are not copied again
+)
 _MOST_GHOSTS = 3
 _AT_ONCE = 2000  # control steps between two looks at whether to give up
 
@@ -41,14 +45,14 @@ class LiveFlight:
         self._scenario, self._controller, self.own = scenario, controller, own
         self.acts: list[tuple[int, Act]] = []
         self.session = self._begun()
-        self.ghosts: dict[str, Session] = {}
+        self.ghosts: dict[str, LongSession] = {}
 
-    def _begun(self, ghost: str | None = None) -> Session:
+    def _begun(self, ghost: str | None = None) -> LongSession:
         """A new flight of which there is something to see; by the controller of a ghost, if one is named."""
         if ghost is None:
-            session = Session(self._scenario, self._controller)
+            session = LongSession(self._scenario, self._controller)
         else:
-            session = Session(changed(self._scenario, {"controller": {"type": ghost}}))
+            session = LongSession(changed(self._scenario, {"controller": {"type": ghost}}))
         session.step()
         return session
 
@@ -122,7 +126,7 @@ class LiveFlight:
         return not any(getattr(each.parts.controller, "outside", False) for each in self._all)
 
     @property
-    def _all(self) -> tuple[Session, ...]:
+    def _all(self) -> tuple[LongSession, ...]:
         return (self.session, *self.ghosts.values())
 
     def _fly_past(self, session: Session, acts: Sequence[tuple[int, Act]], until: int, go_on: GoOn) -> None:
@@ -134,6 +138,11 @@ class LiveFlight:
             ):  # what was done to a flight that goes on can come too late for a ghost
                 _carry_out(session, act)
         _fly_far(session, until, self.rate_hz, go_on)
+
+    def put_away(self) -> None:
+        """Free the memory of all rows flown: a copy that is frozen now need not have them."""
+        for session in self._all:
+            session.put_away()
 
     def close(self) -> None:
         """Free the simulators."""
@@ -164,6 +173,7 @@ def _fly(session: Session, until: int, rate_hz: int) -> None:
     """Fly up to a control step; a flight that would end because it was planned to is made longer before."""
     most = int(LONGEST_S * rate_hz)
     while until >= session.loop.steps < most:
-        session.extend(min(2 * session.loop.steps, most) / rate_hz)
+        longer = max(2 * session.loop.steps, int(_LEAST_S * rate_hz))
+        session.extend(min(longer, most) / rate_hz)
     if (steps := min(until, session.loop.steps) - session.loop.done) > 0:
         session.step(steps)

@@ -166,6 +166,7 @@ class Pilot:
         done = self.flight.session.loop.done
         if done < self._copies.last + _FROZEN_S * self.flight.rate_hz or not self.flight.can_be_copied:
             return False
+        self.flight.put_away()
         try:
             woken = self._copies.freeze(done)
         except OSError:  # no memory is left for one: going back takes longer

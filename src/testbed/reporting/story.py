@@ -297,7 +297,7 @@ def _not_recovered(flight: Flight, failed_s: float) -> str:
         min(view.row_at(failed_s), len(view.time_s) - 1), len(view.time_s)
     )  # it may be after the last row
     if all(np.abs(view.error(q)[rows]).max() <= RECOVERED[q] for q in _TRACKED):
-        return f"So far it held: {_STAYED} of their references, but the flight ended within {DWELL_S:g} s of the failure."
+        return f"So far it held: {_STAYED} of their references, but less than {DWELL_S:g} s were flown after the failure."
     return (
         f"Not recovered: it was back within {_within(RECOVERED)} for less than {DWELL_S:g} s before the end."
     )
