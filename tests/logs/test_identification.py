@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+import html
+import json
 import shutil
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,9 +16,10 @@ from command_line import in_this_process
 import testbed
 from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.design_model import load_design_model
+from testbed.common.signals import STATE
 from testbed.inputs.yaml_source import dump
 from testbed.logs import own
-from testbed.logs.entry import _setup
+from testbed.logs.entry import _setup, identify
 from testbed.logs.identification import Identified, identified
 from testbed.logs.output_error import BIN_S, Part, simulated
 from testbed.logs.vanes import without_white_noise
@@ -157,11 +161,52 @@ def test_the_function_of_the_xml_that_a_log_contradicts_is_named(run: Run, tmp_p
     folder = shutil.copytree(load_aircraft("vtail").folder, tmp_path / "vtail")
     xml = folder / "vtail.xml"
     xml.write_text(xml.read_text().replace("<value>-10.0586</value>", f"<value>{-10.0586 * 1.8}</value>"))
-    ended = in_this_process(tmp_path, "identify", str(folder), "--log", str(run()))
+    ended = in_this_process(tmp_path, "identify", str(folder), "--log", str(run()), "--out", "out")
     lines = ended.stdout.splitlines()
     (at,) = (i for i, line in enumerate(lines) if line.startswith("  Cm_q "))
     assert "contradicts the model" in lines[at], ended.stdout + ended.stderr
-    assert lines[at + 1].startswith("    made in the XML by aero/coefficient/Cm_q (PITCH) 8")
+    made = "made in the XML by aero/coefficient/Cm_q (PITCH) 8"
+    assert lines[at + 1].startswith(f"    {made}")
+    story, page = _written(tmp_path / "out")
+    assert story["story"][0].startswith("Cm_q is 0.") and made in story["story"][0] and made in page
+    assert story["made_by"].keys() == {"Cm_q"} and story["factors"]["Cm_q"]["contradicted"]
+    right = in_this_process(tmp_path, "identify", "vtail", "--log", str(run()), "--out", "right")
+    assert right.returncode == 0 and "contradict nothing" in _written(tmp_path / "right")[0]["story"][0]
+
+
+def _written(folder: Path) -> tuple[dict[str, Any], str]:
+    """(summary, page) of an identification."""
+    summary = json.loads((folder / "summary.json").read_text())
+    page = (folder / "report.html").read_text()
+    assert all(html.escape(line) in page for line in summary["story"])
+    return summary, page
+
+
+def test_the_summary_and_the_page_say_what_was_found(run: Run, tmp_path: Path) -> None:
+    """Covariances are those of the factors; predicted is measured less what is left; what moves alike is named."""
+    found = identify("vtail", [run()], out=tmp_path / "out")
+    summary, page = _written(tmp_path / "out")
+    assert load_design_model(tmp_path / "out" / "design_model.json") == found.model
+    for rate, each in summary["covariance"].items():
+        std = "simulated_std" if rate == "output error" else "std"
+        stds = [summary["factors"][name][std] for name in each["factors"]]
+        np.testing.assert_allclose(np.sqrt(np.diagonal(each["matrix"])), stds, rtol=1e-9)
+    for one in found.validation:
+        spread = np.sqrt(np.mean(one.measured**2))
+        left = np.sqrt(np.mean((one.measured - one.predicted) ** 2))
+        assert one.fit == pytest.approx(1.0 - left / spread)
+        assert one.coloured == np.mean(np.abs(one.correlations) > one.white)
+    time_s, measured, error = found.output.kept
+    log, _ = own.read(run())
+    rows = np.round(time_s / log.step_s).astype(int)
+    q = log.states[:, STATE.index("q")]
+    np.testing.assert_allclose(measured[..., 1], 0.5 * (q[rows] + q[rows + 1]), atol=1e-9)
+    assert time_s.min() > 0.7 * log.time_s[-1] - 1.0 and np.std(error[..., 1]) < 0.3 * np.std(
+        measured[..., 1]
+    )
+    tails = summary["factors"]["Cm_left_propeller"]
+    assert tails["alike"] == "Cm_right_propeller" and abs(tails["correlation"]) > 0.9
+    assert page.count("<img") == 2 and tails["simulated"] is None
 
 
 def test_the_command_writes_a_model(run: Run, tmp_path: Path) -> None:

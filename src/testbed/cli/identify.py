@@ -30,7 +30,11 @@ def _arguments(command: ArgumentParser) -> None:
     command.add_argument("--log", type=Path, action="append", metavar="LOG", help=log)
     columns = "YAML file that says which column of a log is what, in which unit"
     command.add_argument("--columns", type=Path, metavar="MAP", help=columns)
-    add_out(command, "MODEL", "file to write the model of --log into: a design_model.json")
+    add_out(
+        command,
+        "DIR",
+        "folder for the model of --log, summary.json and report.html; NAME.json: the model alone",
+    )
 
 
 def _run(options: Namespace) -> int:
@@ -63,19 +67,15 @@ def _adjust(name: str) -> None:
 
 def _from_logs(options: Namespace) -> int:
     """Print what logs say of the design model, and write the model that they give. Raises BadInput."""
-    from testbed.inputs.output_file import refuse_unwritable
     from testbed.logs.entry import identify
-    from testbed.logs.words import identification_table
+    from testbed.logs.identified_words import table
 
     if options.check:
         raise BadInput([Problem("is not for --log", "--check")])
-    if options.out is not None:
-        refuse_unwritable(options.out)
     with working("identifying"), tidily():
-        found = identify(options.aircraft, options.log, options.columns)
-    print(identification_table(found, [str(log) for log in options.log]))
+        found = identify(options.aircraft, options.log, options.columns, options.out)
+    print(table(found, [str(log) for log in options.log]))
     if options.out is not None:
-        found.model.save(options.out)
         print(f"wrote {options.out}")
     return MET
 
@@ -136,6 +136,6 @@ COMMAND = Command(
         "testbed identify ./my_aircraft",
         "testbed identify vtail --check",
         "testbed identify ./my_aircraft --write",
-        "testbed identify vtail --log runs/turns --log runs/climbs --out flown_model.json",
+        "testbed identify vtail --log runs/turns --log runs/climbs --out flown",
     ),
 )

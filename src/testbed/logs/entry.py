@@ -9,13 +9,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from testbed.aircraft.description import Aircraft, load_aircraft
+from testbed.aircraft.design_model import DESIGN_MODEL
 from testbed.common.writing import write
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup, setup_for
 from testbed.flight.flight import Flight
 from testbed.flight.folder import refuse_existing, refuse_unwritable
 from testbed.inputs.problems import BadInput, Problem
-from testbed.logs import mapped, own
+from testbed.logs import identified_page, identified_words, mapped, own
 from testbed.logs.diagnosis import Diagnosis, diagnosed
 from testbed.logs.flight_log import FlightLog
 from testbed.logs.functions import makers
@@ -69,7 +70,10 @@ def diagnose(
 
 
 def identify(
-    aircraft: str | Path, logs: Sequence[str | Path], columns: str | Path | None = None
+    aircraft: str | Path,
+    logs: Sequence[str | Path],
+    columns: str | Path | None = None,
+    out: str | Path | None = None,
 ) -> Identified:
     """An aircraft's design model from logs of healthy flight, with how far each of its coefficients can be believed.
 
@@ -77,16 +81,32 @@ def identify(
         aircraft: name or folder; its own design model is where the identification begins, and whose trim is kept.
         logs: run folders, or files as `diagnose` reads them.
         columns: the mapping file of the logs that are no run folders.
+        out: folder to write `design_model.json`, `summary.json` and `report.html` into, which must not exist; with a name that ends
+            in .json a file for the model alone.
 
     Raises:
         BadInput: a log, the mapping or the aircraft cannot be used.
     """
+    if out is not None:
+        refuse_existing(Path(out))
+        refuse_unwritable(Path(out))
     read = [_read(Path(log), aircraft, None if Path(log).is_dir() else columns) for log in logs]
     found = identified([log for log, _, _ in read], [_setup(own, log.step_s) for log, own, _ in read])
     wrong = [factor.name for factor in found.factors if factor.contradicted]
     remarks = [_half_logged(log.name, flight.scenario) for log, _, flight in read if flight is not None]
-    named = makers(load_aircraft(str(aircraft)), wrong)
-    return replace(found, makers=named, remarks=tuple(filter(None, remarks)))
+    own = load_aircraft(str(aircraft))
+    found = replace(found, makers=makers(own, wrong), remarks=tuple(filter(None, remarks)))
+    if out is not None:
+        _write_identified(found, own.name, [str(log) for log in logs], Path(out))
+    return found
+
+
+def _write_identified(found: Identified, model: str, logs: Sequence[str], out: Path) -> None:
+    if out.suffix == ".json":
+        return found.model.save(out)
+    found.model.save(out / DESIGN_MODEL)
+    identified_page.write_page(found, model, logs, out / "report.html", out)
+    write(out / "summary.json", identified_words.summary(found, model, logs), out)
 
 
 def _half_logged(name: str, scenario: Scenario) -> str:

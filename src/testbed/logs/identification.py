@@ -47,8 +47,10 @@ class Factor:
         value, std: factor on the model's value by equation error, and its standard deviation.
         simulated, simulated_std: by output error; NaN of u_dot's coefficients, and where there is no stretch to simulate.
         inflation: of its variance by the other coefficients.
+        alike, correlation: the coefficient of the same rate whose factor goes most with it, and how much, by equation error.
         known: whether it is identifiable; else it is kept.
         log, from_s: when the 10 s were that told most.
+        rate: of RATES, whose coefficient it is.
     """
 
     name: str
@@ -57,9 +59,12 @@ class Factor:
     simulated: float
     simulated_std: float
     inflation: float
+    alike: str
+    correlation: float
     known: bool
     log: int
     from_s: float
+    rate: str
 
     @property
     def taken(self) -> float:
@@ -86,8 +91,9 @@ class Validation:
     """Of a rate, on the part of the logs that was not used.
 
     Without what is constant: `fit` is 1 - rms error / rms, before and after; `theil` Theil's inequality coefficient, 0 perfect and
-    1 worst; `coloured` the share of the residual's first 20 correlations that are beyond what white noise has in 95 %. `simulated`
-    and `simulated_before` are the fits of p, q or r itself, simulated for 5 s; NaN of u.
+    1 worst; `correlations` are the residual's first 20, and `coloured` the share of them that is beyond `white`, which white noise
+    exceeds in 5 %. `simulated` and `simulated_before` are the fits of p, q or r itself, simulated for 5 s; NaN of u. `measured` and
+    `predicted` [bins] are what is compared, at the times `time_s`, the logs one after another.
     """
 
     rate: str
@@ -97,18 +103,26 @@ class Validation:
     coloured: float
     simulated_before: float
     simulated: float
+    time_s: np.ndarray
+    measured: np.ndarray
+    predicted: np.ndarray
+    correlations: np.ndarray
+    white: float
 
 
 @dataclass(frozen=True)
 class Identified:
     """A design model from logs, and how far it can be believed.
 
+    `covariances` [factors, factors] are those by equation error, of each rate, in the order of `factors`; `output` is output error.
     `makers` are the functions of the XML that make what the logs contradict, by name; `remarks` sentences about the logs.
     """
 
     model: DesignModel
     factors: tuple[Factor, ...]
     validation: tuple[Validation, ...]
+    covariances: Mapping[str, np.ndarray]
+    output: output_error.Output
     makers: Mapping[str, tuple[Maker, ...]] = field(default_factory=dict)
     remarks: tuple[str, ...] = ()
 
@@ -135,7 +149,7 @@ def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified
     bias = np.array(setup.model.bias)
     for number, fit in fits.items():
         row, rate = rows[number], RATES[number]
-        own = [_factor(name, i, fit, output, which, time_s) for i, name in enumerate(rows[number].names)]
+        own = [_factor(rate, row.names, i, fit, output, which, time_s) for i in range(len(row.names))]
         constant = output.constants.get(number, fit.constant)
         bias[number] += constant
         change = np.append([each.taken - 1.0 for each in own], constant)
@@ -144,16 +158,20 @@ def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified
         )
         factors += own
     model = setup.model.with_error({each.name: each.taken for each in factors})
-    return Identified(replace(model, bias=tuple(map(float, bias))), tuple(factors), tuple(validation))
+    model, covariances = (
+        replace(model, bias=tuple(map(float, bias))),
+        {RATES[i]: fits[i].covariance for i in fits},
+    )
+    return Identified(model, tuple(factors), tuple(validation), covariances, output)
 
 
 @dataclass(frozen=True)
 class _Fit:
-    """Of a rate, by equation error: factors, their deviations and inflations, which are identifiable, the constant, and [bins,
+    """Of a rate, by equation error: factors, their covariance and inflations, which are identifiable, the constant, and [bins,
     names + 1] white columns where they are used."""
 
     value: np.ndarray
-    std: np.ndarray
+    covariance: np.ndarray
     inflation: np.ndarray
     known: np.ndarray
     constant: float
@@ -178,20 +196,28 @@ def _fitted(row: Row, used: np.ndarray, model_std: float, model_time_s: float) -
     inflation = np.diagonal(covariance) * np.diagonal(information)
     white = np.zeros_like(row.columns)
     white[at] = columns
-    return _Fit(
-        1.0 + change[:count], std[:count], inflation[:count], free[:count], float(change[count]), white
-    )
+    own = covariance[:count, :count]
+    return _Fit(1.0 + change[:count], own, inflation[:count], free[:count], float(change[count]), white)
 
 
 def _factor(
-    name: str, i: int, fit: _Fit, output: output_error.Output, which: np.ndarray, time_s: np.ndarray
-) -> Factor:
+    rate: str, names: Sequence[str], i: int, fit: _Fit, output: output_error.Output, which: np.ndarray, time_s: np.ndarray
+) -> Factor:  # fmt: skip
     told = np.convolve(fit.white[:, i] ** 2, np.ones(round(WINDOW_S / BIN_S)), "valid")
     best = int(np.argmax(told)) if len(told) else 0
-    value, std, inflation = float(fit.value[i]), float(fit.std[i]), float(fit.inflation[i])
-    simulated = output.factors.get(name, (np.nan, np.nan))
+    value, stds, inflation = (
+        float(fit.value[i]),
+        np.sqrt(np.diagonal(fit.covariance)),
+        float(fit.inflation[i]),
+    )
+    correlations = fit.covariance[i] / (stds[i] * stds)
+    alike = max((j for j in range(len(names)) if j != i), key=lambda j: abs(correlations[j]), default=i)
+    simulated = output.factors.get(names[i], (np.nan, np.nan))
     known = bool(fit.known[i]) and not simulated[1] > LARGEST_STD
-    return Factor(name, value, std, *simulated, inflation, known, int(which[best]), float(time_s[best]))
+    return Factor(
+        names[i], value, float(stds[i]), *simulated, inflation, names[alike], float(correlations[alike]), known,
+        int(which[best]), float(time_s[best]), rate,
+    )  # fmt: skip
 
 
 def _validated(
@@ -202,10 +228,14 @@ def _validated(
     spread = float(np.sqrt(np.mean(measured**2))) + 1e-12
     sizes = [float(np.sqrt(np.mean(each**2))) for each in (before, after, measured, measured - after)]
     centred = after - after.mean()
-    correlations = [
-        float(centred[lag:] @ centred[:-lag] / (centred @ centred)) for lag in range(1, _LAGS + 1)
-    ]
-    beyond = np.abs(correlations) > 1.96 / np.sqrt(len(after))
+    correlations = np.array(
+        [centred[lag:] @ centred[:-lag] / (centred @ centred) for lag in range(1, _LAGS + 1)]
+    )
+    white = 1.96 / float(np.sqrt(len(after)))
     theil = sizes[1] / (sizes[2] + sizes[3] + 1e-12)
     fits = (1.0 - sizes[0] / spread, 1.0 - sizes[1] / spread)
-    return Validation(rate, *fits, theil, float(np.mean(beyond)), *simulated)
+    coloured = float(np.mean(np.abs(correlations) > white))
+    return Validation(
+        rate, *fits, theil, coloured, *simulated,
+        BIN_S * np.flatnonzero(kept), measured, measured - after, correlations, white,
+    )  # fmt: skip

@@ -29,6 +29,8 @@ _STEP = 0.5
 """Largest change of a factor in a round: beyond, a damping may turn its sign, and what is simulated runs away."""
 _LEAST = 4
 """Stretches, below which nothing is said."""
+Residuals = tuple[np.ndarray, np.ndarray, np.ndarray]
+"""Of stretches that were simulated: time [stretches, bins], p q r measured [stretches, bins, 3], and simulated minus measured."""
 
 
 @dataclass(frozen=True)
@@ -55,12 +57,15 @@ class Output:
     """Factors with their standard deviations by name; the constants of p_dot, q_dot and r_dot by number; and fits.
 
     A fit is 1 - rms error / rms of p, q or r, simulated over the part that was kept back: by the aircraft's own model, and by the
-    one that was found.
+    one that was found. `kept` is what the one that was found leaves there, the logs one after another in time. `covariance` is that
+    of the factors, in their order.
     """
 
     factors: Mapping[str, tuple[float, float]]
     constants: Mapping[int, float]
     fits: Mapping[int, tuple[float, float]]
+    kept: Residuals
+    covariance: np.ndarray
 
 
 def identified(
@@ -73,17 +78,25 @@ def identified(
     parts = [_part(joined([rows.rates[i] for rows in each]), setups[0].model, i) for i in range(3)]
     names = [name for part in parts for name in (*part.names, "")]
     chosen = np.array([free.get(name, True) for name in names])
+    there = turning[kept]
     if len(used) < _LEAST:
-        return Output({}, {}, {})
-    change, std = fitted(parts, speed, used, chosen)
+        return Output({}, {}, {}, (BIN_S * kept[:0], there[:0], there[:0]), np.zeros((0, 0)))
+    change, covariance = fitted(parts, speed, used, chosen)
+    std = np.full(len(names), np.nan)
+    std[chosen] = np.sqrt(np.diagonal(covariance))
     factors = {n: (1.0 + float(change[i]), float(std[i])) for i, n in enumerate(names) if n and chosen[i]}
+    own = np.flatnonzero([bool(name) for name, c in zip(names, chosen, strict=True) if c])
     constants = [float(value) for value, name in zip(change, names, strict=True) if not name]
-    fits = zip(*(_fits(parts, speed, turning, kept, c) for c in (0.0 * change, change)), strict=True)
-    return Output(factors, dict(enumerate(constants)), dict(enumerate(fits)))
+    errors = [simulated(parts, speed, kept, c)[0] for c in (0.0 * change, change)]
+    fits = zip(*(_fits(error, there) for error in errors), strict=True)
+    left = (BIN_S * kept, there, errors[1])
+    return Output(
+        factors, dict(enumerate(constants)), dict(enumerate(fits)), left, covariance[np.ix_(own, own)]
+    )
 
 
-def residuals(log: FlightLog, setup: Setup) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(time_s [stretches, bins], p q r measured [stretches, bins, 3], what the model simulates minus it), all actuators working."""
+def residuals(log: FlightLog, setup: Setup) -> Residuals:
+    """What the model leaves if all actuators work."""
     rows = rows_of(log, setup, BIN_S)
     slopes = [np.array(setup.model.derivatives[i])[[COLUMNS.index(name) for name in "pqr"]] for i in range(3)]
     still = np.zeros((len(rows.time_s), 1))
@@ -116,14 +129,10 @@ def _part(row: Row, model: DesignModel, number: int) -> Part:
     return Part(row.names, row.left, row.columns, slopes, at)
 
 
-def _fits(
-    parts: Sequence[Part], speed: np.ndarray, turning: np.ndarray, rows: np.ndarray, change: np.ndarray
-) -> list[float]:
+def _fits(error: np.ndarray, there: np.ndarray) -> list[float]:
     """1 - rms of what is simulated wrongly / rms, of p, q and r."""
-    if not len(rows):
+    if not len(there):
         return [math.nan] * 3
-    error, _, _ = simulated(parts, speed, rows, change)
-    there = turning[rows]
     sizes = np.sqrt(np.mean((there - there.mean(axis=(0, 1))) ** 2, axis=(0, 1)))
     return [float(x) for x in 1.0 - np.sqrt(np.mean(error**2, axis=(0, 1))) / (sizes + 1e-12)]
 
@@ -131,7 +140,7 @@ def _fits(
 def fitted(
     parts: Sequence[Part], speed: np.ndarray, rows: np.ndarray, free: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """(changes of all coefficients and constants from the model's, their standard deviations), by Gauss and Newton.
+    """(changes of all coefficients and constants from the model's, covariance of the free ones), by Gauss and Newton.
 
     Args:
         parts: of p, q and r.
@@ -150,13 +159,12 @@ def fitted(
         change[free] -= step
         left = error - by_change[..., free] @ step
         weight = 1.0 / (np.std(left, axis=(0, 1)) + 1e-9)
-    inverse, std = np.linalg.inv(total), np.full(len(free), np.nan)
+    inverse = np.linalg.inv(total)
     columns = _free(*weighted[1:])
     middle = _coloured(columns, left * weight)
     for i, factor in enumerate(1.0 + change[free]):
         middle += _coloured(columns, _SHARE * factor * columns[..., i])
-    std[free] = np.sqrt(np.diagonal(inverse @ middle @ inverse))
-    return change, std
+    return change, inverse @ middle @ inverse
 
 
 def _coloured(columns: np.ndarray, left: np.ndarray) -> np.ndarray:

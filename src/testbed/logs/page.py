@@ -12,7 +12,7 @@ import numpy as np
 from testbed.flight.columns import stretches
 from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding
 from testbed.logs.hypotheses import MEANINGS, STATES
-from testbed.logs.output_error import STRETCH_S
+from testbed.logs.output_error import STRETCH_S, Residuals
 from testbed.logs.scene import Scene, replay
 from testbed.logs.words import story
 from testbed.reporting import html
@@ -21,7 +21,7 @@ from testbed.reporting.palette import PALETTE
 from testbed.reporting.words import title
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from matplotlib.axes import Axes
 
@@ -39,7 +39,6 @@ _STROKES = (
     "Strokes in the timeline: what was found, as listed below, and what truly broke, where the log has it."
 )
 _NO_TRUTH = " The log has no truth: surfaces, discs and thrusts are what the diagnosis believes."
-Residuals = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 def write_page(diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, scene: Scene) -> Path:
@@ -55,9 +54,9 @@ def write_page(diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, 
         "from [s]": lambda f: f.from_s,
         "until [s]": lambda f: f.until_s,
         "probability": lambda f: f.probability,
-        "effectiveness": lambda f: _cell(f.effectiveness),
-        "its std": lambda f: _cell(f.std),
-        "position": lambda f: _cell(f.position),
+        "effectiveness": lambda f: cell(f.effectiveness),
+        "its std": lambda f: cell(f.std),
+        "position": lambda f: cell(f.position),
     }
     meanings = [f"{state}: {MEANINGS[state]}" for state in STATES]
     parts = [
@@ -69,7 +68,10 @@ def write_page(diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, 
     ]
     name = f"Diagnosis of {diagnosis.log.name}"
     if len(left[0]):
-        parts += [tag("h2", "Residuals"), html.picture(residuals_picture(diagnosis, left), _LEFT)]
+        parts += [
+            tag("h2", "Residuals"),
+            html.picture(residuals_picture(left, diagnosis.log.failures_s), _LEFT),
+        ]
     shown = replay(diagnosis, scene)
     if shown is None:
         return html.write_page(file, name, parts, within=within)
@@ -77,7 +79,8 @@ def write_page(diagnosis: Diagnosis, left: Residuals, file: Path, within: Path, 
     return html.write_page(file, name, parts, "flight.js", shown[1], within)
 
 
-def _cell(value: float) -> float | None:
+def cell(value: float) -> float | None:
+    """A number of a table; None where it is none."""
     return value if math.isfinite(value) else None
 
 
@@ -120,8 +123,8 @@ def _draw(axes: Axes, diagnosis: Diagnosis, i: int) -> None:
     axes.legend(loc="lower right", fontsize="small")
 
 
-def residuals_picture(diagnosis: Diagnosis, left: Residuals) -> bytes:
-    """PNG with a panel for each of p, q and r."""
+def residuals_picture(left: Residuals, failures_s: Sequence[float] = ()) -> bytes:
+    """PNG with a panel for each of p, q and r, and lines where something broke."""
     from matplotlib.figure import Figure
 
     from testbed.reporting.figures.sheet import png
@@ -138,7 +141,7 @@ def residuals_picture(diagnosis: Diagnosis, left: Residuals) -> bytes:
         for label, (rates, colour, style) in lines.items():
             rate = np.degrees(rates[..., i]).ravel()
             axes.plot(time_s.ravel(), rate, color=colour, ls=style, lw=0.8, label=label)
-        for time in diagnosis.log.failures_s:
+        for time in failures_s:
             axes.axvline(time, color=PALETTE["failure"], lw=1.0)
         axes.set_ylabel(f"{'pqr'[i]} [deg/s]")
         axes.legend(loc="lower right", fontsize="small", ncols=3)

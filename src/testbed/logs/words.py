@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from testbed.logs.diagnosis import UNKNOWN_STD, WINDOW_S, Diagnosis, Finding
 from testbed.logs.hypotheses import STATES
-from testbed.logs.identification import COLLINEAR, LARGEST_STD, Identified
-from testbed.logs.identification import WINDOW_S as TOLD_S
-from testbed.logs.output_error import STRETCH_S
 from testbed.reporting.words import title
 
 _MUCH = 0.2
@@ -98,38 +95,3 @@ def table(diagnosis: Diagnosis) -> str:
             columns.append([f"{value:.4g}" if math.isfinite(value) else "" for value in values[:, i]])
     rows = [",".join(heads), *map(",".join, zip(*columns, strict=True))]
     return "\n".join(rows) + "\n"
-
-
-def identification_table(found: Identified, logs: Sequence[str]) -> str:
-    """What logs say of each coefficient of a design model, and how the model that they give does on what was kept back."""
-    lines = [
-        "factor on each coefficient of the aircraft's own model, by output error and by equation error, and the "
-        f"{TOLD_S:g} s that told most of it:"
-    ]
-    for each in found.factors:
-        said = "contradicts the model" if each.contradicted else ""
-        if not each.known:
-            said = f"not identifiable: above +-{LARGEST_STD:g}, kept"
-        alike = f"variance {each.inflation:.0f} times that alone" if each.inflation > COLLINEAR else ""
-        both = f"{_factor(each.simulated, each.simulated_std)}  {_factor(each.value, each.std)}"
-        remarks = "; ".join(filter(None, (said, alike)))
-        lines.append(f"  {each.name:28} {both}  {logs[each.log]} at {each.from_s:.0f} s  {remarks}".rstrip())
-        if each.name in found.makers:
-            lines.append(
-                f"    made in the XML by {', '.join(map(str, found.makers[each.name])) or 'nothing'}"
-            )
-    lines.append("on the part that was kept back, without what is constant:")
-    for one in found.validation:
-        lines.append(
-            f"  {one.rate}  fit {one.fit:.2f} (model of the aircraft {one.fit_before:.2f})  Theil {one.theil:.3f}  "
-            f"{100 * one.coloured:.0f} % of the residual's correlations are not those of white noise"
-        )
-    for one in found.validation:
-        if math.isfinite(one.simulated):
-            before = f"(model of the aircraft {one.simulated_before:.2f})"
-            lines.append(f"  {one.rate[0]}  simulated for {STRETCH_S:g} s: fit {one.simulated:.2f} {before}")
-    return "\n".join([*lines, *found.remarks])
-
-
-def _factor(value: float, std: float) -> str:
-    return f"{value:6.2f} +-{min(std, 99.0):5.2f}" if math.isfinite(value) else 14 * " "
