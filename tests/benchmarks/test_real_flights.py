@@ -15,6 +15,7 @@ from enac_reading import (
     flags,
     matthews,
     noise,
+    raised,
     regression,
     told,
     true_class,
@@ -59,6 +60,13 @@ def test_a_weak_elevon_is_named_in_another_flight(number: int) -> None:
     for flagged in (reading.flagged, reading.flagged_in_flight):
         said = flags(reading.time_s, reading.truth, flagged)
         assert (int(np.sum(said.delays_s <= 3.0)), said.wrong, said.false) == (sudden, 0, 0)
+
+
+def test_a_flag_stays_until_weakness_is_unlikely() -> None:
+    """From 0.98 on, until below 0.1, of each elevon by itself."""
+    right = [0.5, 0.97, 0.99, 0.2, 0.05, 0.9]
+    flagged = raised(np.column_stack([right, np.zeros(6)]), 0.98)
+    assert flagged[:, 0].tolist() == [False, False, True, True, False, False] and not flagged[:, 1].any()
 
 
 def test_gusts_are_no_failures() -> None:
