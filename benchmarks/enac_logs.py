@@ -52,7 +52,7 @@ FLIGHTS = {
                       Panel(_WIND, (401.409, 43.835), (414.350916, 673.193892), (500.0, 1399.9)), (500.0, 2700.0)),
     "17 July": Source(f"{_DATA}/17_07_2020_Faulty_Daredevil_MultiClass/final_log.txt", 8,
                       Panel(f"{_DRAWN}/flight_17_twisted_wing.pdf", (55.942, 43.835), (84.415163, 653.869708), (500.0, 3199.9)),
-                      (520.0, 3250.0)),
+                      (520.0, 3243.0)),  # it lands at 3243.7
     "21 July": Source(f"{_DATA}/21_07_2020_Faulty_Daredevil_MultiClass_Sweep/21_07_2020_log.txt", 9,
                       Panel(f"{_DRAWN}/flight21072020.pdf", (59.736, 1060.584), (88.208768, 657.663313), (400.0, 2599.9)),
                       (400.0, 2600.0)),

@@ -68,8 +68,8 @@ class Reading(NamedTuple):
     """What is said of a flight.
 
     At each sample: time, truth [rows, 2], the likeliest class and which elevons are flagged [rows, 2], from the whole log and in
-    flight. In steps of 1 s: the effectiveness [steps, 2]. Of the flight: the gain of both elevons, and for each drop the
-    log-likelihood ratio of its first 3 s.
+    flight, and the probability in flight that each is weaker than FLAG [rows, 2]. In steps of 1 s: the effectiveness [steps, 2].
+    Of the flight: the gain of both elevons, and for each drop the log-likelihood ratio of its first 3 s.
     """
 
     time_s: np.ndarray
@@ -78,6 +78,7 @@ class Reading(NamedTuple):
     flagged: np.ndarray
     told_in_flight: np.ndarray
     flagged_in_flight: np.ndarray
+    weak: np.ndarray
     effectiveness: np.ndarray
     gain: float
     ratios: np.ndarray
@@ -155,10 +156,10 @@ def told(data: Regression, colour: Noise, settings: Settings) -> Reading:
     changes = np.diff(levels, axis=0, prepend=levels[:1]) != 0
     effectiveness, _ = smoothed(information, towards, 0.002, changes)
     each = np.append(np.repeat(course, BLOCK), np.full(len(time_s) - blocks * BLOCK, course[-1]))
-    in_flight = first.log_probability.argmax(axis=1)
+    in_flight, probability = first.log_probability.argmax(axis=1), weak(first)
     return Reading(
-        time_s, truth, each, CLASSES[each] < FLAG, in_flight, raised(first, settings.sure), effectiveness, gain,
-        _ratios(w, whole, gain, truth),
+        time_s, truth, each, CLASSES[each] < FLAG, in_flight, raised(probability, settings.sure), probability,
+        effectiveness, gain, _ratios(w, whole, gain, truth),
     )  # fmt: skip
 
 
@@ -182,13 +183,17 @@ def _common(w: White, made: Filtered, course: np.ndarray) -> tuple[float, float]
     return float(gain), float(difference)
 
 
-def raised(made: Filtered, sure: float) -> np.ndarray:
-    """[rows, 2] where each elevon is flagged: from `sure` on, until its probability is below 0.1."""
-    probability, low = np.exp(made.log_probability), CLASSES < FLAG
-    flagged = np.zeros((len(probability), 2), dtype=bool)
+def weak(made: Filtered) -> np.ndarray:
+    """[rows, 2] probability that each elevon is weaker than FLAG."""
+    return np.exp(made.log_probability) @ (CLASSES < FLAG)
+
+
+def raised(probability: np.ndarray, sure: float) -> np.ndarray:
+    """[rows, 2] where each elevon is flagged: from `sure` on, until the probability that it is weak is below 0.1."""
+    flagged = np.zeros(probability.shape, dtype=bool)
     for elevon in range(2):
-        weak, now = probability[:, low[:, elevon]].sum(axis=1), False
-        for k, each in enumerate(weak):
+        now = False
+        for k, each in enumerate(probability[:, elevon]):
             now = each > (0.1 if now else sure)
             flagged[k, elevon] = now
     return flagged

@@ -15,6 +15,7 @@ from enac_reading import (
     flags,
     matthews,
     noise,
+    raised,
     regression,
     told,
     true_class,
@@ -73,6 +74,13 @@ def test_the_model_of_a_flight_is_that_of_the_wing_and_leaves_its_gusts() -> Non
         data = regression(flight, 0.0, healthy, model, JUDGED)
         left.append(np.std(data.z - np.einsum("kri,ki->kr", data.phi, data.truth)))
     assert left[0] == pytest.approx(0.02, rel=0.05) and left[1] > 2.0 * left[0]
+
+
+def test_a_flag_stays_until_weakness_is_unlikely() -> None:
+    """From 0.98 on, until below 0.1, of each elevon by itself."""
+    right = [0.5, 0.97, 0.99, 0.2, 0.05, 0.9]
+    flagged = raised(np.column_stack([right, np.zeros(6)]), 0.98)
+    assert flagged[:, 0].tolist() == [False, False, True, True, False, False] and not flagged[:, 1].any()
 
 
 @pytest.mark.nightly
