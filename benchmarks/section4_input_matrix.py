@@ -352,7 +352,7 @@ def settles(factors: Mapping[str, float], controller: Mapping[str, Any], **setti
 
 
 def size(error: float) -> str:
-    return f"{100 * error:.1f} %" if error < MOST else f"over {100 * MOST:.0f} %"
+    return f"{100 * error:.1f} %" if error < MOST else f">{100 * MOST:.0f} %"
 
 
 def relative(predicted: float, flown: float) -> str:
