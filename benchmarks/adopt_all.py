@@ -28,7 +28,7 @@ OTHERS = {
     "pogo-jsbsim": "a tail-sitter on its thrust", "weather-balloon": "a balloon",
 }  # fmt: skip
 """Models of the package that are no fixed-wing aircraft."""
-TARGET, LONGEST_S = 42, 30.0
+LONGEST_S = 30.0
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
@@ -87,7 +87,7 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
     yield (
         "This page lists what became of each of JSBSim's fixed-wing models. "
         f"`testbed adopt` makes an aircraft of {len(adopted)} of the {len(models())} fixed-wing models that come with JSBSim, "
-        f"without an edit (the target is {TARGET}). This page is written by `python benchmarks/adopt_all.py FOLDER --document "
+        f"without an edit. This page is written by `python benchmarks/adopt_all.py FOLDER --document "
         f"docs/results/adoption.md`. Seconds are processor time on one core; "
         + (
             f"more than {LONGEST_S:g} s: {', '.join(slow)}."

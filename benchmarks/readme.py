@@ -128,7 +128,7 @@ def table(page: str) -> str:
 
 WORDS = {
     "default": "the default",
-    "imm_inversion": "`imm_inversion`: one model for each failure",
+    "imm_inversion": "`imm_inversion`: one model for each loss",
     "indi": "`indi`: incremental inversion",
     "indi_monitor": "`indi` with the default's diagnosis",
     "l1_inversion": "`l1_inversion`: adapts behind a filter, the default's diagnosis",

@@ -107,7 +107,7 @@ def _where(summary: Summary) -> Iterator[Section]:
         ]  # fmt: skip
         yield Section(title, f"{of} (`{again(summary, 'DRAW', first)}` flies one again):", head, drawn)
     if not rows and not lost:
-        yield Section(title, "In no draw.")
+        yield Section(title, "In none that another holds.")
 
 
 def _behind(summary: Summary) -> Iterator[list[str]]:
@@ -156,7 +156,7 @@ def _parts(summary: Summary) -> Iterator[Section]:
         head = ("controller", "without", "held", f"held, minus `{first}`", f"inside, minus `{first}`")
         yield Section(
             f"What the parts of `{first}` bring",
-            "The same law with a part switched off; where that holds more, the part does harm.",
+            "The same law with a part switched off. An interval across zero shows neither good nor harm.",
             head,
             rows,
         )
