@@ -51,7 +51,8 @@ NOTES = """\
 
 Intervals are of 95 %: Wilson's of a share, Newcombe's of a difference of shares by pairs, Garwood's of a rate, the bootstrap's of a
 mean or a rank. *Best of all* is the best controller in each draw, those that are told the truth among them: what can be held is
-that or more. `indi_monitor` has the default's diagnosis, `informed_increments` is told the truth. *Effort* is the median ratio in the same draw.
+that or more.
+`indi_monitor` has the default's diagnosis, `informed_increments` is told the truth. *Effort* is the median ratio in the same draw.
 """
 HEALTHY_HEAD = """\
 # Healthy flights
