@@ -84,10 +84,10 @@ SAID = {
     "adoption": (r"\[(\d+) of 48 fixed-wing models\]", r"(\d+) of the 48 fixed-wing models"),
     "gallery": (
         r"Of (\d+) lost ailerons .*\[(\d+) are held\]\S+ and (\d+) survived; "
-        r"of (\d+) lost elevators in calm air (\d+) and (\d+); of (\d+) healthy flights (\d+) and (\d+)",
+        r"of (\d+) lost elevators (\d+) and (\d+); of (\d+) healthy flights (\d+) and (\d+)",
         ".*".join(
             rf"(?s:.*?)\| {lost} \| {air} \| default \| \d+ \| (\d+) \| (\d+) .*?\| (\d+) \("
-            for lost, air in (("aileron", "turbulent"), ("elevator", "calm"), ("nothing", "turbulent"))
+            for lost, air in (("aileron", "turbulent"), ("elevator", "turbulent"), ("nothing", "turbulent"))
         ),
     ),
 }

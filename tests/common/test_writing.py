@@ -23,6 +23,7 @@ WRITERS = {"write_text", "write_bytes", "touch", "savefig", "to_csv", "to_parque
 """Functions that write to a path, or that make a path lead elsewhere."""
 SAVED = {
     ("cli/identify.py", "save"): "a method of the design model, which goes through `writing`",
+    ("logs/entry.py", "save"): "a method of the design model, which goes through `writing`",
     ("cli/terminal.py", "open"): "the null device",
     ("cli/live.py", "open"): "a browser",
     ("pytest_plugin.py", "save"): "a method of a flight, which goes through `writing`",
