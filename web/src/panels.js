@@ -124,6 +124,9 @@ function span(panel, low, high) {
   return [low - more, high + more];
 }
 
+// What a controller never says is null throughout: of NaN throughout, uPlot makes an axis on which nothing is drawn.
+const said = (values) => (values.some(Number.isFinite) ? values : Array(values.length).fill(null));
+
 export class Panels {
   constructor(columns, clock) {
     this.columns = columns;
@@ -167,7 +170,7 @@ export class Panels {
   }
 
   data(panel) {
-    return [this.columns.time_s, ...panel.series.map(({ column }) => this.columns[column])];
+    return [this.columns.time_s, ...panel.series.map(({ column }) => said(this.columns[column]))];
   }
 
   // Other rows, as of a flight that goes on.

@@ -12,10 +12,12 @@ from chromium import Window, drawn, unreadable
 from figure_flights import broken
 from sweep_files import fly_here, written
 
+from testbed import fly
 from testbed.api.sweep import finish
 from testbed.cli.commands import main
 from testbed.flight.flight import Outcome
 from testbed.reporting.comparison.compare import compare
+from testbed.scenario.load import load_scenario
 from testbed.studies.folder import logs
 from testbed.studies.load import load_sweep
 
@@ -167,6 +169,26 @@ def test_panels_of_a_comparison_share_cursor_and_range(browser: Any, comparison:
             "comparison.panels.made.filter(m => m.plot).map(m => [m.plot.scales.x.min, m.plot.scales.x.max])"
         )
         assert shown and all(pair == pytest.approx([low, high]) for pair in shown)
+
+
+def test_a_flight_without_estimates_leaves_the_panels_of_the_others(browser: Any, tmp_path: Path) -> None:
+    """Each panel of effectiveness has a vertical scale, on which the curves of the flight that has estimates are drawn."""
+    changes, file = ["duration_s=6", "requirements=[]"], tmp_path / "comparison.html"
+    weak = "failures=[{type: effectiveness, actuator: left_ruddervator, at_s: 3, value: 0.3}]"
+    scenario = Path(__file__).parents[3] / "scenarios" / "left_tail_fail.yaml"
+    compare(
+        [
+            fly(load_scenario(scenario, [*changes, weak, f"controller={{type: {name}}}"]))
+            for name in ("adaptive_inversion", "fixed_inversion")
+        ],
+        file,
+    )
+    with drawn(browser, file) as made:
+        scales = made.page.evaluate(
+            "comparison.panels.made.filter(m => m.plot && m.panel.title.endsWith('[-]'))"
+            ".map(m => m.plot.scales.y).map(({ min, max }) => [min, max])"
+        )
+        assert len(scales) == 4 and all(low < high for low, high in scales)
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
