@@ -85,10 +85,8 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
     yield "# Adopted aircraft"
     yield ""
     yield (
-        "This page lists what became of each of JSBSim's fixed-wing models. "
         f"`testbed adopt` makes an aircraft of {len(adopted)} of the {len(models())} fixed-wing models that come with JSBSim, "
-        f"without an edit. This page is written by `python benchmarks/adopt_all.py FOLDER --document "
-        f"docs/results/adoption.md`. Seconds are processor time on one core; "
+        "without an edit. Seconds are processor time on one core; "
         + (
             f"more than {LONGEST_S:g} s: {', '.join(slow)}."
             if slow

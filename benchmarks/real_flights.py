@@ -117,7 +117,7 @@ buy one with the other, in flight, on the other four days:
 """
 _LOST = """False in flight: on 12 July three times within a second of a doublet of roll (the drawing has one point for three
 samples); on 13 July for 96 s, in which the left elevon reads 0.4 to 0.7; on 23 July for 2 s, in which both read 0.7, as in slower
-air (airspeed was not logged). The accelerometers explain 1 % of the error of roll and 5 to 11 % of that of pitch."""
+air (airspeed was not logged)."""
 
 
 def page(readings: dict[str, Reading], clocks: dict[str, tuple[float, float]], settings: Settings) -> str:
