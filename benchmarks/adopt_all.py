@@ -85,7 +85,7 @@ def page(outcomes: Sequence[dict], folder: Path) -> Iterator[str]:
     yield "# Adopted aircraft"
     yield ""
     yield (
-        f"`testbed adopt` makes an aircraft of {len(adopted)} of the {len(models())} fixed-wing models that come with JSBSim, "
+        f"This page lists what `testbed adopt` makes of {len(adopted)} of the {len(models())} fixed-wing models of JSBSim, "
         "without an edit. Seconds are processor time on one core; "
         + (
             f"more than {LONGEST_S:g} s: {', '.join(slow)}."
