@@ -32,8 +32,9 @@ def pytest_collection() -> Generator[None, object, object]:
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:
-    """One process more than cores, as some tests wait for other processes; four for the nightly tests, which wait more."""
-    return 4 if config.option.markexpr == "nightly" else min(4, 1 + (os.cpu_count() or 1))
+    """One process more than cores, as some tests wait for other processes; the nightly tests, browsers among them, one a core."""
+    cores = os.cpu_count() or 1
+    return min(4, cores if config.option.markexpr == "nightly" else 1 + cores)
 
 
 @pytest.fixture(scope="session")

@@ -98,7 +98,8 @@ def _hear(places: tuple[Path, ...], event: str, arguments: tuple[Any, ...]) -> N
     """Keep the name of a file that is opened for writing in none of the places; Python tells each opening to an audit hook."""
     if event != "open" or not isinstance(arguments[0], str | bytes):
         return
-    if arguments[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
+    nameless = arguments[2] & os.O_TMPFILE == os.O_TMPFILE  # rows of a live flight: no folder ever lists such a file
+    if arguments[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT) and not nameless:
         name = os.path.abspath(os.fsdecode(arguments[0]))
         if name != os.devnull and not any(Path(name).is_relative_to(place) for place in places):
             _elsewhere.append(name)
