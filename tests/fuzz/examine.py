@@ -98,10 +98,12 @@ def _hear(places: tuple[Path, ...], event: str, arguments: tuple[Any, ...]) -> N
     """Keep the name of a file that is opened for writing in none of the places; Python tells each opening to an audit hook."""
     if event != "open" or not isinstance(arguments[0], str | bytes):
         return
-    nameless = arguments[2] & os.O_TMPFILE == os.O_TMPFILE  # rows of a live flight: no folder ever lists such a file
-    if arguments[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT) and not nameless:
+    if arguments[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
         name = os.path.abspath(os.fsdecode(arguments[0]))
-        if name != os.devnull and not any(Path(name).is_relative_to(place) for place in places):
+        nameless = os.path.isdir(
+            name
+        )  # all that can be written in the name of a folder: rows of a live flight are
+        if name != os.devnull and not nameless and not any(Path(name).is_relative_to(p) for p in places):
             _elsewhere.append(name)
 
 
