@@ -36,11 +36,12 @@ def elsewhere(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("OPENBLAS_CORETYPE", OTHER)
 
 
-def begun_elsewhere(folder: Path) -> Path:
-    """The folder of a whole sweep, as one that was begun with another kernel."""
+def begun_elsewhere(folder: Path, mark: str = "") -> Path:
+    """The folder of a whole sweep, as one that was begun with another kernel; with this mark on each flight."""
     fly_here(load_sweep(written(folder.parent)), folder)
     with store.reading(folder) as flights:
-        inputs, done = flights.inputs, [(k, r, flights.history(k)) for k, r in flights.records()]
+        marked = [(k, replace(r, environment=mark)) for k, r in flights.records()]
+        inputs, done = flights.inputs, [(k, r, flights.history(k)) for k, r in marked]
     (folder / store.NAME).unlink()
     store.create(
         folder, {**inputs, "arithmetic": {**inputs["arithmetic"], "matrices": "0", "kernel": "Other"}}
@@ -99,6 +100,17 @@ def test_shards_of_several_environments_are_merged_when_asked(tmp_path: Path) ->
     table = testbed.load(tmp_path / "out")
     assert table["environment"].notna().tolist() == [run % 2 == 1 for run in table["run"]]
     assert table["environment"].iloc[2].endswith("this is Other")
+
+
+def test_a_flight_of_a_mixed_shard_is_marked_by_what_is_known_of_both(tmp_path: Path) -> None:
+    """Its mark says how it is unlike its folder, and the merged folder how that one is unlike it."""
+    one, two = tmp_path / "one", begun_elsewhere(tmp_path / "two", "kernel: Third, this is Other")
+    fly_sweep(load_sweep(tmp_path / "small.yaml"), one, replace(here(), shard="1/2"))
+    testbed.merge([one, two], tmp_path / "out", figures=False, mixed=True)
+    (mark,) = set(testbed.load(tmp_path / "out")["environment"].dropna())
+    assert mark.startswith("kernel: Third, this is Other; of a folder with ") and mark.endswith(
+        "this is Other"
+    )
 
 
 @pytest.mark.nightly

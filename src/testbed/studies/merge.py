@@ -85,7 +85,7 @@ def _add(merged: Store, shard: Store) -> None:
     mark = "; ".join(differences(merged.inputs, shard.inputs))
     for key, record in shard.records():
         if key not in merged:
-            environment = record.environment or mark
+            environment = "; of a folder with ".join(filter(None, (record.environment, mark)))
             merged.add(key, replace(record, environment=environment), shard.history(key))
         elif _result(merged.record(key)) != _result(record):
             what = f"has another result of run {record.run} than a folder before it"
