@@ -156,6 +156,12 @@ def test_it_flies_a_lost_tail_and_logs_what_its_monitor_estimates(tmp_path: Path
     assert estimate[0] == 1.0 and estimate[-1] < 0.1
 
 
+def test_it_says_that_a_surface_has_an_offset(tmp_path: Path) -> None:
+    offset = "failures=[{type: bias, actuator: left_ruddervator, at_s: 2, value: 13.5}]"
+    flight = fly(scenario(tmp_path, "l1_inversion", 8, offset))
+    assert any("with an offset" in event.get("text", "") for event in flight.events)
+
+
 def test_without_its_monitor_it_makes_up_for_a_loss_and_flags_nothing(tmp_path: Path) -> None:
     weak = "failures=[{type: effectiveness, actuator: left_ruddervator, at_s: 3, value: 0.2}]"
     flight = fly(scenario(tmp_path, "l1_inversion", 14, weak, "controller.monitor=false"))

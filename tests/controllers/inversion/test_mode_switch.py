@@ -45,12 +45,12 @@ def test_a_flagged_tail_puts_its_mode_in_force_and_starts_the_integrals_again() 
     k = modes.record[0]
     assert modes.mode.failed == ("left_ruddervator",)
     assert k.available.tolist() == [0, 1, 1, 1] and k.released.tolist() == [0, 0, 1, 0] and k.regulated == 1
-    assert k.K.any() and k.r_trim.any()
+    assert k.K.any() and k.r_trim.any() and k.x_trim.any()
     assert s.heading_integral == 0.0 and not s.integral.any()
     assert k.slow_descent_from == SETUP.control.loops.protect_from_m_s
     s.failed[0] = 0
     modes.switch(200)
-    assert modes.mode.failed == () and not k.regulated and not k.r_trim.any()
+    assert modes.mode.failed == () and not k.regulated and not (k.r_trim.any() or k.x_trim.any())
 
 
 def test_a_lost_propeller_protects_airspeed_earlier() -> None:

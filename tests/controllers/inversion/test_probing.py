@@ -91,9 +91,9 @@ def test_the_sine_is_small_and_engines_have_none() -> None:
     assert s.probe[0] == 0.0
 
 
-def flown(failure: str, ablate: str = "") -> Flight:
+def flown(failure: str, ablate: str = "", faults: str = "") -> Flight:
     changes = [
-        "sensors={model: mems}",
+        f"sensors={{model: mems, faults: [{faults}]}}",
         "atmosphere={turbulence_w20_m_s: 5}",
         "seed=95004",
         f"controller={{type: adaptive_inversion, ablate: [{ablate}]}}",
@@ -123,3 +123,11 @@ def test_a_surface_that_works_again_is_used_within_seconds(failure: str) -> None
     assert altitude < 4.0 and heading < 15.0
     without = flown(failure, "probing").log.set_index("time_s")["left_ruddervator_failed"]
     assert without[:20.0].iloc[-1] == 1
+
+
+@pytest.mark.parametrize("vane", ["alpha", "beta"])
+def test_a_held_surface_is_probed_while_a_vane_is_stuck(vane: str) -> None:
+    held = "{type: stuck_at, actuator: left_ruddervator, at_s: 5, until_s: 15, value: 8}"
+    flight = flown(held, faults=f"{{type: stuck, sensor: {vane}, at_s: 10}}")
+    flags = flight.log.set_index("time_s")["left_ruddervator_failed"]
+    assert flags[10.0:14.9].min() == 1 and flags[25.0:].max() == 0

@@ -105,6 +105,16 @@ def test_flags_set_since_are_taken_back_and_older_ones_stay() -> None:
     assert s.failed.tolist() == [0, 0, 0, 1] and not s.jammed.any()
 
 
+def test_one_that_was_found_reversed_since_stays_so() -> None:
+    """Its force went where no swing of another takes it."""
+    made = given_up()
+    s = made.s
+    s.failed[2], s.reversed[2], s.lambda_hat[2] = 1, 1, -1.0
+    s.since_flag[:] = 10.0, math.inf, 9.0, math.inf
+    assert seconds_until_used(made, lambda t: math.sin(4.0 * t)) < 10.0
+    assert s.failed[2] == s.reversed[2] == 1 and s.lambda_hat[2] == -1.0
+
+
 def test_it_is_used_again_once_and_not_taken_for_jammed() -> None:
     """Should it turn out to be lost after all, it stays given up."""
     made = given_up()

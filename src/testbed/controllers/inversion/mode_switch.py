@@ -198,7 +198,8 @@ class ModeSwitch:
         motor_lost = any(setup.model.kinds[i] != "servo" for i in failed)
         k.slow_descent = loops.slow_descent_s
         k.slow_descent_from = loops.lost_thrust_protect_from_m_s if motor_lost else loops.protect_from_m_s
-        k.regulated, k.r_trim[:], k.trim_effect[:], k.airspeed_offset = regulator is not None, 0.0, 0.0, 0.0
+        k.regulated, k.airspeed_offset = regulator is not None, 0.0
+        k.x_trim[:], k.r_trim[:], k.trim_effect[:] = 0.0, 0.0, 0.0  # of the trim in which the flight began
         k.airspeed_low, k.airspeed_high, k.airspeed_too_fast, k.fast_climb = 0.0, math.inf, math.inf, 0.0
         if regulator is not None:
             k.x_trim[:], k.r_trim[:] = regulator.x_trim, regulator.r_trim

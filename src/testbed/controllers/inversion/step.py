@@ -12,7 +12,7 @@ from testbed.controllers.actuator_model import advance_actuators, axial_speed
 from testbed.controllers.commands import write_diagnosis, write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
-from testbed.controllers.inversion.jam_detection import detect_jam
+from testbed.controllers.inversion.jam_detection import detect_jam, wait
 from testbed.controllers.inversion.lateness import delay_regressor, estimate_lateness
 from testbed.controllers.inversion.law import (
     adapt,
@@ -84,7 +84,10 @@ def estimate(y, ref, m, c, s, w):
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
-    if not c.tests_jams or vane_is_stuck(s):
+    if not c.tests_jams:
+        return 0
+    if vane_is_stuck(s):
+        wait(c, s)
         return 0
     if c.tests_swings and detect_swings(e, pressure_ratio, m, c, s):
         return 1

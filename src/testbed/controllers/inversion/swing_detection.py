@@ -114,7 +114,7 @@ def use_again(i, pressure_ratio, m, s):
     s.own_noise[i], since = swing_noise(i, s), s.since_flag[i]
     s.failed[i], s.jammed[i], s.reversed[i], s.flag_timer[i], s.since_flag[i] = 0, 0, 0, 0.0, 0.0
     for j in range(len(s.failed)):
-        if s.failed[j] and s.since_flag[j] < since:
+        if s.failed[j] and not s.reversed[j] and s.since_flag[j] < since:
             s.failed[j], s.jammed[j] = 0, 0
         if not s.failed[j]:
             reset_estimate(j, pressure_ratio, m, s)
