@@ -57,6 +57,15 @@ def test_what_cannot_be_adopted_is_refused_at_once(
     assert [path.name for path in here.iterdir()] == ["file"]
 
 
+@pytest.mark.parametrize("command", [["identify", "vtail", "--log"], ["diagnose"]])
+def test_a_log_that_is_not_there_is_said_to_be_missing(
+    here: Path, called: Called, command: list[str]
+) -> None:
+    (here / "turns").mkdir()
+    status, out, err = called(*command, "turms")
+    assert (status, out) == (2, "") and err == "turms: there is no such file or folder, did you mean turns?\n"
+
+
 def adjusted(tmp_path: Path, number: str, other: str) -> Path:
     """An aircraft of which the YAML says another number than the model."""
     folder = Path(shutil.copytree(load_aircraft("vtail").folder, tmp_path / "vtail"))

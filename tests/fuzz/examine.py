@@ -100,7 +100,7 @@ def _hear(places: tuple[Path, ...], event: str, arguments: tuple[Any, ...]) -> N
         return
     if arguments[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
         name = os.path.abspath(os.fsdecode(arguments[0]))
-        nameless = os.path.isdir(name)  # as are rows of a live flight: a folder itself cannot be written
+        nameless = os.path.isdir(name)  # rows of a live flight: a folder itself cannot be written
         if name != os.devnull and not nameless and not any(Path(name).is_relative_to(p) for p in places):
             _elsewhere.append(name)
 

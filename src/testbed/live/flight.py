@@ -17,9 +17,8 @@ from testbed.simulation.session import Session
 
 LONGEST_S = 3600.0
 """Longest flight by hand [s]: its log has to fit into memory."""
-_LEAST_S = (
-    120.0  # what is made longer gets this long [s]: rows then have room for an hour, and are not copied again
-)
+_LEAST_S = 120.0
+"""What is made longer gets this long at least [s]: rows then have room for an hour, and are not copied again."""
 _MOST_GHOSTS = 3
 _AT_ONCE = 2000  # control steps between two looks at whether to give up
 

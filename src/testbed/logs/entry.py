@@ -15,7 +15,7 @@ from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.setup import Setup, setup_for
 from testbed.flight.flight import Flight
 from testbed.flight.folder import refuse_existing, refuse_unwritable
-from testbed.inputs.problems import BadInput, Problem
+from testbed.inputs.problems import BadInput, Problem, did_you_mean
 from testbed.logs import identified_page, identified_words, mapped, own
 from testbed.logs.diagnosis import Diagnosis, diagnosed
 from testbed.logs.flight_log import FlightLog
@@ -128,6 +128,9 @@ def _read(
         if tuple(aircraft.actuators) != tuple(flight.actuators):
             raise BadInput([Problem(f"has other actuators than {aircraft.name}", str(path))])
         return read, aircraft, flight
+    if not path.exists():
+        what, near = "there is no such file or folder", map(str, path.parent.glob("*"))
+        raise BadInput([Problem(what, str(path), suggestion=did_you_mean(str(path), near))])
     needed = {"--model": model, "--columns": columns}
     missing = [
         Problem("is needed with a log that is no run folder", name)

@@ -77,13 +77,13 @@ class Factor:
     def contradicted(self) -> bool:
         """Whether both methods put the aircraft's own value beyond two standard deviations, on the same side.
 
-        How far they are apart counts as a deviation too: noise and gusts bias each in its own way.
+        How far they are apart counts as a deviation too: noise and gusts bias each in its own way. Where there is one method alone,
+        as of u_dot, nothing is contradicted: noise of angle of attack made a right `CX_alpha` 0.9 of what it is.
         """
-        each = [(self.value, self.std)]
-        each += [(self.simulated, self.simulated_std)] if np.isfinite(self.simulated) else []
-        apart = self.taken - self.value
+        apart = self.simulated - self.value
+        each = ((self.value, self.std), (self.simulated, self.simulated_std))
         sides = {np.sign(v - 1.0) * (abs(v - 1.0) > 2.0 * np.hypot(std, apart)) for v, std in each}
-        return self.known and len(sides) == 1 and 0.0 not in sides
+        return self.known and sides in ({1.0}, {-1.0})
 
 
 @dataclass(frozen=True)
@@ -158,10 +158,8 @@ def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified
         )
         factors += own
     model = setup.model.with_error({each.name: each.taken for each in factors})
-    model, covariances = (
-        replace(model, bias=tuple(map(float, bias))),
-        {RATES[i]: fits[i].covariance for i in fits},
-    )
+    model = replace(model, bias=tuple(map(float, bias)))
+    covariances = {RATES[i]: fit.covariance for i, fit in fits.items()}
     return Identified(model, tuple(factors), tuple(validation), covariances, output)
 
 
@@ -205,11 +203,8 @@ def _factor(
 ) -> Factor:  # fmt: skip
     told = np.convolve(fit.white[:, i] ** 2, np.ones(round(WINDOW_S / BIN_S)), "valid")
     best = int(np.argmax(told)) if len(told) else 0
-    value, stds, inflation = (
-        float(fit.value[i]),
-        np.sqrt(np.diagonal(fit.covariance)),
-        float(fit.inflation[i]),
-    )
+    value, inflation = float(fit.value[i]), float(fit.inflation[i])
+    stds = np.sqrt(np.diagonal(fit.covariance))
     correlations = fit.covariance[i] / (stds[i] * stds)
     alike = max((j for j in range(len(names)) if j != i), key=lambda j: abs(correlations[j]), default=i)
     simulated = output.factors.get(names[i], (np.nan, np.nan))
