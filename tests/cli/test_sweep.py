@@ -118,6 +118,15 @@ def test_one_variant_alone_is_a_normal_run_folder(here: Path, called: Called) ->
     assert load_flight(folder).controller == "fixed_inversion"
 
 
+def test_a_run_alone_that_has_no_result_says_why(here: Path, called: Called) -> None:
+    set_ = ["--set", "time_limit_s=0.01"]
+    status, out, err = called(
+        "sweep", written(here).name, "--only", "5", *set_, "--no-plots", "--out", "alone"
+    )
+    assert (status, out) == (1, "wrote alone\n")
+    assert err == "WARNING: run 5 has no result: no result within 0.01 s\n"
+
+
 def test_a_variant_is_of_one_run(here: Path, called: Called) -> None:
     expected = (2, "", "--variant: is for one run, expected --only I beside it\n")
     assert called("sweep", written(here).name, "--variant", "fixed_inversion") == expected

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
@@ -218,11 +219,14 @@ def fly_run(
     # Flown again, because the worker has sent a record and not the whole log; but not what would hang or end this process.
     again = [task for task, flown in done if flown.record.outcome not in NO_RESULT]
     flights = {task.variant: flight_of(job, task) for task in again}
+    unflown = [f"run {run} has no result: {one.reason}" for one in records if one.outcome in NO_RESULT]
+    if variant is not None and unflown:
+        raise BadInput([Problem(unflown[0], "--only")])
+    for words in unflown:
+        warnings.warn(words, stacklevel=2)
     if variant is None:
         folder.mkdir(parents=True)
         table.write(plan, lambda: records, folder)
-    elif not flights:
-        raise BadInput([Problem(f"run {run} has no result: {records[0].reason}", "--only")])
     for which, flight in flights.items():
         name = flight_label(plan, run * len(plan.variants) + which)
         add = partial(add_report, flight, figures=figures)
