@@ -189,8 +189,8 @@ This page says at which airspeeds the v-tail can fly with a jammed actuator. The
 and at most positions they can at some airspeeds only. It searches for
 these on JSBSim itself, with bounded least squares from several starts and nothing of the controller, and shows beside it
 what the controller's design chooses on its own linear model. Margin is the distance of the nearest actuator that remains to its
-stop, in units of its `scale`. Where no level flight is within the stops, the best flight
-along another path is shown. A stuck propeller's design is given the thrust at the truth's best airspeed.
+stop, in units of its `scale`. Where none is level, the best path is shown; at 20 deg the design is wrong.
+A stuck propeller's design is given the thrust at the truth's best airspeed.
 
 | jammed | at | level flight exists at [m/s] | most margin on the truth | margin | design's choice |
 | --- | --- | --- | --- | --- | --- |"""
@@ -220,7 +220,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
             found = row(setup, aircraft, i, command, words)
             rows.setdefault(found, []).append(name)
             print(f"| {name} | {found}", flush=True)
-    lines = [HEAD, *(f"| {', '.join(names)} | {found}" for found, names in rows.items())]
+    lines = [HEAD, *(f"| {' or '.join(names)} | {found}" for found, names in rows.items())]
     options.out.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(f"wrote {options.out}")
 
