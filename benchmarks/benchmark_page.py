@@ -40,8 +40,8 @@ HEAD = """\
 <!-- Written by python benchmarks/benchmark_page.py: change that, not this. -->
 
 This page compares controllers on flights that are drawn from a [suite](../reference/benchmark.md): any failure of any aircraft in
-any weather. No list can be learnt by heart. Their seed is made from a digest of the controllers' code and a word, here the hash of
-the commit that froze it: who changes the code has other flights. **Held** is flown to the end and never farther from the
+any weather. Their seed is made from a digest of the controllers' code and a word, here the hash of the commit that froze it.
+**Held** is flown to the end and never farther from the
 references of altitude and heading than limits that grow with the aircraft's span and speed: a span and 0.45 s of flight, 10 m for
 the v-tail at 18 m/s, and 20 deg. **Inside** is the share of the time
 within them.
