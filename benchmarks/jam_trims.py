@@ -185,9 +185,8 @@ HEAD = """# Which jams have a trim
 
 <!-- Written by python benchmarks/jam_trims.py: change that, not this. -->
 
-This page says at which airspeeds the v-tail can fly with a jammed actuator. The others must balance it,
-and at most positions they can at some airspeeds only. It searches for
-these on JSBSim itself, with bounded least squares from several starts and nothing of the controller, and shows beside it
+This page says at which airspeeds the v-tail can fly with a jammed actuator. It searches on JSBSim itself,
+with bounded least squares from several starts and nothing of the controller, and shows beside it
 what the controller's design chooses on its own linear model. Margin is the distance of the nearest actuator that remains to its
 stop, in units of its `scale`. Where none is level, the best path is shown; at 20 deg the design is wrong.
 A stuck propeller's design is given the thrust at the truth's best airspeed.
