@@ -5,11 +5,13 @@ It never reads the truth in flight. A scenario may set an error of its coefficie
 
 The state function is made of the usual stability derivatives about one level trim (alpha_0, V_0):
 
-    x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta + c |beta|) + (V/V_0) (A_p p + A_q q + A_r r) + k(x) + B u
+    x_dot = s (bias + A_alpha (alpha - alpha_0) + A_beta beta + c |beta|) + (V/V_0) (A_p p + A_q q + A_r r) + G (p^2, .., q r)
+            + k(x) + B u
 
 with s = (V/V_0)^2, the ratio of dynamic pressures, and k(x) the terms of gravity and of the rotation of the body axes. The
 rows are p_dot, q_dot, r_dot, u_dot (x_c, controlled), then v_dot, w_dot (x_u, not controlled). In B u, the columns of surfaces
-are multiplied by s. c is zero, but for models whose drag or moments go with the size of sideslip.
+are multiplied by s. c is zero, but for models whose drag or moments go with the size of sideslip. G has the gyroscopic moments:
+Euler's -J^-1 (w x J w), which do not go with airspeed.
 """
 
 from __future__ import annotations
@@ -35,6 +37,9 @@ DESIGN_MODEL = "design_model.json"
 """Where the model is stored, in the aircraft's folder."""
 _EXPECTED = "what `testbed identify` writes"
 COLUMNS = ("alpha", "beta", "p", "q", "r")
+PRODUCTS = (("p", "p"), ("q", "q"), ("r", "r"), ("p", "q"), ("p", "r"), ("q", "r"))
+"""Columns of the gyroscopic moments: two rates of rotation each."""
+NOT_GYROSCOPIC = ((0.0,) * len(PRODUCTS),) * 3
 _SYMBOLS = {"p_dot": "Cl", "q_dot": "Cm", "r_dot": "Cn", "u_dot": "CX", "v_dot": "CY", "w_dot": "CZ"}
 
 _KINDS = ("servo", "motor", "engine")
@@ -71,6 +76,7 @@ class DesignModel:
         stall_alpha_rad: angle of attack at which the slope of the lift has fallen to half of that at the trim.
         span_m: wing span; None if it is not known.
         sideslip: [6] c: rates per rad of |beta|, by `ROWS`.
+        gyroscopic: [3, 6] G: p_dot, q_dot and r_dot by products of rates of rotation, by `PRODUCTS` [1].
     """
 
     airspeed_m_s: float
@@ -90,6 +96,7 @@ class DesignModel:
     stall_alpha_rad: float = 0.6
     span_m: float | None = None
     sideslip: tuple[float, ...] = (0.0,) * len(ROWS)
+    gyroscopic: tuple[tuple[float, ...], ...] = NOT_GYROSCOPIC
 
     def coefficient_names(self) -> list[str]:
         """Names that `with_error` scales: `Cm_alpha`, `Cm_q`, and `Cn_NAME` of an actuator NAME."""
@@ -124,16 +131,18 @@ class DesignModel:
             u: [..., n] actuator positions [rad or N].
             effectiveness: [n] of each actuator, 1 healthy, 0 lost.
         """
-        bias, a, inputs, offsets, sideslip, servo = self._arrays
+        bias, a, sideslip, gyroscopic, inputs, offsets, servo = self._arrays
         speed = np.asarray(x["airspeed"])[..., None] / self.airspeed_m_s
         pressure = speed * speed
         angles = np.stack([x["alpha"] - self.alpha_rad, x["beta"]], axis=-1)  # type: ignore[arg-type]
         turning = np.stack([x["p"], x["q"], x["r"]], axis=-1)  # type: ignore[arg-type]
         even = np.abs(x["beta"])[..., None] * sideslip
-        aero = pressure * (bias + angles @ a[:, :2].T + even) + speed * (turning @ a[:, 2:].T)
+        rates = pressure * (bias + angles @ a[:, :2].T + even) + speed * (turning @ a[:, 2:].T)
+        products = np.stack([x[one] * x[other] for one, other in PRODUCTS], axis=-1)  # type: ignore[call-overload]
+        rates[..., :3] += products @ gyroscopic.T
         lam = np.asarray(effectiveness, dtype=float)
         acting = np.where(servo, pressure, 1.0) * lam * np.asarray(u)
-        return aero + kinematics(x) + acting @ inputs.T + offsets @ lam
+        return np.asarray(rates + kinematics(x) + acting @ inputs.T + offsets @ lam)
 
     @property
     def angle_slopes(self) -> np.ndarray:
@@ -143,9 +152,10 @@ class DesignModel:
 
     @cached_property
     def _arrays(self) -> tuple[np.ndarray, ...]:
-        """bias, derivatives, input and offset matrix, sideslip, and which actuators are servos, as arrays made once."""
-        fields = (self.bias, self.derivatives, self.input_matrix, self.offset_matrix, self.sideslip)
-        return (*map(np.array, fields), np.array([kind == "servo" for kind in self.kinds]))
+        """What `rates` multiplies, and which actuators are servos, as arrays made once."""
+        of_state = (self.bias, self.derivatives, self.sideslip, self.gyroscopic)
+        of_actuators = (self.input_matrix, self.offset_matrix)
+        return (*map(np.array, of_state + of_actuators), np.array([kind == "servo" for kind in self.kinds]))
 
     def agrees_with(self, other: DesignModel, tolerance: float = 1e-9) -> bool:
         """Whether the two are the same but for rounding: each number within `tolerance`, relative or absolute."""
@@ -187,6 +197,7 @@ def _impossible(model: DesignModel) -> Iterator[str]:
     n = len(model.actuators)
     shapes = {
         "trim": (n,), "bias": (len(ROWS),), "sideslip": (len(ROWS),), "derivatives": (len(ROWS), len(COLUMNS)),
+        "gyroscopic": (3, len(PRODUCTS)),
         "input_matrix": (len(ROWS), n), "torque_matrix": (len(ROWS), n), "offset_matrix": (len(ROWS), n),
         "airspeed_m_s": (), "altitude_m": (), "alpha_rad": (), "density_kg_m3": (), "stall_alpha_rad": (),
         **({} if model.span_m is None else {"span_m": ()}),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Union
 
 from pydantic import (
@@ -16,6 +17,7 @@ from pydantic import (
 )
 
 from testbed.aircraft.control_design import DERIVED, Axis, ControlDesign
+from testbed.aircraft.design_model import NOT_GYROSCOPIC, DesignModel
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, refuse
 
 Fraction = Annotated[Number, Field(ge=0, le=1)]
@@ -72,6 +74,10 @@ class ControllerSettings(Settings):
     def applied_to(self, control: ControlDesign) -> ControlDesign:
         """The aircraft's control design as this controller uses it."""
         return control
+
+    def believed(self, model: DesignModel) -> DesignModel:
+        """The aircraft's design model as this controller believes it."""
+        return model.with_error(self.model_error)
 
 
 _DEFAULTS_OF_NEWTON = {
@@ -150,6 +156,11 @@ class AdaptiveInversionSettings(ControllerSettings):
             return control
         without = {"slow_descent_s": 0.0, "lost_thrust_faster_m_s": 0.0}
         return control.model_copy(update={"loops": control.loops.model_copy(update=without)})
+
+    def believed(self, model: DesignModel) -> DesignModel:
+        """The paper's model of an aircraft has no gyroscopic moments."""
+        model = super().believed(model)
+        return replace(model, gyroscopic=NOT_GYROSCOPIC) if self.preset == "paper" else model
 
     @model_validator(mode="before")
     @classmethod

@@ -185,7 +185,7 @@ def setup_for(
     units = [_unit(a.kind) for a in aircraft.actuators.values()]
     return Setup(
         aircraft=aircraft.name,
-        model=model.with_error(settings.model_error),
+        model=settings.believed(model),
         control=settings.applied_to(own_axes(aircraft)),
         actuators=[_told(*each) for each in zip(aircraft.actuators.values(), model.propulsors, strict=True)],
         dt_s=dt_s,

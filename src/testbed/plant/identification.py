@@ -16,6 +16,7 @@ from testbed.aircraft.description import Aircraft, MotorActuator
 from testbed.aircraft.design_model import (
     COLUMNS,
     DESIGN_MODEL,
+    PRODUCTS,
     DesignModel,
     kinematics,
     load_design_model,
@@ -84,6 +85,7 @@ def identify(aircraft: Aircraft, near: Trim | None = None) -> DesignModel:
         stall_alpha_rad=_stall_angle(plant, level),
         span_m=plant.span_m or None,
         sideslip=_sideslip(plant, level, slopes),
+        gyroscopic=_gyroscopic(plant),
     )
 
 
@@ -154,6 +156,25 @@ def _sideslip(plant: Plant, level: Trim, slopes: np.ndarray) -> tuple[float, ...
     kinks = (4.0 * near - far) / (2.0 * _ANGLE_STEP)
     linear = np.hypot(slopes[:, COLUMNS.index("alpha")], slopes[:, COLUMNS.index("beta")])
     return tuple(map(float, np.where(np.abs(kinks) > linear, kinks, 0.0)))
+
+
+def _gyroscopic(plant: Plant) -> tuple[tuple[float, ...], ...]:
+    """[3, 6] p_dot, q_dot and r_dot by products of rates of rotation, by `PRODUCTS`: Euler's -J^-1 (w x J w).
+
+    The moments of inertia J are known before flight. Second differences of the truth would have the kinks of propellers too.
+    """
+    xx, yy, zz, xy, xz, yz = (
+        plant[f"inertia/i{axes}-slugs_ft2"] for axes in ("xx", "yy", "zz", "xy", "xz", "yz")
+    )
+    inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])  # JSBSim's products are the elements of J
+
+    def moments(*about: int) -> np.ndarray:
+        rates = np.eye(3)[list(about)].sum(axis=0)
+        return -np.linalg.solve(inertia, np.cross(rates, inertia @ rates))
+
+    axes = [("pqr".index(one), "pqr".index(other)) for one, other in PRODUCTS]
+    columns = [moments(i) if i == j else moments(i, j) - moments(i) - moments(j) for i, j in axes]
+    return rows_of(np.column_stack(columns) + 0.0)  # no -0
 
 
 def input_matrix(plant: Plant, level: Trim) -> np.ndarray:

@@ -64,6 +64,10 @@ def state_function(y, m, f):
         angles += m.sideslip[i] * abs(y.beta)
         rates = m.A[i, D_P] * y.p + m.A[i, D_Q] * y.q + m.A[i, D_R] * y.r
         f[i] = pressure_ratio * angles + speed * rates
+    for i in range(3):  # Euler's -J^-1 (w x J w)
+        g = m.gyroscopic[i]
+        f[i] += g[0] * y.p * y.p + g[1] * y.q * y.q + g[2] * y.r * y.r
+        f[i] += g[3] * y.p * y.q + g[4] * y.p * y.r + g[5] * y.q * y.r
     v = y.airspeed * math.sin(y.beta)
     w = y.airspeed * math.sin(y.alpha) * math.cos(y.beta)
     f[U_DOT] += y.r * v - y.q * w - GRAVITY_M_S2 * math.sin(y.pitch)  # of rotating axes, and of gravity
