@@ -43,6 +43,9 @@ NOT_DESIGNED = 1e9
 rough one, and the filter's next step corrects most of it."""
 RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 3.0
 """Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero."""
+ENGINE_S = 8.0
+"""How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
+climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
 ROUGH_S = 0.05
 """How long the position of a jam is a rough estimate [s], from which no way is measured."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
@@ -112,13 +115,17 @@ def wait(c, s):
 @compiled
 def time_to_jam(i, m, c, s):
     """How long an actuator that `acts_reversed`, `has_force_of_its_own` or `keeps_thrust` must do so until it is taken for jammed
-    [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough."""
+    [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough. The others
+    take an engine that is probed `ENGINE_S`."""
     backwards = acts_reversed(i, m, c, s)
     if backwards and unstable(m):
         return REVERSED_S
-    if backwards or has_force_of_its_own(i, c, s):
+    own_force = has_force_of_its_own(i, c, s)
+    if backwards or (own_force and not m.engine[i]):
         return c.persistence
-    return c.jam_time if keeps_thrust(i, m, c, s) else 0.0
+    if own_force or keeps_thrust(i, m, c, s):
+        return ENGINE_S if m.engine[i] and c.probes else c.jam_time
+    return 0.0
 
 
 @compiled

@@ -4,7 +4,7 @@ At its trim position a held actuator and one that works again cannot be told apa
 So its command is trim + a sine. The gain g from its modelled position to its force is found by least squares over the last
 `MEMORY_S`: 0 for one that is lost or held, 1 for one that works, -1 for one that is reversed. What it is taken for changes
 when 0 is `SIGMAS` standard deviations away. The sine is as large as that needs within `MEMORY_S`, given what gusts do to the
-rates. Engines are too slow to be probed.
+rates. An engine's is slower, as the engine is.
 
 Letters: m design model, c settings, s memory, e of the working memory; their fields, shapes and units are in `records`.
 pressure_ratio is (V/V_0)^2.
@@ -29,6 +29,8 @@ LARGEST = 0.4
 RAD_S, RAD_S_MORE = 4.0, 1.0
 """Angular frequency of the first actuator's sine, and how much faster the next ones are [rad/s]: fast against what the model leaves
 out, and slow enough that one which acts 0.3 s late does not seem reversed."""
+ENGINE_SLOWER = 4.0
+"""How many times slower the sine of an engine is, and how many times longer its memory: it follows its throttle slowly [1]."""
 AT_LEAST_RAD = 3.0 * math.pi
 """Phase of the sine before which nothing is decided [rad]: within the first turn a drift looks like a gain."""
 LARGEST_CHANGE = 10.0
@@ -45,14 +47,14 @@ def probe(e, pressure_ratio, m, c, s):
     """Advance the probes of the actuators that are given up; returns 1 when one is used again."""
     changed = 0
     for i in range(len(s.probe)):
-        if not s.failed[i] or s.reversed[i] or m.engine[i] or s.since_flag[i] < REVERSAL_S:
+        if not s.failed[i] or s.reversed[i] or s.since_flag[i] < REVERSAL_S:
             s.probe[i], s.probe_product[i], s.probe_square[i] = 0.0, 0.0, 0.0
             s.probe_mean[i] = s.probe_lags[i, 0] = s.probe_lags[i, 1] = s.position[i]
             for row in range(4):
                 s.probe_rest[i, row] = unexplained(i, row, e, s.position[i], pressure_ratio, m, c, s)
             continue
         follow_probe(i, e, pressure_ratio, m, c, s)
-        if probe_rate(i) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD or s.probe_square[i] <= 0.0:
+        if probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S) < AT_LEAST_RAD or s.probe_square[i] <= 0.0:
             continue
         gain, sigma = s.probe_product[i] / s.probe_square[i], 1.0 / math.sqrt(s.probe_square[i])
         if gain - SIGMAS * sigma > 0.0 and gain > WORKS_ABOVE:
@@ -65,23 +67,29 @@ def probe(e, pressure_ratio, m, c, s):
 
 
 @compiled
-def probe_rate(i):
+def probe_rate(i, m):
     """Angular frequency of the sine of actuator i [rad/s]."""
-    return RAD_S + RAD_S_MORE * i
+    return (RAD_S + RAD_S_MORE * i) / slower(i, m)
+
+
+@compiled
+def slower(i, m):
+    """How many times slower the probe of actuator i is than that of a surface or motor [1]."""
+    return ENGINE_SLOWER if m.engine[i] else 1.0
 
 
 @compiled
 def follow_probe(i, e, pressure_ratio, m, c, s):
     """Move the sine of actuator i on, and take this step's innovation into its least squares."""
-    information = 0.0
+    information, memory = 0.0, MEMORY_S * slower(i, m)
     for row in range(4):
         column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
         information += column * column
-    amplitude = math.sqrt(2.0 / (information * MEMORY_S)) / DEVIATION
-    s.probe[i] = min(amplitude, LARGEST) * math.sin(probe_rate(i) * (s.since_flag[i] - REVERSAL_S))
+    amplitude = math.sqrt(2.0 / (information * memory)) / DEVIATION
+    s.probe[i] = min(amplitude, LARGEST) * math.sin(probe_rate(i, m) * (s.since_flag[i] - REVERSAL_S))
     position = filtered_position_of(i, pressure_ratio, m, c, s)
     s.probe_mean[i] += c.dt * (position - s.probe_mean[i])
-    moved, fade = position - s.probe_mean[i], c.dt / MEMORY_S
+    moved, fade = position - s.probe_mean[i], c.dt / memory
     product = 0.0
     for row in range(4):
         column = m.B[row, i] * effect_ratio(i, pressure_ratio, m) / c.noise[row]
