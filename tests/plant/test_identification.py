@@ -13,7 +13,7 @@ from command_line import ROOT
 from hostile_models import MODEL, replaced, vtail_at
 
 from testbed.aircraft.description import Aircraft, load_aircraft
-from testbed.aircraft.design_model import DESIGN_MODEL, ROWS, DesignModel, load_design_model
+from testbed.aircraft.design_model import DESIGN_MODEL, PRODUCTS, ROWS, DesignModel, load_design_model
 from testbed.inputs.problems import BadInput
 from testbed.plant.identification import identify, stored
 from testbed.plant.jsbsim import Plant
@@ -69,6 +69,26 @@ def test_it_predicts_what_the_aircraft_does(vtail: Aircraft, model: DesignModel)
     for row, truth, found in zip(ROWS, flown, predicted, strict=True):
         assert found == pytest.approx(truth, rel=0.02, abs=0.03), row
     assert np.abs(flown[:3]).min() > 0.1, "each axis is moved"
+
+
+def test_the_gyroscopic_moments_are_those_of_the_truth() -> None:
+    """Second differences of the truth by each pair of rates. The Aerosonde's products of inertia are not zero."""
+    aerosonde = load_aircraft("aerosonde")
+    plant = Plant(aerosonde, 200)
+    level = trim(plant, aerosonde.reference.airspeed_m_s, aerosonde.reference.altitude_m)
+
+    def moments(one: str, other: str, sign: float) -> np.ndarray:
+        rates = {"p": 0.0, "q": 0.0, "r": 0.0}
+        rates[one] += 0.1
+        rates[other] += 0.1 * sign
+        both = [{axis: way * rate for axis, rate in rates.items()} for way in (1.0, -1.0)]
+        flown = [accelerations(plant, {**level.state, **each}, level.commands)[3:] for each in both]
+        return np.asarray(flown[0] + flown[1])
+
+    model = load_design_model(aerosonde.folder / DESIGN_MODEL)
+    for (one, other), predicted in zip(PRODUCTS, np.transpose(model.gyroscopic), strict=True):
+        differences = (moments(one, other, 1.0) - moments(one, other, -1.0)) / (0.08 if one == other else 0.04)
+        assert differences == pytest.approx(predicted, abs=1e-3), (one, other)
 
 
 def test_without_a_stored_model_it_is_identified(vtail_copy: Path, model: DesignModel) -> None:
