@@ -269,7 +269,7 @@ class Pilot:
         """What is told, and how long that took [s]."""
         begun_s = monotonic()
         try:
-            told = frames.told(self.flight.session.flight())
+            told = frames.told(self.flight.session.so_far())
         except BadInput as error:
             told = {**self._told, "story": [str(error)]}
         return told, monotonic() - begun_s

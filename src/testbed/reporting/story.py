@@ -327,10 +327,10 @@ def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
 
 def _attitude(flight: Flight, event: Mapping[str, Any]) -> str:
     """Bank and pitch at the end, where they are steep; a bank beyond its limit has been said."""
-    last = flight.log.iloc[-1]
-    steep = {f"nose {'up' if last['pitch_deg'] > 0 else 'down'}": abs(last["pitch_deg"])}
+    pitch, roll = (flight.signals[f"{angle}_deg"][-1] for angle in ("pitch", "roll"))
+    steep = {f"nose {'up' if pitch > 0 else 'down'}": abs(pitch)}
     if all(m["limit"] != "roll_max_deg" for m in event["limits"]):
-        steep = {"of bank": abs(last["roll_deg"]), **steep}
+        steep = {"of bank": abs(roll), **steep}
     said = [f"{angle:.0f} deg {words}" for words, angle in steep.items() if angle > _STEEP_DEG]
     return f", at {joined(said)}" if said else ""
 
