@@ -121,7 +121,7 @@ function showState({ link, state, flies, said }) {
 }
 
 function showStory({ story, events }) {
-  const item = (text) => Object.assign(document.createElement("li"), { textContent: text });
+  const item = (text) => Object.assign(document.createElement("li"), { textContent: text.replaceAll(" %", "\u00a0%") });
   find("story").replaceChildren(...story.map(item));
   find("events").replaceChildren(...events.toReversed().map(({ time_s, text }) => item(`${time_s.toFixed(1)} s: ${text}`)));
 }
