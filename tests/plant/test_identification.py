@@ -87,7 +87,8 @@ def test_the_gyroscopic_moments_are_those_of_the_truth() -> None:
 
     model = load_design_model(aerosonde.folder / DESIGN_MODEL)
     for (one, other), predicted in zip(PRODUCTS, np.transpose(model.gyroscopic), strict=True):
-        differences = (moments(one, other, 1.0) - moments(one, other, -1.0)) / (0.08 if one == other else 0.04)
+        size = 0.08 if one == other else 0.04
+        differences = (moments(one, other, 1.0) - moments(one, other, -1.0)) / size
         assert differences == pytest.approx(predicted, abs=1e-3), (one, other)
 
 

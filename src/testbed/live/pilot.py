@@ -87,7 +87,8 @@ class Pilot:
             flying = self._watched and not self._paused and not self._over
             wait_s = max(due - monotonic(), 0.0) if flying else _IDLE_S
             if self._take(wait_s):
-                due = min(due, last + self._step_s - owed_s)  # what was done is seen once one step has been flown
+                # what was done is seen once one step has been flown
+                due = min(due, last + self._step_s - owed_s)
                 continue
             now = monotonic()
             due = max(due, now - FRAME_S) + FRAME_S  # a late frame does not make the next ones later
