@@ -47,6 +47,11 @@ class LongSession(Session):
             self.put_away()
         return ended
 
+    def extend(self, duration_s: float) -> None:
+        """As `Session.extend`; the next step puts away what this fills of later rows, too, a few hundred megabytes."""
+        super().extend(duration_s)
+        self._next = 0
+
     def put_away(self) -> None:
         """Put the rows of all control steps flown into a file. They stay in memory where there can be none."""
         if sys.platform != "linux":
