@@ -15,6 +15,7 @@ from testbed.aircraft.description import Aircraft
 from testbed.aircraft.design_model import (
     COLUMNS,
     DESIGN_MODEL,
+    NOT_GYROSCOPIC,
     ROWS,
     DesignModel,
     Propulsor,
@@ -76,7 +77,8 @@ def test_a_lost_actuator_does_nothing(model: DesignModel) -> None:
 
 @pytest.mark.parametrize(("name", "power"), [("alpha", 2), ("beta", 2), ("p", 1), ("q", 1), ("r", 1)])
 def test_derivatives_are_scaled_with_airspeed(model: DesignModel, name: str, power: int) -> None:
-    """Angles with dynamic pressure, rates with airspeed; gravity and axis rotation apart."""
+    """Angles with dynamic pressure, rates with airspeed; gravity, axis rotation and gyroscopic moments apart."""
+    model = replace(model, gyroscopic=NOT_GYROSCOPIC)
     slope = np.array(model.derivatives)[:, COLUMNS.index(name)]
     at = reference(model) | {"airspeed": 1.3 * model.airspeed_m_s}
     moved = at | {name: at[name] + 0.01}

@@ -28,7 +28,6 @@ _POLICY = "default-src 'none'; style-src 'unsafe-inline'; "
 """Where the policy of every page begins: a browser loads nothing for it."""
 _NOWHERE = "img-src data:; base-uri 'none'; form-action 'none'; script-src "
 """No address that relative links start from, no form that could be sent; then the scripts that may run, by their digests."""
-_PROSE = ("p", "li")  # no line of these begins with a sign of percent
 _VOID = ("img", "meta", "br", "input")  # have no contents and no end
 
 
@@ -67,8 +66,7 @@ def tag(name: str, /, *inside: Part, **attributes: str | float | None) -> Html:
         if value not in ("", None)
     }
     about = "".join(f' {key}="{joined(str(value))}"' for key, value in said.items())
-    text = joined(inside).replace(" %", "&nbsp;%") if name in _PROSE else joined(inside)
-    return Html(f"<{name}{about}>" if name in _VOID else f"<{name}{about}>{text}</{name}>")
+    return Html(f"<{name}{about}>" if name in _VOID else f"<{name}{about}>{joined(inside)}</{name}>")
 
 
 def asset(name: str) -> str:
