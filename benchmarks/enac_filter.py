@@ -1,146 +1,115 @@
-"""Probabilities of the classes of effectiveness over a flight: one Kalman filter for each, which interact.
+"""Probabilities of the classes of effectiveness over a flight, in errors whose colour is learnt on the way.
 
-Interacting multiple models (Blom and Bar-Shalom, IEEE Trans. Automatic Control 33(8), 1988). Besides the class, constant errors of
-roll and pitch wander, the elevons differ by a little, and the size of the errors follows the air: a gusty flight has three times
-those of a calm one, and what was learnt in the calm one would call its gusts failures.
+The errors of both rates are a joint autoregression, which follows the air of the last MEMORY samples: gusts have three times the
+errors of calm air, and another colour. Each class foretells them from the errors that its own past leaves, and begins with those of
+the classes from which it may come, as in interacting multiple models (Blom and Bar-Shalom, IEEE Trans. Automatic Control 33(8),
+1988). With one whitening filter over all columns, what was before a drop would count as if it were weak already.
 """
-# mypy: allow-untyped-defs
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
+
+from testbed.logs.diagnosis import MODEL_SHARE
 
 STEP_S = 0.1
+ORDER = 10
+"""Of the autoregression: 1 s."""
+MEMORY = 900.0
+"""Samples over which the autoregression is averaged."""
 FREEDOM = 8.0
 """Of Student's distribution, which the errors have: gusts are no Gaussian noise."""
-SHARE = 0.05
-"""Error of the elevons' columns [1], which adds to the variance."""
-MEMORY = 100.0
+LEVEL_MEMORY = 100.0
 """Samples over which the size of the errors is averaged."""
-LEAST = 0.7
-"""Variance of the white errors is never below this: their median on 21 July."""
-START = np.array([0.05, 0.03, 0.03])
-WALK = np.array([0.0, 0.002, 0.001])
-HOLDS_S = np.array([1e9, 80.0, 160.0])
-"""Of the elevons' difference [1], and constant errors of roll and pitch [rad/s]: standard deviation at first, its growth in 1 s,
-and how long each lasts.
+LEAST = 0.5
+"""The errors are never smaller than with this share of the variance that the flight began with: the lower quartile of 21 July.
 
-With FREEDOM, SHARE and the errors' WALK and HOLDS_S the likelihood of 21 July, its faults known, is largest. It would be larger
-still with a difference that wanders, a gain that does, and a MEMORY of 3 s; those hide faults, and were not taken."""
+With ORDER, MEMORY and FREEDOM the likelihood of 21 July, its faults known, is largest. It would be larger still with a LEVEL_MEMORY
+of 3 s, which hides faults."""
 
 
 class Filtered(NamedTuple):
-    """At each sample: logarithms of the classes' probabilities [rows, classes], log-likelihoods of the sample under each, the state
-    [rows, 3] of START, and the variance [rows] of the white errors."""
+    """At each sample: logarithms of the classes' probabilities [rows, classes], log-likelihoods of the sample under each, and with
+    white errors the rates [rows, 2], what each elevon adds to them [rows, 2, 2], and the errors' variance [rows]."""
 
     log_probability: np.ndarray
     evidence: np.ndarray
-    state: np.ndarray
+    z: np.ndarray
+    phi: np.ndarray
     variance: np.ndarray
 
 
-def filtered(z: np.ndarray, phi: np.ndarray, one: np.ndarray, classes: np.ndarray, change: float) -> Filtered:
+def lagged(errors: np.ndarray) -> np.ndarray:
+    """[rows - ORDER, 2 ORDER + 3] errors [rows, 2], those of the ORDER samples before, and 1."""
+    count = len(errors) - ORDER
+    return np.hstack([*(errors[ORDER - lag :][:count] for lag in range(ORDER + 1)), np.ones((count, 1))])
+
+
+def moments_of(errors: np.ndarray) -> np.ndarray:
+    """[2 ORDER + 3, 2 ORDER + 3] mean products of `lagged`, all that an autoregression needs."""
+    rows = lagged(errors)
+    return np.asarray(rows.T @ rows / len(rows))
+
+
+def predictor(moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """([2, 2 ORDER + 1] coefficients on what was before, [2, 2] what makes the rest white) by least squares."""
+    before = moments[2:, 2:] + np.diag(1e-4 * np.diag(moments[2:, 2:]))
+    coefficients = np.linalg.solve(before, moments[2:, :2]).T
+    left = moments[:2, :2] - coefficients @ moments[2:, :2]
+    return coefficients, np.linalg.inv(np.linalg.cholesky(left))
+
+
+def filtered(
+    z: np.ndarray, phi: np.ndarray, classes: np.ndarray, change: float, moments: np.ndarray
+) -> Filtered:
     """Filter a flight, each class given what was before.
 
     Args:
-        z: [rows, 2] white rates.
+        z: [rows, 2] rates.
         phi: [rows, 2, 2] what each elevon adds to them if it works.
-        one: [rows, 2, 2] what constant errors add.
         classes: [classes, 2] effectiveness of both elevons; a flight begins in the first.
         change: minus the logarithm of the probability that the class changes in a sample.
+        moments: `moments_of` the errors, with which the flight begins.
     """
-    kernel = np.ones(10) / 10.0
-    of_columns = SHARE**2 * np.stack(
-        [np.convolve(c, kernel)[: len(c)] for c in (phi**2).sum(axis=2).T], axis=1
-    )
     rows, count = len(z), len(classes)
-    made = Filtered(np.zeros((rows, count)), np.zeros((rows, count)), np.zeros((rows, 3)), np.zeros(rows))
-    decay = np.exp(-STEP_S / HOLDS_S)
-    _run(z, phi, one, of_columns, classes, np.exp(-change), decay, WALK**2 * STEP_S, START**2, *made)
+    stays = np.full((count, count), np.exp(-change) / (count - 1))
+    np.fill_diagonal(stays, 1.0 - np.exp(-change))
+    made = Filtered(*map(np.zeros, ((rows, count), (rows, count), (rows, 2), (rows, 2, 2), rows)))
+    log, level, power = np.where(np.arange(count) == 0, 0.0, -200.0), 1.0, np.zeros(2)
+    errors, columns = np.zeros((count, len(moments) - 2)), np.zeros((3, len(moments) - 2))
+    errors[:, -1], columns[0, -1] = 1.0, 1.0
+    began = np.diag(predictor(moments)[1]).prod()
+    for k in range(rows):
+        if k % 10 == 0:
+            coefficients, whitening = predictor(moments)
+            least = LEAST * np.diag(whitening).prod() / began
+        now = np.vstack([z[k], phi[k].T])
+        white = (now - columns @ coefficients.T) @ whitening.T
+        power += ((white[1:] ** 2).sum(axis=0) - power) * STEP_S  # over 1 s
+        spread = level + MODEL_SHARE**2 * power
+        shares = np.exp(log)[:, None] * stays
+        total = shares.sum(axis=0)
+        before = (shares / total).T @ errors
+        error = z[k] - classes @ phi[k].T
+        left = (error - before @ coefficients.T) @ whitening.T
+        distance = (left**2 / spread).sum(axis=1)
+        evidence = -0.5 * (FREEDOM + 2.0) * np.log1p(distance / FREEDOM) - 0.5 * np.log(spread).sum()
+        log = np.log(total) + evidence
+        log -= log.max() + np.log(np.exp(log - log.max()).sum())
+        best = log.argmax()
+        size = 0.5 * np.maximum(left[best] ** 2 - spread + level, 0.0).sum()
+        level = max(level + (min(size, 9.0 * level) - level) / min(LEVEL_MEMORY, k + 20.0), least)
+        farther = max(1.0, (FREEDOM + distance[best]) / (FREEDOM + 2.0))  # what is far off counts less
+        row = np.concatenate([error[best], before[best]])
+        moments = moments + (row[:, None] * row / farther - moments) / MEMORY
+        errors, columns = _shifted(before, error), _shifted(columns, now)
+        for kept, each in zip(made, (log, evidence, white[0], white[1:].T, level), strict=True):
+            kept[k] = each
     return made
 
 
-@njit(cache=True)
-def _run(z, phi, one, of_columns, classes, change, decay, walk, start, out, evidence, state, variance):
-    count = len(classes)
-    x, P = np.zeros((count, 3)), np.zeros((count, 3, 3))
-    before, P_before = np.zeros((count, 3)), np.zeros((count, 3, 3))
-    log, H, level = np.full(count, -200.0), np.zeros((2, 3)), 1.0
-    log[0] = 0.0
-    for j in range(count):
-        for a in range(3):
-            P[j, a, a] = start[a]
-    for k in range(len(z)):
-        weight = np.exp(log - log.max())
-        weight /= weight.sum()
-        _mixed(x, P, weight, change, before, P_before)
-        best = 0
-        for j in range(count):
-            for a in range(3):
-                before[j, a] *= decay[a]
-                for b in range(3):
-                    P_before[j, a, b] *= decay[a] * decay[b]
-                P_before[j, a, a] += walk[a]
-            right, left = classes[j]
-            for r in range(2):
-                H[r, 0] = right * phi[k, r, 0] - left * phi[k, r, 1]
-                H[r, 1], H[r, 2] = one[k, r, 0], one[k, r, 1]
-            error = z[k] - right * phi[k, :, 0] - left * phi[k, :, 1] - H @ before[j]
-            evidence[k, j] = _updated(error, H, P_before[j], level + of_columns[k], before[j], x[j], P[j])
-            stays = weight[j] * (1.0 - change) + (1.0 - weight[j]) * change / (count - 1)
-            log[j] = np.log(stays + 1e-300) + evidence[k, j]
-            best = j if log[j] > log[best] else best
-        log -= log.max() + np.log(np.sum(np.exp(log - log.max())))
-        level = _levelled(level, k, z[k], phi[k], one[k], classes[best], x[best], of_columns[k])
-        out[k], variance[k] = log, level
-        state[k] = np.exp(log) @ x
-
-
-@njit(cache=True)
-def _mixed(x, P, weight, change, before, P_before):
-    """Fill what each class begins a sample with: its own state, and that of the classes from which it may come."""
-    count = len(weight)
-    for j in range(count):
-        before[j], P_before[j] = 0.0, 0.0
-        total = weight[j] * (1.0 - change) + (1.0 - weight[j]) * change / (count - 1)
-        for i in range(count):
-            before[j] += weight[i] * (1.0 - change if i == j else change / (count - 1)) / total * x[i]
-        for i in range(count):
-            share = weight[i] * (1.0 - change if i == j else change / (count - 1)) / total
-            if share > 1e-8:
-                for a in range(3):
-                    for b in range(3):
-                        apart = (x[i, a] - before[j, a]) * (x[i, b] - before[j, b])
-                        P_before[j, a, b] += share * (P[i, a, b] + apart)
-
-
-@njit(cache=True)
-def _updated(error, H, P_before, variance, before, x, P):
-    """Fill a class's state after a sample; returns its log-likelihood, of Student's distribution of two rates."""
-    PH = P_before @ H.T
-    S = H @ PH
-    distance = _squared(error, S[0, 0] + variance[0], S[1, 1] + variance[1], S[0, 1])
-    determinant = (S[0, 0] + variance[0]) * (S[1, 1] + variance[1]) - S[0, 1] ** 2
-    farther = max(1.0, (FREEDOM + distance) / (FREEDOM + 2.0))  # what is far off counts less
-    a, d = S[0, 0] + variance[0] * farther, S[1, 1] + variance[1] * farther
-    inverse = np.array([[d, -S[0, 1]], [-S[0, 1], a]]) / (a * d - S[0, 1] ** 2)
-    gain = PH @ inverse
-    x[:] = before + gain @ error
-    P[:] = P_before - gain @ PH.T
-    return -0.5 * np.log(determinant) - 0.5 * (FREEDOM + 2.0) * np.log1p(distance / FREEDOM)
-
-
-@njit(cache=True)
-def _squared(error, a, d, b):
-    return (error[0] ** 2 * d - 2.0 * error[0] * error[1] * b + error[1] ** 2 * a) / (a * d - b * b)
-
-
-@njit(cache=True)
-def _levelled(level, k, z, phi, one, elevons, x, of_columns):
-    """The variance of the errors after a sample, from what the likeliest class leaves."""
-    left = z - (1.0 + x[0]) * elevons[0] * phi[:, 0] - (1.0 - x[0]) * elevons[1] * phi[:, 1] - one @ x[1:]
-    size = min(0.5 * np.sum(np.maximum(left**2 - of_columns, 0.0)), 9.0 * level)
-    return max(level + (size - level) / min(MEMORY, k + 20.0), LEAST)
+def _shifted(before: np.ndarray, now: np.ndarray) -> np.ndarray:
+    """What was before the next sample, of each row."""
+    return np.hstack([now, before[:, :-3], before[:, -1:]])

@@ -1,5 +1,5 @@
-"""Effectiveness of a flying wing's two elevons from its rates and commands: a model by least squares, white errors, and a hidden
-Markov model over classes of effectiveness."""
+"""Effectiveness of a flying wing's two elevons from its rates and commands: a model by least squares, errors whose colour is
+learnt, and a hidden Markov model over classes of effectiveness."""
 
 from __future__ import annotations
 
@@ -7,21 +7,17 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from enac_filter import Filtered, filtered
+from enac_filter import ORDER, Filtered, filtered, lagged, moments_of, predictor
 from enac_logs import STEP_S, Flight
+from scipy.stats import norm
 
 from testbed.logs.chain import likeliest
-from testbed.logs.noise import Noise, noise_of
 from testbed.logs.smoothing import smoothed
 
 LAGS = 4
 """Commands that the rates of the next sample depend on."""
 BLOCK = 10
 """Samples of a step of the hidden Markov model: 1 s."""
-SETTLED = 25
-"""Samples until the whitening filter knows enough."""
-MODEL_STD = 0.002
-"""Standard deviation of the model's error [rad/s], in the noise whether 21 July shows it or not."""
 CLASSES = np.array([(1.0, 1.0), (0.3, 1.0)] + [(1.0, level) for level in (0.9, 0.8, 0.7, 0.6, 0.5, 0.4, 0.3)])
 """Effectiveness of the right and the left elevon in the nine classes of the authors, which all are of 21 July."""
 FLAG = 0.75
@@ -31,8 +27,9 @@ UNKNOWN = np.array([0.2, 0.05])
 WINDOW_S, LATE_S, WRONG_S = 10.0, 3.0, 10.0
 LABEL_S = 1.6
 """A flag may come this much before the drawing's fault: 0.6 s that the drawing leaves open, and a step of the model."""
-NAMED = 7.5
-"""Log-likelihood ratio that a flag needs if two an hour are false: the logarithm of 1800 s."""
+FALSE_PER_H = 2.0
+STRETCH = 600
+"""Samples on either side of a drop, of which its noise is taken for what can be reached at best."""
 
 
 class Settings(NamedTuple):
@@ -69,7 +66,7 @@ class Reading(NamedTuple):
 
     At each sample: time, truth [rows, 2], the likeliest class and which elevons are flagged [rows, 2], from the whole log and in
     flight, and the probability in flight that each is weaker than FLAG [rows, 2]. In steps of 1 s: the effectiveness [steps, 2].
-    Of the flight: the gain of both elevons, and for each drop the log-likelihood ratio of its first 3 s.
+    Of the flight: the gain of both elevons, and for each drop the probability that the best of all tests flags it in time.
     """
 
     time_s: np.ndarray
@@ -81,7 +78,7 @@ class Reading(NamedTuple):
     weak: np.ndarray
     effectiveness: np.ndarray
     gain: float
-    ratios: np.ndarray
+    reachable: np.ndarray
 
 
 def elevons(flight: Flight) -> np.ndarray:
@@ -119,47 +116,33 @@ def regression(
     return Regression(time_s[rows], z, np.asarray(phi), truth[rows])
 
 
-def noise(data: Regression) -> Noise:
-    """The colour of what is left on 21 July, with what was broken known."""
-    errors = data.z - np.einsum("kri,ki->kr", data.phi, data.truth)
-    return noise_of(errors, np.ones(len(errors), dtype=bool), np.full(2, MODEL_STD), 10.0, STEP_S)
+def errors(data: Regression, gain: float = 1.0) -> np.ndarray:
+    """[rows, 2] what the model leaves, with what was broken known."""
+    return data.z - gain * np.einsum("kri,ki->kr", data.phi, data.truth)
 
 
-class White(NamedTuple):
-    """A flight's regression with white errors, without the first samples: z [rows, 2], phi, and what constant errors add."""
-
-    z: np.ndarray
-    phi: np.ndarray
-    one: np.ndarray
-
-
-def white(data: Regression, colour: Noise) -> White:
-    constant = np.broadcast_to(np.eye(2), (len(data.z), 2, 2))
-    each = (colour.white(columns)[SETTLED:] for columns in (data.z, data.phi, constant))
-    return White(*map(np.ascontiguousarray, each))
-
-
-def told(data: Regression, colour: Noise, settings: Settings) -> Reading:
+def told(data: Regression, moments: np.ndarray, settings: Settings) -> Reading:
     """What is said of a flight, in flight with the gain of 21 July, and from all of it with its own."""
-    w, time_s, truth = white(data, colour), data.time_s[SETTLED:], data.truth[SETTLED:]
-    first = filtered(*w, CLASSES, settings.change)
-    gain, difference = _common(w, first, _course(first, settings))
-    whole = filtered(w.z, w.phi * gain, w.one, CLASSES, settings.change)
+    first = filtered(data.z, data.phi, CLASSES, settings.change, moments)
+    course = _course(first, settings)
+    gain, _ = _common(first, course)
+    acting = gain * data.phi[: len(course) * BLOCK] * np.repeat(CLASSES[course], BLOCK, axis=0)[:, None]
+    own = moments_of(data.z[: len(acting)] - acting.sum(axis=2))
+    whole = filtered(data.z, data.phi * gain, CLASSES, settings.change, own)
     course = _course(whole, settings)
-    _, difference = _common(w, whole, course)
+    _, difference = _common(whole, course)
     levels, blocks = CLASSES[course], len(course)
-    left = (w.z - np.einsum("kri,ki->kr", w.one, whole.state[:, 1:]))[: blocks * BLOCK]
-    phi = (w.phi * (gain + difference * np.array([1.0, -1.0])))[: blocks * BLOCK]
+    z, phi = whole.z[: blocks * BLOCK], whole.phi[: blocks * BLOCK] * [1.0 + difference, 1.0 - difference]
     weight = 1.0 / whole.variance[: blocks * BLOCK]
     information = np.einsum("k,kri,krj->kij", weight, phi, phi).reshape(-1, BLOCK, 2, 2).sum(axis=1)
-    towards = np.einsum("k,kri,kr->ki", weight, phi, left).reshape(-1, BLOCK, 2).sum(axis=1)
+    towards = np.einsum("k,kri,kr->ki", weight, phi, z).reshape(-1, BLOCK, 2).sum(axis=1)
     changes = np.diff(levels, axis=0, prepend=levels[:1]) != 0
     effectiveness, _ = smoothed(information, towards, 0.002, changes)
-    each = np.append(np.repeat(course, BLOCK), np.full(len(time_s) - blocks * BLOCK, course[-1]))
+    each = np.append(np.repeat(course, BLOCK), np.full(len(data.z) - blocks * BLOCK, course[-1]))
     in_flight, probability = first.log_probability.argmax(axis=1), weak(first)
     return Reading(
-        time_s, truth, each, CLASSES[each] < FLAG, in_flight, raised(probability, settings.sure), probability,
-        effectiveness, gain, _ratios(w, whole, gain, truth),
+        data.time_s, data.truth, each, CLASSES[each] < FLAG, in_flight, raised(probability, settings.sure),
+        probability, effectiveness, gain, reachable(data, gain),
     )  # fmt: skip
 
 
@@ -171,15 +154,14 @@ def _course(made: Filtered, settings: Settings) -> np.ndarray:
     return likeliest(evidence - evidence[:, :1], cost)
 
 
-def _common(w: White, made: Filtered, course: np.ndarray) -> tuple[float, float]:
+def _common(made: Filtered, course: np.ndarray) -> tuple[float, float]:
     """Gain of both elevons, and half of their difference, given a course of classes, by least squares with UNKNOWN."""
     rows = len(course) * BLOCK
-    acting = w.phi[:rows] * np.repeat(CLASSES[course], BLOCK, axis=0)[:, None]
+    acting = made.phi[:rows] * np.repeat(CLASSES[course], BLOCK, axis=0)[:, None]
     X = np.stack([acting.sum(axis=2), acting[:, :, 0] - acting[:, :, 1]], axis=2)
-    left = (w.z - np.einsum("kri,ki->kr", w.one, made.state[:, 1:]))[:rows]
     weight, prior = 1.0 / made.variance[:rows], np.diag(UNKNOWN**-2)
     A = np.einsum("k,kri,krj->ij", weight, X, X) + prior
-    gain, difference = np.linalg.solve(A, np.einsum("k,kri,kr->i", weight, X, left) + prior[0])
+    gain, difference = np.linalg.solve(A, np.einsum("k,kri,kr->i", weight, X, made.z[:rows]) + prior[0])
     return float(gain), float(difference)
 
 
@@ -199,13 +181,21 @@ def raised(probability: np.ndarray, sure: float) -> np.ndarray:
     return flagged
 
 
-def _ratios(w: White, made: Filtered, gain: float, truth: np.ndarray) -> np.ndarray:
-    """[drops] of the first 3 s: how much likelier they are as they were than with nothing broken, all else known."""
-    left = w.z - np.einsum("kri,ki->kr", w.one, made.state[:, 1:])
-    as_it_was = left - gain * np.einsum("kri,ki->kr", w.phi, truth)
-    as_if_whole = left - gain * w.phi.sum(axis=2)
-    ratio = 0.5 * ((as_if_whole**2 - as_it_was**2).sum(axis=1)) / made.variance
-    return np.array([ratio[at : at + round(LATE_S / STEP_S)].sum() for at, _ in drops(truth)])
+def reachable(data: Regression, gain: float) -> np.ndarray:
+    """[drops] probability that the best of all tests flags each within LATE_S (Neyman and Pearson).
+
+    That test knows the fault, its time, the gain and the noise, which is fitted to the very stretch. In any LATE_S of healthy
+    flight it flags no more often than FALSE_PER_H allows.
+    """
+    left, missing = errors(data, gain), gain * np.einsum("kri,ki->kr", data.phi, 1.0 - data.truth)
+    late = round(LATE_S / STEP_S)
+    found = []
+    for at, _ in drops(data.truth):
+        coefficients, whitening = predictor(moments_of(left[max(at - STRETCH, 0) : at + STRETCH]))
+        rows = lagged(np.concatenate([np.zeros((ORDER, 2)), missing[at : at + late]]))
+        white = (rows[:, :2] - rows[:, 2:-1] @ coefficients[:, :-1].T) @ whitening.T
+        found.append(np.sqrt(np.sum(white**2)))
+    return np.asarray(norm.cdf(np.array(found) - norm.isf(FALSE_PER_H * LATE_S / 3600.0)))
 
 
 def drops(truth: np.ndarray) -> list[tuple[int, int]]:
@@ -271,16 +261,16 @@ def fit_clock_s(
     flight: Flight,
     broken: tuple[np.ndarray, np.ndarray],
     model: np.ndarray,
-    colour: Noise,
+    moments: np.ndarray,
     judged: tuple[float, float],
 ) -> float:
     """The clock with which the faults that were flown explain the log best; for a flight whose commands are drawn nowhere."""
+    coefficients, whitening = predictor(moments)
 
     def misfit(late_s: float) -> float:
         truth = between(flight.time_s + late_s, *broken)
-        data = regression(flight, late_s, truth, model, judged)
-        left = colour.white(data.z - np.einsum("kri,ki->kr", data.phi, data.truth))
-        return float(np.sum(left[SETTLED:] ** 2))
+        rows = lagged(errors(regression(flight, late_s, truth, model, judged)))
+        return float(np.sum(((rows[:, :2] - rows[:, 2:] @ coefficients.T) @ whitening.T) ** 2))
 
     coarse = min(np.arange(60.0, 300.0, 4.0), key=misfit)
     return float(min(np.arange(coarse - 4.0, coarse + 4.0, 0.5), key=misfit))

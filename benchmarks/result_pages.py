@@ -72,7 +72,7 @@ PAGES: tuple[Page, ...] = (
         "real_flights",
         ("benchmarks/real_flights.py ../fault_detection ../alfa ../htm-state",),
         "none",
-        90,
+        60,
         ("logs",),
         stamped=False,
     ),
