@@ -171,10 +171,28 @@ def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pyte
         parts, rows = flight.session.parts, flight.session.loop.rows
         assert parts.sensors is not None
         long_ones = (*rows, parts.weather.wind, *parts.sensors.table)
-        found.append((log(flight).tobytes(), [in_a_file(each) for each in long_ones]))
+        where = [in_a_file(each) for each in long_ones]
+        told = frames.told(flight.session.so_far())  # before the log: what it left has to be there still
+        assert told == frames.told(flight.session.flight())
+        found.append((log(flight).tobytes(), where))
         flight.close()
     assert found[0][0] == found[1][0]
     assert all(found[0][1]) and not any(found[1][1])
+
+
+def test_a_story_is_that_of_the_logged_rows(live: LiveFlight) -> None:
+    live.fly(1)
+    flight = LiveFlight(changed(live.session.scenario, {"duration_s": 2.0, "log_hz": 50}))
+    for steps, act in ((301, STUCK), (702, TURN)):
+        flight.fly(steps)
+        flight.do(act)
+    flight.fly(1203)
+    session = flight.session
+    assert len(session.so_far().signals["time_s"]) == len(session.flight().data) == 552
+    for name, values in session.so_far().signals.items():
+        assert values.tobytes() == session.flight().column(name).tobytes(), name
+    assert frames.told(session.so_far()) == frames.told(session.flight())
+    flight.close()
 
 
 def in_a_file(rows: np.ndarray) -> bool:

@@ -11,7 +11,7 @@ from handmade import at, flight_of, injection, level_log, lost
 from testbed.common.signals import BELIEFS, Belief
 from testbed.flight.flight import Outcome
 from testbed.reporting.panels import effectiveness
-from testbed.reporting.story import story
+from testbed.reporting.story import diagnoses, story
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
 
@@ -60,7 +60,10 @@ def test_the_worst_error_and_when_it_settled() -> None:
     log = lost(2.0)
     log["altitude_m"] += np.where((log["time_s"] > 2) & (log["time_s"] < 4), 2.5, 0.05)
     text = told(log, injection(2.0))
-    assert "Worst since 2.0 s: 2.50 m of altitude, 0.00 deg of heading. Settled within 0.1 m by 4 s." in text
+    assert (
+        "Worst since 2.0 s: 2.50 m of altitude, 0.00 deg of heading. Settled within 0.1 m by 4 s; heading stayed within 0.1 deg."
+        in text
+    )
 
 
 def test_a_lasting_difference_of_airspeed_is_said_as_the_mean_it_is() -> None:
@@ -187,7 +190,7 @@ def test_the_shipped_flight_is_told_as_it_was() -> None:
     detection = next(e for e in flight.events if e["kind"] == "detection")
     assert "At 5.0 s the left ruddervator kept 20 % of its effect." in text
     assert "At 15.0 s the left ruddervator was lost completely." in text
-    assert f"noticed the left ruddervator after {detection['delay_s']:.2f} s" in text
+    assert f"noticed the left ruddervator {detection['delay_s']:.2f} s after its failure at 15.0 s" in text
     assert f"{flight.metrics['altitude_error_max_m']:.2f} m of altitude" in text
     assert "It held: altitude stayed within 5 m and heading within 15 deg of their references." in text
     assert "wrongly" not in text
@@ -221,6 +224,38 @@ def test_what_a_noticed_actuator_was_taken_for_is_said() -> None:
     assert [(since, words) for since, _, words in panel.notes] == [
         (pytest.approx(4.3), "believed held at 8.1 deg")
     ]
+
+
+def test_which_of_the_failures_of_an_actuator_was_noticed_is_said() -> None:
+    notice = {"time_s": 4.3, "kind": "detection", "actuator": "elevon", "delay_s": 0.3}
+    first, second = injection(2.0), injection(4.0)
+    assert "noticed the elevon 0.30 s after its failure at 4.0 s" in told(lost(4.0), first, second, notice)
+    assert "noticed the elevon 0.50 s after its loss at 3.8 s" in told(
+        lost(3.8), first, second, notice | {"delay_s": 0.5}
+    )
+    for other in (injection(2.0, "fan", "prop_loss"), injection(5.0)):
+        assert "noticed the elevon after 0.30 s" in told(lost(4.0), other, second, notice)
+
+
+def test_what_the_controller_said_of_a_mode_that_it_soon_left_is_told_with_how_long_it_was_in_force() -> None:
+    def said(text: str = "elevon failed: flies at 12.2 m/s", **more: np.ndarray) -> str:
+        event = {"time_s": 4.3, "kind": "diagnosis", "text": text}
+        return diagnoses(flight_of(log | more, [injection(4.0), event]))[0]
+
+    log = believed(Belief.lost, math.nan, 4.3)
+    flags = np.where(log["time_s"] >= 4.3 - 1e-9, 1.0, 0.0)
+    log["elevon_failed"] = flags
+    as_ever = "controller at 4.3 s: elevon failed: flies at 12.2 m/s"
+    assert said() == as_ever
+    reverses = log["elevon_belief"].copy()
+    reverses[at(4.5) :] = Belief.reversed
+    assert said(elevon_belief=reverses) == as_ever.replace("4.3 s", "4.3 s, for 0.2 s")
+    also = np.where(log["time_s"] >= 5.8 - 1e-9, 1.0, 0.0)
+    assert said(fan_failed=also) == as_ever.replace("4.3 s", "4.3 s, for 1.5 s")
+    late = np.where(log["time_s"] >= 9.5, 1.0, 0.0)
+    assert said(fan_failed=late) == as_ever  # it was flown so for more than 5 s
+    assert said("elevon: reversed", elevon_belief=reverses) == "controller at 4.3 s: elevon: reversed"
+    assert "for" not in said("tail failed: flies on", elevon_belief=reverses)
 
 
 def test_a_failure_that_was_not_noticed_is_said_beside_one_that_was() -> None:

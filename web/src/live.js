@@ -12,6 +12,7 @@ import { onSchemeChange } from "./colours.js";
 import { Panels } from "./panels.js";
 
 const ORDERS = { heading_deg: 10, altitude_m: 5, airspeed_m_s: 1 }; // what a key adds
+const ANSWER_MS = 100; // what was asked for is drawn within this time, and pictures wait for it
 const find = (id) => document.getElementById(id);
 
 function start() {
@@ -66,16 +67,17 @@ function start() {
     scene?.recolour();
     panels.redraw();
   });
+  const answering = () => performance.now() - link.askedAt < ANSWER_MS;
   const draw = () => {
     requestAnimationFrame(draw);
     if (!page.fresh || !past.time) return;
     page.fresh = false;
-    scene?.follow();
+    if (!answering()) scene?.follow();
     table.show(past.now);
     readout(page);
   };
   setInterval(() => {
-    if (document.hidden || !past.time) return;
+    if (document.hidden || !past.time || answering()) return;
     [clock.start, clock.end, clock.now] = [past.first, past.time, past.time];
     clock.range = [Math.max(past.time - 60, past.first), Math.max(past.time, past.first + 1)];
     panels.renew(past.view());

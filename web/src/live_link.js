@@ -5,6 +5,7 @@ export class Link {
     this.asked = new Map();
     this.next = 1;
     this.there = true;
+    this.askedAt = -Infinity;
     this.said = () => {};
   }
 
@@ -52,6 +53,7 @@ export class Link {
     if (this.socket.readyState !== WebSocket.OPEN) return Promise.resolve({ note: "refused" });
     const id = this.next++;
     this.say("");
+    this.askedAt = performance.now();
     this.socket.send(JSON.stringify({ id, do: what, ...more }));
     return new Promise((resolve) => this.asked.set(id, resolve));
   }

@@ -71,6 +71,8 @@ class _Column(NamedTuple):
 
 
 _BLOCK = 1024  # control steps at a time, few enough for their rows to stay in the processor's cache
+_MOST_READ = 1 << 16  # rows between two calls of a reader of `Columns`
+_MOST_KEPT = 4  # columns that were read last: some are read again and again
 _TIME = _Column("time_s", "", 0)  # computed from the row's number
 
 
@@ -101,6 +103,48 @@ def table(
     for place, values in enumerate(others, len(usual)):
         data[place] = values
     return data
+
+
+class Columns(Mapping[str, np.ndarray]):
+    """The columns that every log has by name, each [rows] computed when it is read: all of a long flight are a gigabyte."""
+
+    def __init__(
+        self,
+        aircraft: Aircraft,
+        rate_hz: float,
+        recorded: Recorded,
+        read: Callable[[], object],
+        every: int = 1,
+    ) -> None:
+        """`read` is called whenever some control steps of `recorded` have been read; a row is each `every`-th of them."""
+        self._columns = {column.name: column for column in _columns(aircraft)}
+        self._rate_hz, self._recorded, self._read, self._every = rate_hz, recorded, read, every
+        self._kept: dict[str, np.ndarray] = {}
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        values = self._kept.pop(name, None)
+        self._kept[name] = self._computed(self._columns[name]) if values is None else values
+        while len(self._kept) > _MOST_KEPT:
+            del self._kept[next(iter(self._kept))]
+        return self._kept[name]
+
+    def _computed(self, column: _Column) -> np.ndarray:
+        every, steps = self._every, len(self._recorded.truth)
+        values = np.empty(-(-steps // every))
+        for start in range(0, len(values), _MOST_READ):
+            rows = values[start : start + _MOST_READ]
+            first = start * every
+            rows[:] = _values(
+                column, self._rate_hz, self._recorded, slice(first, first + len(rows) * every, every)
+            )
+            self._read()
+        return values
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __len__(self) -> int:
+        return len(self._columns)
 
 
 def reader(aircraft: Aircraft, rate_hz: float, recorded: Recorded, name: str) -> Callable[[int], float]:
@@ -153,7 +197,7 @@ def row_columns(aircraft: Aircraft) -> dict[str, dict[str, _Column]]:
 
 def _values(column: _Column, rate_hz: float, recorded: Recorded, rows: slice) -> np.ndarray:
     if column is _TIME:
-        return np.arange(rows.start, rows.stop) / rate_hz
+        return np.arange(rows.start, rows.stop, rows.step) / rate_hz
     values: np.ndarray = getattr(recorded, column.array)[rows, column.place] * column.factor
     return np.mod(values, 360.0) if column.wrapped else values
 

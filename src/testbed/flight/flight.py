@@ -104,7 +104,7 @@ class Flight:
         return self.data[:, self.columns.index(name)]
 
     @cached_property
-    def signals(self) -> dict[str, np.ndarray]:
+    def signals(self) -> Mapping[str, np.ndarray]:
         """The columns of the log by name, each [rows] and contiguous."""
         return dict(zip(self.columns, np.ascontiguousarray(self.data.T), strict=True))
 
@@ -189,3 +189,11 @@ class Flight:
             summary["parts_sha256"] = dict(self.parts)
         contents: dict[str, Any] = plain(summary)
         return contents
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Flying(Flight):
+    """A flight that goes on, as far as it is told in words: it has no `data`, no metrics and no verdicts."""
+
+    signals: Mapping[str, np.ndarray] = field(default_factory=dict)
+    """The columns of the log by name, which may be computed when they are read."""

@@ -12,7 +12,7 @@ from testbed.failures import TABLE as FAILURES
 from testbed.failures import Failure
 from testbed.flight.breakage import failures_of, response
 from testbed.flight.columns import Recorded, columns, table
-from testbed.reporting.flight import ReportedFlight
+from testbed.flight.flight import Flight
 from testbed.reporting.panels import error_columns, response_of
 from testbed.reporting.story import diagnoses, story
 from testbed.reporting.words import describe, title
@@ -62,7 +62,7 @@ def _words(failure: Failure, parts: Assembly) -> str:
     return failure.words(actuator.kind, actuator.unit if actuator.kind == "servo" else "of throttle")
 
 
-def told(flight: ReportedFlight) -> dict[str, Any]:
+def told(flight: Flight) -> dict[str, Any]:
     """The story of a flight so far, and its events in words."""
     events = [
         {"time_s": event["time_s"], "kind": event["kind"], "text": describe(event, flight)}

@@ -16,8 +16,9 @@ from typing import Any
 
 import numpy as np
 
-from testbed.flight.flight import Outcome
+from testbed.flight.flight import Flying, Outcome
 from testbed.sensors.measurement import ERROR, FAULT, OFFSET, READING, SENSED
+from testbed.simulation.conclude import so_far
 from testbed.simulation.session import Session
 
 _KEPT_S = 60.0
@@ -37,7 +38,7 @@ class LongSession(Session):
         """As `Session`."""
         super().__init__(*args)
         self._away, self._next = 0, 0
-        self._known: dict[int, object] = {}
+        self._known: dict[int, tuple[np.ndarray, object]] = {}
 
     def step(self, n: int = 1) -> Outcome | None:
         """As `Session.step`."""
@@ -45,6 +46,11 @@ class LongSession(Session):
         if self.loop.done >= self._next:
             self.put_away()
         return ended
+
+    def extend(self, duration_s: float) -> None:
+        """As `Session.extend`; the next step puts away what this fills of later rows, too, a few hundred megabytes."""
+        super().extend(duration_s)
+        self._next = 0
 
     def put_away(self) -> None:
         """Put the rows of all control steps flown into a file. They stay in memory where there can be none."""
@@ -56,12 +62,25 @@ class LongSession(Session):
             with TemporaryFile(dir=_FOLDER, buffering=0) as file:
                 for rows, ahead in self._rows():
                     address = rows.ctypes.data
-                    new = known.get(address) != (rows.shape[1], ahead)
+                    new = address not in known or known[address][1] != ahead
                     _map(rows, 0 if new else self._away, len(rows) if new and ahead else done, file.fileno())
-                    self._known[address] = (rows.shape[1], ahead)
+                    self._known[address] = (rows, ahead)
         except OSError:  # a full disk
             self._known = {}
         self._away = done
+
+    def so_far(self) -> Flying:
+        """The flight so far, as it is told in words, in a process that is for this alone: what it reads takes no memory."""
+        return so_far(
+            self.parts, self.scenario, self.ended or Outcome.completed, self.loop.recorded, self._leave
+        )
+
+    def _leave(self) -> None:
+        """Give back the memory of the rows that are in a file."""
+        for rows in self.loop.rows:
+            if rows.ctypes.data in self._known:
+                low, high = _pages(rows, 0, self._away)
+                _LIBC.madvise(low, max(high - low, 0), mmap.MADV_DONTNEED)
 
     def _rows(self) -> Iterator[tuple[np.ndarray, object]]:
         """Each array [steps, ...] of the flight; and, if its later rows have been filled too, what these depend on."""
@@ -77,9 +96,7 @@ class LongSession(Session):
 
 def _map(rows: np.ndarray, first: int, end: int, file: int) -> None:
     """Append the whole pages of these rows to a file, and have it in their place. Raises OSError."""
-    start, size, page = rows.ctypes.data, rows.strides[0], mmap.PAGESIZE
-    low = max(-(-start // page), (start + first * size) // page) * page
-    high = (start + end * size) // page * page
+    low, high = _pages(rows, first, end)
     if high <= low:
         return
     offset = os.lseek(file, 0, os.SEEK_END)
@@ -90,4 +107,10 @@ def _map(rows: np.ndarray, first: int, end: int, file: int) -> None:
     if _LIBC.mmap(low, high - low, *how, file, offset) != low:
         raise OSError(ctypes.get_errno(), "a file cannot be mapped")
     # Pages of two megabytes would be shared with copies of this process, and kept by each.
-    _LIBC.madvise(high, start + rows.nbytes - high, mmap.MADV_NOHUGEPAGE)
+    _LIBC.madvise(high, rows.ctypes.data + rows.nbytes - high, mmap.MADV_NOHUGEPAGE)
+
+
+def _pages(rows: np.ndarray, first: int, end: int) -> tuple[int, int]:
+    """Addresses of the first whole page of these rows, which may begin with others, and of what follows the last."""
+    start, size, page = rows.ctypes.data, rows.strides[0], mmap.PAGESIZE
+    return max(-(-start // page), (start + first * size) // page) * page, (start + end * size) // page * page

@@ -24,6 +24,8 @@ FRAME_S = 1.0 / 60.0
 _MOST_BEHIND_S = 0.25  # what a slow machine has not flown in this time is not caught up with
 _STORY_S, _STORY_SHARE = 2.0, 0.04  # the story is told this often, and takes no more of the time than this
 _IDLE_S = 0.2
+_ANSWER_S = 0.1
+"""Time in which a page draws what has changed, before a copy that tells the story takes a core."""
 _FROZEN_S = 180.0
 """A copy is frozen at the start and this often [s of flight]: what is flown again to go back takes about a second at most."""
 
@@ -85,6 +87,8 @@ class Pilot:
             flying = self._watched and not self._paused and not self._over
             wait_s = max(due - monotonic(), 0.0) if flying else _IDLE_S
             if self._take(wait_s):
+                # what was done is seen once one step has been flown
+                due = min(due, last + self._step_s - owed_s)
                 continue
             now = monotonic()
             due = max(due, now - FRAME_S) + FRAME_S  # a late frame does not make the next ones later
@@ -95,6 +99,11 @@ class Pilot:
             self._publish(flying, now)
             if self._freeze():
                 last, owed_s = monotonic(), 0.0
+
+    @property
+    def _step_s(self) -> float:
+        """How long a control step takes [s of this machine's time]."""
+        return 1.0 / (self._times * self.flight.rate_hz)
 
     @property
     def _over(self) -> bool:
@@ -199,13 +208,12 @@ class Pilot:
 
     def _advance(self, owed_s: float) -> float:
         """Fly what is owed [s of this machine's time]; returns how much of it whole control steps were."""
-        per_s = self._times * self.flight.rate_hz
-        steps = int(owed_s * per_s)
+        steps = int(owed_s / self._step_s)
         try:
             self.flight.fly(steps)
         except Exception as error:  # of JSBSim, or of a controller of the user's; the past can be flown again
             self._error = f"the flight cannot go on: {str(error) or type(error).__name__}"
-        return steps / per_s
+        return steps * self._step_s
 
     def _write(self) -> None:
         """Write the run folder, in a copy: the flight goes on meanwhile, and what is being saved is finished after its end, too."""
@@ -230,7 +238,7 @@ class Pilot:
             "ghosts": {name: _outcome(ghost) for name, ghost in self.flight.ghosts.items()},
         }
         if state != self._state:
-            self._state, self._next_story_s = state, min(self._next_story_s, now + FRAME_S)
+            self._state, self._next_story_s = state, min(self._next_story_s, now + _ANSWER_S)
             self.tell({"note": "state", **state})
         if flew:  # after the state, which says whose rows a frame has
             self.tell(frames.frame(session, *self.flight.ghosts.values()))
@@ -269,7 +277,7 @@ class Pilot:
         """What is told, and how long that took [s]."""
         begun_s = monotonic()
         try:
-            told = frames.told(self.flight.session.flight())
+            told = frames.told(self.flight.session.so_far())
         except BadInput as error:
             told = {**self._told, "story": [str(error)]}
         return told, monotonic() - begun_s

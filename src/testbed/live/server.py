@@ -42,7 +42,10 @@ _HEADERS = {
 def listening(port: int) -> socket.socket:
     """A socket of this machine's loopback at a port, any free one for 0; raises BadInput."""
     try:
-        return socket.create_server((_HOST, port))
+        listener = socket.create_server((_HOST, port))
+        # Else a short message waits 40 ms for the last one's receipt. asyncio asks for this only where a socket names TCP.
+        listener.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        return listener
     except (OSError, OverflowError) as error:
         why = getattr(error, "strerror", None) or str(error)
         raise BadInput(

@@ -72,7 +72,7 @@ def readings(flight: Flight) -> Readings:
     flight's own, which were computed from every step.
     """
     return Readings(
-        log=dict(zip(flight.columns, np.ascontiguousarray(flight.data.T), strict=True)),
+        log=flight.signals,
         events=flight.events,
         actuators=flight.actuators,
         gamma={} if flight.flown_by else adaptation_rates(flight.scenario, flight.actuators),

@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from testbed.common.signals import Belief
 from testbed.flight.breakage import broken, failure_times_s, failures_of
-from testbed.flight.columns import beliefs, stays_from
+from testbed.flight.columns import beliefs, row_at, row_spacing_s, stays_from
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.loss import LIMITS
 from testbed.flight.recovery import DWELL_S, RECOVERED
@@ -58,7 +59,29 @@ def story(flight: Flight) -> list[str]:
 def diagnoses(flight: Flight) -> list[str]:
     """What the controller itself said during the flight, such as why altitude cannot be held."""
     said = [e for e in flight.events if e["kind"] == "diagnosis"]
-    return [f"controller at {event['time_s']:.1f} s: {event['text']}" for event in said]
+    return [
+        f"controller at {event['time_s']:.1f} s{_held_for(flight, event)}: {event['text']}" for event in said
+    ]
+
+
+def _held_for(flight: Flight, said: Mapping[str, Any]) -> str:
+    """How long it flew as it said it would with some actuators failed, where that was too short to be flown so.
+
+    That is while it gave up these and no others: what it takes for reversed is used again, though it is flagged.
+    """
+    failed, is_of_failed, _ = said["text"].partition(" failed: ")
+    names, log = failed.split(", "), flight.signals
+    if not is_of_failed or not set(names) <= flight.actuators.keys():
+        return ""
+    rows = row_at(log["time_s"], said["time_s"])
+    so = np.full(len(log["time_s"]) - rows, True)
+    for name in flight.actuators:
+        used = (
+            log[f"{name}_belief"][rows:] == Belief.reversed if f"{name}_belief" in flight.columns else False
+        )
+        so &= ((log[f"{name}_failed"][rows:] > 0.0) & ~used) == (name in names)
+    lasted_s = np.count_nonzero(so) * row_spacing_s(log["time_s"])
+    return f", for {lasted_s:.1f} s" if 0.0 < lasted_s < DWELL_S and not so[-1] else ""
 
 
 def _failures(flight: Flight) -> Iterator[str]:
@@ -116,12 +139,22 @@ def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, An
     if not here:
         return
     first = [
-        f"noticed the {title(name)} after {e['delay_s']:.2f} s{_taken_for(view, e, stretch.end_s)}"
+        f"noticed the {title(name)} {_delay(view, e)}{_taken_for(view, e, stretch.end_s)}"
         for name, e in reversed(here.items())
     ]
     flags = [e for e in notices if stretch.begin_s <= e["time_s"] < stretch.end_s]
     gave_up = _gave_up([axis for event in flags for axis in _released(view, event)])
     yield f"The controller {joined([*first, *gave_up, *_sideslip(view, stretch)])}."
+
+
+def _delay(view: Readings, notice: Mapping[str, Any]) -> str:
+    """How long after it broke an actuator was noticed; and when that was, if more than one failure can be meant."""
+    began = {f.from_s for f in failures_of(view.events) if f.actuator == notice["actuator"]}
+    if sum(time <= notice["time_s"] for time in began) < 2:
+        return f"after {notice['delay_s']:.2f} s"
+    since_s = notice["time_s"] - notice["delay_s"]
+    what = "failure" if any(math.isclose(since_s, time) for time in began) else "loss"
+    return f"{notice['delay_s']:.2f} s after its {what} at {since_s:.1f} s"
 
 
 def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
@@ -232,7 +265,7 @@ def _errors(view: Readings) -> Iterator[str]:
 
 def _settled(view: Readings, rows: slice, worst: Mapping[str, float]) -> Iterator[str]:
     """From when on each error stayed within the smallest band that it ends in, or how fast it still drifts."""
-    bands, since = [], 0
+    bands, others, since = [], [], 0
     for quantity, unit in _TRACKED.items():
         error = view.error(quantity)
         end = float(np.abs(error[_tail(rows)]).max())
@@ -242,8 +275,10 @@ def _settled(view: Readings, rows: slice, worst: Mapping[str, float]) -> Iterato
         elif worst[quantity] > band:
             since = max(since, stays_from(~(np.abs(error) > band), rows.start, len(error)) or 0)
             bands.append(f"{band:g} {unit}")
+        else:
+            others.append(f"; {quantity} stayed within {band:g} {unit}")
     if bands:
-        yield f"Settled within {' and '.join(bands)} by {math.ceil(view.time_s[since]):.0f} s."
+        yield f"Settled within {' and '.join(bands)} by {math.ceil(view.time_s[since]):.0f} s{''.join(others)}."
 
 
 def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:
@@ -327,10 +362,10 @@ def _lost(flight: Flight, event: Mapping[str, Any]) -> Iterator[str]:
 
 def _attitude(flight: Flight, event: Mapping[str, Any]) -> str:
     """Bank and pitch at the end, where they are steep; a bank beyond its limit has been said."""
-    last = flight.log.iloc[-1]
-    steep = {f"nose {'up' if last['pitch_deg'] > 0 else 'down'}": abs(last["pitch_deg"])}
+    pitch, roll = (flight.signals[f"{angle}_deg"][-1] for angle in ("pitch", "roll"))
+    steep = {f"nose {'up' if pitch > 0 else 'down'}": abs(pitch)}
     if all(m["limit"] != "roll_max_deg" for m in event["limits"]):
-        steep = {"of bank": abs(last["roll_deg"]), **steep}
+        steep = {"of bank": abs(roll), **steep}
     said = [f"{angle:.0f} deg {words}" for words, angle in steep.items() if angle > _STEEP_DEG]
     return f", at {joined(said)}" if said else ""
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
 
-from testbed.flight.columns import Recorded, all_columns, table
+from testbed.aircraft.description import Aircraft
+from testbed.flight.columns import Columns, Recorded, all_columns, table
 from testbed.flight.events import controller_events
-from testbed.flight.flight import Outcome
+from testbed.flight.flight import Flying, Outcome
 from testbed.flight.loss import loss_event
 from testbed.flight.recovery import recovery_events
 from testbed.flight.requirements import judge
@@ -34,15 +36,10 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
         more |= parts.weather.columns(steps)
     data = table(aircraft, scenario.rate_hz, recorded, more.values())
     log, every = dict(zip(names, data, strict=True)), scenario.rate_hz // scenario.log_hz
-    actuators = {
-        name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
-        for name, actuator in aircraft.actuators.items()
-    }
-    injections, warnings = parts.injector.concluded(scenario.steps)
+    actuators = _actuators(aircraft)
+    events, warnings = _events(parts, scenario, log, outcome, steps)
     if not parts.flown_by:
         warnings += conditions.warnings(scenario)
-    faults = parts.sensors.receipts(steps, scenario.steps) if parts.sensors else []
-    events = _events(parts, log, outcome, actuators, injections, faults)
     gamma = {} if parts.flown_by else adaptation_rates(scenario, actuators)
     metrics = measure(Readings(log, events, actuators, gamma, outcome is Outcome.completed))
     return ReportedFlight(
@@ -63,17 +60,44 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
     )
 
 
+def so_far(
+    parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Recorded, read: Callable[[], object]
+) -> Flying:
+    """As `conclude`, but only what is told in words. `read` is called whenever some rows have been read."""
+    log, logged = (
+        Columns(parts.aircraft, scenario.rate_hz, recorded, read, every)
+        for every in (1, scenario.rate_hz // scenario.log_hz)
+    )
+    steps = len(recorded.truth)
+    events, _ = _events(parts, scenario, log, outcome, steps)
+    return Flying(
+        scenario=scenario,
+        outcome=outcome,
+        end_time_s=steps / scenario.rate_hz,
+        columns=tuple(log),
+        data=np.zeros((0, len(log))),
+        events=events,
+        actuators=_actuators(parts.aircraft),
+        flown_by=parts.flown_by,
+        signals=logged,
+    )
+
+
+def _actuators(aircraft: Aircraft) -> dict[str, dict[str, Any]]:
+    return {
+        name: actuator.model_dump(include={"kind", "unit", "limits", "scale"})
+        for name, actuator in aircraft.actuators.items()
+    }
+
+
 def _events(
-    parts: Assembly,
-    log: dict[str, np.ndarray],
-    outcome: Outcome,
-    actuators: dict[str, dict[str, Any]],
-    injections: list[dict[str, Any]],
-    faults: list[dict[str, Any]],
-) -> list[dict[str, Any]]:
+    parts: Assembly, scenario: Scenario, log: Mapping[str, np.ndarray], outcome: Outcome, steps: int
+) -> tuple[list[dict[str, Any]], list[str]]:
     """Injections, sensor faults, what the controller flagged and released, its reasons, recoveries and the loss of the
-    aircraft, in order of time."""
-    survived = outcome is Outcome.completed
+    aircraft, in order of time; and a warning for each failure that did not act as asked."""
+    survived, actuators = outcome is Outcome.completed, _actuators(parts.aircraft)
+    injections, warnings = parts.injector.concluded(scenario.steps)
+    faults = parts.sensors.receipts(steps, scenario.steps) if parts.sensors else []
     events = [
         *injections,
         *faults,
@@ -84,4 +108,4 @@ def _events(
         events.append(loss_event(log, outcome, parts.aircraft.envelope, actuators))
     for step, text in parts.controller.reasons:
         events.append({"time_s": step / parts.scenario.rate_hz, "kind": "diagnosis", "text": text})
-    return sorted(events, key=lambda event: event["time_s"])
+    return sorted(events, key=lambda event: event["time_s"]), warnings
