@@ -169,6 +169,8 @@ def test_a_click_in_the_picture_opens_what_it_hits(browser: Any, served: tuple[s
         window.wait(lambda: window.value("live.scene.seen[0].times.length") > 2)
         window.page.locator("[data-do=pause]").click()  # so that what was found stays where it is
         window.wait(lambda: window.text("#status") == "paused")
+        behind_m = "live.scene.place(live.past.now, 1).distanceTo(live.scene.seen[0].craft.group.position)"
+        window.wait(lambda: window.value(behind_m) < 1e-3)
         find = """(() => { const {scene} = live, found = {};
             for (let x = 0; x < scene.canvas.clientWidth; x += 3) for (let y = 0; y < scene.canvas.clientHeight; y += 3) {
                 const name = scene.at(x, y); if (name) (found[name] ??= []).push([x, y]); }

@@ -12,7 +12,7 @@ import { onSchemeChange } from "./colours.js";
 import { Panels } from "./panels.js";
 
 const ORDERS = { heading_deg: 10, altitude_m: 5, airspeed_m_s: 1 }; // what a key adds
-const ANSWER_MS = 100; // what was asked for is drawn within this time, and pictures wait for it
+const ANSWER_MS = 100; // what was asked for is drawn within this time after a press, and pictures wait for it
 const find = (id) => document.getElementById(id);
 
 function start() {
@@ -67,14 +67,22 @@ function start() {
     scene?.recolour();
     panels.redraw();
   });
-  const answering = () => performance.now() - link.askedAt < ANSWER_MS;
+  let pressed = -Infinity;
+  addEventListener("pointerdown", ({ target }) => { if (target.closest?.("button")) pressed = performance.now(); }, true);
+  const answering = () => performance.now() - Math.max(link.askedAt, pressed) < ANSWER_MS;
+  let behind = false; // the picture
   const draw = () => {
     requestAnimationFrame(draw);
-    if (!page.fresh || !past.time) return;
-    page.fresh = false;
-    if (!answering()) scene?.follow();
-    table.show(past.now);
-    readout(page);
+    if (!past.time) return;
+    if (page.fresh) {
+      table.show(past.now);
+      readout(page);
+      behind = true;
+      page.fresh = false;
+    }
+    if (!behind || answering() || !scene?.idle) return;
+    scene.follow();
+    behind = false;
   };
   setInterval(() => {
     if (document.hidden || !past.time || answering()) return;

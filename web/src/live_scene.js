@@ -6,12 +6,19 @@ import { Trail } from "./trail.js";
 
 const POINTS = 6000; // when there are so many, every second one is left out
 const FIRST_EVERY_S = 0.1;
+const SLOW_MS = 50; // between pictures that the processor draws
 const PRESENT = 1; // row of the columns, of which the first is the flight's
 
 export class LiveScene extends Scene {
   constructor(canvas, facts, now) {
-    super(canvas, [{ flight: { ...facts, phases: [] }, columns: now }]);
-    this.broken = false;
+    const slow = drawnByProcessor();
+    super(canvas, [{ flight: { ...facts, phases: [] }, columns: now }], !slow);
+    Object.assign(this, { slow, broken: false, drawn: -Infinity });
+  }
+
+  // Whether it is time for another picture: the processor, where it draws them, has to fly, too.
+  get idle() {
+    return !this.slow || performance.now() - this.drawn > SLOW_MS;
   }
 
   track(one) {
@@ -28,6 +35,7 @@ export class LiveScene extends Scene {
   follow() {
     for (const one of this.seen) this.grow(one);
     this.show(PRESENT);
+    this.drawn = performance.now();
   }
 
   // The flights of other controllers, by name, as faint aircraft: their columns have the present row, too.
@@ -91,4 +99,11 @@ export class LiveScene extends Scene {
     }
     return hits.map(({ distance }) => ({ distance, actuator }));
   }
+}
+
+// Whether there is no graphics hardware: smooth edges would take half of the time of a picture.
+function drawnByProcessor() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const name = gl.getExtension("WEBGL_debug_renderer_info")?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER;
+  return /swiftshader|llvmpipe|software|basic render/i.test(gl.getParameter(name));
 }

@@ -13,9 +13,9 @@ const LARGER_SPANS = 25;
 
 export class Scene {
   // `flights` is [{flight, columns}], and if there are several, the `name` of each; the first is followed.
-  constructor(canvas, flights) {
+  constructor(canvas, flights, antialias = true) {
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias, alpha: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.three = new Three();
     this.camera = new PerspectiveCamera(OPENING_DEG, 1, 0.05, FAR_M);
