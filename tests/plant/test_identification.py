@@ -108,6 +108,16 @@ def test_a_model_of_other_files_is_not_used(vtail_copy: Path, model: DesignModel
     assert found.trim[0] != pytest.approx(model.trim[0], rel=1e-3)
 
 
+def test_a_model_of_a_version_without_gyroscopic_moments_is_not_used(
+    vtail_copy: Path, model: DesignModel
+) -> None:
+    tree = json.loads((vtail_copy / DESIGN_MODEL).read_text())
+    del tree["gyroscopic"]
+    (vtail_copy / DESIGN_MODEL).write_text(json.dumps(tree))
+    assert np.abs(model.gyroscopic).max() > 0.1
+    assert stored(load_aircraft(str(vtail_copy))).agrees_with(model)
+
+
 def test_an_edited_model_is_read_again(vtail_copy: Path) -> None:
     """Its fingerprint is that of the aircraft still: the edit is the designer's."""
     aircraft = load_aircraft(str(vtail_copy))

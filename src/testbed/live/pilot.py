@@ -26,7 +26,7 @@ _STORY_S, _STORY_SHARE = 2.0, 0.04  # the story is told this often, and takes no
 _IDLE_S = 0.2
 _ANSWER_S = 0.1
 """Time in which a page draws what has changed, before a copy that tells the story takes a core."""
-_FROZEN_S = 180.0
+_FROZEN_S = 80.0
 """A copy is frozen at the start and this often [s of flight]: what is flown again to go back takes about a second at most."""
 
 Keep = Callable[[ReportedFlight, str | None], tuple[Path, str]]

@@ -16,6 +16,7 @@ from testbed.aircraft.description import Aircraft, MotorActuator
 from testbed.aircraft.design_model import (
     COLUMNS,
     DESIGN_MODEL,
+    NOT_GYROSCOPIC,
     PRODUCTS,
     DesignModel,
     kinematics,
@@ -93,7 +94,8 @@ _models: Cache[DesignModel] = Cache(8)
 
 
 def stored(aircraft: Aircraft) -> DesignModel:
-    """The design model stored beside the aircraft; identified again if there is none, or if the aircraft's files have changed.
+    """The design model stored beside the aircraft; identified again if there is none, if the aircraft's files have changed, or
+    if it is of a version that did not know of gyroscopic moments, which every aircraft has.
 
     Raises:
         BadInput: there is a file, but it is not a design model; or a model has to be identified, and cannot be.
@@ -105,7 +107,8 @@ def stored(aircraft: Aircraft) -> DesignModel:
     def read_or_identify() -> DesignModel:
         if text is not None:
             model = load_design_model(file)
-            if model.identified_from == fingerprint and model.actuators == tuple(aircraft.actuators):
+            of_these = model.identified_from == fingerprint and model.actuators == tuple(aircraft.actuators)
+            if of_these and model.gyroscopic != NOT_GYROSCOPIC:
                 return model
         return identify(aircraft)
 
