@@ -15,6 +15,7 @@ from testbed.live import frames, long
 from testbed.live.flight import LiveFlight
 from testbed.live.messages import Blow, Break, Mend, Order
 from testbed.scenario.load import changed, load_scenario
+from testbed.sensors.settings import SENSORS
 from testbed.simulation import fly
 
 STUCK = Break(id=1, do="break", failure={"type": "stuck", "actuator": "left_ruddervator"})
@@ -162,7 +163,7 @@ def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pyte
     live.fly(1)
     noisy = changed(live.session.scenario, {"duration_s": 2.0, **NOISY})
     found = []
-    for folder in (long._FOLDER, "/nowhere"):
+    for folder in ("/nowhere", long._FOLDER):  # in this order: memory that was freed is used again, and its file stays
         monkeypatch.setattr(long, "_FOLDER", folder)
         flight = LiveFlight(noisy)
         for steps, act in ((700, STUCK), (900, TURN), (700, MENDED), (1700, GUST), (500, TURN)):
@@ -177,7 +178,7 @@ def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pyte
         found.append((log(flight).tobytes(), where))
         flight.close()
     assert found[0][0] == found[1][0]
-    assert all(found[0][1]) and not any(found[1][1])
+    assert all(found[1][1]) and not any(found[0][1])
 
 
 def test_a_story_is_that_of_the_logged_rows(live: LiveFlight) -> None:
@@ -215,6 +216,26 @@ def test_numbers_are_those_of_the_log(live: LiveFlight) -> None:
     assert np.isnan(numbers["left_ruddervator_response"][0])
     told = np.frombuffer(frames.frame(live.session), "<f4")
     assert len(told) == len(frames.facts(live.session)["columns"])
+
+
+def test_faults_of_sensors_are_those_that_fit(live: LiveFlight) -> None:
+    """Each type can be sent as it is offered; ideal sensors offer none."""
+    live.fly(1)
+    assert frames.facts(live.session)["sensors"] == {}
+    flight = LiveFlight(changed(live.session.scenario, {"duration_s": 2.0, "sensors": "mems"}))
+    offers = frames.facts(flight.session)["sensors"]
+    assert offers.keys() == SENSORS.keys()
+    for name, sensor in offers.items():
+        for offered in sensor["failures"]:
+            values = [key for key in offered["settings"] if key.startswith(("value", "rate", "noise"))]
+            assert len(values) == (offered["type"] != "dropout") and set(offered["example"]) <= set(values)
+            fault = {"type": offered["type"], "sensor": name, **offered["example"]}
+            flight.do(Break(id=1, do="break", failure=fault))
+            assert frames.broken(flight.session).keys() == {name}
+            flight.fly(2)
+            flight.do(Mend(id=2, do="mend", actuator=name))
+            assert not frames.broken(flight.session)
+    flight.close()
 
 
 def test_failures_are_those_that_fit(live: LiveFlight) -> None:

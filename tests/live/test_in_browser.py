@@ -112,6 +112,39 @@ def test_break_mend_order_save_and_fly_again(
     assert (moved / "log.csv").read_bytes() != (saved.parent / "log.csv").read_bytes()
 
 
+def test_a_sensor_is_broken_and_mended_in_turbulence(browser: Any, served: tuple[str, Path, str]) -> None:
+    address, folder, _ = served
+    with live(browser, address) as window:
+        page = window.page
+        page.locator(".choose summary").click()
+        page.locator("#choose select[name=sensors]").select_option("mems")
+        with page.expect_navigation():
+            page.locator("#choose button").click()
+        window.wait(lambda: window.value("live ? live.frames : 0") > 0)
+        page.locator(".choose summary").click()
+        page.locator("summary", has_text="Sensors").click()
+        for kind, said in (("bias", "was off by 3 deg"), ("dropout", "read zero")):
+            page.locator("#sensors tr[data-actuator=alpha] button").first.click()
+            page.locator("#break select[name=type]").select_option(kind)
+            page.locator("#break button", has_text="Break").click()
+            window.wait(lambda said=said: said in window.text("#sensors tr[data-actuator=alpha]"))
+        window.wait(lambda: "the sensor alpha was off by 3 deg, until" in window.text("#story"))
+        page.locator("#turbulence button").click()
+        page.locator("#sensors tr[data-actuator=alpha] button", has_text="Mend").click()
+        window.wait(lambda: "works" in window.text("#sensors tr[data-actuator=alpha]"))
+        window.wait(lambda: abs(window.value("live.past.now.wind_down_m_s[1]")) > 0.0)
+        page.locator("[data-do=save]").click()
+        page.wait_for_selector("#saved pre", timeout=60_000)
+        saved = folder / window.text("#saved pre").split()[-1]
+        page.locator("#choose select[name=sensors]").select_option("as given")
+        with page.expect_navigation():  # the next tests have the flight as it was
+            page.locator("#choose button").click()
+    kept = testbed.load(saved.parent)
+    assert [fault.type for fault in kept.scenario.sensors.faults] == ["bias", "dropout"]
+    assert [change.w20_m_s for change in kept.scenario.atmosphere.turbulence_changes] == [5.0]
+    assert testbed.fly(saved).data.tobytes() == kept.data.tobytes()
+
+
 def test_go_back_pause_and_speed(browser: Any, served: tuple[str, Path, str]) -> None:
     with live(browser, served[0]) as window:
         window.page.locator("#speed").select_option("16")

@@ -113,8 +113,18 @@ def test_ghosts_fly_beside_it_and_another_flight_is_chosen(page: Page) -> None:
     assert page.ask("choose", flight="aerosonde", controller="pid")["note"] == "done"
     page.until("other")
     page.until("state", ghosts={}, broken={})
-    assert page.ask("choose", flight="left_tail_fail.yaml", controller="as given")["note"] == "done"
+    wanted = {"flight": "left_tail_fail.yaml", "controller": "as given"}
+    assert "did you mean mems?" in page.ask("choose", **wanted, sensors="mem")["why"]
+    assert page.ask("choose", **wanted)["note"] == "done"
     page.until("other")
+    assert "are ideal" in page.ask("break", failure={"type": "stuck", "sensor": "alpha"})["why"]
+    assert page.ask("choose", **wanted, sensors="mems")["note"] == "done"
+    page.until("other")
+    assert page.ask("break", failure={"type": "bias", "sensor": "gyro_q", "value_deg_s": 5})["note"] == "done"
+    page.until("state", broken={"gyro": ["was off by 5 deg/s"]})
+    assert page.ask("blow", air={"turbulence_w20_m_s": 4})["note"] == "done"
+    assert page.ask("mend", actuator="gyro")["note"] == "done"
+    page.until("state", broken={})
 
 
 def test_what_does_not_fit_is_refused_with_a_suggestion(page: Page) -> None:

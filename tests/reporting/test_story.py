@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 from handmade import at, flight_of, injection, level_log, lost
 
+import testbed
 from testbed.common.signals import BELIEFS, Belief
 from testbed.flight.flight import Outcome
 from testbed.reporting.panels import effectiveness
 from testbed.reporting.story import diagnoses, story
+from testbed.reporting.words import describe
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
 
@@ -306,3 +308,43 @@ def test_what_is_used_on_is_said_where_nothing_was_flagged() -> None:
     log = believed(Belief.late, math.nan, 6.0)
     log["elevon_belief"][log["time_s"] >= 7.0] = Belief.works
     assert "It took the elevon for late from 6.0 s to 7.0 s, and used it." in told(log, injection(4.0))
+
+
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        ({"type": "stuck", "sensor": "alpha"}, "the sensor alpha stuck at its last reading"),
+        ({"type": "stuck", "sensor": "alpha", "value_deg": 2}, "the sensor alpha stuck at 2 deg"),
+        ({"type": "dropout", "sensor": "gyro"}, "the sensor gyro read zero"),
+        (
+            {"type": "dropout", "sensor": "gyro_q", "fraction": 0.5, "reads": "last"},
+            "the sensor gyro q repeated its last reading in 50 % of the control steps",
+        ),
+        ({"type": "bias", "sensor": "altitude", "value_m": 3}, "the sensor altitude was off by 3 m"),
+        (
+            {"type": "drift", "sensor": "gyro_p", "rate_deg_s2": 0.5},
+            "the sensor gyro p drifted by 0.5 deg/s^2",
+        ),
+        (
+            {"type": "noise", "sensor": "airspeed", "noise_m_s_rthz": 0.2},
+            "the sensor airspeed had more noise, of 0.2 m/s/sqrt(Hz)",
+        ),
+    ],
+)
+def test_what_happened_to_a_sensor_is_told(fault: dict[str, object], said: str) -> None:
+    faults = [
+        {**fault, "at_s": 0.5, "until_s": 0.9},
+        {"type": "bias", "sensor": "beta", "value_deg": 0, "at_s": 0.6},
+    ]
+    flight = testbed.fly(
+        "left_tail_fail.yaml",
+        set={"duration_s": 1, "sensors.faults": faults, "requirements": [], "failures": [], "commands": []},
+    )
+    first = story(flight)[0]
+    assert first.startswith(
+        f"No actuator was broken. At 0.5 s {said}, until 0.9 s. At 0.6 s the sensor beta was off by 0 deg."
+    )
+    assert first.endswith("This changed no reading.")
+    begins, _, ends = (describe(e, flight) for e in flight.events if e["kind"] == "sensor_fault")
+    assert begins == said.removeprefix("the ")
+    assert ends == f"sensor {str(fault['sensor']).replace('_', ' ')}: {fault['type']} ends"

@@ -17,6 +17,10 @@ from testbed.failures import TABLE
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs import yaml_source
 from testbed.scenario.load import Scenario, dump, scenario_from
+from testbed.sensors.channels import unit_of
+from testbed.sensors.faults import TABLE as FAULTS
+from testbed.sensors.faults import value_name
+from testbed.sensors.settings import SENSORS
 
 LEFT = "left_ruddervator"
 WEAK = {"type": "effectiveness", "actuator": LEFT, "value": 0.4}
@@ -61,6 +65,13 @@ def failure(name: str) -> dict[str, Any]:
         return {"type": "property", "set": {"fcs/left-ruddervator/command-scale": 0.5}}
     actuator = LEFT if "servo" in TABLE[name].kinds else "left_propeller"
     return {"type": name, "actuator": actuator, **TABLE[name].examples[AIRCRAFT.actuators[actuator].kind]}
+
+
+def fault_of(kind: str, sensor: str) -> dict[str, Any]:
+    """A fault of a type, on any sensor or channel."""
+    type_ = FAULTS[kind]
+    value = {value_name(type_.key, unit_of(sensor)): 0.5} if type_.needs_value and type_.key else {}
+    return {"type": kind, "sensor": sensor, **value}
 
 
 # The same bytes --------------------------------------------------------------------------------------------------
@@ -144,6 +155,67 @@ def test_all_that_can_be_done_flies_again(air: str) -> None:
         flies_again(session)
 
 
+@pytest.mark.parametrize("model", ["mems", "own"])
+def test_sensors_that_are_broken_and_mended_fly_again(model: str) -> None:
+    with Session(scenario(**AIRS[model])) as session:
+        for kind in FAULTS:
+            session.inject(fault_of(kind, "alpha"))  # what replaces the reading ends what was before
+            session.inject(fault_of(kind, "gyro_q"))
+            session.step(20)
+        session.inject(fault_of("noise", "airspeed"))
+        session.mend("airspeed")  # in the control step in which it began
+        session.mend("gyro")
+        session.run_to(0.7)
+        session.mend("gyro")
+        flight = flies_again(session)
+        alpha = [
+            (each.type, each.at_s, each.until_s)
+            for each in session.scenario.sensors.faults
+            if each.sensor == "alpha"
+        ]
+        assert alpha == [
+            ("stuck", 0.0, 0.1), ("dropout", 0.1, 0.2), ("bias", 0.2, None), ("drift", 0.3, None), ("noise", 0.4, None)
+        ]  # fmt: skip
+        ended = [e["sensor"] for e in flight.events if e["kind"] == "sensor_fault" and not e["active"]]
+        assert ended == ["alpha", "gyro_q", "alpha", "gyro_q", "gyro_q", "gyro_q", "gyro_q", "airspeed"]
+
+
+def test_a_fault_ends_where_one_that_is_planned_begins() -> None:
+    planned = {**fault_of("stuck", "alpha"), "at_s": 0.5}
+    with Session(
+        scenario(sensors={"model": "mems", "faults": [planned]}, controller=MEMS["controller"])
+    ) as session:
+        session.run_to(0.2)
+        session.inject(fault_of("bias", "alpha"))
+        session.inject({**fault_of("stuck", "alpha"), "value_deg": 1})  # in place of it
+        session.run_to(0.7)
+        faults = session.scenario.sensors.faults
+        assert [(each.type, each.at_s, each.until_s) for each in faults] == [
+            ("stuck", 0.5, None),
+            ("stuck", 0.2, 0.5),
+        ]
+        flies_again(session)
+
+
+def test_turbulence_begins_changes_and_ends_in_flight() -> None:
+    with Session(scenario(duration_s=10)) as session:
+        session.run_to(1.0)
+        session.blow({"turbulence_w20_m_s": 3})
+        session.blow({"turbulence_w20_m_s": 6})
+        session.run_to(5.0)
+        session.blow({"turbulence_w20_m_s": 20})
+        session.run_to(9.0)
+        session.blow({"turbulence_w20_m_s": 0})
+        session.run_to(9.5)
+        log = flies_again(session).log
+    calm, light, strong, ended = (
+        log.query(f"{a} < time_s < {b}")["wind_down_m_s"] for a, b in ((0, 1), (3, 5), (7, 9), (9.1, 10))
+    )
+    assert max(calm.abs().max(), ended.abs().max()) < 1e-12
+    assert 0.05 < light.std() < 0.7 * strong.std()
+    assert log["wind_down_m_s"].diff().abs()[log["time_s"] < 8.9].max() < 0.3  # nothing jumps when it changes
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_whatever_is_done_at_random_flies_again(seed: int) -> None:
     """Refused or not: what is refused changes nothing."""
@@ -167,6 +239,7 @@ def _done_at_random(session: Session, chance: random.Random) -> bool:
     fitting = [name for name, type_ in TABLE.items() if kind in type_.kinds and name != "property"]
     name = chance.choice(fitting)
     broken = {"type": name, "actuator": actuator, **TABLE[name].examples[kind]}
+    sensor = chance.choice(list(SENSORS))
     do: list[Callable[[], None]] = [
         lambda: session.inject(broken),
         lambda: session.inject({**broken, "at_s": session.time_s + 0.1}),
@@ -174,6 +247,10 @@ def _done_at_random(session: Session, chance: random.Random) -> bool:
         lambda: session.order({"heading_deg": chance.uniform(80, 100)}),
         lambda: session.blow({"magnitude_m_s": [1, chance.uniform(-2, 2), 0], "length_m": 3}),
         lambda: session.blow({"wind_m_s": [chance.uniform(-2, 2), 0, 0]}),
+        lambda: session.blow({"turbulence_w20_m_s": chance.uniform(0, 8)}),
+        lambda: session.inject(fault_of(chance.choice(list(FAULTS)), sensor)),
+        lambda: session.inject({**fault_of("stuck", sensor), "at_s": session.time_s + 0.1}),
+        lambda: session.mend(sensor),
     ]
     try:
         chance.choice(do)()
@@ -514,6 +591,9 @@ def test_before_the_first_step_there_is_nothing_to_show() -> None:
         (lambda s: s.order({"heading_deg": 400}), "command.heading_deg: is 400"),
         (lambda s: s.blow({"magnitude_m_s": [1, 0, 0]}), "blow: gust: has no size"),
         (lambda s: s.blow({"wind_m_s": [1, 0]}), "blow: wind.wind_m_s"),
+        (lambda s: s.blow({"turbulence_w20_m_s": -1}), "blow: turbulence.w20_m_s: is -1"),
+        (lambda s: s.inject({"type": "stuck", "sensor": "alfa"}), "unknown sensor 'alfa', did you mean alpha"),
+        (lambda s: s.inject({"type": "stuck", "sensor": "alpha"}), "the sensors of this flight are ideal"),
         (lambda s: s.step(0), "step: is 0, expected a whole number"),
         (lambda s: s.run_to(0.2), "run_to: is 0.2, expected a time from 0.5, which is now, to duration_s 2"),
         (lambda s: s.run_to(float("nan")), "run_to: is nan"),

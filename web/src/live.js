@@ -23,7 +23,7 @@ function start() {
   for (const group of facts.panels) for (const panel of group.panels) panels.add(find(`panels-${group.name}`), panel);
   const link = new Link();
   const breaker = new Breaker(find("break"), facts, link);
-  const table = new Table(find("actuators"), find("modes"), facts, link, (name) => breaker.open(name));
+  const table = new Table(find("actuators"), find("sensors"), find("modes"), facts, link, (name) => breaker.open(name));
   const scene = picture(facts, past, breaker);
   const page = { facts, past, link, scene, frames: 0, state: {} };
   const ghosts = new Ghosts(find("ghosts"), facts, link, scene);
@@ -39,7 +39,7 @@ function start() {
     showState(page);
     ghosts.show(state.ghosts);
     table.broken = state.broken ?? table.broken;
-    if (scene) scene.broken = Object.keys(table.broken).length > 0;
+    if (scene) scene.broken = Object.keys(table.broken).some((name) => name in facts.actuators);
     page.fresh = true;
   });
   link.listen("story", showStory);
@@ -199,6 +199,7 @@ function forms({ link }) {
     for (const input of inputs) delete input.dataset.touched;
   });
   on("wind", (wind_m_s) => link.ask("blow", { air: { wind_m_s, duration_s: 2 } }));
+  on("turbulence", ([turbulence_w20_m_s]) => link.ask("blow", { air: { turbulence_w20_m_s } }));
   on("gust", ([u, v, w, duration_s, hold_s]) => link.ask("blow", { air: { magnitude_m_s: [u, v, w], duration_s, hold_s } }));
 }
 

@@ -1,4 +1,4 @@
-// What can break of an actuator: the types of failure that fit it, each with its settings.
+// What can break of an actuator or a sensor: the types of failure that fit it, each with its settings.
 export class Breaker {
   constructor(form, facts, link) {
     Object.assign(this, { form, facts, link });
@@ -9,8 +9,8 @@ export class Breaker {
   }
 
   open(actuator) {
-    this.actuator = actuator;
-    const { title, failures } = this.facts.actuators[actuator];
+    this.what = actuator in this.facts.actuators ? { actuator } : { sensor: actuator };
+    const { title, failures } = this.facts.actuators[actuator] ?? this.facts.sensors[actuator];
     this.failures = failures;
     this.choice = document.createElement("select");
     this.choice.name = "type";
@@ -35,7 +35,7 @@ export class Breaker {
   }
 
   async send() {
-    const failure = { type: this.choice.value, actuator: this.actuator };
+    const failure = { type: this.choice.value, ...this.what };
     for (const input of this.fields.querySelectorAll("[name]")) {
       const value = input.type === "checkbox" ? input.checked : input.type === "number" ? input.valueAsNumber : input.value;
       if (input.type === "checkbox" || input.value !== "") failure[input.name] = value;

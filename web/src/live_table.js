@@ -1,20 +1,24 @@
-// The actuators: what is true of each and what the controller believes, side by side; and the axes that it has given up.
+// The actuators and sensors: what is true of each and what the controller believes, side by side; and the axes that it has given up.
 import { short } from "./plot.js";
 
 const AXES = { p_dot: "roll", q_dot: "pitch", r_dot: "yaw", u_dot: "speed" };
 
 export class Table {
-  constructor(body, modes, facts, link, choose) {
+  // `sensors` is the body of their table, which is not there where they are ideal.
+  constructor(body, sensors, modes, facts, link, choose) {
     Object.assign(this, { facts, modes, broken: {} });
-    this.rows = Object.entries(facts.actuators).map(([name, { title }]) => {
-      const row = body.insertRow();
-      row.dataset.actuator = name;
-      const [who, truth, belief, mend] = [0, 1, 2, 3].map(() => row.insertCell());
-      who.append(button(title, () => choose(name)));
-      const mends = button("Mend", () => link.ask("mend", { actuator: name }));
-      mend.append(mends);
-      return { name, row, truth, belief, mends };
-    });
+    const rows = (of, cells, into) =>
+      Object.entries(of).map(([name, { title }]) => {
+        const row = into.insertRow();
+        row.dataset.actuator = name;
+        const [who, truth, ...others] = Array.from({ length: cells }, () => row.insertCell());
+        who.append(button(title, () => choose(name)));
+        const mends = button("Mend", () => link.ask("mend", { actuator: name }));
+        others.at(-1).append(mends);
+        return { name, row, truth, belief: others[0], mends };
+      });
+    this.rows = rows(facts.actuators, 4, body);
+    this.sensors = rows(facts.sensors, 3, sensors);
   }
 
   show(now) {
@@ -26,6 +30,12 @@ export class Table {
       put(belief, this.believed(value, unit));
       row.classList.toggle("wrong", broken.length > 0 || !(value("response") > 0.99));
       row.classList.toggle("flagged", value("failed") > 0);
+      mends.hidden = broken.length === 0;
+    }
+    for (const { name, row, truth, mends } of this.sensors) {
+      const broken = this.broken[name] ?? [];
+      put(truth, broken.join("; ") || "works");
+      row.classList.toggle("wrong", broken.length > 0);
       mends.hidden = broken.length === 0;
     }
     const released = Object.entries(AXES).filter(([axis]) => now[`${axis}_released`][1] > 0 && !this.facts.never.includes(axis));

@@ -6,6 +6,7 @@ the north. `wind` applies them in flight.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Literal
 
 from pydantic import Field, ValidationInfo, field_validator, model_validator
@@ -60,6 +61,15 @@ class Gust(Settings):
         return self.duration_s or float(self.length_m or 0.0) / airspeed_m_s
 
 
+class TurbulenceChange(Settings):
+    """Another intensity of JSBSim's turbulence from a time on. The air follows as its filters do; 0 ends it at once."""
+
+    at_s: NonNegative
+    """When it changes."""
+    w20_m_s: NonNegative
+    """W20 from then on, as `turbulence_w20_m_s`."""
+
+
 class Noise(Settings):
     """The first coefficients of the noise that drives `dryden` turbulence in a window of time (see `noise`).
 
@@ -94,6 +104,8 @@ class Atmosphere(Settings):
     """MIL-F-8785C's words for W20 = 15, 30 and 45 kt; instead of `turbulence_w20_m_s`."""
     turbulence_w20_m_s: NonNegative = Field(default=0.0, validate_default=True)
     """W20 of MIL-F-8785C, the wind at 20 ft, which sets the intensity of turbulence; 0 is none."""
+    turbulence_changes: tuple[TurbulenceChange, ...] = ()
+    """Later intensities of JSBSim's turbulence, in order of time."""
     gusts: tuple[Gust, ...] = ()
     noise: Noise | None = None
     """Coefficients of the noise of a `dryden` model; what is not given comes from the seed."""
@@ -109,6 +121,17 @@ class Atmosphere(Settings):
             raise refuse(f"is {w20:g}, and turbulence is {word}, which is {meant:.4g}", "one of the two")
         return meant
 
+    @field_validator("turbulence_changes")
+    @classmethod
+    def _in_order(
+        cls, changes: tuple[TurbulenceChange, ...], info: ValidationInfo
+    ) -> tuple[TurbulenceChange, ...]:
+        if changes and info.data.get("model") != "jsbsim":
+            raise refuse("only JSBSim's turbulence changes in flight", "model: jsbsim, or no changes")
+        if any(one.at_s >= other.at_s for one, other in pairwise(changes)):
+            raise refuse("are not in order of time", "each at_s later than the one before")
+        return changes
+
     @field_validator("noise")
     @classmethod
     def _given(cls, noise: Noise | None, info: ValidationInfo) -> Noise | None:
@@ -122,13 +145,20 @@ class Atmosphere(Settings):
         return self.model != "jsbsim" and self.turbulence_w20_m_s > 0.0
 
     @property
+    def most_w20_m_s(self) -> float:
+        """The strongest turbulence that there is, by its W20 [m/s]."""
+        return max(self.turbulence_w20_m_s, *(each.w20_m_s for each in self.turbulence_changes), 0.0)
+
+    @property
     def is_calm(self) -> bool:
         """Whether the air does not move at all."""
-        return not (any(self.wind_m_s) or self.turbulence_w20_m_s or self.gusts)
+        return not (any(self.wind_m_s) or self.turbulence_w20_m_s or self.turbulence_changes or self.gusts)
 
 
 def severity(w20_m_s: float) -> int:
-    """JSBSim's index of severity for a wind at 20 ft [m/s]: that of the nearest of MIL-F-8785C's words."""
+    """JSBSim's index of severity for a wind at 20 ft [m/s]: that of the nearest of MIL-F-8785C's words; 0, which is none, for 0."""
+    if not w20_m_s:
+        return 0
     knots = w20_m_s / METRES_PER_SECOND_PER_KNOT
     return _SEVERITY[min(_WORDS_KT, key=lambda word: abs(_WORDS_KT[word] - knots))]
 

@@ -12,7 +12,7 @@ from typing import Protocol
 
 import numpy as np
 
-from testbed.air.config import COLUMNS, Atmosphere, Gust, severity
+from testbed.air.config import COLUMNS, Atmosphere, Gust, TurbulenceChange, severity
 from testbed.air.turbulence import Sampled, Turbulence
 from testbed.common.frames import body_from_ned, body_from_wind
 from testbed.common.random_streams import engine_seed
@@ -23,7 +23,7 @@ class Air(Sampled, Protocol):
     """What weather needs of the plant."""
 
     def set_wind(self, ned_m_s: np.ndarray) -> None: ...
-    def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None: ...
+    def set_turbulence(self, w20_m_s: float, severity: int, seed: int | None) -> None: ...
     def total_wind(self) -> tuple[float, float, float]: ...
     def air_data(self) -> tuple[float, float, float, float, float, float]: ...
 
@@ -47,13 +47,16 @@ class Weather:
         self._steps = steps
         self.wind = np.zeros((0 if settings.is_calm else steps, 3))
         self._steady = np.array(settings.wind_m_s)
-        self._gusty = False
+        self._gusty = self._stirred = False
         self._turbulence = None
         self.apply: Callable[[int], None] = self._apply_jsbsims
         if settings.is_own_turbulence:
             self._turbulence = Turbulence(settings, plant, rate_hz, steps, seed)
             self.wind = self._turbulence.wind
             self.apply = self._turbulence.step
+        self._changes = [
+            (first_step_at(each.at_s, rate_hz), each.w20_m_s) for each in settings.turbulence_changes
+        ]
         self._starts = list[int]()
         self._gusts = list[tuple[float, float, list[float]] | None]()
         # The first of them, whose velocity does not change now; its sum, and until when it is so if it is not zero.
@@ -69,7 +72,13 @@ class Weather:
         if self._turbulence is not None:
             self._turbulence.begin(self._steady)
         elif w20 > 0.0:
-            self.plant.set_turbulence(w20, severity(w20), engine_seed(self.seed, "turbulence"))
+            self._stir(w20)
+
+    def _stir(self, w20_m_s: float) -> None:
+        """Set JSBSim's turbulence, whose random numbers begin with the first that there is."""
+        seed = None if self._stirred else engine_seed(self.seed, "turbulence")
+        self.plant.set_turbulence(w20_m_s, severity(w20_m_s), seed)
+        self._stirred = True
 
     def log_calm(self) -> None:
         """Log the wind of calm air too, from the first step on: then a gust can be added in flight."""
@@ -81,6 +90,16 @@ class Weather:
         self.log_calm()
         self.settings = self.settings.model_copy(update={"gusts": (*self.settings.gusts, gust)})
         self._expect(gust)
+
+    def change(self, turbulence: TurbulenceChange) -> None:
+        """Take another intensity of JSBSim's turbulence, at or after the next control step; it replaces one of that time."""
+        self.log_calm()
+        others = [each for each in self.settings.turbulence_changes if each.at_s != turbulence.at_s]
+        changes = tuple(sorted((*others, turbulence), key=lambda each: each.at_s))
+        self.settings = self.settings.model_copy(update={"turbulence_changes": changes})
+        first = first_step_at(turbulence.at_s, self.rate_hz)
+        later = [each for each in self._changes if each[0] != first]
+        self._changes = sorted([*later, (first, turbulence.w20_m_s)])
 
     def _expect(self, gust: Gust) -> None:
         """Plan a gust of the settings."""
@@ -102,6 +121,8 @@ class Weather:
         self.wind[step] = self.plant.total_wind()
         if self._starts:
             self._put_gusts(step)
+        while self._changes and step >= self._changes[0][0]:
+            self._stir(self._changes.pop(0)[1])
 
     def _apply_own(self, step: int) -> None:
         """With gusts and own turbulence, which knows the wind without asking the plant."""

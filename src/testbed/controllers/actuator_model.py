@@ -18,6 +18,8 @@ from testbed.common.jit import compiled
 
 NEWTON_STEPS = 4
 """Steps of `throttle_for`. Few are enough, because it begins at the rotor's present speed."""
+STILL = 0.1
+"""Rotor speed that is as good as none, and by which can be divided [rev/s]."""
 
 
 @compiled
@@ -126,10 +128,12 @@ def between(i, row, part, column, table):
 def throttle_for(i, thrust, axial, m, s):
     """Throttle, 0 to 1, that gives a thrust [N] of motor i once the rotor is steady: Newton's method on the rotor speed.
 
-    The search stays at or above `slowest`, the rotor speed at the last advance ratio of the tables.
+    The search stays at or above `slowest`, the rotor speed at the last advance ratio of the tables, or `STILL` where the air comes
+    from behind or is said not to move.
     """
     diameter = m.diameter[i]
-    slowest = axial / ((m.advance_min[i] + m.advance_step[i] * (m.c_thrust.shape[1] - 1)) * diameter)
+    last_ratio = m.advance_min[i] + m.advance_step[i] * (m.c_thrust.shape[1] - 1)
+    slowest = max(axial / (last_ratio * diameter), STILL)
     n = max(s.rotor[i], slowest)
     for _ in range(NEWTON_STEPS):
         t, slope = thrust_and_slope(i, n, axial, m)

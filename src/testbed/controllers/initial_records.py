@@ -146,6 +146,7 @@ def trimmed_memory(setup: Setup) -> np.ndarray:
     n, model, scale = len(setup.actuators), setup.model, setup.scale
     record = np.zeros(1, memory_dtype(n))
     s = record[0]
+    s.repeated[:] = -math.inf  # what never changed is not stuck: in calm air it may be zero
     s.lambda_hat[:], s.lambda_slow[:], s.since_flag[:] = 1.0, 1.0, math.inf
     s.P[:n, :n] = np.diag(np.full(n, HEALTHY_VARIANCE))
     s.command[:] = setup.trim_commands

@@ -151,7 +151,7 @@ class Candidates:
 
     @property
     def _gusty(self) -> bool:
-        return bool(self.scenario.atmosphere.turbulence_w20_m_s)
+        return bool(self.scenario.atmosphere.most_w20_m_s)
 
     def _changes(self, gain: float) -> dict[str, Any]:
         if not self.newton:

@@ -69,9 +69,7 @@ def _flights(
 
 def _errs(scenario: Scenario) -> bool:
     """Whether two seeds may differ."""
-    return (
-        bool(scenario.atmosphere.turbulence_w20_m_s) or scenario.sensors != without_chance(scenario).sensors
-    )
+    return bool(scenario.atmosphere.most_w20_m_s) or scenario.sensors != without_chance(scenario).sensors
 
 
 def _detection_s(flight: Flight, actuator: str) -> float:

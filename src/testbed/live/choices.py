@@ -15,16 +15,17 @@ from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.live.flight import LiveFlight
 from testbed.scenario.load import changed, load_scenario, scenario_from
 from testbed.scenario.model import Scenario
+from testbed.sensors.settings import PRESETS
 
 AS_GIVEN = "as given"
-"""The controller that the command or the scenario names."""
+"""The controller or the sensors that the command or the scenario names."""
 
 
 class Choices:
     """What can be flown.
 
     Attributes:
-        names: {scenarios, aircraft, controllers}: what can be chosen of each.
+        names: {scenarios, aircraft, controllers, sensors}: what can be chosen of each.
     """
 
     def __init__(
@@ -41,21 +42,29 @@ class Choices:
             "scenarios": list(dict.fromkeys([file, *shipped])),
             "aircraft": [*aircraft_names(), *_folders()],
             "controllers": [AS_GIVEN, *CONTROLLERS],
+            "sensors": [AS_GIVEN, *PRESETS],
         }
 
     def first(self) -> LiveFlight:
         """What the command gave; raises BadInput."""
         return self.flight(self._file, AS_GIVEN)
 
-    def flight(self, flight: str, controller: str) -> LiveFlight:
-        """A new flight of a scenario or an aircraft by a controller, each one of `names`; raises BadInput."""
-        flights, controllers = self.names["scenarios"] + self.names["aircraft"], self.names["controllers"]
-        for kind, given, known in (("flight", flight, flights), ("controller", controller, controllers)):
+    def flight(self, flight: str, controller: str, sensors: str = AS_GIVEN) -> LiveFlight:
+        """A new flight of a scenario or an aircraft by a controller with sensors, each one of `names`; raises BadInput."""
+        flights = self.names["scenarios"] + self.names["aircraft"]
+        asked = (
+            ("flight", flight, flights),
+            ("controller", controller, self.names["controllers"]),
+            ("sensors", sensors, self.names["sensors"]),
+        )
+        for kind, given, known in asked:
             if given not in known:
                 raise BadInput(
                     [Problem(f"there is no {kind} {given!r}", "choose", None, "", *guess(given, known))]
                 )
         scenario = self._chosen(flight)
+        if sensors != AS_GIVEN:
+            scenario = changed(scenario, {"sensors": sensors})
         if controller == AS_GIVEN:
             return LiveFlight(scenario, self._controller, self._own)
         return LiveFlight(changed(scenario, {"controller": {"type": controller}}))

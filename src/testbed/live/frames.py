@@ -17,12 +17,19 @@ from testbed.reporting.panels import error_columns, response_of
 from testbed.reporting.story import diagnoses, story
 from testbed.reporting.words import describe, title
 from testbed.scenario.model import Scenario
+from testbed.sensors.channels import CHANNELS, SI, channels_of
+from testbed.sensors.faults import TABLE as FAULTS
+from testbed.sensors.faults import SensorFault, value_name
+from testbed.sensors.settings import SENSORS
 from testbed.simulation.assembly import Assembly
 from testbed.simulation.session import Session
 
 _WIND = ("wind_north_m_s", "wind_east_m_s", "wind_down_m_s")
 _MOST_EVENTS = 200
 """Events that a page is shown, the last ones."""
+_SIZES = {"deg_s": 5.0, "deg": 3.0, "m_s2": 1.0, "m_s": 2.0, "m": 5.0}
+_SHARE = {"drift": 0.1, "noise": 0.1}
+"""What a page suggests for a fault of a sensor: its size by the sensor's unit, and the share of it for some types."""
 
 
 def numbers(session: Session) -> dict[str, np.ndarray]:
@@ -47,12 +54,22 @@ def frame(*sessions: Session) -> bytes:
 
 
 def broken(session: Session) -> dict[str, list[str]]:
-    """What each actuator has now: {actuator: the failures in words}."""
+    """What each actuator or sensor has now: {name: the failures in words}."""
     found: dict[str, list[str]] = {}
+    step, rate_hz = session.loop.done, session.parts.scenario.rate_hz
+    for fault in session.parts.scenario.sensors.faults:
+        start, end = fault.window(rate_hz)
+        if start <= step < end:
+            found.setdefault(_sensor_of(fault.sensor), []).append(fault.words())
     for injection in session.parts.injector.active:
         if injection.actuator is not None:
             found.setdefault(injection.actuator, []).append(_words(injection.failure, session.parts))
     return found
+
+
+def _sensor_of(name: str) -> str:
+    """The sensor that has this name, or that the channel of this name is a part of."""
+    return CHANNELS[channels_of(name)[0]].sensor
 
 
 def _words(failure: Failure, parts: Assembly) -> str:
@@ -88,6 +105,7 @@ def facts(session: Session) -> dict[str, Any]:
         "controller": parts.flown_by or scenario.controller.type,
         "columns": list(last),
         "actuators": actuators,
+        "sensors": {} if scenario.sensors.is_ideal else {name: _sensor(name) for name in SENSORS},
         "never": [axis for axis in RATES if last[f"{axis}_released"][0] > 0.0],
         "beliefs": {belief.value: belief.name for belief in Belief},
         "limits": _limits(scenario),
@@ -109,6 +127,34 @@ def _failures(kind: str) -> list[dict[str, Any]]:
         example = failure.examples.get("motor" if kind == "engine" else kind, {})
         found.append({"type": name, "about": about, "settings": settings, "example": dict(example)})
     return found
+
+
+def _sensor(name: str) -> dict[str, Any]:
+    """The types of fault that a sensor can have, as those of an actuator."""
+    units = {value_name(fault.key, of): of for fault in FAULTS.values() if fault.key for of in SI}
+    own = CHANNELS[channels_of(name)[0]].unit
+    found = []
+    for kind, fault in FAULTS.items():
+        schema = fault.model_json_schema()
+        keys = [
+            key
+            for key in schema["properties"]
+            if key not in SensorFault.model_fields and units.get(key, own) == own
+        ]
+        example = (
+            {value_name(fault.key, own): _SIZES[own] * _SHARE.get(kind, 1.0)}
+            if fault.needs_value and fault.key
+            else {}
+        )
+        found.append(
+            {
+                "type": kind,
+                "about": str(schema.get("description", "")).partition("\n")[0].replace("`", ""),
+                "settings": {key: schema["properties"][key] for key in keys},
+                "example": example,
+            }
+        )
+    return {"title": title(name), "failures": found}
 
 
 def _limits(scenario: Scenario) -> dict[str, float]:

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from testbed.flight.flight import Flying, Outcome
+from testbed.sensors.faults import SensorFault
 from testbed.sensors.measurement import ERROR, FAULT, OFFSET, READING, SENSED
 from testbed.simulation.conclude import so_far
 from testbed.simulation.session import Session
@@ -50,6 +51,11 @@ class LongSession(Session):
     def extend(self, duration_s: float) -> None:
         """As `Session.extend`; the next step puts away what this fills of later rows, too, a few hundred megabytes."""
         super().extend(duration_s)
+        self._next = 0
+
+    def _fault(self, faults: tuple[SensorFault, ...]) -> None:
+        """As `Session`, and as `extend`."""
+        super()._fault(faults)
         self._next = 0
 
     def put_away(self) -> None:

@@ -37,14 +37,14 @@ class Speed(_Message):
 
 
 class Break(_Message):
-    """Break something now; `failure` is one of a scenario's `failures`, without a time."""
+    """Break something now; `failure` is one of a scenario's `failures` or `sensors.faults`, without a time."""
 
     do: Literal["break"]
     failure: dict[str, Any]
 
 
 class Mend(_Message):
-    """End every failure of an actuator."""
+    """End every failure of an actuator, or every fault of a sensor."""
 
     do: Literal["mend"]
     actuator: Text
@@ -91,11 +91,13 @@ class Ghosts(_Message):
 
 
 class Choose(_Message):
-    """Fly something else: a scenario or an aircraft, and a controller, each one of those that `choices` of the page's facts has."""
+    """Fly something else: a scenario or an aircraft, a controller, and sensors, each one of those that `choices` of the page's
+    facts has."""
 
     do: Literal["choose"]
     flight: Text
     controller: Text
+    sensors: Text = "as given"
 
 
 Act = Break | Mend | Order | Blow

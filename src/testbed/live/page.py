@@ -17,6 +17,7 @@ _ORDERS = {
     "airspeed_m_s": ("airspeed [m/s]", 0.5),
 }
 _WIND = {"north": 0, "east": 0, "down": 0}
+_TURBULENCE = {"W20": 5}
 _GUST = {"forward": 0, "right": 3, "down": 0, "rise [s]": 0.5, "hold [s]": 1}
 
 
@@ -31,7 +32,7 @@ def page(facts: Mapping[str, Any], address: str) -> str:
         tag("ul", _chips(facts), class_="chips"),
         _choice(facts["choices"]),
         tag("p", "connecting", id="status", role="status"),
-        tag("div", [_flight(), _beside()], class_="live"),
+        tag("div", [_flight(), _beside(not facts["sensors"])], class_="live"),
         html.panels(panels),
         _told(),
     ]
@@ -52,6 +53,7 @@ def _choice(names: Mapping[str, list[str]]) -> Html:
     choose = tag(
         "form", tag("label", "flight", tag("select", groups, name="flight")),
         tag("label", "controller", tag("select", _options(names["controllers"]), name="controller")),
+        tag("label", "sensors", tag("select", _options(names["sensors"]), name="sensors")),
         _button("Fly this", kind="submit"), id="choose",
     )  # fmt: skip
     boxes = [
@@ -95,7 +97,15 @@ def _flight() -> Html:
     )  # fmt: skip
 
 
-def _beside() -> Html:
+def _sensors(ideal: bool) -> Html:
+    """The sensors, each of which can fail; those that are ideal cannot."""
+    heads = [*(tag("th", text) for text in ("sensor", "truth")), tag("td")]
+    table = tag("table", tag("thead", tag("tr", heads)), tag("tbody", id="sensors"))
+    none = tag("p", "They are ideal, and cannot fail: choose others above.")
+    return tag("details", tag("summary", "Sensors"), none if ideal else tag("div", table, class_="table"))
+
+
+def _beside(ideal: bool) -> Html:
     """Actuators, modes, and what can be done."""
     heads = [*(tag("th", text) for text in ("actuator", "truth", "belief")), tag("td")]
     table = tag("table", tag("thead", tag("tr", heads)), tag("tbody", id="actuators"))
@@ -105,10 +115,11 @@ def _beside() -> Html:
     ]
     return tag(
         "section", tag("div", table, class_="table"), tag("p", id="modes"),
-        tag("form", id="break", hidden="hidden"),
+        _sensors(ideal), tag("form", id="break", hidden="hidden"),
         tag("form", orders, _button("Order", kind="submit"), id="order"),
         _numbers("wind", "wind [m/s] towards", _WIND, "Change wind"),
         _numbers("gust", "gust [m/s]", _GUST, "Blow"),
+        _numbers("turbulence", "turbulence [m/s], 0 for none", _TURBULENCE, "Change turbulence"),
         aria_label="actuators and orders",
     )  # fmt: skip
 

@@ -27,7 +27,7 @@ _IDLE_S = 0.2
 _ANSWER_S = 0.1
 """Time in which a page draws what has changed, before a copy that tells the story takes a core."""
 _FROZEN_S = 80.0
-"""A copy is frozen at the start and this often [s of flight]: what is flown again to go back takes about a second at most."""
+"""A copy is frozen at the start and this often [s of flight]: to go back takes less than two seconds."""
 
 Keep = Callable[[ReportedFlight, str | None], tuple[Path, str]]
 """Writes the run folder of a flight, given its `own` controller; returns it, and the command that flies it again."""
@@ -199,7 +199,7 @@ class Pilot:
 
     def _choose(self, choice: Choose) -> None:
         """Fly something else. Pages load again: they show another aircraft then."""
-        flight = self._choices.flight(choice.flight, choice.controller)
+        flight = self._choices.flight(choice.flight, choice.controller, choice.sensors)
         self.flight.close()
         self._copies.drop()
         self._take_off(flight)

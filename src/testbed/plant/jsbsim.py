@@ -232,20 +232,21 @@ class Plant:
         for put, value in zip(self._put_wind, self._wind, strict=True):
             put(float(value) / METRES_PER_FOOT)
 
-    def set_turbulence(self, w20_m_s: float, severity: int, seed: int) -> None:
-        """Switch on Dryden turbulence, which builds up from zero.
+    def set_turbulence(self, w20_m_s: float, severity: int, seed: int | None) -> None:
+        """Switch on Dryden turbulence, which builds up from zero; or change its intensity.
 
         Call it after the last `place`, because JSBSim's run_ic would draw random numbers for it.
 
         Args:
             w20_m_s: wind at 20 ft (MIL-F-8785C), which sets the intensity up to 1000 ft above sea level.
             severity: JSBSim's index of probability of exceedance, which sets the intensity above 2000 ft.
-            seed: 2 or more (to JSBSim 0 and 1 are the same seed).
+            seed: 2 or more (to JSBSim 0 and 1 are the same seed); None to go on with its random numbers.
         """
         self["atmosphere/turbulence/milspec/windspeed_at_20ft_AGL-fps"] = w20_m_s / METRES_PER_FOOT
         self["atmosphere/turbulence/milspec/severity"] = severity
         self["atmosphere/turb-type"] = _MILSPEC_TURBULENCE
-        self["atmosphere/randomseed"] = seed
+        if seed is not None:
+            self["atmosphere/randomseed"] = seed
 
     def total_wind(self) -> tuple[float, float, float]:
         """Velocity of the air over the ground in the last step, with turbulence [m/s, north, east, down]."""

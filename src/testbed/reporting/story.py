@@ -86,8 +86,9 @@ def _held_for(flight: Flight, said: Mapping[str, Any]) -> str:
 
 def _failures(flight: Flight) -> Iterator[str]:
     failures = failures_of(flight.events)
+    faults = [e for e in flight.events if e["kind"] == "sensor_fault" and e["active"]]
     if not failures:
-        yield "Nothing was broken."
+        yield "No actuator was broken." if faults else "Nothing was broken."
     for failure in failures[:_MOST]:
         late = " This had no effect on the aircraft." if failure.verified is False else ""
         until = f", until {failure.until_s:.1f} s" if math.isfinite(failure.until_s) else ""
@@ -95,6 +96,20 @@ def _failures(flight: Flight) -> Iterator[str]:
     if more := failures[_MOST:]:
         said = "failure followed," if len(more) == 1 else "failures followed, the last"
         yield f"{len(more)} more {said} at {more[-1].from_s:.1f} s."
+    yield from _faults(flight, faults)
+
+
+def _faults(flight: Flight, begun: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+    """What happened to sensors, told as failures are."""
+    for event in begun[:_MOST]:
+        fault = flight.scenario.sensors.faults[event["fault"]]
+        late = "" if event["verified"] else " This changed no reading."
+        until_s = math.inf if fault.until_s is None else fault.until_s
+        until = f", until {until_s:.1f} s" if until_s < flight.end_time_s else ""
+        yield f"At {event['time_s']:.1f} s the sensor {title(fault.sensor)} {fault.words()}{until}.{late}"
+    if more := begun[_MOST:]:
+        said = "fault of a sensor followed," if len(more) == 1 else "faults of sensors followed, the last"
+        yield f"{len(more)} more {said} at {more[-1]['time_s']:.1f} s."
 
 
 def stretches_of(view: Readings) -> list[Stretch]:

@@ -108,4 +108,9 @@ def describe(event: Mapping[str, Any], flight: Flight) -> str:
         case "injection":
             what = f"{event.get('type', 'failure')} ends"
             return f"{who}: {what}" if who else what
+        case "sensor_fault" if event["active"]:
+            fault = flight.scenario.sensors.faults[event["fault"]]
+            return f"sensor {title(fault.sensor)} {fault.words()}{_REMARKS[event['verified']]}"
+        case "sensor_fault":
+            return f"sensor {title(event['sensor'])}: {event['type']} ends"
     return f"{kind} {who}".strip()

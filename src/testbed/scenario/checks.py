@@ -152,6 +152,7 @@ def _starts(scenario: Scenario) -> Iterator[tuple[TreePath, float]]:
     yield from _given(("failures",), scenario.failures, "at_s")
     yield from _given(("sensors", "faults"), scenario.sensors.faults, "at_s")
     yield from _given(("atmosphere", "gusts"), air.gusts, "at_s")
+    yield from _given(("atmosphere", "turbulence_changes"), air.turbulence_changes, "at_s")
     if air.noise is not None:
         yield ("atmosphere", "noise", "from_s"), air.noise.from_s
     keys = ("from_s", "settles_by_s", "never_for_longer_than_s")

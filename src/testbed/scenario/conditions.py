@@ -38,6 +38,6 @@ def _unsuited(scenario: Scenario) -> str:
     air, found = scenario.atmosphere, []
     if not scenario.sensors.is_ideal:
         found.append("sensors with errors")
-    if air.turbulence_w20_m_s or air.gusts:
-        found.append("turbulence" if air.turbulence_w20_m_s else "gusts")
+    if air.most_w20_m_s or air.gusts:
+        found.append("turbulence" if air.most_w20_m_s else "gusts")
     return " and ".join(found)

@@ -98,11 +98,18 @@ def _sensors(sensors: Sensors, faults: tuple[SensorFault, ...]) -> Sensors:
 
 
 def _air(scenario: Scenario, steps: int) -> Atmosphere:
-    """The air without gusts that begin later, and without a noise whose window does."""
+    """The air without gusts and changes that begin later, and without a noise whose window does."""
     air, rate_hz = _until(scenario.atmosphere, scenario.duration_s), scenario.rate_hz
     gusts = tuple(gust for gust in air.gusts if begins_within(gust.at_s, rate_hz, steps))
+    changes = tuple(each for each in air.turbulence_changes if begins_within(each.at_s, rate_hz, steps))
     begun = air.noise is not None and begins_within(air.noise.from_s, rate_hz, steps)
-    return air.model_copy(update={"gusts": gusts, "noise": air.noise if begun else None})
+    return air.model_copy(
+        update={
+            "gusts": gusts,
+            "turbulence_changes": changes,
+            "noise": air.noise if begun else None,
+        }
+    )
 
 
 def _until(air: Atmosphere, end_s: float) -> Atmosphere:

@@ -12,6 +12,7 @@ import numpy as np
 from pydantic import Field, create_model, field_validator, model_validator
 
 from testbed.common.signals import first_step_at
+from testbed.common.units import unit
 from testbed.inputs.base import NonNegative, Number, Positive, Settings, after, refuse
 from testbed.inputs.problems import guess
 from testbed.sensors.channels import CHANNELS, PER_SECOND, SI, channels_of, names, unit_of
@@ -67,8 +68,8 @@ class SensorFault(Settings):
     def _right_unit(self) -> SensorFault:
         if not self.key:
             return self
-        wanted = _name(self.key, unit_of(self.sensor))
-        given = [name for u in SI if getattr(self, name := _name(self.key, u)) is not None]
+        wanted = value_name(self.key, unit_of(self.sensor))
+        given = [name for u in SI if getattr(self, name := value_name(self.key, u)) is not None]
         if any(name != wanted for name in given):
             raise refuse(f"{self.sensor} does not take {given[0]}", wanted)
         if self.needs_value and not given:
@@ -81,12 +82,26 @@ class SensorFault(Settings):
         if not self.key:
             return None
         unit = unit_of(self.sensor)
-        value = getattr(self, _name(self.key, unit))
+        value = getattr(self, value_name(self.key, unit))
         return None if value is None else float(value) * SI[unit]
 
     def enter(self, span: Span) -> None:
         """Write into `span.offset` and `span.state`, in place, what the fault does to one channel."""
         raise NotImplementedError
+
+    def words(self) -> str:
+        """What it did to its sensor: `was off by 3 deg`."""
+        return f"had {self.type.replace('_', ' ')}"
+
+    def _said(self) -> str:
+        """Its value with its unit."""
+        name = value_name(self.key, unit_of(self.sensor))
+        of = unit(name.removesuffix("_rthz"))
+        return (
+            f"{getattr(self, name):g} {of}/sqrt(Hz)"
+            if name.endswith("_rthz")
+            else f"{getattr(self, name):g} {of}"
+        )
 
     def window(self, rate_hz: float) -> tuple[float, float]:
         """First control step of the fault, and the first after it: infinity if it does not end."""
@@ -94,14 +109,15 @@ class SensorFault(Settings):
         return first_step_at(self.at_s, rate_hz), end
 
 
-def _name(key: str, unit: str) -> str:
+def value_name(key: str, unit: str) -> str:
+    """Name of a fault's value in YAML, for a sensor that reads in a unit."""
     return key.format(unit, per_second=PER_SECOND[unit])
 
 
 def valued(fault: type[Fault]) -> type[Fault]:
     """The class of a fault, extended by one optional field for each unit that its value can have."""
     kind = NonNegative if fault.key.startswith("noise") else Number
-    fields: dict[str, Any] = {_name(fault.key, u): (kind | None, None) for u in SI}
+    fields: dict[str, Any] = {value_name(fault.key, u): (kind | None, None) for u in SI}
     module, doc = fault.__module__, fault.__doc__
     return create_model(fault.__name__, __base__=fault, __module__=module, __doc__=doc, **fields)
 
@@ -117,6 +133,9 @@ class Stuck(SensorFault):
         span.state[:] = HOLDS if self.value is None else REPLACED
         span.offset[:] = self.value or 0.0
 
+    def words(self) -> str:
+        return f"stuck at {'its last reading' if self.value is None else self._said()}"
+
 
 class Dropout(SensorFault):
     """Samples are lost, each with probability `fraction` (default 1: all); in their place zero or the last reading is given."""
@@ -130,6 +149,10 @@ class Dropout(SensorFault):
         lost = span.random.random(len(span.state)) < self.fraction
         span.state[:] = np.where(lost, HOLDS if self.reads == "last" else REPLACED, READS)
 
+    def words(self) -> str:
+        read = "read zero" if self.reads == "zero" else "repeated its last reading"
+        return read if self.fraction == 1.0 else f"{read} in {100 * self.fraction:g} % of the control steps"
+
 
 @valued
 class Bias(SensorFault):
@@ -140,6 +163,9 @@ class Bias(SensorFault):
 
     def enter(self, span: Span) -> None:
         span.offset[:] += self.value or 0.0
+
+    def words(self) -> str:
+        return f"was off by {self._said()}"
 
 
 @valued
@@ -152,6 +178,9 @@ class Drift(SensorFault):
     def enter(self, span: Span) -> None:
         span.offset[:] += (self.value or 0.0) * span.steps / span.rate_hz
 
+    def words(self) -> str:
+        return f"drifted by {self._said()}"
+
 
 @valued
 class Noise(SensorFault):
@@ -163,6 +192,9 @@ class Noise(SensorFault):
     def enter(self, span: Span) -> None:
         sigma = (self.value or 0.0) * math.sqrt(span.rate_hz / 2.0)
         span.offset[:] += sigma * span.random.standard_normal(len(span.offset))
+
+    def words(self) -> str:
+        return f"had more noise, of {self._said()}"
 
 
 TABLE: dict[str, type[SensorFault]] = {
@@ -184,3 +216,33 @@ def clash(one: SensorFault, other: SensorFault) -> str:
     meet = max(one.at_s, other.at_s) < min(ends)
     conflict = one.replaces or other.replaces
     return CHANNELS[min(shared)].name if shared and meet and conflict else ""
+
+
+def with_fault(faults: tuple[SensorFault, ...], new: SensorFault) -> tuple[SensorFault, ...]:
+    """The faults with one more. Of two that conflict the earlier one ends when the later one begins."""
+    for each in faults:
+        if clash(each, new) and each.at_s > new.at_s:
+            new = new.model_copy(update={"until_s": each.at_s})
+    made, at = list(faults), len(faults)
+    for i in reversed([i for i, each in enumerate(faults) if clash(each, new) and each.at_s <= new.at_s]):
+        if faults[i].at_s < new.at_s:
+            made[i] = faults[i].model_copy(update={"until_s": new.at_s})
+        else:  # in its place, which names random numbers
+            del made[i]
+            at = i
+    return (*made[:at], new, *made[at:])
+
+
+def without_faults(
+    faults: tuple[SensorFault, ...], sensor: str, step: int, rate_hz: float
+) -> tuple[SensorFault, ...]:
+    """The faults, where those that a sensor or channel has now end with this control step, or with the next if they begin in it."""
+    mended = set(channels_of(sensor))
+
+    def ended(fault: SensorFault) -> SensorFault:
+        start, end = fault.window(rate_hz)
+        if not (start <= step < end and mended.intersection(channels_of(fault.sensor))):
+            return fault
+        return fault.model_copy(update={"until_s": max(step, start + 1) / rate_hz})
+
+    return tuple(map(ended, faults))

@@ -78,6 +78,12 @@ class Sensed:
                     stream = generator(self._seed, f"sensors.fault.{index}.{channel.name}")
                     enter_one(fault, i, self._rate_hz, stream, self._table[OFFSET], self._table[FAULT])
 
+    def fault(self, settings: SensorSettings) -> None:
+        """Take settings with other faults, as `RealSensors.fault`."""
+        self._settings = settings
+        self._table[[OFFSET, FAULT]] = 0.0
+        self._draw(self._table.shape[1])
+
     def read(self, step: int) -> None:
         """Fill the row of this control step; the row of the measured state must be filled already."""
         row, measured = self._rows[step], self._measured[step]

@@ -67,10 +67,21 @@ class RealSensors:
             reads = channel.reads
             source = STATE.index(reads) if reads in STATE else -1
             self._channels[i] = parameters(source, model, scale, rate_hz, reads == "heading")
-        if self.settings.faults:
-            self.table[[OFFSET, FAULT], :steps] = 0.0
+        self._enter_faults(0)
+
+    def fault(self, settings: SensorSettings, step: int) -> None:
+        """Take settings with other faults, which have done the same before this control step."""
+        self.settings = settings
+        self._enter_faults(step)
+
+    def _enter_faults(self, first: int) -> None:
+        """Enter the faults from this control step on. Earlier rows stay as they are: they may be in a file, see `live.long`."""
+        if not self.settings.faults:
+            return
+        layers = np.zeros((2, self._steps, len(CHANNELS)))
         for i, fault in enumerate(self.settings.faults):
-            enter(fault, i, rate_hz, self._seed, self.table[OFFSET, :steps], self.table[FAULT, :steps])
+            enter(fault, i, round(self.rate_hz), self._seed, *layers)
+        self.table[OFFSET, first : self._steps], self.table[FAULT, first : self._steps] = layers[:, first:]
 
     def bind(self, truth: np.ndarray, measured: np.ndarray) -> None:
         """Take the rows of a flight, one a step: the truth (as `Plant.read`) and the measured state to be filled."""

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import BaseModel, create_model
 
-from testbed.air.config import Gust, Vector, WindChange
+from testbed.air.config import Gust, TurbulenceChange, Vector, WindChange
 from testbed.common.signals import first_step_at
 from testbed.failures import TABLE, Failure, When
 from testbed.flight.columns import Recorded, columns, reader
@@ -18,7 +18,11 @@ from testbed.inputs.yaml_source import Source
 from testbed.plant.first_load import property_catalog
 from testbed.scenario.checks import failure_issues, glides, no_altitude
 from testbed.scenario.model import Command
+from testbed.sensors.faults import TABLE as FAULTS
+from testbed.sensors.faults import SensorFault
 from testbed.simulation.assembly import Assembly
+
+_W20 = "turbulence_w20_m_s"
 
 
 def failure_of(given: Failure | Mapping[str, Any], parts: Assembly, recorded: Recorded) -> Failure:
@@ -54,6 +58,18 @@ def _met(when: When | None, parts: Assembly, recorded: Recorded, path: TreePath)
             return
 
 
+def fault_of(given: SensorFault | Mapping[str, Any], parts: Assembly, step: int) -> SensorFault:
+    """The fault of a sensor, from control step `step` on unless it says when; raises BadInput."""
+
+    def fits(fault: SensorFault, path: TreePath) -> Iterator[Issue]:
+        yield from _times(fault, parts, step, path)
+        if parts.sensors is None:
+            yield Issue(path, "the sensors of this flight are ideal", "a scenario with sensors: mems")
+
+    fault: SensorFault = _valid("fault", any_of(FAULTS), "inject", _tree(given), _now(parts, step), fits)
+    return fault
+
+
 def command_of(given: Command | Mapping[str, Any], parts: Assembly, step: int) -> Command:
     """The command, from control step `step` on unless it says when; raises BadInput."""
 
@@ -68,7 +84,7 @@ def command_of(given: Command | Mapping[str, Any], parts: Assembly, step: int) -
 
 
 def gust_of(
-    given: Gust | WindChange | Mapping[str, Any],
+    given: BaseModel | Mapping[str, Any],
     parts: Assembly,
     step: int,
     wind_m_s: Vector,
@@ -84,6 +100,28 @@ def gust_of(
         return change.gust(now["at_s"], wind_m_s), change.wind_m_s
     gust = _valid("gust", Gust, "blow", tree, now, lambda gust, path: _times(gust, parts, step, path))
     return gust, wind_m_s
+
+
+def turbulence_of(
+    given: BaseModel | Mapping[str, Any], parts: Assembly, step: int
+) -> TurbulenceChange | None:
+    """The change of turbulence, from control step `step` on unless it says when; None for other air. Raises BadInput."""
+    tree, model = _tree(given), parts.scenario.atmosphere.model
+    if isinstance(given, TurbulenceChange):
+        tree = {_W20: tree.pop("w20_m_s"), **tree}
+    if not isinstance(tree, dict) or _W20 not in tree:
+        return None
+
+    def fits(change: TurbulenceChange, path: TreePath) -> Iterator[Issue]:
+        yield from _times(change, parts, step, path)
+        if model != "jsbsim":
+            yield Issue(
+                path, f"{model} turbulence does not change in flight", "a scenario with model: jsbsim"
+            )
+
+    named = {("w20_m_s" if key == _W20 else key): value for key, value in tree.items()}
+    change: TurbulenceChange = _valid("turbulence", TurbulenceChange, "blow", named, _now(parts, step), fits)
+    return change
 
 
 def _now(parts: Assembly, step: int) -> dict[str, float]:
@@ -114,7 +152,9 @@ def _valid(
     return getattr(validated(holder, source, lambda made: fits(getattr(made, key), (key,))), key)
 
 
-def _times(one: Failure | Command | Gust, parts: Assembly, step: int, path: TreePath) -> Iterator[Issue]:
+def _times(
+    one: Failure | Command | Gust | SensorFault | TurbulenceChange, parts: Assembly, step: int, path: TreePath
+) -> Iterator[Issue]:
     """Times that are past, or after the end of the flight."""
     rate_hz, end_s, now_s = parts.scenario.rate_hz, parts.scenario.duration_s, step / parts.scenario.rate_hz
     if one.at_s is not None and first_step_at(one.at_s, rate_hz) < step:

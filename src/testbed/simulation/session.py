@@ -8,7 +8,7 @@ from numbers import Integral, Real
 from pathlib import Path
 from typing import Any, Self
 
-from testbed.air.config import Gust, WindChange
+from testbed.air.config import Gust, TurbulenceChange, WindChange
 from testbed.common.signals import first_step_at, longer
 from testbed.controllers.setup import Setup
 from testbed.failures import Failure, same_property
@@ -23,9 +23,11 @@ from testbed.scenario.flown import altered, flown_part, longer_scenario
 from testbed.scenario.load import changed, load_scenario
 from testbed.scenario.model import Command, Scenario
 from testbed.scenario.references import references
+from testbed.sensors.channels import channels_of
+from testbed.sensors.faults import SensorFault, with_fault, without_faults
 from testbed.simulation.assembly import assemble
 from testbed.simulation.conclude import conclude
-from testbed.simulation.given import command_of, failure_of, gust_of
+from testbed.simulation.given import command_of, failure_of, fault_of, gust_of, turbulence_of
 from testbed.simulation.lockstep import Lockstep
 
 
@@ -160,23 +162,44 @@ class Session:
 
     # Intervene ------------------------------------------------------------------------------------------------
 
-    def inject(self, failure: Failure | Mapping[str, Any]) -> None:
+    def inject(self, failure: Failure | SensorFault | Mapping[str, Any]) -> None:
         """Break something, as `failures` of a scenario does: now, or at its `at_s`, or when its `when` comes true.
 
         A failure that holds one of the same properties ends when the new one starts. If a failure that is planned for later will
-        hold one, the new one ends when that one starts.
+        hold one, the new one ends when that one starts. So it is with faults of sensors, which name a `sensor` and are written as
+        `sensors.faults` are: the flight's sensors may not be ideal ones.
         """
         self._refuse_over()
+        if isinstance(failure, SensorFault) or (isinstance(failure, Mapping) and "sensor" in failure):
+            self._fault(
+                with_fault(self._planned.sensors.faults, fault_of(failure, self.parts, self.loop.done))
+            )
+            return
         given = failure_of(failure, self.parts, self.loop.recorded)
         self._replan(with_failure(self.parts.injector.planned, given, self.parts.aircraft))
 
     def mend(self, actuator: str) -> None:
-        """End every failure that an actuator has now: its properties get their values of before the flight."""
+        """End every failure that an actuator has now: its properties get their values of before the flight. Or every fault of a
+        sensor, of all its channels or of one."""
         self._refuse_over()
         known = self.parts.aircraft.actuators
+        if isinstance(actuator, str) and actuator not in known and channels_of(actuator):
+            self._fault(
+                without_faults(self._planned.sensors.faults, actuator, self.loop.done, self._planned.rate_hz)
+            )
+            return
         if not isinstance(actuator, str) or actuator not in known:
             raise _refused("mend", f"there is no actuator {actuator!r}", *guess(actuator, known))
         self._replan(mended(self.parts.injector.planned, actuator, self.time_s))
+
+    def _fault(self, faults: tuple[SensorFault, ...]) -> None:
+        """Take other faults of sensors, which are the same until now."""
+        if (sensors := self.parts.sensors) is not None:
+            settings = self._planned.sensors.model_copy(update={"faults": faults})
+            self._planned = self.parts.scenario = altered(self._planned, sensors=settings)
+            sensors.fault(settings, self.loop.done)
+            if self.parts.sensed is not None:
+                self.parts.sensed.fault(settings)
 
     def _replan(self, plan: Sequence[Planned]) -> None:
         """Take other failures. What is healthy is as it was before the flight, whatever holds the properties now."""
@@ -200,14 +223,18 @@ class Session:
         references(planned, self.parts.path_angle, self.parts.references, done)
         self._planned = self.parts.scenario = planned
 
-    def blow(self, air: Gust | WindChange | Mapping[str, Any]) -> None:
-        """Blow a gust, as `gusts` of a scenario does, now or at its `at_s`; or change the steady wind, now.
+    def blow(self, air: Gust | WindChange | TurbulenceChange | Mapping[str, Any]) -> None:
+        """Blow a gust, as `gusts` of a scenario does, now or at its `at_s`; or change the steady wind, now, or the turbulence.
 
         Args:
             air: {magnitude_m_s, duration_s or length_m, frame, hold_s}; or {wind_m_s, duration_s}: the wind in place of that so
-                far, reached within that time, by default 1 s. It is saved as a gust that lasts.
+                far, reached within that time, by default 1 s, and saved as a gust that lasts; or {turbulence_w20_m_s}: the
+                intensity of JSBSim's turbulence in place of that so far, saved as one of `turbulence_changes`.
         """
         self._refuse_over()
+        if (change := turbulence_of(air, self.parts, self.loop.done)) is not None:
+            self.parts.weather.change(change)
+            return
         gust, self._wind_m_s = gust_of(air, self.parts, self.loop.done, self._wind_m_s)
         self.parts.weather.add(gust)
 

@@ -12,7 +12,7 @@ from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, setpoint, trim_state, vtail_setup
 
 from testbed.common.signals import STATE, Belief, record_dtype
-from testbed.controllers.inversion.sensor_guard import REPEATS_S, guard
+from testbed.controllers.inversion.sensor_guard import GYRO_REPEATS, REPEATS_S, guard
 from testbed.controllers.records import GUARDED
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import load_scenario
@@ -73,9 +73,9 @@ def test_a_stuck_gyro_is_replaced_by_the_attitude() -> None:
     assert believed[0].p == pytest.approx(0.2, abs=1e-3)
 
 
-def flown(sensor: str, ablate: str = "") -> Flight:
+def flown(sensor: str, ablate: str = "", kind: str = "stuck") -> Flight:
     changes = [
-        f"sensors={{model: mems, faults: [{{type: stuck, sensor: {sensor}, at_s: 20}}]}}",
+        f"sensors={{model: mems, faults: [{{type: {kind}, sensor: {sensor}, at_s: 20}}]}}",
         "atmosphere={turbulence_w20_m_s: 7.62}",
         "seed=95003",
         f"controller={{type: adaptive_inversion, ablate: [{ablate}]}}",
@@ -96,6 +96,48 @@ def test_a_stuck_sensor_is_said_and_flown_without(sensor: str) -> None:
     assert said and said[0].startswith(sensor.removeprefix("gyro_")) and "taken for stuck" in said[0]
     if sensor != "alpha":  # without it gusts are sometimes taken for a weak surface
         assert not [e for e in flight.events if e["kind"] == "false_alarm"]
+
+
+@pytest.mark.parametrize("sensor", ["airspeed", "gyro", "beta"])
+def test_a_sensor_that_reads_zero_is_no_surface_that_failed(sensor: str) -> None:
+    """Nor does a law divide by an airspeed that is zero."""
+    flight = flown(sensor, kind="dropout")
+    altitude, heading, _ = worst_errors(flight, 20.0)
+    assert flight.outcome is Outcome.completed and altitude < 6.0 and heading < 15.0
+    assert not [e for e in flight.events if e["kind"] == "false_alarm"]
+
+
+def test_what_has_always_been_zero_is_not_stuck() -> None:
+    """Rates and sideslip in calm air; once they have moved, a zero that stays is none."""
+    made = records_of(SETUP)
+    _, c, k, s, _ = made
+    believed, reference = np.zeros(1, record_dtype(STATE)), setpoint(airspeed=MODEL.airspeed_m_s)
+    for p, stuck in ((0.0, 0), (1e-3, 0), (0.0, 1)):
+        for _ in range(2 * GYRO_REPEATS if p == 0.0 else 1):
+            guard(trim_state(MODEL, p=p), reference, believed[0], c, k, s)
+        assert s.stuck[GUARDED.index("p")] == stuck
+
+
+def test_an_airspeed_that_falls_to_nothing_at_once_is_not_believed() -> None:
+    made = records_of(SETUP)
+    seen(made, 0.5)
+    y, changes = seen(made, 1.0, airspeed=0.3)  # alive, so not stuck
+    assert changes == 0 and y.airspeed == pytest.approx(MODEL.airspeed_m_s, abs=0.01)
+    y, _ = seen(made, 0.01, airspeed=0.6 * MODEL.airspeed_m_s)
+    assert y.airspeed == pytest.approx(0.6 * MODEL.airspeed_m_s, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    "kind", ["indi", "l1_inversion", "imm_inversion", "rls_inversion", "mrac", "fixed_inversion"]
+)
+def test_no_law_divides_by_an_airspeed_of_zero(kind: str) -> None:
+    changes = [
+        "sensors={model: mems, faults: [{type: dropout, sensor: airspeed, at_s: 0.5, until_s: 0.52}]}",
+        f"controller={{type: {kind}}}", "failures=[]", "requirements=[]", "duration_s=2", "commands=[]",
+    ]  # fmt: skip
+    flight = fly(load_scenario(ROOT / "scenarios" / "left_tail_fail.yaml", changes))
+    assert flight.outcome is Outcome.completed
+    assert np.isfinite(flight.log.filter(regex="_command$")).all(axis=None)
 
 
 def test_with_a_stuck_vane_an_aileron_that_moves_again_is_used_again() -> None:

@@ -29,6 +29,8 @@ CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
 `threshold` would not do for an engine: its estimate takes up errors of the drag, so that of a lost one does not stay below it."""
 STEADY_M = 2.0
 """Altitude, or the altitude that missing airspeed is worth, that a level flight loses at most [m]."""
+LEAST_SPEED = 0.1
+"""V/V_0 below which no aircraft flies, so that effects can be divided by [1]."""
 TIMER_ROUNDING = 1e-9
 """Added to a time [s], so that a timer of so many control steps has not passed it by rounding."""
 
@@ -44,8 +46,9 @@ def largest(values):
 
 @compiled
 def pressure_ratio_of(y, m):
-    """(V/V_0)^2 [1], the air's density taken as constant."""
-    return (y.airspeed / m.airspeed) * (y.airspeed / m.airspeed)
+    """(V/V_0)^2 [1], the air's density taken as constant; of a pitot tube that reads nothing that of `LEAST_SPEED`."""
+    speed = max(y.airspeed / m.airspeed, LEAST_SPEED)
+    return speed * speed
 
 
 @compiled

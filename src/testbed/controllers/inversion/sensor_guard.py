@@ -1,7 +1,7 @@
 """Stuck sensors: a reading that repeats itself exactly is not believed, and what the others say takes its place.
 
-Noise and turbulence change the last digits of every reading that lives. Of a vane, the pitot tube or a gyro that has not changed
-for `REPEATS_S`, the law takes
+Noise and turbulence change the last digits of every reading that lives. Of a vane or the pitot tube that has not changed for
+`REPEATS_S`, or a gyro for `GYRO_REPEATS`, and of a pitot tube that reads next to nothing at once, the law takes
 
 * angle of attack from pitch and the path through the air, with the sink of the air as it was known last,
 * sideslip as that of the mode's trim,
@@ -26,6 +26,11 @@ from testbed.controllers.records import BETA, D_ALPHA, D_BETA, GUARDED
 
 REPEATS_S = 0.2
 """How long a reading must be the same to the last digit [s]. A 12 bit vane in calm air repeats itself for less than 0.1 s."""
+GYRO_REPEATS = 10
+"""How many control steps a gyro must read the same. Its noise is several digits, and a rate that stands still looks like a lost
+surface at once."""
+LEAST_SHARE = 0.5
+"""Airspeed is not believed where it is less than this share of what it was one step before."""
 RECALL_S = 20.0
 """Time constant with which the airspeed that is integrated goes back to its reference [s]: an accelerometer's bias of 0.03 m/s2 is
 then 0.6 m/s."""
@@ -44,7 +49,7 @@ def guard(raw, ref, y, c, k, s):
     copy(raw, y)
     changed = watch(raw, c, s)
     attitude_rates(raw, c, s)
-    if s.stuck[G_AIRSPEED]:
+    if s.stuck[G_AIRSPEED] or raw.airspeed < LEAST_SHARE * s.inertial_airspeed:
         s.inertial_airspeed += c.dt * (raw.u_dot + (ref.airspeed - s.inertial_airspeed) / RECALL_S)
         y.airspeed = s.inertial_airspeed
     else:
@@ -87,7 +92,7 @@ def watch(raw, c, s):
     for i in range(len(readings)):
         s.repeated[i] = s.repeated[i] + c.dt if readings[i] == s.last_reading[i] else 0.0
         s.last_reading[i] = readings[i]
-        stuck = 1 if s.repeated[i] > REPEATS_S and readings[i] != 0.0 else 0
+        stuck = 1 if s.repeated[i] > (REPEATS_S if i < G_P else GYRO_REPEATS * c.dt) else 0
         if stuck != s.stuck[i]:
             s.stuck[i], changed = stuck, 1
     return changed

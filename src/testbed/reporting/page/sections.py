@@ -55,7 +55,7 @@ def facts(flight: Flight) -> dict[str, str]:
     """What the chips say: aircraft, controller, air, sensors, seed."""
     scenario = flight.scenario
     air = scenario.atmosphere
-    w20 = air.turbulence_w20_m_s
+    w20 = air.most_w20_m_s
     code = {"its code": flight.flown_by_sha256[:DIGITS]} if flight.flown_by_sha256 else {}
     return {
         "aircraft": str(scenario.aircraft),

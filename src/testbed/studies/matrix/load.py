@@ -149,8 +149,8 @@ def _cases(cell: Cell, matrix: Matrix, builder: Builder) -> Iterable[dict[str, A
 def _air(weather: str, builder: Builder) -> dict[str, Any]:
     if not weather:
         return {}
-    said = {} if weather == "calm" else dict(builder.base.tree.get("atmosphere") or {})
-    said.pop("turbulence", None), said.pop("turbulence_w20_m_s", None)
+    own = {} if weather == "calm" else builder.base.tree.get("atmosphere") or {}
+    said = {key: value for key, value in own.items() if not key.startswith("turbulence")}
     if weather != "calm":
         is_word = weather.isalpha()
         said |= {"turbulence": weather} if is_word else {"turbulence_w20_m_s": float(weather)}
