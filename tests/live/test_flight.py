@@ -163,7 +163,8 @@ def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pyte
     live.fly(1)
     noisy = changed(live.session.scenario, {"duration_s": 2.0, **NOISY})
     found = []
-    for folder in ("/nowhere", long._FOLDER):  # in this order: memory that was freed is used again, and its file stays
+    for folder in (long._FOLDER, "/nowhere"):
+        old = set(files().values())  # of rows that were freed: their memory is used again
         monkeypatch.setattr(long, "_FOLDER", folder)
         flight = LiveFlight(noisy)
         for steps, act in ((700, STUCK), (900, TURN), (700, MENDED), (1700, GUST), (500, TURN)):
@@ -172,13 +173,13 @@ def test_rows_that_are_put_away_are_the_same(live: LiveFlight, monkeypatch: pyte
         parts, rows = flight.session.parts, flight.session.loop.rows
         assert parts.sensors is not None
         long_ones = (*rows, parts.weather.wind, *parts.sensors.table)
-        where = [in_a_file(each) for each in long_ones]
+        where = [file_of(each) not in {"", *old} for each in long_ones]
         told = frames.told(flight.session.so_far())  # before the log: what it left has to be there still
         assert told == frames.told(flight.session.flight())
         found.append((log(flight).tobytes(), where))
         flight.close()
     assert found[0][0] == found[1][0]
-    assert all(found[1][1]) and not any(found[0][1])
+    assert all(found[0][1]) and not any(found[1][1])
 
 
 def test_a_story_is_that_of_the_logged_rows(live: LiveFlight) -> None:
@@ -196,14 +197,20 @@ def test_a_story_is_that_of_the_logged_rows(live: LiveFlight) -> None:
     flight.close()
 
 
-def in_a_file(rows: np.ndarray) -> bool:
-    """Whether a row in the middle begins in a file that has no name any more."""
+def files() -> dict[tuple[int, int], str]:
+    """Files that have no name any more, by the addresses from which and up to which they are in memory."""
+    lines = [
+        line.split()
+        for line in Path("/proc/self/maps").read_text().splitlines()
+        if line.endswith("(deleted)")
+    ]
+    return {(int(low, 16), int(high, 16)): each[4] for each in lines for low, high in [each[0].split("-")]}
+
+
+def file_of(rows: np.ndarray) -> str:
+    """The file in which a row in the middle begins; "" if there is none."""
     at = rows[1000].ctypes.data
-    for line in Path("/proc/self/maps").read_text().splitlines():
-        first, end = (int(each, 16) for each in line.split()[0].split("-"))
-        if first <= at < end:
-            return line.endswith("(deleted)")
-    return False
+    return next((file for (low, high), file in files().items() if low <= at < high), "")
 
 
 def test_numbers_are_those_of_the_log(live: LiveFlight) -> None:
