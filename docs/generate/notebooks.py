@@ -44,6 +44,7 @@ def run(notebook: NotebookNode, folder: Path) -> None:
         "IPYTHONDIR": str(folder / "ipython"),
         "JUPYTER_DATA_DIR": str(folder / "jupyter"),  # not a kernel of the user's own
         "TMPDIR": str(folder),
+        "OPENBLAS_CORETYPE": "Haswell",  # not the kernel of this processor, which changes the last digits, and so how one is lost
     }
     where = {"metadata": {"path": str(folder)}}
     client = NotebookClient(
