@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+import pyarrow.parquet as pq
 import pytest
 import yaml
 from command_line import in_this_process
@@ -119,6 +120,11 @@ BAD: dict[str, tuple[Callable[[pd.DataFrame], pd.DataFrame], Callable[[Any], Any
         lambda m: {**m, "actuators": {**m["actuators"], "left_propeller": {"column": "thrust1", "unit": "throttle"}}},
         "thrust1",
     ),
+    "a scale of nothing": (
+        lambda t: t,
+        lambda m: {**m, "signals": {**m["signals"], "p": {**m["signals"]["p"], "scale": 0}}},
+        "is 0, so that every value would be 0",
+    ),
     "a unit of something else": (
         lambda t: t,
         lambda m: {**m, "signals": {**m["signals"], "roll": {"column": "roll", "unit": "m_s"}}},
@@ -212,6 +218,35 @@ def test_a_place_on_the_globe(tmp_path: Path, table: pd.DataFrame) -> None:
     del signals["longitude"]
     ended = in_this_process(tmp_path, *_written(tmp_path, placed, {**MAPPING, "signals": signals}))
     assert ended.returncode == 2 and "has no longitude, without which there is no replay" in ended.stderr
+
+
+def test_a_parquet_column_that_is_no_number_is_not_read(
+    tmp_path: Path, table: pd.DataFrame, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Some bytes of it may stand for gigabytes."""
+    lists = table.assign(gx=[[0] * 1000] * len(table))
+    arguments = _written(tmp_path, lists, name="log.parquet")
+    monkeypatch.setattr(pq.ParquetFile, "read", lambda *_, **__: pytest.fail("was read"))
+    ended = in_this_process(tmp_path, *arguments)
+    assert ended.returncode == 2 and "gx: has list" in ended.stderr and "expected numbers" in ended.stderr
+
+
+def test_nothing_is_known_before_a_signal_begins(tmp_path: Path, table: pd.DataFrame) -> None:
+    half = len(table) // 2
+    late = table.assign(gx=table["gx"].where(table.index >= half))
+    _written(tmp_path, late)
+    log = testbed.diagnose(tmp_path / "log.csv", "vtail", tmp_path / "map.yaml").log
+    assert np.mean(log.known) == pytest.approx(0.5, abs=0.03)
+    assert any("missing" in line for line in log.remarks)
+
+
+def test_what_never_moves_cannot_be_identified(tmp_path: Path, table: pd.DataFrame) -> None:
+    _written(tmp_path, table.assign(gx=0.0, roll=table["roll"].iloc[0]))
+    ended = in_this_process(
+        tmp_path, "identify", "vtail", "--log", "log.csv", "--columns", "map.yaml", "--out", "made.json"
+    )
+    assert ended.returncode == 2 and "nothing moves in p_dot" in ended.stderr
+    assert not (tmp_path / "made.json").exists()
 
 
 def test_a_truncated_parquet_file_is_refused(tmp_path: Path, table: pd.DataFrame) -> None:

@@ -146,6 +146,18 @@ def test_what_the_log_has_not_is_said(tmp_path: Path, log: Path, change: Any, wo
     assert "Traceback" not in ended.stderr and not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize("topic", ["right_propeller", "left_ruddervator"])
+def test_a_topic_without_a_time_is_said(tmp_path: Path, log: Path, topic: str) -> None:
+    content, format_of = log.read_bytes(), f"F{topic}:uint64_t timestamp;".encode()
+    assert content.count(format_of) == 1
+    (tmp_path / "log.ulg").write_bytes(
+        content.replace(format_of, format_of.replace(b"timestamp", b"timestamq"))
+    )
+    ended = _diagnosed(tmp_path, tmp_path / "log.ulg")
+    assert ended.returncode == 2 and "did you mean right_propeller?" not in ended.stderr
+    assert "has no timestamp" in ended.stderr or "that can be read" in ended.stderr, ended.stderr
+
+
 NO_LOGS = {
     "empty": b"",
     "cut": b"ULog\x01\x12\x35",

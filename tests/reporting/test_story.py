@@ -310,6 +310,9 @@ def test_what_is_used_on_is_said_where_nothing_was_flagged() -> None:
     assert "It took the elevon for late from 6.0 s to 7.0 s, and used it." in told(log, injection(4.0))
 
 
+BY_HAND = {"failures": [], "requirements": [], "commands": [], "controller": {"type": "adaptive_inversion"}}
+
+
 @pytest.mark.parametrize(
     ("fault", "said"),
     [
@@ -348,3 +351,35 @@ def test_what_happened_to_a_sensor_is_told(fault: dict[str, object], said: str) 
     begins, _, ends = (describe(e, flight) for e in flight.events if e["kind"] == "sensor_fault")
     assert begins == said.removeprefix("the ")
     assert ends == f"sensor {str(fault['sensor']).replace('_', ' ')}: {fault['type']} ends"
+
+
+LEFT = "left_ruddervator"
+
+
+def test_what_it_was_taken_for_is_that_of_before_it_was_mended() -> None:
+    """And what was given up meanwhile is told as long as the flight goes on."""
+    with testbed.Session("left_tail_fail.yaml", set=BY_HAND) as session:
+        session.run_to(3.0)
+        session.inject({"type": "stuck_at", "actuator": LEFT, "value": 9.0})
+        session.run_to(5.0)
+        session.order({"heading_deg": 110})
+        session.run_to(10.0)
+        session.mend(LEFT)
+        for until_s in (13.0, 30.0):
+            session.run_to(until_s)
+            text = "\n".join(story(session.flight()))
+            assert "(as held at 9.1 deg, true 9.0 deg) and gave up yaw acceleration" in text
+
+
+def test_what_is_flagged_already_was_noticed() -> None:
+    with testbed.Session("left_tail_fail.yaml", set=BY_HAND) as session:
+        session.run_to(1.0)
+        session.order({"heading_deg": 110})
+        for from_s, until_s in ((3.0, 8.0), (8.2, 24.0)):
+            session.run_to(from_s)
+            session.inject({"type": "stuck_at", "actuator": LEFT, "value": 9.0})
+            session.run_to(until_s)
+            session.mend(LEFT)
+        flight = session.flight()
+    assert flight.log[f"{LEFT}_failed"].iloc[-1] > 0.0
+    assert "not noticed" not in "\n".join(story(flight))

@@ -25,7 +25,7 @@ function start() {
   const breaker = new Breaker(find("break"), facts, link);
   const table = new Table(find("actuators"), find("sensors"), find("modes"), facts, link, (name) => breaker.open(name));
   const scene = picture(facts, past, breaker);
-  const page = { facts, past, link, scene, frames: 0, state: {} };
+  const page = { facts, past, link, scene, frames: 0, state: {}, wanted: {} };
   const ghosts = new Ghosts(find("ghosts"), facts, link, scene);
   link.listen("frame", (values) => {
     if (page.leaving) return;
@@ -100,7 +100,7 @@ function start() {
 function picture(facts, past, breaker) {
   const canvas = document.querySelector(".picture canvas");
   if (!document.createElement("canvas").getContext("webgl2")) {
-    canvas.parentElement.hidden = true;
+    for (const each of [canvas, ...document.querySelectorAll("[data-view]")]) each.hidden = true;
     return null;
   }
   const scene = new LiveScene(canvas, facts, past.now);
@@ -167,7 +167,10 @@ function controls(page) {
   const does = {
     pause: () => link.ask("pause", { on: !page.state.paused }),
     save: () => link.ask("save"),
-    restart: () => link.ask("restart"),
+    restart: () => {
+      page.wanted = {};
+      link.ask("restart");
+    },
   };
   for (const [name, act] of Object.entries(does)) document.querySelector(`[data-do=${name}]`).addEventListener("click", act);
   find("speed").addEventListener("change", (e) => {
@@ -176,12 +179,14 @@ function controls(page) {
   });
   back.addEventListener("input", () => (find("back-to").textContent = `${Number(back.value).toFixed(1)} s`));
   back.addEventListener("change", () => {
+    page.wanted = {};
     link.ask("rewind", { time_s: Number(back.value) });
     back.blur();
   });
 }
 
-function forms({ link }) {
+function forms(page) {
+  const { link } = page;
   const on = (id, act) =>
     find(id).addEventListener("submit", (e) => {
       e.preventDefault();
@@ -195,6 +200,7 @@ function forms({ link }) {
   });
   on("order", (_, inputs) => {
     const touched = inputs.filter((input) => input.dataset.touched && input.value !== "");
+    for (const { name, valueAsNumber } of touched) page.wanted[name] = { value: valueAsNumber, at: performance.now() };
     link.ask("order", { command: Object.fromEntries(touched.map((input) => [input.name, input.valueAsNumber])) });
     for (const input of inputs) delete input.dataset.touched;
   });
@@ -208,6 +214,7 @@ function keys(page) {
   const turn = { ArrowLeft: ["heading_deg", -1], ArrowRight: ["heading_deg", 1], ArrowUp: ["altitude_m", 1], ArrowDown: ["altitude_m", -1] };
   document.addEventListener("keydown", (e) => {
     if (e.target.matches("input, select, textarea") || e.ctrlKey || e.metaKey || e.altKey || !page.flies) return;
+    if (e.repeat && e.key === " ") return e.preventDefault(); // held, it is one press
     if (e.key === " " && !e.target.matches("button, summary")) page.link.ask("pause", { on: !page.state.paused });
     else if (turn[e.key]) order(page, ...turn[e.key]);
     else if ("+-".includes(e.key)) page.scene?.orbit.zoom(e.key === "+" ? 0.8 : 1.25);
@@ -218,13 +225,15 @@ function keys(page) {
 
 // Keys that follow each other add up, while what was ordered is approached.
 function order(page, name, sign) {
-  const wanted = (page.wanted ??= {});
+  const { wanted } = page;
   const present = page.past.now[name.replace(/_([^_]+|m_s)$/, "_command_$1")][1];
-  const recent = wanted[name] && performance.now() - wanted[name].at < 5000;
+  const off = Math.abs(present - wanted[name]?.value);
+  const approached = (name === "heading_deg" ? Math.min(off, 360 - off) : off) > 0.5;
+  const recent = wanted[name] && (approached || performance.now() - wanted[name].at < 5000);
   let value = (recent ? wanted[name].value : Math.round(present)) + sign * ORDERS[name];
   if (name === "heading_deg") value = (value + 360) % 360;
   wanted[name] = { value, at: performance.now() };
-  page.link.ask("order", { command: { [name]: value } });
+  page.link.ask("order", { command: { [name]: value } }).then(({ note }) => note === "done" || delete wanted[name]);
 }
 
 start();

@@ -184,6 +184,7 @@ class Pilot:
             return False
         self._watched, self._paused, self._times = woken[-3:]
         self._error, self._state, self._next_story_s, self._teller = "", {}, 0.0, None
+        self._told = {"story": [], "events": []}
         self._answer(woken.number, lambda: self._go_on(woken))
         self._publish(True, monotonic())
         return True

@@ -268,7 +268,7 @@ def _onto(
     time_s, values = before[finite], values[finite]
     last = np.clip(np.searchsorted(time_s, after + 1e-9, side="right") - 1, 0, len(time_s) - 1)
     following = np.clip(last + 1, 0, len(time_s) - 1)
-    there = (time_s[following] - time_s[last] <= _GAP_S) & (after - time_s[last] <= _GAP_S)
+    there = (time_s[following] - time_s[last] <= _GAP_S) & (np.abs(after - time_s[last]) <= _GAP_S)
     return values[last] if held else np.interp(after, time_s, values), there
 
 

@@ -21,6 +21,7 @@ from testbed.common.signals import RATES
 from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.initial_records import settings_record
 from testbed.controllers.setup import Setup
+from testbed.inputs.problems import BadInput, Problem
 from testbed.logs import output_error
 from testbed.logs.coefficients import Row, joined, rows_of
 from testbed.logs.flight_log import FlightLog
@@ -140,6 +141,9 @@ def identified(logs: Sequence[FlightLog], setups: Sequence[Setup]) -> Identified
         i: _fitted(row, used, float(c.model_error_std[i]), 1.0 / c.model_error_rate)
         for i, row in enumerate(rows) if np.any(row.rate)
     }  # fmt: skip
+    if still := [RATES[number] for number in (0, 1, 2) if number not in fits]:
+        what = f"nothing moves in {', '.join(still)}, so nothing can be identified"
+        raise BadInput([Problem(what, logs[0].name, expected="a log of manoeuvres")])
     free = {
         name: bool(known) for i in (0, 1, 2) for name, known in zip(rows[i].names, fits[i].known, strict=True)
     }

@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import Field
+from pydantic import Field, field_validator
 
 from testbed.aircraft.description import Aircraft
 from testbed.common.units import GRAVITY_M_S2, METRES_PER_SECOND_PER_KNOT
-from testbed.inputs.base import Number, Settings, Text
+from testbed.inputs.base import Number, Settings, Text, refuse
 from testbed.inputs.input_file import MEGABYTE, read_bytes
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.inputs.validation import validated
@@ -47,6 +47,13 @@ class Column(Settings):
     """Number that stands for a value of 0, such as 1500 of a servo's pulses."""
     scale: Number = 1.0
     """Value for each number beyond that; negative where the log's sign is the other one."""
+
+    @field_validator("scale")
+    @classmethod
+    def _says_something(cls, scale: float) -> float:
+        if scale == 0.0:
+            raise refuse("is 0, so that every value would be 0", "another number")
+        return scale
 
 
 class ColumnMap(Settings):
@@ -187,6 +194,8 @@ def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[st
             parquet = None
         _refuse_missing(file, names, there, source)
         if parquet is not None:
+            for name in names:
+                _refuse_words(file, name, parquet.schema_arrow.field(name).type)
             table = parquet.read(columns=names)
         else:
             options = pa.csv.ConvertOptions(include_columns=names, strings_can_be_null=True)
@@ -201,6 +210,14 @@ def _refuse_large(file: Path, rows: int, columns: int) -> None:
     if rows > MOST_ROWS or columns > _MOST_COLUMNS:
         expected = f"at most {MOST_ROWS} rows and {_MOST_COLUMNS} columns"
         raise BadInput([Problem(f"has {rows} rows and {columns} columns", str(file), expected=expected)])
+
+
+def _refuse_words(file: Path, name: str, kind: Any) -> None:
+    """Refuse a column that is no numbers; of a Parquet file before it is read, where few bytes can stand for any size of others."""
+    import pyarrow as pa
+
+    if not (pa.types.is_null(kind) or pa.types.is_integer(kind) or pa.types.is_floating(kind)):
+        raise BadInput([Problem(f"has {kind}", str(file), path=shown(name), expected="numbers")])
 
 
 def _refuse_missing(file: Path, names: list[str], there: list[str], source: Source) -> None:
@@ -224,6 +241,5 @@ def _numbers(file: Path, name: str, column: Any) -> np.ndarray:
 
     if pa.types.is_null(column.type):
         return np.full(len(column), np.nan)
-    if not (pa.types.is_integer(column.type) or pa.types.is_floating(column.type)):
-        raise BadInput([Problem(f"has {column.type}", str(file), path=shown(name), expected="numbers")])
+    _refuse_words(file, name, column.type)
     return np.asarray(column.cast(pa.float64(), safe=False).to_numpy(zero_copy_only=False), dtype=float)

@@ -44,9 +44,11 @@ def columns(file: Path, content: bytes, names: Iterable[str], time: str) -> dict
     for name, (topic, instance, field) in asked.items():
         fields = series.get((topic, instance))
         if fields is None:
-            problems.append(
-                Problem(f"has no topic {topic}, for {name}", str(file), None, "", *guess(topic, known))
-            )
+            what = f"has no topic {topic}{' that can be read' if topic in known else ''}"
+            near = ("", "") if topic in known else guess(topic, known)
+            problems.append(Problem(f"{what}, for {name}", str(file), None, "", *near))
+        elif TIME not in fields:
+            problems.append(Problem(f"{topic} has no {TIME}, for {name}", str(file)))
         elif field not in fields:
             what = f"has no field {field} of {topic}, for {name}"
             problems.append(Problem(what, str(file), None, "", *guess(field, fields)))

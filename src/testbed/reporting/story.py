@@ -80,8 +80,10 @@ def _held_for(flight: Flight, said: Mapping[str, Any]) -> str:
             log[f"{name}_belief"][rows:] == Belief.reversed if f"{name}_belief" in flight.columns else False
         )
         so &= ((log[f"{name}_failed"][rows:] > 0.0) & ~used) == (name in names)
-    lasted_s = np.count_nonzero(so) * row_spacing_s(log["time_s"])
-    return f", for {lasted_s:.1f} s" if 0.0 < lasted_s < DWELL_S and not so[-1] else ""
+    begins = int(np.argmax(so))
+    ends = np.flatnonzero(~so[begins:])
+    lasted_s = float(ends[0]) * row_spacing_s(log["time_s"]) if so.any() and len(ends) else 0.0
+    return f", for {lasted_s:.1f} s" if 0.0 < lasted_s < DWELL_S else ""
 
 
 def _failures(flight: Flight) -> Iterator[str]:
@@ -174,10 +176,16 @@ def _delay(view: Readings, notice: Mapping[str, Any]) -> str:
 
 def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
     """What the controller took a noticed actuator for, at first and at last before the next failure."""
+    name = notice["actuator"]
+    mended_s = [
+        f.until_s for f in failures_of(view.events) if f.actuator == name and f.from_s <= notice["time_s"]
+    ]
+    end_s = min(end_s, max((t for t in mended_s if t > notice["time_s"]), default=end_s))
+    end = view.row_at(end_s)
     own = [
         b
-        for b in beliefs(view.log, [notice["actuator"]])
-        if notice["time_s"] <= b["until_s"] and b["time_s"] < end_s and b["belief"] != "works"
+        for b in beliefs({key: values[:end] for key, values in _of(view, name).items()}, [name])
+        if notice["time_s"] <= b["until_s"] and b["belief"] != "works"
     ]
     own = [b for b in own if b["until_s"] - b["time_s"] >= _BRIEF_S or b is own[-1]]
     if not own:
@@ -187,6 +195,15 @@ def _taken_for(view: Readings, notice: Mapping[str, Any], end_s: float) -> str:
     if first["belief"] == last["belief"]:
         return f" (as {said})"
     return f" (as {believed(first | {'position': math.nan}, view.actuators)}, from {last['time_s']:.1f} s on as {said})"
+
+
+def _of(view: Readings, name: str) -> dict[str, np.ndarray]:
+    """The columns that say what the controller took an actuator for."""
+    return {
+        key: view.log[key]
+        for key in ("time_s", f"{name}_belief", f"{name}_believed_position")
+        if key in view.log
+    }
 
 
 def _truly_at(view: Readings, belief: Mapping[str, Any]) -> str:
@@ -237,6 +254,8 @@ def _released(view: Readings, flag: Mapping[str, Any]) -> list[str]:
     flags = [e["time_s"] for e in view.events if e["kind"] in ("detection", "false_alarm")]
     until = min((t for t in flags if t > flag["time_s"]), default=math.inf)
     first, end = view.row_at(flag["time_s"]), view.row_at(until)
+    fell = np.flatnonzero(~(view.log[f"{flag['actuator']}_failed"][first:end] > 0.0))
+    end = first + int(fell[0]) if len(fell) and fell[0] > 0 else end
     return [
         e["axis"]
         for e in view.events
@@ -329,7 +348,10 @@ def _end(flight: Flight) -> Iterator[str]:
     if not last:
         yield _not_recovered(flight, times[-1])
         return
-    unseen = not any(time >= times[-1] for time in noticed_s(flight))
+    latest = [f for f in failures_of(flight.events) if f.from_s == times[-1]]
+    unseen = not any(time >= times[-1] for time in noticed_s(flight)) and len(
+        unnoticed(flight.signals, latest)
+    ) == len(latest)
     if last[0]["after_s"] > 0.0:
         after = f"{last[0]['after_s']:.1f} s after the failure{', which it did not notice' if unseen else ''}"
         yield f"Recovered {after}: within {limits} from then on."
