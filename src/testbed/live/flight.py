@@ -95,7 +95,7 @@ class LiveFlight:
 
     def step_at(self, time_s: float) -> int:
         """The control step up to which has been flown, once the flight has gone back to a time [s]."""
-        return min(max(first_step_at(time_s, self.rate_hz), 1), self.session.loop.done)
+        return min(max(first_step_at(min(time_s, LONGEST_S), self.rate_hz), 1), self.session.loop.done)
 
     def rewind(self, time_s: float, go_on: GoOn = lambda: True) -> None:
         """Go back: fly again from the beginning, with what was done by hand before that time. If given up, all stays as it was."""

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, StrictBool, TypeAdapter, ValidationError
 
-from testbed.inputs.base import Number, Settings, Text, Whole
+from testbed.inputs.base import NonNegative, Number, Settings, Text, Whole
 from testbed.inputs.problems import BadInput, Problem
 
 MOST_BYTES = 4096
@@ -74,7 +74,7 @@ class Rewind(_Message):
     """Go back to this time [s]: what was done by hand from then on is gone."""
 
     do: Literal["rewind"]
-    time_s: Annotated[Number, Field(ge=0.0, le=86400.0)]
+    time_s: NonNegative
 
 
 class Restart(_Message):
