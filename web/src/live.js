@@ -205,7 +205,7 @@ function forms(page) {
     for (const input of inputs) delete input.dataset.touched;
   });
   on("wind", (wind_m_s) => link.ask("blow", { air: { wind_m_s, duration_s: 2 } }));
-  on("turbulence", ([turbulence_w20_m_s]) => link.ask("blow", { air: { turbulence_w20_m_s } }));
+  on("turbulence", ([w20_m_s]) => link.ask("blow", { air: { w20_m_s } }));
   on("gust", ([u, v, w, duration_s, hold_s]) => link.ask("blow", { air: { magnitude_m_s: [u, v, w], duration_s, hold_s } }));
 }
 

@@ -13,12 +13,10 @@ from testbed.controllers.setup import Setup
 from testbed.inputs import yaml_source
 from testbed.inputs.problems import BadInput, Problem, guess
 from testbed.live.flight import LiveFlight
+from testbed.live.messages import AS_GIVEN
 from testbed.scenario.load import changed, load_scenario, scenario_from
 from testbed.scenario.model import Scenario
 from testbed.sensors.settings import PRESETS
-
-AS_GIVEN = "as given"
-"""The controller or the sensors that the command or the scenario names."""
 
 
 class Choices:

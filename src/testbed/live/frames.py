@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Container, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import BaseModel
 
 from testbed.common.signals import RATES, Belief
 from testbed.failures import TABLE as FAILURES
@@ -121,40 +123,30 @@ def _failures(kind: str) -> list[dict[str, Any]]:
     for name, failure in FAILURES.items():
         if kind not in failure.kinds or "actuator" not in failure.model_fields or name == "property":
             continue
-        schema = failure.model_json_schema()
-        about = str(schema.get("description", "")).partition("\n")[0].replace("`", "")
-        settings = {key: value for key, value in schema["properties"].items() if key not in base}
         example = failure.examples.get("motor" if kind == "engine" else kind, {})
-        found.append({"type": name, "about": about, "settings": settings, "example": dict(example)})
+        found.append(_offer(name, failure, base, example))
     return found
 
 
 def _sensor(name: str) -> dict[str, Any]:
     """The types of fault that a sensor can have, as those of an actuator."""
-    units = {value_name(fault.key, of): of for fault in FAULTS.values() if fault.key for of in SI}
-    own = CHANNELS[channels_of(name)[0]].unit
-    found = []
+    own, found = CHANNELS[channels_of(name)[0]].unit, []
     for kind, fault in FAULTS.items():
-        schema = fault.model_json_schema()
-        keys = [
-            key
-            for key in schema["properties"]
-            if key not in SensorFault.model_fields and units.get(key, own) == own
-        ]
-        example = (
-            {value_name(fault.key, own): _SIZES[own] * _SHARE.get(kind, 1.0)}
-            if fault.needs_value and fault.key
-            else {}
-        )
-        found.append(
-            {
-                "type": kind,
-                "about": str(schema.get("description", "")).partition("\n")[0].replace("`", ""),
-                "settings": {key: schema["properties"][key] for key in keys},
-                "example": example,
-            }
-        )
+        values = {unit: value_name(fault.key, unit) for unit in SI} if fault.key else {}
+        others = {key for unit, key in values.items() if unit != own}
+        suggested = {values[own]: _SIZES[own] * _SHARE.get(kind, 1.0)} if values and fault.needs_value else {}
+        found.append(_offer(kind, fault, others.union(SensorFault.model_fields), suggested))
     return {"title": title(name), "failures": found}
+
+
+def _offer(
+    name: str, part: type[BaseModel], leave: Container[str], example: Mapping[str, Any]
+) -> dict[str, Any]:
+    """A type of failure or fault, with its settings but for some as a JSON schema."""
+    schema = part.model_json_schema()
+    about = str(schema.get("description", "")).partition("\n")[0].replace("`", "")
+    settings = {key: value for key, value in schema["properties"].items() if key not in leave}
+    return {"type": name, "about": about, "settings": settings, "example": dict(example)}
 
 
 def _limits(scenario: Scenario) -> dict[str, float]:

@@ -97,10 +97,8 @@ class LongSession(Session):
         if parts.sensors is not None:
             drawn = (ERROR, OFFSET, FAULT) if parts.sensors.settings.faults else (ERROR,)
             for layer in (*drawn, SENSED, READING):
-                yield (
-                    parts.sensors.table[layer],
-                    (loop.steps, parts.sensors.settings.faults) if layer in drawn else None,
-                )
+                ahead = (loop.steps, parts.sensors.settings.faults if layer != ERROR else ())
+                yield parts.sensors.table[layer], ahead if layer in drawn else None
 
 
 def _map(rows: np.ndarray, first: int, end: int, file: int) -> None:

@@ -14,6 +14,8 @@ from testbed.inputs.problems import BadInput, Problem
 
 MOST_BYTES = 4096
 """Longest message of a page."""
+AS_GIVEN = "as given"
+"""The controller or the sensors that the command or the scenario names."""
 _MOST_SAID = 3  # problems that are named
 
 
@@ -97,7 +99,7 @@ class Choose(_Message):
     do: Literal["choose"]
     flight: Text
     controller: Text
-    sensors: Text = "as given"
+    sensors: Text = AS_GIVEN
 
 
 Act = Break | Mend | Order | Blow

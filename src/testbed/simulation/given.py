@@ -22,8 +22,6 @@ from testbed.sensors.faults import TABLE as FAULTS
 from testbed.sensors.faults import SensorFault
 from testbed.simulation.assembly import Assembly
 
-_W20 = "turbulence_w20_m_s"
-
 
 def failure_of(given: Failure | Mapping[str, Any], parts: Assembly, recorded: Recorded) -> Failure:
     """The failure, which starts in the next control step unless it says when; raises BadInput.
@@ -84,7 +82,7 @@ def command_of(given: Command | Mapping[str, Any], parts: Assembly, step: int) -
 
 
 def gust_of(
-    given: BaseModel | Mapping[str, Any],
+    given: Gust | WindChange | Mapping[str, Any],
     parts: Assembly,
     step: int,
     wind_m_s: Vector,
@@ -103,24 +101,19 @@ def gust_of(
 
 
 def turbulence_of(
-    given: BaseModel | Mapping[str, Any], parts: Assembly, step: int
-) -> TurbulenceChange | None:
-    """The change of turbulence, from control step `step` on unless it says when; None for other air. Raises BadInput."""
-    tree, model = _tree(given), parts.scenario.atmosphere.model
-    if isinstance(given, TurbulenceChange):
-        tree = {_W20: tree.pop("w20_m_s"), **tree}
-    if not isinstance(tree, dict) or _W20 not in tree:
-        return None
+    given: TurbulenceChange | Mapping[str, Any], parts: Assembly, step: int
+) -> TurbulenceChange:
+    """The change of turbulence, from control step `step` on unless it says when; raises BadInput."""
 
     def fits(change: TurbulenceChange, path: TreePath) -> Iterator[Issue]:
         yield from _times(change, parts, step, path)
-        if model != "jsbsim":
-            yield Issue(
-                path, f"{model} turbulence does not change in flight", "a scenario with model: jsbsim"
-            )
+        if (model := parts.scenario.atmosphere.model) != "jsbsim":
+            what = f"{model} turbulence does not change in flight"
+            yield Issue(path, what, "a scenario with model: jsbsim")
 
-    named = {("w20_m_s" if key == _W20 else key): value for key, value in tree.items()}
-    change: TurbulenceChange = _valid("turbulence", TurbulenceChange, "blow", named, _now(parts, step), fits)
+    change: TurbulenceChange = _valid(
+        "turbulence", TurbulenceChange, "blow", _tree(given), _now(parts, step), fits
+    )
     return change
 
 

@@ -184,9 +184,11 @@ class Session:
         self._refuse_over()
         known = self.parts.aircraft.actuators
         if isinstance(actuator, str) and actuator not in known and channels_of(actuator):
-            self._fault(
-                without_faults(self._planned.sensors.faults, actuator, self.loop.done, self._planned.rate_hz)
-            )
+            faults = self._planned.sensors.faults
+            left = without_faults(faults, actuator, self.loop.done, self._planned.rate_hz)
+            if left == faults:
+                raise _refused("mend", f"{actuator} has no fault now")
+            self._fault(left)
             return
         if not isinstance(actuator, str) or actuator not in known:
             raise _refused("mend", f"there is no actuator {actuator!r}", *guess(actuator, known))
@@ -228,12 +230,12 @@ class Session:
 
         Args:
             air: {magnitude_m_s, duration_s or length_m, frame, hold_s}; or {wind_m_s, duration_s}: the wind in place of that so
-                far, reached within that time, by default 1 s, and saved as a gust that lasts; or {turbulence_w20_m_s}: the
-                intensity of JSBSim's turbulence in place of that so far, saved as one of `turbulence_changes`.
+                far, reached within that time, by default 1 s, and saved as a gust that lasts; or {w20_m_s}: the intensity of
+                JSBSim's turbulence in place of that so far, as `turbulence_changes` of a scenario has it.
         """
         self._refuse_over()
-        if (change := turbulence_of(air, self.parts, self.loop.done)) is not None:
-            self.parts.weather.change(change)
+        if isinstance(air, TurbulenceChange) or (isinstance(air, Mapping) and "w20_m_s" in air):
+            self.parts.weather.change(turbulence_of(air, self.parts, self.loop.done))
             return
         gust, self._wind_m_s = gust_of(air, self.parts, self.loop.done, self._wind_m_s)
         self.parts.weather.add(gust)
