@@ -383,3 +383,13 @@ def test_what_is_flagged_already_was_noticed() -> None:
         flight = session.flight()
     assert flight.log[f"{LEFT}_failed"].iloc[-1] > 0.0
     assert "not noticed" not in "\n".join(story(flight))
+
+
+def test_failures_and_faults_are_told_in_order_of_time() -> None:
+    bias = {"type": "bias", "sensor": "beta", "value_deg": 1, "at_s": 0.5}
+    weak = {"type": "effectiveness", "actuator": LEFT, "value": 0.5, "at_s": 0.7}
+    changes = {**BY_HAND, "duration_s": 1, "failures": [weak], "sensors.faults": [bias]}
+    first = story(testbed.fly("left_tail_fail.yaml", set=changes))[0]
+    assert first.startswith(
+        "At 0.5 s the sensor beta was off by 1 deg. At 0.7 s the left ruddervator kept 50 %"
+    )

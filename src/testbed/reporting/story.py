@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from testbed.common.signals import Belief
-from testbed.flight.breakage import broken, failure_times_s, failures_of
+from testbed.flight.breakage import ActiveFailure, broken, failure_times_s, failures_of
 from testbed.flight.columns import beliefs, row_at, row_spacing_s, stays_from
 from testbed.flight.flight import Flight, Outcome
 from testbed.flight.loss import LIMITS
@@ -87,31 +87,41 @@ def _held_for(flight: Flight, said: Mapping[str, Any]) -> str:
 
 
 def _failures(flight: Flight) -> Iterator[str]:
+    """What was broken, actuators and sensors, in order of time."""
     failures = failures_of(flight.events)
     faults = [e for e in flight.events if e["kind"] == "sensor_fault" and e["active"]]
     if not failures:
         yield "No actuator was broken." if faults else "Nothing was broken."
-    for failure in failures[:_MOST]:
-        late = " This had no effect on the aircraft." if failure.verified is False else ""
-        until = f", until {failure.until_s:.1f} s" if math.isfinite(failure.until_s) else ""
-        yield f"At {failure.from_s:.1f} s {broke(flight, failure.number)}{until}.{late}"
+    told = [(each.from_s, _failure(flight, each)) for each in failures[:_MOST]]
+    told += [(event["time_s"], _fault(flight, event)) for event in faults[:_MOST]]
+    yield from (sentence for _, sentence in sorted(told, key=lambda each: each[0]))
     if more := failures[_MOST:]:
         said = "failure followed," if len(more) == 1 else "failures followed, the last"
         yield f"{len(more)} more {said} at {more[-1].from_s:.1f} s."
-    yield from _faults(flight, faults)
+    if more_faults := faults[_MOST:]:
+        said = (
+            "fault of a sensor followed," if len(more_faults) == 1 else "faults of sensors followed, the last"
+        )
+        yield f"{len(more_faults)} more {said} at {more_faults[-1]['time_s']:.1f} s."
 
 
-def _faults(flight: Flight, begun: Sequence[Mapping[str, Any]]) -> Iterator[str]:
-    """What happened to sensors, told as failures are."""
-    for event in begun[:_MOST]:
-        fault = flight.scenario.sensors.faults[event["fault"]]
-        late = "" if event["verified"] else " This changed no reading."
-        until_s = math.inf if fault.until_s is None else fault.until_s
-        until = f", until {until_s:.1f} s" if until_s < flight.end_time_s else ""
-        yield f"At {event['time_s']:.1f} s the sensor {title(fault.sensor)} {fault.words()}{until}.{late}"
-    if more := begun[_MOST:]:
-        said = "fault of a sensor followed," if len(more) == 1 else "faults of sensors followed, the last"
-        yield f"{len(more)} more {said} at {more[-1]['time_s']:.1f} s."
+def _failure(flight: Flight, failure: ActiveFailure) -> str:
+    late = " This had no effect on the aircraft." if failure.verified is False else ""
+    return (
+        f"At {failure.from_s:.1f} s {broke(flight, failure.number)}{_until(failure.until_s, math.inf)}.{late}"
+    )
+
+
+def _fault(flight: Flight, begun: Mapping[str, Any]) -> str:
+    fault = flight.scenario.sensors.faults[begun["fault"]]
+    late = "" if begun["verified"] else " This changed no reading."
+    until = "" if fault.until_s is None else _until(fault.until_s, flight.end_time_s)
+    return f"At {begun['time_s']:.1f} s the sensor {title(fault.sensor)} {fault.words()}{until}.{late}"
+
+
+def _until(until_s: float, end_s: float) -> str:
+    """When something ended, if it was before an end [s]."""
+    return f", until {until_s:.1f} s" if until_s < end_s else ""
 
 
 def stretches_of(view: Readings) -> list[Stretch]:
