@@ -125,6 +125,16 @@ BAD: dict[str, tuple[Callable[[pd.DataFrame], pd.DataFrame], Callable[[Any], Any
         lambda m: {**m, "signals": {**m["signals"], "p": {**m["signals"]["p"], "scale": 0}}},
         "is 0, so that every value would be 0",
     ),
+    "pulses as degrees": (
+        lambda t: t,
+        lambda m: {**m, "actuators": {**m["actuators"], "left_ruddervator": {"column": "pwm1", "unit": "deg"}}},
+        "deg, expected about -25.8 to 25.8; see zero and scale",
+    ),
+    "one second of airspeed": (
+        lambda t: t.assign(tas=t["tas"].where(t.index < 100)),
+        lambda m: m,
+        "has all that is needed for 1 s, expected at least 10 s of flight",
+    ),
     "a unit of something else": (
         lambda t: t,
         lambda m: {**m, "signals": {**m["signals"], "roll": {"column": "roll", "unit": "m_s"}}},
@@ -265,7 +275,7 @@ def test_a_file_needs_a_model_and_a_mapping(tmp_path: Path, table: pd.DataFrame)
 
 BEYOND: dict[str, tuple[dict[str, Any], str]] = {
     "thrust of 1e308 N": ({"thrust1": 1e308}, "left_propeller: is up to 1e[+]308 in SI"),
-    "servo of 1e308 deg": ({"pwm1": 1e308}, "left_ruddervator: is up to"),
+    "servo of 1e308 deg": ({"pwm1": 1e308}, "pwm1: goes from 1e\\+307 to"),
     "infinite in some rows": ({"gx": lambda t: t["gx"].where(t.index % 3 > 0, np.inf)}, "gx: is up to inf"),
     "no airspeed": ({"tas": 0.0}, "tas: is never above 1 m/s"),
     "airspeed of the other sign": ({"tas": -30.0}, "tas: is never above 1 m/s"),

@@ -39,7 +39,7 @@ COMMAND = Command(
     _arguments,
     _run,
     (
-        "testbed diagnose runs/left-tail-fail",
+        "testbed diagnose runs/left-tail-failure",
         "testbed diagnose flight.csv --model ./my_aircraft --columns columns.yaml --out diagnosis",
     ),
 )

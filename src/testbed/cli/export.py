@@ -47,7 +47,7 @@ COMMAND = Command(
     _arguments,
     _run,
     (
-        "testbed export runs/left-tail-fail --to kml",
-        "testbed export runs/left-tail-fail --to mat --out flight.mat",
+        "testbed export runs/left-tail-failure --to kml",
+        "testbed export runs/left-tail-failure --to mat --out flight.mat",
     ),
 )

@@ -1,4 +1,4 @@
-"""`testbed report`: figures and report of a run, sweep or search folder again, without flying."""
+"""`testbed report`: figures and report of the folder of a run or a study again, without flying."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from testbed.inputs.problems import BadInput, Problem
 
 
 def _arguments(command: ArgumentParser) -> None:
-    what = "run, sweep or search folder, or one run of a sweep whose log was kept: SWEEP/17"
+    what = "folder of a run or a study, or one run of a sweep whose log was kept: SWEEP/17"
     command.add_argument("folder", type=Path, help=what)
 
 
@@ -30,8 +30,8 @@ def _run(options: Namespace) -> int:
 
 
 COMMAND = Command(
-    "rebuild figures and report of a run, sweep or search folder",
+    "rebuild figures and report of the folder of a run or a study",
     _arguments,
     _run,
-    ("testbed report runs/left-tail-fail", "testbed report runs/my-sweep/17"),
+    ("testbed report runs/left-tail-failure", "testbed report runs/my-sweep/17"),
 )

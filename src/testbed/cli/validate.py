@@ -55,7 +55,7 @@ def valid(file: str) -> object:
 
 
 COMMAND = Command(
-    "check scenarios, sweeps and searches without flying",
+    "check scenarios, studies and suites without flying",
     _arguments,
     _run,
     ("testbed validate my_scenario.yaml my_sweep.yaml",),

@@ -159,14 +159,15 @@ def flown(log: FlightLog, least_m_s: float, aircraft: str) -> FlightLog:
     Raises BadInput if less than LEAST_S are flown.
     """
     slow = log.known & ~(log.states[:, STATE.index("airspeed")] >= least_m_s)
+    known = log.known & ~slow
+    if (known_s := np.sum(known) * log.step_s) < LEAST_S:
+        airspeed = f"is above {least_m_s:g} m/s, the least airspeed of {aircraft}, for {known_s:.0f} s"
+        what, path = (
+            (airspeed, "airspeed") if np.any(slow) else (f"has all that is needed for {known_s:.0f} s", "")
+        )
+        raise BadInput([Problem(what, log.name, path=path, expected=f"at least {LEAST_S:g} s of flight")])
     if not np.any(slow):
         return log
-    known = log.known & ~slow
-    if np.sum(known) * log.step_s < LEAST_S:
-        what = f"is above {least_m_s:g} m/s, the least airspeed of {aircraft}, for {np.sum(known) * log.step_s:.0f} s"
-        raise BadInput(
-            [Problem(what, log.name, path="airspeed", expected=f"at least {LEAST_S:g} s of flight")]
-        )
     said = f"In {100 * np.mean(slow):.1f} % of the time the airspeed is below {least_m_s:g} m/s; nothing is said there."
     return replace(log, known=known, remarks=(*log.remarks, said))
 

@@ -33,6 +33,8 @@ _UNITS: dict[str, float] = {
 _KINDS = {"time": ("s", "ms", "us"), "p": ("rad_s", "deg_s"), "q": ("rad_s", "deg_s"), "r": ("rad_s", "deg_s"),
           "airspeed": ("m_s", "kt"), "north": ("m",), "east": ("m",), "altitude": ("m",),
           "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
+_BEYOND = 3.0
+"""What is usually farther than this from 0, in units of a surface's limits, is no command of it."""
 _ANGLES, _SERVO, _ENGINE = ("rad", "deg"), ("rad", "deg"), ("throttle", "percent", "N")
 
 
@@ -138,7 +140,7 @@ def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
                     )
                 ]
             )
-        commands[name] = _throttle(file, mapping.actuators[name], each)
+        commands[name] = _command(file, mapping.actuators[name], each, aircraft.actuators[name].limits)
     positions = np.array([mapping.actuators[name].unit == "N" for name in names])
     signals = {name: values[name] for name in mapping.signals}
     log = even(
@@ -147,17 +149,27 @@ def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
     return flown(log, aircraft.envelope.airspeed_min_m_s or 0.0, aircraft.name)
 
 
-def _throttle(file: Path, column: Column, values: np.ndarray) -> np.ndarray:
-    """A command; as a throttle from 0 to 1, where what is below is an output that is switched off, as before arming."""
-    if column.unit not in ("throttle", "percent"):
-        return values
+def _command(file: Path, column: Column, values: np.ndarray, limits: tuple[float, float]) -> np.ndarray:
+    """A command of an actuator with these limits [deg or throttle]; as a throttle from 0 to 1, where what is below is an output
+    that is switched off, as before arming. Raises BadInput for what is none, such as a servo's pulses in degrees."""
     low, high = np.nanmin(values), np.nanmax(values)
-    if high > 1.05 or (low < -0.05 and high < 0.05):
-        what = f"goes from {low:.3g} to {high:.3g} as a throttle"
-        raise BadInput(
-            [Problem(what, str(file), path=shown(column.column), expected="0 to 1; see zero and scale")]
+    if column.unit in _ANGLES:
+        most = max(map(abs, limits))
+        if np.nanmedian(np.abs(values)) <= _BEYOND * most * _DEG:
+            return values
+        what, expected = (
+            f"goes from {low / _DEG:.4g} to {high / _DEG:.4g} deg",
+            f"about -{most:g} to {most:g}",
         )
-    return np.maximum(values, 0.0)
+    elif column.unit == "N":
+        return values
+    elif high > 1.05 or (low < -0.05 and high < 0.05):
+        what, expected = f"goes from {low:.3g} to {high:.3g} as a throttle", "0 to 1"
+    else:
+        return np.maximum(values, 0.0)
+    raise BadInput(
+        [Problem(what, str(file), path=shown(column.column), expected=f"{expected}; see zero and scale")]
+    )
 
 
 def _value(columns: Mapping[str, np.ndarray], column: Column) -> np.ndarray:

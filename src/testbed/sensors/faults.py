@@ -134,7 +134,10 @@ class Stuck(SensorFault):
 
 
 class Dropout(SensorFault):
-    """Samples are lost, each with probability `fraction` (default 1: all); in their place zero or the last reading is given."""
+    """Samples are lost, each with probability `fraction` (default 1: all).
+
+    In their place `reads` is given: `zero` (default) or the `last` reading.
+    """
 
     replaces = True
     type: Literal["dropout"] = "dropout"

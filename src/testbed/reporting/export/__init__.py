@@ -40,7 +40,7 @@ TABLE: dict[str, Format] = {
         "PlotJuggler and pyulog, as PX4's: sensors and truth, a topic for each actuator, events",
         (*_POSE, "p_deg_s", "q_deg_s", "r_deg_s", "alpha_deg", "beta_deg", "airspeed_m_s", "climb_rate_m_s"),
     ),
-    "mat": Format(".mat", "MATLAB and Octave: structs log, units and summary, and events", ("time_s",)),
+    "mat": Format(".mat", "MATLAB and Octave: structs log, units and flight, and events", ("time_s",)),
 }
 """By the name on the command line, which is also the name of the module here that writes it."""
 
