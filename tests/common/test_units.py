@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from testbed.common.units import unit
+from testbed.common.units import unit, worded
 
 
 @pytest.mark.parametrize(
@@ -15,7 +15,20 @@ from testbed.common.units import unit
         ("u_dot_desired_m_s2", "m/s^2"),
         ("failures.0.at_s", "s"),
         ("survived", ""),
+        ("noise_deg_s_rthz", "deg/s/sqrt(Hz)"),
     ],
 )
 def test_unit(column: str, expected: str) -> None:
     assert unit(column) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("value_deg_s", "value [deg/s]"),
+        ("noise_m_rthz", "noise [m/sqrt(Hz)]"),
+        ("natural_frequency", "natural frequency"),
+    ],
+)
+def test_words(name: str, words: str) -> None:
+    assert worded(name) == words

@@ -19,7 +19,7 @@ def made() -> Choices:
 
 
 def test_the_first_is_what_was_given() -> None:
-    first = made().first()
+    first = made().flight(**made().given)
     assert first.session.scenario.name == load_scenario(FILE).name and first.own == "mine.py:Mine"
     first.close()
 

@@ -235,6 +235,7 @@ def test_faults_of_sensors_are_those_that_fit(live: LiveFlight) -> None:
     for name, sensor in offers.items():
         for offered in sensor["failures"]:
             values = [key for key in offered["settings"] if key.startswith(("value", "rate", "noise"))]
+            assert all(offered["settings"][value]["title"].endswith("]") for value in values)
             assert len(values) == (offered["type"] != "dropout") and set(offered["example"]) <= set(values)
             fault = {"type": offered["type"], "sensor": name, **offered["example"]}
             flight.do(Break(id=1, do="break", failure=fault))

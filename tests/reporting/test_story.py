@@ -103,6 +103,12 @@ def test_drift_of_what_did_not_settle() -> None:
     assert "Not recovered: it did not stay within 15 deg of heading." in text
 
 
+def test_an_error_that_swings_does_not_drift() -> None:
+    log = lost(2.0)
+    log["altitude_m"] = log["altitude_m"] + 9.0 * np.sin(8.0 * log["time_s"])
+    assert "at the end, swinging over 18.0 m." in told(log, injection(2.0))
+
+
 def test_a_failure_shortly_before_the_end_is_not_called_unrecovered() -> None:
     held = "So far it held: altitude stayed within 5 m and heading within 15 deg of their references"
     assert f"{held}, but less than 5 s were flown after the failure." in told(lost(7.0), injection(7.0))
@@ -235,6 +241,9 @@ def test_which_of_the_failures_of_an_actuator_was_noticed_is_said() -> None:
     assert "noticed the elevon 0.50 s after its loss at 3.8 s" in told(
         lost(3.8), first, second, notice | {"delay_s": 0.5}
     )
+    again = notice | {"time_s": 6.0, "delay_s": 2.0}
+    text = told(lost(4.0), first, second, notice, injection(5.0, "fan", "prop_loss"), again)
+    assert "noticed the elevon 0.30 s after" in text and "flagged the elevon again at 6.0 s." in text
     for other in (injection(2.0, "fan", "prop_loss"), injection(5.0)):
         assert "noticed the elevon after 0.30 s" in told(lost(4.0), other, second, notice)
 

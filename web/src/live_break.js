@@ -49,7 +49,7 @@ export class Breaker {
 function field(name, schema, value) {
   const [kind] = (schema.anyOf ?? [schema]).filter(({ type }) => type !== "null");
   const optional = schema.anyOf !== undefined;
-  const label = made("label", { textContent: name.replaceAll("_", " ") });
+  const label = made("label", { textContent: schema.title });
   let input;
   if (kind.enum) {
     input = made("select");

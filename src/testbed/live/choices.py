@@ -43,9 +43,10 @@ class Choices:
             "sensors": [AS_GIVEN, *PRESETS],
         }
 
-    def first(self) -> LiveFlight:
-        """What the command gave; raises BadInput."""
-        return self.flight(self._file, AS_GIVEN)
+    @property
+    def given(self) -> dict[str, str]:
+        """What the command gave, as `flight` takes it."""
+        return {"flight": self._file, "controller": AS_GIVEN, "sensors": AS_GIVEN}
 
     def flight(self, flight: str, controller: str, sensors: str = AS_GIVEN) -> LiveFlight:
         """A new flight of a scenario or an aircraft by a controller with sensors, each one of `names`; raises BadInput."""

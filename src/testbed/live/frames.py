@@ -10,6 +10,7 @@ import numpy as np
 from pydantic import BaseModel
 
 from testbed.common.signals import RATES, Belief
+from testbed.common.units import worded
 from testbed.failures import TABLE as FAILURES
 from testbed.failures import Failure
 from testbed.flight.breakage import failures_of, response
@@ -145,7 +146,11 @@ def _offer(
     """A type of failure or fault, with its settings but for some as a JSON schema."""
     schema = part.model_json_schema()
     about = str(schema.get("description", "")).partition("\n")[0].replace("`", "")
-    settings = {key: value for key, value in schema["properties"].items() if key not in leave}
+    settings = {
+        key: {**about, "title": worded(key)}
+        for key, about in schema["properties"].items()
+        if key not in leave
+    }
     return {"type": name, "about": about, "settings": settings, "example": dict(example)}
 
 

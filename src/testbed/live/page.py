@@ -30,7 +30,7 @@ def page(facts: Mapping[str, Any], address: str) -> str:
     parts = [
         tag("h1", f"{facts['name']}, live"),
         tag("ul", _chips(facts), class_="chips"),
-        _choice(facts["choices"]),
+        _choice(facts["choices"], facts["chosen"]),
         tag("p", "connecting", id="status", role="status"),
         tag("div", [_flight(), _beside(not facts["sensors"])], class_="live"),
         html.panels(panels),
@@ -44,16 +44,16 @@ def _chips(facts: Mapping[str, Any]) -> list[Html]:
     return [tag("li", tag("b", what), facts[what]) for what in ("aircraft", "controller")]
 
 
-def _choice(names: Mapping[str, list[str]]) -> Html:
-    """What can be flown in place of this, and what can fly beside it."""
+def _choice(names: Mapping[str, list[str]], chosen: Mapping[str, str]) -> Html:
+    """What can be flown in place of what is chosen, and what can fly beside it."""
     groups = [
-        tag("optgroup", _options(names[kind]), label=label)
+        tag("optgroup", _options(names[kind], chosen["flight"]), label=label)
         for kind, label in (("scenarios", "scenario"), ("aircraft", "level flight of"))
     ]
     choose = tag(
         "form", tag("label", "flight", tag("select", groups, name="flight")),
-        tag("label", "controller", tag("select", _options(names["controllers"]), name="controller")),
-        tag("label", "sensors", tag("select", _options(names["sensors"]), name="sensors")),
+        tag("label", "controller", _chosen("controller", names["controllers"], chosen)),
+        tag("label", "sensors", _chosen("sensors", names["sensors"], chosen)),
         _button("Fly this", kind="submit"), id="choose",
     )  # fmt: skip
     boxes = [
@@ -69,8 +69,12 @@ def _choice(names: Mapping[str, list[str]]) -> Html:
     return tag("details", tag("summary", "Choose what flies"), choose, beside, class_="choose")
 
 
-def _options(names: Iterable[str]) -> list[Html]:
-    return [tag("option", name, value=name) for name in names]
+def _chosen(what: str, names: Iterable[str], chosen: Mapping[str, str]) -> Html:
+    return tag("select", _options(names, chosen[what]), name=what)
+
+
+def _options(names: Iterable[str], chosen: str) -> list[Html]:
+    return [tag("option", name, value=name, selected="selected" if name == chosen else "") for name in names]
 
 
 def _flight() -> Html:

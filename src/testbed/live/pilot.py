@@ -61,11 +61,12 @@ class Pilot:
         self._watched, self._paused, self._times = False, False, 1.0
         self._state: dict[str, Any] = {}
         self._teller: Line | None = None
-        self._take_off(choices.first())
+        self._take_off(choices.flight(**choices.given), choices.given)
 
-    def _take_off(self, flight: LiveFlight) -> None:
+    def _take_off(self, flight: LiveFlight, chosen: dict[str, str]) -> None:
         self.flight, self._error = flight, ""
-        self._line.say(("facts", {**frames.facts(flight.session), "choices": self._choices.names}))
+        choices = {"choices": self._choices.names, "chosen": chosen}
+        self._line.say(("facts", frames.facts(flight.session) | choices))
         self._told: dict[str, Any] = {"story": [], "events": []}
         self._next_story_s, self._teller = 0.0, None
 
@@ -200,10 +201,11 @@ class Pilot:
 
     def _choose(self, choice: Choose) -> None:
         """Fly something else. Pages load again: they show another aircraft then."""
-        flight = self._choices.flight(choice.flight, choice.controller, choice.sensors)
+        chosen = {"flight": choice.flight, "controller": choice.controller, "sensors": choice.sensors}
+        flight = self._choices.flight(**chosen)
         self.flight.close()
         self._copies.drop()
-        self._take_off(flight)
+        self._take_off(flight, chosen)
         self._paused = False
         self.tell({"note": "other"})
 

@@ -166,12 +166,19 @@ def _noticed(view: Readings, stretch: Stretch, notices: Sequence[Mapping[str, An
     if not here:
         return
     first = [
-        f"noticed the {title(name)} {_delay(view, e)}{_taken_for(view, e, stretch.end_s)}"
-        for name, e in reversed(here.items())
+        f"{_noticing(view, e, notices)}{_taken_for(view, e, stretch.end_s)}" for e in reversed(here.values())
     ]
     flags = [e for e in notices if stretch.begin_s <= e["time_s"] < stretch.end_s]
     gave_up = _gave_up([axis for event in flags for axis in _released(view, event)])
     yield f"The controller {joined([*first, *gave_up, *_sideslip(view, stretch)])}."
+
+
+def _noticing(view: Readings, notice: Mapping[str, Any], notices: Sequence[Mapping[str, Any]]) -> str:
+    """What it did when it flagged an actuator: noticed a failure, or flagged again what it had noticed before."""
+    name, since_s = notice["actuator"], notice["time_s"] - notice["delay_s"]
+    if any(e["actuator"] == name and since_s <= e["time_s"] < notice["time_s"] for e in notices):
+        return f"flagged the {title(name)} again at {notice['time_s']:.1f} s"
+    return f"noticed the {title(name)} {_delay(view, notice)}"
 
 
 def _delay(view: Readings, notice: Mapping[str, Any]) -> str:
@@ -328,11 +335,15 @@ def _settled(view: Readings, rows: slice, worst: Mapping[str, float]) -> Iterato
 def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:
     tail = _tail(rows)
     error, time = view.error(quantity)[tail], view.time_s[tail]
-    rate = float(np.polyfit(time, np.unwrap(error, period=360.0) if unit == "deg" else error, 1)[0])
+    steady = np.unwrap(error, period=360.0) if unit == "deg" else error
+    rate, start = np.polyfit(time - time[0], steady, 1)
+    swing, drift = np.ptp(steady - start - rate * (time - time[0])), rate * (time[-1] - time[0])
     end = float(error[-1])
     side = ("too low", "too high") if quantity == "altitude" else ("left of it", "right of it")
     off = f"{quantity.capitalize()} did not settle: {_amount(abs(end))} {unit} {side[end > 0.0]} at the end"
-    return f"{off}, drifting by {_amount(rate, signed=True)} {unit}/s."
+    if swing > abs(drift):
+        return f"{off}, swinging over {_amount(float(np.ptp(steady)))} {unit}."
+    return f"{off}, drifting by {_amount(float(rate), signed=True)} {unit}/s."
 
 
 def _speed(view: Readings, first: int) -> Iterator[str]:

@@ -96,8 +96,7 @@ class SensorFault(Settings):
     def _said(self) -> str:
         """Its value with its unit."""
         name = value_name(self.key, unit_of(self.sensor))
-        density = name.endswith("_rthz")
-        return f"{getattr(self, name):g} {unit(name.removesuffix('_rthz'))}{'/sqrt(Hz)' if density else ''}"
+        return f"{getattr(self, name):g} {unit(name)}"
 
     def window(self, rate_hz: float) -> tuple[float, float]:
         """First control step of the fault, and the first after it: infinity if it does not end."""
