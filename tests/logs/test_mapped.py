@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -125,6 +126,11 @@ BAD: dict[str, tuple[Callable[[pd.DataFrame], pd.DataFrame], Callable[[Any], Any
         lambda m: {**m, "signals": {**m["signals"], "p": {**m["signals"]["p"], "scale": 0}}},
         "is 0, so that every value would be 0",
     ),
+    "a column for two signals": (
+        lambda t: t,
+        lambda m: {**m, "signals": {**m["signals"], "q": m["signals"]["p"]}},
+        "signals.q.column: is gx, as signals.p is, expected a column of its own",
+    ),
     "pulses as degrees": (
         lambda t: t,
         lambda m: {**m, "actuators": {**m["actuators"], "left_ruddervator": {"column": "pwm1", "unit": "deg"}}},
@@ -158,13 +164,22 @@ def test_bad_logs_are_refused_and_nothing_is_written(tmp_path: Path, table: pd.D
 
 
 @pytest.mark.parametrize(
-    "content", [b"", b"PAR1 and no more", b"\x00\xff" * 500, b"ULog\x01\x12\x35" + bytes(200)]
+    ("content", "words"),
+    [
+        (b"", "is empty"),
+        (b"PAR1 and no more", "cannot be read"),
+        (b"\x00\xff" * 500, "cannot be read"),
+        (b"ULog\x01\x12\x35" + bytes(200), ""),
+        (gzip.compress(b"time,gx"), "is packed by gzip"),
+        (b"PK\x03\x04 and more", "is a zip archive or a spreadsheet"),
+        ("time,gx".encode("utf-16"), "is text in UTF-16"),
+    ],
 )
-def test_other_files_are_refused(tmp_path: Path, table: pd.DataFrame, content: bytes) -> None:
+def test_other_files_are_refused(tmp_path: Path, table: pd.DataFrame, content: bytes, words: str) -> None:
     arguments = _written(tmp_path, table)
     (tmp_path / "log.csv").write_bytes(content)
     ended = in_this_process(tmp_path, *arguments)
-    assert ended.returncode == 2 and ended.stderr.startswith("log.csv: ")
+    assert ended.returncode == 2 and ended.stderr.startswith(f"log.csv: {words}")
     assert not (tmp_path / "out").exists()
 
 

@@ -23,6 +23,13 @@ from testbed.logs.flight_log import GLOBE, MOST_ROWS, NEEDED, OPTIONAL, PLACE, F
 LARGEST = 2000 * MEGABYTE
 """Largest log that is read [bytes]."""
 _MOST_COLUMNS = 5000
+_NO_LOG = {
+    b"\x1f\x8b": "is packed by gzip",
+    b"PK\x03\x04": "is a zip archive or a spreadsheet",
+    b"\xff\xfe": "is text in UTF-16",
+    b"\xfe\xff": "is text in UTF-16",
+}
+"""What a file begins with that often holds a log, and is none itself."""
 _EXPECTED = "a CSV, Parquet, DataFlash (.BIN) or ULog (.ulg) log"
 _DEG = np.pi / 180.0
 _UNITS: dict[str, float] = {
@@ -98,11 +105,16 @@ def read_mapping(file: Path, aircraft: Aircraft) -> tuple[Source, ColumnMap]:
                 ("signals",), what, f"none of {', '.join((*PLACE, *GLOBE))}, or all that are needed"
             )
         )
+    taken: dict[str, tuple[str, ...]] = {}
     for path, column, units in _with_units(mapping, aircraft):
         if column.unit not in units:
             problems.append(
                 source.problem((*path, "unit"), f"is {column.unit}", f"one of {', '.join(units)}")
             )
+        first = taken.setdefault(column.column, path)
+        if first != path and "actuators" not in (first[0], path[0]):  # one output may move two surfaces
+            what = f"is {shown(column.column)}, as {'.'.join(first)} is"
+            problems.append(source.problem((*path, "column"), what, "a column of its own"))
     if problems:
         raise BadInput(problems)
     return source, mapping
@@ -186,6 +198,8 @@ def _columns(file: Path, names: list[str], source: Source, time: str) -> dict[st
     content = read_bytes(file, LARGEST, _EXPECTED)
     if not content.strip():
         raise BadInput([Problem("is empty", str(file), expected=_EXPECTED)])
+    if what := next((words for start, words in _NO_LOG.items() if content.startswith(start)), ""):
+        raise BadInput([Problem(what, str(file), expected=_EXPECTED)])
     if content.startswith(dataflash.MAGIC):
         return dataflash.columns(file, content, names, time)
     if content.startswith(ulog.MAGIC):
