@@ -15,6 +15,9 @@ from run import Examiner, examiners, fuzz
 
 from testbed.cli.validate import valid
 
+_MUTANTS = 40
+"""Of each kind."""
+
 
 @pytest.fixture(scope="module")
 def examiner() -> Iterator[Examiner]:
@@ -26,9 +29,11 @@ def examiner() -> Iterator[Examiner]:
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_mutant_ends_in_words_or_in_a_flight(kind: str, examiner: Examiner) -> None:
     # A database is read by `--resume` alone, which flies little where all has been flown.
-    found = fuzz(kind, 80, 1, examiner, fly_every=1 if kind in ("search folder", "matrix folder") else 5)
+    found = fuzz(
+        kind, _MUTANTS, 1, examiner, fly_every=1 if kind in ("search folder", "matrix folder") else 5
+    )
     assert not found.bad, found.bad[:3]
-    assert sum(found.outcomes.values()) == 80 and found.outcomes["refused"] > 8
+    assert sum(found.outcomes.values()) == _MUTANTS and found.outcomes["refused"] > _MUTANTS // 10
 
 
 @pytest.mark.nightly

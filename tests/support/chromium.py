@@ -74,6 +74,7 @@ class Window:
     def __init__(self, browser: Any, width: int, scheme: str) -> None:
         self.context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme)
         self.page, self.wrong = self.context.new_page(), []
+        self.scheme = scheme
         self.page.on("console", self._said)
         self.page.on("pageerror", lambda error: self.wrong.append(str(error)))
         self.page.on("request", self._asked)
@@ -108,6 +109,11 @@ class Window:
         """Make the window this wide, and wait until nothing on the page moves any more."""
         self.page.set_viewport_size({"width": width, "height": 900})
         self.page.wait_for_function("document.getAnimations().length === 0")
+
+    def recolour(self) -> None:
+        """From light to dark, or back."""
+        self.scheme = "dark" if self.scheme == "light" else "light"
+        self.page.emulate_media(color_scheme=self.scheme)
 
     def picture(self, name: str, full_page: bool = False) -> None:
         """Leave a picture, where pictures are asked for."""
