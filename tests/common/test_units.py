@@ -1,4 +1,4 @@
-"""The unit of a column, from the end of its name."""
+"""The unit of a name, from its end, and the name in words."""
 
 from __future__ import annotations
 
@@ -8,27 +8,15 @@ from testbed.common.units import unit, worded
 
 
 @pytest.mark.parametrize(
-    ("column", "expected"),
+    ("name", "expected", "words"),
     [
-        ("control_effort_per_s", "1/s"),
-        ("recovery_s", "s"),
-        ("u_dot_desired_m_s2", "m/s^2"),
-        ("failures.0.at_s", "s"),
-        ("survived", ""),
-        ("noise_deg_s_rthz", "deg/s/sqrt(Hz)"),
+        ("control_effort_per_s", "1/s", "control effort [1/s]"),
+        ("recovery_s", "s", "recovery [s]"),
+        ("u_dot_desired_m_s2", "m/s^2", "u dot desired [m/s^2]"),
+        ("noise_deg_s_rthz", "deg/s/sqrt(Hz)", "noise [deg/s/sqrt(Hz)]"),
+        ("survived", "", "survived"),
     ],
 )
-def test_unit(column: str, expected: str) -> None:
-    assert unit(column) == expected
-
-
-@pytest.mark.parametrize(
-    ("name", "words"),
-    [
-        ("value_deg_s", "value [deg/s]"),
-        ("noise_m_rthz", "noise [m/sqrt(Hz)]"),
-        ("natural_frequency", "natural frequency"),
-    ],
-)
-def test_words(name: str, words: str) -> None:
-    assert worded(name) == words
+def test_unit_and_words(name: str, expected: str, words: str) -> None:
+    assert (unit(name), worded(name)) == (expected, words)
+    assert unit(f"failures.0.{name}") == expected

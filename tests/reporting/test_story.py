@@ -106,7 +106,7 @@ def test_drift_of_what_did_not_settle() -> None:
 def test_an_error_that_swings_does_not_drift() -> None:
     log = lost(2.0)
     log["altitude_m"] = log["altitude_m"] + 9.0 * np.sin(8.0 * log["time_s"])
-    assert "at the end, swinging over 18.0 m." in told(log, injection(2.0))
+    assert "at the end, swinging over a range of 18.0 m." in told(log, injection(2.0))
 
 
 def test_a_failure_shortly_before_the_end_is_not_called_unrecovered() -> None:

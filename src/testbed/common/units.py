@@ -13,23 +13,26 @@ _BY_ENDING = {
     "_per_s": "1/s", "_deg_s2": "deg/s^2", "_m_s3": "m/s^3", "_m_s2": "m/s^2", "_deg_s": "deg/s", "_m_s": "m/s", "_deg": "deg",
     "_rad_s": "rad/s", "_rad": "rad", "_hz": "Hz", "_m": "m", "_s": "s", "_n": "N", "_percent": "%",
 }  # fmt: skip
-
-
-_DENSITY = "_rthz"
+_DENSITY = "_rthz"  # after the unit: of white noise
 
 
 def unit(column: str) -> str:
     """Unit of a column, from the end of its name; "" when it has none."""
-    last = column.rpartition(".")[2].removesuffix(_DENSITY)
-    found = next((unit for ending, unit in _BY_ENDING.items() if last.endswith(ending)), "")
-    return f"{found}/sqrt(Hz)" if column.endswith(_DENSITY) else found
+    return _split(column.rpartition(".")[2])[1]
 
 
 def worded(name: str) -> str:
     """A name in words, with its unit: `rate_deg_s` is `rate [deg/s]`."""
-    plain = name.removesuffix(_DENSITY)
-    plain = plain.removesuffix(next((ending for ending in _BY_ENDING if plain.endswith(ending)), ""))
-    return f"{plain.replace('_', ' ')} [{unit(name)}]" if unit(name) else plain.replace("_", " ")
+    plain, unit = _split(name)
+    return plain.replace("_", " ") + (f" [{unit}]" if unit else "")
+
+
+def _split(name: str) -> tuple[str, str]:
+    """A name without its ending, and the unit that this stands for."""
+    of_all = name.removesuffix(_DENSITY)
+    ending = next((each for each in _BY_ENDING if of_all.endswith(each)), "")
+    found = _BY_ENDING.get(ending, "")
+    return of_all.removesuffix(ending), found if of_all == name else f"{found}/sqrt(Hz)"
 
 
 def endings(of: str) -> list[str]:

@@ -147,8 +147,8 @@ def _offer(
     schema = part.model_json_schema()
     about = str(schema.get("description", "")).partition("\n")[0].replace("`", "")
     settings = {
-        key: {**about, "title": worded(key)}
-        for key, about in schema["properties"].items()
+        key: {**setting, "title": worded(key)}
+        for key, setting in schema["properties"].items()
         if key not in leave
     }
     return {"type": name, "about": about, "settings": settings, "example": dict(example)}

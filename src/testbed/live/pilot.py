@@ -201,7 +201,7 @@ class Pilot:
 
     def _choose(self, choice: Choose) -> None:
         """Fly something else. Pages load again: they show another aircraft then."""
-        chosen = {"flight": choice.flight, "controller": choice.controller, "sensors": choice.sensors}
+        chosen = choice.model_dump(include=set(self._choices.given))
         flight = self._choices.flight(**chosen)
         self.flight.close()
         self._copies.drop()

@@ -41,7 +41,7 @@ _KINDS = {"time": ("s", "ms", "us"), "p": ("rad_s", "deg_s"), "q": ("rad_s", "de
           "airspeed": ("m_s", "kt"), "north": ("m",), "east": ("m",), "altitude": ("m",),
           "u_dot": ("m_s2", "g"), "force_x": ("m_s2", "g")}  # fmt: skip
 _BEYOND = 3.0
-"""What is usually farther than this from 0, in units of a surface's limits, is no command of it."""
+"""Times a surface's limits: angles that are beyond for most of the time are no commands of it."""
 _ANGLES, _SERVO, _ENGINE = ("rad", "deg"), ("rad", "deg"), ("throttle", "percent", "N")
 
 
@@ -164,21 +164,19 @@ def read_table(file: Path, mapping_file: Path, aircraft: Aircraft) -> FlightLog:
 def _command(file: Path, column: Column, values: np.ndarray, limits: tuple[float, float]) -> np.ndarray:
     """A command of an actuator with these limits [deg or throttle]; as a throttle from 0 to 1, where what is below is an output
     that is switched off, as before arming. Raises BadInput for what is none, such as a servo's pulses in degrees."""
+    if column.unit == "N":
+        return values
     low, high = np.nanmin(values), np.nanmax(values)
     if column.unit in _ANGLES:
         most = max(map(abs, limits))
         if np.nanmedian(np.abs(values)) <= _BEYOND * most * _DEG:
             return values
-        what, expected = (
-            f"goes from {low / _DEG:.4g} to {high / _DEG:.4g} deg",
-            f"about -{most:g} to {most:g}",
-        )
-    elif column.unit == "N":
-        return values
-    elif high > 1.05 or (low < -0.05 and high < 0.05):
-        what, expected = f"goes from {low:.3g} to {high:.3g} as a throttle", "0 to 1"
+        what = f"goes from {low / _DEG:.4g} to {high / _DEG:.4g} deg"
+        expected = f"about -{most:g} to {most:g}"
     else:
-        return np.maximum(values, 0.0)
+        if high <= 1.05 and not (low < -0.05 and high < 0.05):
+            return np.maximum(values, 0.0)
+        what, expected = f"goes from {low:.3g} to {high:.3g} as a throttle", "0 to 1"
     raise BadInput(
         [Problem(what, str(file), path=shown(column.column), expected=f"{expected}; see zero and scale")]
     )

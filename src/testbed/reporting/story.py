@@ -342,7 +342,7 @@ def _drift(view: Readings, quantity: str, unit: str, rows: slice) -> str:
     side = ("too low", "too high") if quantity == "altitude" else ("left of it", "right of it")
     off = f"{quantity.capitalize()} did not settle: {_amount(abs(end))} {unit} {side[end > 0.0]} at the end"
     if swing > abs(drift):
-        return f"{off}, swinging over {_amount(float(np.ptp(steady)))} {unit}."
+        return f"{off}, swinging over a range of {_amount(float(np.ptp(steady)))} {unit}."
     return f"{off}, drifting by {_amount(float(rate), signed=True)} {unit}/s."
 
 
