@@ -38,7 +38,8 @@ SENTENCES = [
     f"A miss of `u_dot` weighs {AllocationWeights().u_dot:g} of a miss of an attitude axis",
     f"Altitude is given up with a lag of {initial_records._GIVE_UP_TIME_S:g} s",
     f"that remains after adaptation is averaged over {initial_records._RESIDUAL_TIME_S:g} s",
-    f"When the value has been above {initial_records._JAM_SIGMA:g} for {initial_records._JAM_TIME_S:g} s",
+    f"When the value has been above {initial_records._JAM_SIGMA:g} for {initial_records._JAM_TIME_S:g} s "
+    f"({jam_detection.THRUST_JAM_S:g} s for a motor or engine)",
     f"below {jam_detection.REVERSED_BELOW:g} is {NUMBER[jam_detection.REVERSED_SIGMA]} standard deviations below zero "
     f"for {jam_detection.REVERSED_S:g} s",
     f"gives {jam_detection.RESIDUAL_THRUST:g} or more of its trim thrust",

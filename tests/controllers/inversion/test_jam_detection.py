@@ -15,6 +15,7 @@ from testbed.controllers.inversion.jam_detection import (
     REVERSED_S,
     REVERSED_SIGMA,
     ROUGH_S,
+    THRUST_JAM_S,
     detect_jam,
     filtered_position,
     likeliest_jam,
@@ -61,16 +62,18 @@ def test_the_ratio_is_that_of_weighted_least_squares() -> None:
         assert likeliest_jam(1.0, m, c, s)[0] == expected
 
 
-def test_a_jam_is_flagged_after_its_time_and_not_before() -> None:
-    """Of a surface that may or may not follow its command."""
+@pytest.mark.parametrize("i", [0, 2])
+def test_a_jam_is_flagged_after_its_time_and_not_before(i: int) -> None:
+    """Of a surface that may or may not follow its command, and of a motor, which waits for longer."""
     m, c, _, s, _ = records()
-    s.P[0, 0] = 1.0
-    e = 6.0 * np.array(m.B)[:, 0]
+    s.P[i, i] = 1.0
+    e = 6.0 * np.array(m.B)[:, i]
+    time = c.jam_time if m.servo[i] else THRUST_JAM_S
     steps = 0
     while not detect_jam(e, 1.0, m, c, s):
         steps += 1
-    assert c.jam_time < steps * c.dt < 3.0 * c.jam_time
-    assert s.jammed.tolist() == [1, 0, 0, 0] and s.failed.tolist() == [1, 0, 0, 0]
+    assert time < steps * c.dt < time + 2.0 * c.jam_time
+    assert np.flatnonzero(s.jammed).tolist() == [i] and np.flatnonzero(s.failed).tolist() == [i]
 
 
 def test_white_residuals_flag_nothing() -> None:

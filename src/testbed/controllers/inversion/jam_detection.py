@@ -46,6 +46,9 @@ RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 3.0
 ENGINE_S = 8.0
 """How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
 climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
+THRUST_JAM_S = 3.0
+"""How long a motor or engine must be the `likeliest_jam`, in place of `jam_time` [s]. Stuck thrust does harm more slowly than a
+stuck surface, and gusts look like it for a second or two."""
 ROUGH_S = 0.05
 """How long the position of a jam is a rough estimate [s], from which no way is measured."""
 REVERSAL_SHARE, REVERSAL_WAY_MIN = 0.75, 1.0
@@ -61,8 +64,8 @@ def detect_jam(e, pressure_ratio, m, c, s):
 
     An actuator is taken for jammed
 
-    * when it has been the `likeliest_jam` for `jam_time`; the timer runs down while it is not. A surface that `follows` its command
-      has an offset instead, and one that has `moved` is decided by `time_to_stand_still`;
+    * when it has been the `likeliest_jam` for `jam_time`, a motor or engine for `THRUST_JAM_S`. The timer runs down while it is
+      not. A surface that `follows` its command has an offset instead; one that has `moved` is decided by `time_to_stand_still`;
     * when a surface has stood still under its commands for the `time_to_stand_still`;
     * when it looks jammed in another way for the `time_to_jam`.
     """
@@ -79,7 +82,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         time = still if still > 0.0 else time_to_jam(i, m, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
-        explained = s.jam_timer[i] > c.jam_time
+        explained = s.jam_timer[i] > (c.jam_time if m.servo[i] else THRUST_JAM_S)
         if explained and follows(i, m, c, s):
             take_for_offset(i, s.offset[i] + offset, s)
             changed = 1
