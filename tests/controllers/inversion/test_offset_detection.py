@@ -13,7 +13,7 @@ from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, vtail_setup
 
 from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, predict
-from testbed.controllers.inversion.jam_detection import detect_jam
+from testbed.controllers.inversion.jam_detection import THRUST_JAM_S, detect_jam
 from testbed.controllers.inversion.law import compensate, measured_error, reach, regressor
 from testbed.controllers.inversion.offset_detection import (
     BEYOND_SIGMAS,
@@ -98,7 +98,7 @@ def test_a_known_offset_does_not_hide_the_jam_of_another() -> None:
     m, c, _, s, _ = made
     force = np.array(m.B)[:, 0] * s.offset[0] + 6.0 * np.array(m.B)[:, 3]
     s.lambda_hat[:] = 1.0
-    for _ in range(round(3.0 * c.jam_time / c.dt)):
+    for _ in range(round((THRUST_JAM_S + 2.0 * c.jam_time) / c.dt)):
         detect_jam(force, 1.0, m, c, s)
     assert s.jammed.tolist() == [0, 0, 0, 1]
 
