@@ -35,6 +35,7 @@ _MEANINGS = (
         "Position at which a *held* actuator is thought to be, in the unit of the aircraft's YAML; NaN for others.",
     ),
     (r"\w+_measured_\w+", "Sensor reading that the controller gets."),
+    (r"\w+_stuck", "1 while the controller takes this sensor for stuck; NaN where it does not say."),
     (r"\w_dot_true_\w+", "True state rate; the column without `_true` is measured."),
     (r"wind_(north|east|down)_m_s", "Velocity of the air over the ground, towards north, east, down, turbulence included."),
 )  # fmt: skip

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from testbed.common.signals import (
     BELIEFS,
+    GUARDED,
     RATES,
     SETPOINT,
     STATE,
@@ -42,7 +43,7 @@ def test_names_are_distinct_and_rates_are_part_of_the_state() -> None:
     for names in (STATE, RATES, SETPOINT, TELEMETRY):
         assert len(set(names)) == len(names)
     assert set(RATES) <= set(STATE)
-    assert telemetry_width(4) == 4 * len(TELEMETRY) + 2 * len(RATES) + 4 * len(BELIEFS)
+    assert telemetry_width(4) == 4 * len(TELEMETRY) + 2 * len(RATES) + 4 * len(BELIEFS) + len(GUARDED)
 
 
 def test_what_a_controller_does_not_fill_is_not_said() -> None:

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from vtail_setup import WEATHER, axial, records_of, vtail_setup
 
-from testbed.common.signals import RATES, TELEMETRY, Belief, telemetry_rows
+from testbed.common.signals import GUARDED, RATES, TELEMETRY, Belief, telemetry_rows
 from testbed.controllers.actuator_model import throttle_for
-from testbed.controllers.commands import command_actuators, write_diagnosis, write_telemetry
+from testbed.controllers.commands import command_actuators, write_diagnosis, write_guard, write_telemetry
 
 
 def test_servos_get_angles_and_motors_the_throttle_for_their_thrust() -> None:
@@ -28,14 +28,18 @@ def test_the_row_has_the_order_of_the_signals() -> None:
     _, c, *_ = records_of(vtail_setup(WEATHER))
     (row,) = telemetry_rows(1, 4)
     write_telemetry(row, np.array([0, 0, 1, 0], np.int8), s)
-    assert np.isnan(row[8:16]).all() and np.isnan(row[-8:]).all()  # what not every law says
+    s.stuck[:] = [0, 1, 0, 0, 1, 0]
+    beliefs = len(row) - len(GUARDED) - 8
+    assert np.isnan(row[8:16]).all() and np.isnan(row[beliefs:]).all()  # what not every law says
     write_diagnosis(row, c, s)
+    write_guard(row, s)
     of = {name: row[4 * i : 4 * i + 4].tolist() for i, name in enumerate(TELEMETRY)}
     assert of["reference"] == [1, 2, 3, 4] and of["command"] == [5, 6, 7, 8]
     assert of["effectiveness_estimate"] == [0.1, 0.2, 0.3, 0.4] and of["failed"] == [0, 1, 0, 0]
     rates = len(TELEMETRY) * 4
     assert row[rates : rates + len(RATES)].tolist() == [10, 20, 30, 40]
-    assert row[rates + len(RATES) : -8].tolist() == [0, 0, 1, 0]
+    assert row[rates + len(RATES) : beliefs].tolist() == [0, 0, 1, 0]
+    assert row[-len(GUARDED) :].tolist() == [0, 1, 0, 0, 1, 0]
 
 
 def test_a_jammed_actuator_has_no_effectiveness() -> None:
@@ -69,9 +73,10 @@ def test_what_the_memory_says_of_an_actuator_is_logged(memory: dict[str, float],
         s[name][1] = value
     (row,) = telemetry_rows(1, 4)
     write_diagnosis(row, c, s)
-    assert row[-8:-4].tolist() == [Belief.works, belief, Belief.works, Belief.works]
+    kind, position = np.split(row[: -len(GUARDED)][-8:], 2)
+    assert kind.tolist() == [Belief.works, belief, Belief.works, Belief.works]
     held = memory["lambda_hat"] if belief is Belief.held else np.nan
-    assert np.array_equal(row[-4:], [np.nan, held, np.nan, np.nan], equal_nan=True)
+    assert np.array_equal(position, [np.nan, held, np.nan, np.nan], equal_nan=True)
 
 
 def test_a_law_that_diagnoses_nothing_says_nothing() -> None:

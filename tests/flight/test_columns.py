@@ -9,7 +9,16 @@ import pytest
 
 from testbed.air.config import COLUMNS as WIND
 from testbed.aircraft.description import load_aircraft
-from testbed.common.signals import BELIEFS, RATES, SETPOINT, STATE, TELEMETRY, Belief, telemetry_width
+from testbed.common.signals import (
+    BELIEFS,
+    GUARDED,
+    RATES,
+    SETPOINT,
+    STATE,
+    TELEMETRY,
+    Belief,
+    telemetry_width,
+)
 from testbed.flight.columns import (
     Recorded,
     all_columns,
@@ -20,6 +29,8 @@ from testbed.flight.columns import (
     row_spacing_s,
     stays_from,
     stretches,
+    stuck_column,
+    stuck_sensors,
     table,
     unsaid,
 )
@@ -47,7 +58,11 @@ def expected(name: str) -> np.ndarray:
     truth = dict(zip(STATE, RECORDED.truth.T, strict=False))
     first_rate = len(TELEMETRY) * len(ACTUATORS)
     beliefs = dict(
-        zip(BELIEFS, np.split(RECORDED.telemetry[:, first_rate + 2 * len(RATES) :], 2, axis=1), strict=True)
+        zip(
+            BELIEFS,
+            np.split(RECORDED.telemetry[:, first_rate + 2 * len(RATES) : -len(GUARDED)], 2, axis=1),
+            strict=True,
+        )
     )
     return {
         "time_s": np.arange(STEPS) / RATE_HZ,
@@ -124,7 +139,13 @@ def test_columns_of_sensors_and_moving_air_only_where_there_are_such() -> None:
     windy = all_columns(AIRCRAFT, load_scenario(file, ["atmosphere.turbulence_w20_m_s=7"]))
     assert windy == (*calm, *WIND)
     sensed = all_columns(AIRCRAFT, load_scenario(file, ["sensors=mems"]))
-    assert sensed == (*calm, *sensor_columns())
+    assert sensed == (*calm, *sensor_columns(), *map(stuck_column, GUARDED))
+
+
+def test_flags_of_stuck_sensors_are_the_last_of_telemetry() -> None:
+    found = stuck_sensors(RECORDED)
+    assert list(found) == [f"{name}_stuck" for name in GUARDED]
+    assert np.array_equal(np.array(list(found.values())).T, RECORDED.telemetry[:, -len(GUARDED) :])
 
 
 def test_beliefs_are_told_in_words() -> None:

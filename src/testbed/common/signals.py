@@ -56,6 +56,10 @@ BELIEFS = ("belief", "believed_position")
 thought to be held, divided by `scale`."""
 
 
+GUARDED = ("alpha", "beta", "airspeed", "p", "q", "r")
+"""Readings that a controller may take for stuck. It may log a flag of each, which is 1 for as long."""
+
+
 class Belief(IntEnum):
     """What a controller takes an actuator for. The log has the number; the name is the word for it."""
 
@@ -88,8 +92,8 @@ _MEANINGS = {
 
 def telemetry_width(actuators: int) -> int:
     """Length of a row of telemetry: `TELEMETRY`, each for all actuators; desired rates and released flags of `RATES`; `BELIEFS`,
-    each for all actuators."""
-    return (len(TELEMETRY) + len(BELIEFS)) * actuators + 2 * len(RATES)
+    each for all actuators; a flag for each of `GUARDED`."""
+    return (len(TELEMETRY) + len(BELIEFS)) * actuators + 2 * len(RATES) + len(GUARDED)
 
 
 def telemetry_rows(steps: int, actuators: int) -> np.ndarray:

@@ -87,3 +87,11 @@ def write_diagnosis(row, c, s):
         row[3 * n + i] = s.failed[i]
         row[4 * n + 8 + i] = believed
         row[5 * n + 8 + i] = s.lambda_hat[i] if believed == HELD else math.nan
+
+
+@compiled
+def write_guard(row, s):
+    """Fill which of `signals.GUARDED` are taken for stuck, in a row of telemetry."""
+    first = len(row) - len(s.stuck)
+    for i in range(len(s.stuck)):
+        row[first + i] = s.stuck[i]

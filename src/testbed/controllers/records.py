@@ -24,6 +24,7 @@ import numpy as np
 from testbed.aircraft.control_design import LOOP_GAINS
 from testbed.aircraft.design_model import COLUMNS, PRODUCTS
 from testbed.aircraft.propulsors import ENGINE_SPEEDS, ENGINE_THROTTLES, PROPELLER_POINTS
+from testbed.common.signals import GUARDED
 
 P_DOT, Q_DOT, R_DOT, U_DOT = range(4)
 """Rows by `signals.RATES`."""
@@ -33,9 +34,6 @@ D_ALPHA, D_BETA, D_P, D_Q, D_R = range(len(COLUMNS))
 REGULATOR_STATE = ("airspeed", "alpha", "beta", "p", "q", "r", "roll", "pitch", "heading", "altitude")
 """States that a mode's regulator feeds back, as deviations from the mode's trim or from the references."""
 AIRSPEED, ALPHA, BETA, P, Q, R, ROLL, PITCH, HEADING, ALTITUDE = range(len(REGULATOR_STATE))
-GUARDED = ("alpha", "beta", "airspeed", "p", "q", "r")
-"""The readings that are not believed while they repeat themselves (`inversion.sensor_guard`)."""
-
 INTEGRALS = ("airspeed", "altitude", "heading")
 """Errors that a mode's regulator integrates."""
 AIRSPEED_INTEGRAL, ALTITUDE_INTEGRAL, HEADING_INTEGRAL = range(len(INTEGRALS))

@@ -10,7 +10,7 @@ import numpy as np
 
 from testbed.air.config import COLUMNS as WIND
 from testbed.aircraft.description import Aircraft
-from testbed.common.signals import BELIEFS, RATES, SETPOINT, STATE, TELEMETRY, Belief
+from testbed.common.signals import BELIEFS, GUARDED, RATES, SETPOINT, STATE, TELEMETRY, Belief
 from testbed.inputs.problems import did_you_mean
 from testbed.scenario.load import Scenario
 from testbed.sensors.channels import log_columns as sensor_columns
@@ -37,6 +37,7 @@ _RATE_UNITS = {"p_dot": "deg_s2", "q_dot": "deg_s2", "r_dot": "deg_s2", "u_dot":
 _SAID = (
     *(f"_{name}" for name in (*TELEMETRY, BELIEFS[0])),
     "_released",
+    "_stuck",
     *(f"_desired_{u}" for u in set(_RATE_UNITS.values())),
 )
 """How the columns end that the controller fills."""
@@ -53,8 +54,8 @@ class Recorded(NamedTuple):
     references: np.ndarray
     """[steps, 6] `SETPOINT`: what the controller is to follow."""
     telemetry: np.ndarray
-    """[steps, 6 n + 8] each quantity of `TELEMETRY` for all actuators, desired rates and released flags by `RATES`, and each
-    quantity of `BELIEFS` for all actuators."""
+    """[steps, `telemetry_width`] each quantity of `TELEMETRY` for all actuators, desired rates and released flags by `RATES`, each
+    quantity of `BELIEFS` for all actuators, and flags of `GUARDED`."""
 
 
 class _Column(NamedTuple):
@@ -83,8 +84,19 @@ def columns(aircraft: Aircraft) -> tuple[str, ...]:
 
 def all_columns(aircraft: Aircraft, scenario: Scenario) -> tuple[str, ...]:
     """Names of the log's columns in a scenario: those of real sensors and of moving air come last."""
-    sensors = () if scenario.sensors.is_ideal else sensor_columns()
+    sensors = () if scenario.sensors.is_ideal else (*sensor_columns(), *map(stuck_column, GUARDED))
     return (*columns(aircraft), *sensors, *(() if scenario.atmosphere.is_calm else WIND))
+
+
+def stuck_column(sensor: str) -> str:
+    """Name of the column of a flag that is 1 while the controller takes this one of `GUARDED` for stuck."""
+    return f"{sensor}_stuck"
+
+
+def stuck_sensors(recorded: Recorded) -> dict[str, np.ndarray]:
+    """The columns of these flags, which logs with real sensors have."""
+    flags = recorded.telemetry[:, -len(GUARDED) :].T
+    return dict(zip(map(stuck_column, GUARDED), flags, strict=True))
 
 
 def table(

@@ -14,7 +14,7 @@ import numpy as np
 
 from testbed.common.units import unit as unit_of
 from testbed.flight.breakage import failures_of, response
-from testbed.flight.columns import beliefs
+from testbed.flight.columns import beliefs, stuck_column
 from testbed.flight.flight import Flight
 from testbed.flight.recovery import UNITS, tracking_error
 from testbed.reporting.words import believed, title
@@ -41,6 +41,7 @@ STATES = {"roll_deg": "bank", "pitch_deg": "pitch", "alpha_deg": "angle of attac
 _LEAST_STATE = 2.0
 _LEAST_RATE = {"deg_s2": 4.0, "m_s2": 0.4}
 _WIND = {"wind_north_m_s": "truth", "wind_east_m_s": "second", "wind_down_m_s": "third"}
+_STUCK = "sensor taken for stuck"
 
 
 class Series(NamedTuple):
@@ -136,7 +137,14 @@ def tracked(flight: Flight) -> Iterator[Panel]:
     for quantity, drawn in TRACKED.items():
         reference = Series(reference_of(quantity), "reference", "reference")
         series = (reference, Series(flown(quantity), "flown", "truth"))
-        yield Panel(quantity, unit_of(flown(quantity)), series, drawn.least)
+        yield Panel(
+            quantity,
+            unit_of(flown(quantity)),
+            series,
+            drawn.least,
+            flag=_stuck(flight, quantity),
+            flagged=_STUCK,
+        )
 
 
 def errors(flight: Flight) -> Iterator[Panel]:
@@ -154,7 +162,14 @@ def error_panel(quantity: str) -> Panel:
 def states(flight: Flight) -> Iterator[Panel]:
     """Attitude and the angles of the air."""
     for column, name in STATES.items():
-        yield Panel(name, unit_of(column), (Series(column, "flown", "truth"),), _LEAST_STATE)
+        series, flag = (Series(column, "flown", "truth"),), _stuck(flight, column.removesuffix("_deg"))
+        yield Panel(name, unit_of(column), series, _LEAST_STATE, flag=flag, flagged=_STUCK)
+
+
+def _stuck(flight: Flight, sensor: str) -> str:
+    """The column that says when the controller took a sensor for stuck; empty if the log has none."""
+    column = stuck_column(sensor)
+    return column if column in flight.columns else ""
 
 
 def air(flight: Flight) -> Iterator[Panel]:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from testbed.aircraft.description import Aircraft
-from testbed.flight.columns import Columns, Recorded, all_columns, table
+from testbed.flight.columns import Columns, Recorded, all_columns, stuck_sensors, table
 from testbed.flight.events import controller_events
 from testbed.flight.flight import Flying, Outcome
 from testbed.flight.loss import loss_event
@@ -31,7 +31,7 @@ def conclude(parts: Assembly, scenario: Scenario, outcome: Outcome, recorded: Re
     """
     aircraft, steps = parts.aircraft, len(recorded[0])
     names = all_columns(aircraft, scenario)
-    more = parts.sensors.columns(recorded[0]) if parts.sensors else {}
+    more = parts.sensors.columns(recorded[0]) | stuck_sensors(recorded) if parts.sensors else {}
     if not scenario.atmosphere.is_calm:
         more |= parts.weather.columns(steps)
     data = table(aircraft, scenario.rate_hz, recorded, more.values())

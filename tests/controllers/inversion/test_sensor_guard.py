@@ -11,9 +11,8 @@ from command_line import ROOT
 from short_flights import worst_errors
 from vtail_setup import WEATHER, Records, records_of, setpoint, trim_state, vtail_setup
 
-from testbed.common.signals import STATE, Belief, record_dtype
+from testbed.common.signals import GUARDED, STATE, Belief, record_dtype
 from testbed.controllers.inversion.sensor_guard import GYRO_REPEATS, REPEATS_S, guard
-from testbed.controllers.records import GUARDED
 from testbed.flight.flight import Flight, Outcome
 from testbed.scenario.load import load_scenario
 from testbed.simulation import fly
@@ -138,6 +137,22 @@ def test_no_law_divides_by_an_airspeed_of_zero(kind: str) -> None:
     flight = fly(load_scenario(ROOT / "scenarios" / "left_tail_fail.yaml", changes))
     assert flight.outcome is Outcome.completed
     assert np.isfinite(flight.log.filter(regex="_command$")).all(axis=None)
+
+
+@pytest.mark.parametrize("kind", ["adaptive_inversion", "indi"])
+def test_the_log_says_which_sensor_is_taken_for_stuck(kind: str) -> None:
+    """And nothing of a law that looks for none."""
+    changes = [
+        "sensors={model: mems, faults: [{type: stuck, sensor: beta, at_s: 0.5, until_s: 1.5}]}",
+        f"controller={{type: {kind}}}", "failures=[]", "requirements=[]", "duration_s=2", "commands=[]",
+    ]  # fmt: skip
+    log = fly(load_scenario(ROOT / "scenarios" / "left_tail_fail.yaml", changes)).log
+    assert (kind == "indi") == log.beta_stuck.isna().all()
+    if kind != "indi":
+        assert log.time_s[log.beta_stuck == 1].agg(["min", "max"]).tolist() == pytest.approx(
+            [0.7, 1.5], abs=0.03
+        )
+        assert not log.alpha_stuck.any()
 
 
 def test_with_a_stuck_vane_an_aileron_that_moves_again_is_used_again() -> None:

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from testbed.common.signals import RATES
+from testbed.common.signals import GUARDED, RATES
 from testbed.common.units import GRAVITY_M_S2
 from testbed.controllers.inversion.law import CONFIRM_S
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
-from testbed.controllers.records import AIRSPEED, ALPHA, GUARDED, INTEGRALS, PITCH, mode_dtype
+from testbed.controllers.records import AIRSPEED, ALPHA, INTEGRALS, PITCH, mode_dtype
 from testbed.controllers.setup import Setup
 from testbed.inputs.problems import BadInput, Problem
 

@@ -22,7 +22,8 @@ import math
 
 from testbed.common import angles
 from testbed.common.jit import compiled
-from testbed.controllers.records import BETA, D_ALPHA, D_BETA, GUARDED
+from testbed.common.signals import GUARDED
+from testbed.controllers.records import BETA, D_ALPHA, D_BETA
 
 REPEATS_S = 0.2
 """How long a reading must be the same to the last digit [s]. A 12 bit vane in calm air repeats itself for less than 0.1 s."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from testbed.common.jit import compiled
 from testbed.controllers.actuator_model import advance_actuators, axial_speed
-from testbed.controllers.commands import write_diagnosis, write_telemetry
+from testbed.controllers.commands import write_diagnosis, write_guard, write_telemetry
 from testbed.controllers.inversion.allocation import allocate_and_command
 from testbed.controllers.inversion.estimator import adapt_weighted, expect_change, update_model_error_variance
 from testbed.controllers.inversion.jam_detection import detect_jam, wait
@@ -52,6 +52,7 @@ def adaptive_step(step, parts):
     if c.guards:
         y = believed[0]
         changed = guard(states[step], ref, y, c, k, s)
+        write_guard(telemetry[step], s)
     advance_actuators(c.dt, axial_speed(y), m, s)
     if c.ideal_actuators:
         assume_ideal_actuators(m, c, k, s)
