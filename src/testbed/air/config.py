@@ -1,4 +1,4 @@
-"""The `atmosphere` block of a scenario: steady wind, 1-cosine gusts and Dryden turbulence.
+"""The `atmosphere` block of a scenario: steady wind, 1-cosine gusts and Dryden turbulence with its severity.
 
 Wind and gusts are velocities of the air over the ground, north, east, down: a wind of [5, 0, 0] blows towards
 the north. `wind` applies them in flight.

@@ -1,4 +1,4 @@
-"""The control designer's choices for an aircraft: the `control` block of its YAML."""
+"""The control designer's choices for an aircraft, and their defaults: the `control` block of its YAML."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Checks of a scenario as a whole: whether its times fit together, and whether the aircraft, log and metrics have its names."""
+"""Checks of a scenario as a whole: whether its times fit together, and whether aircraft, JSBSim, log and metrics have its names."""
 
 from __future__ import annotations
 
