@@ -97,6 +97,24 @@ def test_an_interrupt_that_a_callback_swallows_is_sent_again() -> None:
     assert (done.returncode, done.stdout.split("\n"), done.stderr) == (0, ["swallowed", "tidied up", ""], "")
 
 
+def test_an_interrupt_that_native_code_gives_another_name_is_an_interrupt() -> None:
+    """Pydantic wraps whatever a serialiser of a class raises."""
+    code = (
+        "import signal; from testbed.cli import interrupts; interrupts.end_at_once()\n"
+        "from pydantic import RootModel, model_serializer\n"
+        "class Value(RootModel[int]):\n"
+        "    @model_serializer\n"
+        "    def write(self): signal.raise_signal(signal.SIGINT)\n"
+        "try:\n"
+        "    with interrupts.tidily(): Value(1).model_dump()\n"
+        "except KeyboardInterrupt as error: print(type(error.__cause__).__name__)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, preexec_fn=interruptible
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "PydanticSerializationError\n", "")
+
+
 def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
     """As in the background of a shell, or under nohup."""
     before = signal.signal(signal.SIGINT, signal.SIG_IGN)

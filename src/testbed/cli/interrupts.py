@@ -1,8 +1,9 @@
 """Ctrl-C: one line and exit status 130, whenever it comes. SIGTERM and SIGHUP, as of a scheduler or a closed terminal, do the same.
 
 A KeyboardInterrupt in the middle of an import, in a callback of a weak reference, or in code that numba calls while it
-compiles, may be swallowed. So, until something is being written, Ctrl-C ends the process by itself, at once; nothing has to be
-tidied up. After that, an interrupt that was swallowed is sent again.
+compiles, may be swallowed, and one in a callback of native code may come out as another exception. So, until something is being
+written, Ctrl-C ends the process by itself, at once; nothing has to be tidied up. After that, an interrupt that was swallowed is
+sent again, and another exception after it is taken for it.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import signal
 import sys
 from collections.abc import Iterator
 
-from testbed.cli.status import INTERRUPTED
+from testbed.cli.status import INTERRUPTED, Ended
 
 WORDS = "interrupted"
 
@@ -45,11 +46,24 @@ def tidily() -> Iterator[None]:
         yield
         return
     hook = sys.unraisablehook
+    came = False
+
+    def interrupt(*_: object) -> None:
+        nonlocal came
+        came = True
+        raise KeyboardInterrupt
+
     for number in ours:
-        signal.signal(number, signal.default_int_handler)
+        signal.signal(number, interrupt)
     sys.unraisablehook = _send_again
     try:
         yield
+    except Ended:  # which has words of its own for an interrupt
+        raise
+    except Exception as error:
+        if came:
+            raise KeyboardInterrupt from error
+        raise
     finally:
         for number in ours:
             signal.signal(number, _end)
