@@ -97,3 +97,34 @@ def test_code_is_found_again_by_a_copy_of_the_sources(tmp_path: Path) -> None:
         )
         found.append(done.stdout.strip())
     assert found == ["0 1", "1 0"]
+
+
+_RECORDS = f"""
+import math, sys
+import numpy as np
+from testbed.common import jit
+@jit.compiled
+def total(record):  # too long to become a piece of its caller
+    found = 0.0
+    for i in range(len(record.values)):
+        a = record.values[i]
+        found += {" + ".join(["math.sin(a) * math.exp(-a) + math.tan(a) * math.atan(a)"] * 20)}
+    return found
+@jit.compiled
+def twice(records):
+    return total(records[0]) + total(records[1])
+for n in map(int, sys.argv[1:]):
+    records = np.zeros(2, [("values", float, n), ("n", float)])
+    records["values"] = np.arange(1.0, n + 1.0)
+    right = 2.0 * total.py_func(records.view(np.recarray)[0])
+    assert math.isclose(jit.bound(twice, records)(records), right)
+"""
+
+
+def test_code_for_records_of_two_sizes_that_two_processes_compiled_is_told_apart(tmp_path: Path) -> None:
+    """The linker takes the first of two functions of one name, and numba's names do not tell records apart."""
+    file = tmp_path / "program.py"
+    file.write_text(_RECORDS)
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / "cache")}
+    for sizes in (("4",), ("5",), ("4", "5"), ("5", "4")):
+        subprocess.run([sys.executable, str(file), *sizes], env=environment, check=True)

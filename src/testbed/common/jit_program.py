@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import gc
+import hashlib
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -103,10 +104,21 @@ class _PartCode(_Program):
         pass
 
 
+def _name_by_layout(state: Any) -> None:
+    """Put the layout of the arguments into the name by which the linker knows a function.
+
+    numba names a record by a number that is counted in each process, and a function by another. So code for aircraft with four
+    and with five actuators, kept on disk by two processes, may bear one name, and a third process would run the one for both.
+    """
+    layout = hashlib.sha256("".join(map(str, state.args)).encode()).hexdigest()[:16]
+    state.func_id.unique_id = f"{state.func_id.unique_id}_{layout}"
+
+
 class _EntryLowering(typed_passes.NativeLowering):
     """The last but one pass: code from typed statements."""
 
     def run_pass(self, state: Any) -> bool:
+        _name_by_layout(state)
         state.library = _Program(state.targetctx.codegen(), state.func_id.func_qualname)
         state.library.enable_object_caching()
         return bool(super().run_pass(state))
@@ -116,6 +128,7 @@ class _PartLowering(typed_passes.NativeLowering):
     """The same for a part. Its callers know it by a mark where they would have its address."""
 
     def run_pass(self, state: Any) -> bool:
+        _name_by_layout(state)
         state.library = _PartCode(state.targetctx.codegen(), state.func_id.func_qualname)
         super().run_pass(state)
         mark, lowered = object(), state["cr"]
