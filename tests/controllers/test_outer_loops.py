@@ -220,6 +220,20 @@ def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:
         assert w.nu[0] == pytest.approx(altitude_error)
 
 
+@pytest.mark.parametrize(("commanded", "given_m"), [(0.0, 2.0), (6.0, 2.0), (-1.0, 0.0)])
+def test_no_altitude_is_given_up_for_an_airspeed_above_that_of_the_design(
+    commanded: float, given_m: float
+) -> None:
+    m, c, k, s, w = records_of(vtail_setup(WEATHER))
+    k.K[:], k.K_actuator[:], k.K_integral[:] = 0.0, 0.0, 0.0
+    k.K[0, 9] = -1.0
+    k.slow_descent, k.slow_descent_from, c.give_up_time = 2.0, 1.5, 0.0
+    k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
+    ref = setpoint(**{**LEVEL, "airspeed": MODEL.airspeed_m_s + commanded})
+    regulate(trim_state(MODEL, airspeed=MODEL.airspeed_m_s - 2.5), ref, m, c, k, s, w.f, w.nu)
+    assert w.nu[0] == pytest.approx(given_m)
+
+
 def test_altitude_is_given_up_with_a_lag() -> None:
     """A first-order lag: after its time constant 63 % of a step. The paper's preset has none."""
     _, c, _, s, _ = records_of(vtail_setup(WEATHER))

@@ -75,7 +75,8 @@ class Loops(Settings):
     airspeed_error_max_m_s: Positive = DERIVED
     """V/9"""
     slow_descent_s: NonNegative = 2.0
-    """Altitude that a regulator gives up for each m/s by which airspeed is more than `protect_from_m_s` below its reference [s]."""
+    """Altitude that a regulator gives up for each m/s by which airspeed is more than `protect_from_m_s` below its reference, or
+    below that of the design if that is less [s]."""
     protect_from_m_s: NonNegative = DERIVED
     """By default V/9."""
     fast_climb_s: NonNegative = DERIVED

@@ -57,7 +57,7 @@ thought to be held, divided by `scale`."""
 
 
 GUARDED = ("alpha", "beta", "airspeed", "p", "q", "r")
-"""Readings that a controller may take for stuck. It may log a flag of each, which is 1 for as long."""
+"""Readings that a controller may take for stuck. It may log a flag of each, which is 1 while it does."""
 
 
 class Belief(IntEnum):

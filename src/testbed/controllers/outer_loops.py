@@ -121,7 +121,7 @@ def given_up(altitude, c, s):
 
 
 @compiled
-def traded(e_height, airspeed, y, c, k, s):
+def traded(e_height, airspeed, y, m, c, k, s):
     """Altitude error [m] to be regulated in place of `e_height`, for the sake of airspeed.
 
     A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed. Where a jam
@@ -133,7 +133,8 @@ def traded(e_height, airspeed, y, c, k, s):
         airspeed: the wanted one: the reference plus the mode's offset, at most the mode's highest [m/s]. Where the mode's lowest
             is above that, no altitude is given up to reach it: there is thrust enough.
     """
-    e_height += given_up(k.slow_descent * max(airspeed - y.airspeed - k.slow_descent_from, 0.0), c, s)
+    needed = min(airspeed, m.airspeed + k.airspeed_offset)
+    e_height += given_up(k.slow_descent * max(needed - y.airspeed - k.slow_descent_from, 0.0), c, s)
     fast = y.airspeed - k.airspeed_too_fast
     if k.fast_climb > 0.0 and fast > 0.0:
         share = max(1.0 - 2.0 * fast / c.airspeed_error_max, 0.0)  # of being too high that still counts
@@ -176,7 +177,7 @@ def regulate(y, ref, m, c, k, s, f, nu):
     wanted = min(ref.airspeed + k.airspeed_offset, k.airspeed_high)
     e_speed = clip(y.airspeed - max(wanted, k.airspeed_low), c.airspeed_error_max)
     e_heading = clip(wrap(y.heading - ref.heading), c.heading_error_max)
-    e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, c, k, s)
+    e_height = traded(clip(y.altitude - ref.altitude, c.altitude_error_max), wanted, y, m, c, k, s)
     integrate_errors(e_speed, e_height, e_heading, c, k, s)
     slope = (ref.altitude_rate + sinking(y, m, c, k, s)) / max(y.airspeed, 1.0)  # of the path through the air
     bank = math.atan(y.airspeed * ref.heading_rate / GRAVITY_M_S2)  # of a coordinated turn

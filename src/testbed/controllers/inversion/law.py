@@ -27,6 +27,8 @@ CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
 """An actuator without which altitude cannot be held is given up only when its estimate has stayed below `CONFIRM_BELOW` [1] for
 `CONFIRM_S` [s]. That is longer than most pauses of an intermittent failure. What keeps more effectiveness than that is worth using.
 `threshold` would not do for an engine: its estimate takes up errors of the drag, so that of a lost one does not stay below it."""
+MUCH_MORE = 3.0
+"""Ratio of two motors' thrust [1] that is no noise of the estimates."""
 STEADY_M = 2.0
 """Altitude, or the altitude that missing airspeed is worth, that a level flight loses at most [m]."""
 LEAST_SPEED = 0.1
@@ -196,13 +198,29 @@ def is_steady(y, ref):
 
 
 @compiled
-def monitor(steady, c, s):
+def worth(i, m, c, s):
+    """What actuator i gives of what is asked of it [1]: lambda_hat.
+
+    A motor or engine that is asked for more than its trim thrust is judged by that, unless another gives `MUCH_MORE`. Where all
+    give alike at full throttle their supply is weak, and what gives the thrust of the trim is not lost.
+    """
+    if not c.weighted or m.servo[i] or m.trim_position[i] <= 0.0:
+        return s.lambda_hat[i]
+    thrust = s.lambda_hat[i] * s.position[i]
+    for j in range(len(s.lambda_hat)):
+        if not m.servo[j] and s.lambda_hat[j] * s.position[j] > MUCH_MORE * thrust:
+            return s.lambda_hat[i]
+    return max(s.lambda_hat[i], thrust / m.trim_position[i])
+
+
+@compiled
+def monitor(steady, m, c, s):
     """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when the estimate
     stays above `recovery`. Returns 1 if a flag changed.
 
-    An actuator is flagged only if its estimate's standard deviation is at most `flag_std_max`. The estimate of an actuator that
-    hardly moves is uncertain, so a low value is no evidence of failure. (13) gives no standard deviation: with it the limit is
-    infinite. With `weighted`, `is_to_blame` must also hold for the actuator.
+    What is compared with `threshold` is what the actuator is `worth`. An actuator is flagged only if its estimate's standard
+    deviation is at most `flag_std_max`. The estimate of an actuator that hardly moves is uncertain, so a low value is no evidence
+    of failure. (13) gives no standard deviation: with it the limit is infinite. With `weighted`, `is_to_blame` must also hold.
 
     `ModeSwitch` takes a flag back as `early` if altitude cannot be held without the actuator. It is set again when the estimate has
     stayed low for `CONFIRM_S` and the flight is no longer `steady`: a flight that holds its altitude would lose it by the flag.
@@ -212,14 +230,15 @@ def monitor(steady, c, s):
         if s.jammed[i]:
             continue  # its estimate is a position; `jam_detection` has its timers
         s.lambda_slow[i] += c.dt / SLOW_LAG_S * (s.lambda_hat[i] - s.lambda_slow[i])
+        given = worth(i, m, c, s)
         if s.failed[i]:
             beyond, time = s.lambda_hat[i] > c.recovery, c.recovery_time
         else:
             certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
-            low = s.lambda_hat[i] < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
+            low = given < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
             beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
             if s.early[i]:
-                beyond, time = certain and s.lambda_hat[i] < CONFIRM_BELOW, math.inf if steady else CONFIRM_S
+                beyond, time = certain and given < CONFIRM_BELOW, math.inf if steady else CONFIRM_S
         s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
         s.since_flag[i] += c.dt
         if s.flag_timer[i] > time + TIMER_ROUNDING:

@@ -81,7 +81,7 @@ def estimate(y, ref, m, c, s, w):
         adapt_weighted(z, phi, w.P_h, m, c, s)
     else:
         adapt(e, pressure_ratio, m, c, s)  # (13), (14)
-    if c.monitors and monitor(is_steady(y, ref), c, s):  # section 2.3
+    if c.monitors and monitor(is_steady(y, ref), m, c, s):  # section 2.3
         return 1
     if c.probes and probe(e, pressure_ratio, m, c, s):
         return 1
