@@ -6,14 +6,16 @@
 
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
 Else a folder may be unfinished: the draws that every controller has flown count. Of folders `--beside` further controllers on
-the same draws are taken; the one of `--parts` has the default without its parts. With `--commit` the page is stamped with the
-commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
+the same draws are taken; the one of `--parts` has the default without its parts, of which the page keeps what it says if none is
+given. With `--commit` the page is stamped with the commit that flew them and the environment that they say. An entry is a folder
+in `leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -97,7 +99,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     first, *others = options.folders
     summaries = [summary_of(first, options.beside), *map(summary_of, others)]
     law = summaries[0]["law_sha256"]
-    parts = [] if options.parts is None else parts_of(summary_of(options.parts), law)
+    parts = kept(PAGE.read_text(encoding="utf-8"), law)
+    if options.parts is not None:
+        parts = parts_of(summary_of(options.parts), law)
     PAGE.write_text(text(summaries, parts, options.remark), encoding="utf-8")
     if options.commit:
         pages.known("benchmark", options.commit, environment_of(options.folders[0]))
@@ -131,6 +135,17 @@ def parts_of(summary: dict[str, Any], law: str) -> list[str]:
     before = summary["law_sha256"]
     other = "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
     return ["", *lines[begin:end], f"Of the first {summary['draws']} draws{other}."]
+
+
+def kept(page: str, law: str) -> list[str]:
+    """Those lines of a page that is there, with the law that they were flown with: they stay until others are flown."""
+    section = re.search(r"^## What the parts of .*?^Of the first .*?$", page, re.DOTALL | re.MULTILINE)
+    if section is None:
+        return []
+    flown = re.search(r"seed (\d+), .*? digest `(\w+)`", page)
+    if flown is None or law.startswith(flown[2]) or "another law" in section[0]:
+        return ["", section[0]]
+    return ["", f"{section[0].removesuffix('.')}, seed {flown[1]}, flown with another law, `{flown[2]}`."]
 
 
 def environment_of(folder: Path) -> str:

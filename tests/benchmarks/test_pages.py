@@ -6,6 +6,7 @@ import json
 from dataclasses import replace
 from pathlib import Path
 
+import benchmark_page
 import digests
 import pytest
 import stamps
@@ -105,3 +106,13 @@ def test_a_block_is_replaced_and_nothing_else() -> None:
     assert with_block(page, "x", "old") == page
     with pytest.raises(KeyError, match="y"):
         block(page, "y")
+
+
+def test_what_parts_bring_is_kept_with_the_law_that_flew_them() -> None:
+    table = "## What the parts of `default` bring\n\n| a | b |\n\nOf the first 400 draws"
+    page = f"seed 7, 400 draws. The seed is made from the law's digest `0abc` and a word.\n\n{table}.\n\n## More\n"
+    assert benchmark_page.kept(page, "0abcdef") == ["", f"{table}."]
+    old = f"{table}, seed 7, flown with another law, `0abc`."
+    assert benchmark_page.kept(page, "1abcdef") == ["", old]
+    assert benchmark_page.kept(page.replace(f"{table}.", old), "2abcdef") == ["", old]
+    assert benchmark_page.kept("# Benchmark\n", "0abc") == []
