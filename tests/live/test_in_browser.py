@@ -93,7 +93,7 @@ def test_break_mend_order_save_and_fly_again(
         page.locator("#order input[name=heading_deg]").fill("20")
         page.locator("#order button").click()
         window.wait(lambda: window.value("live.past.now.heading_command_deg[1]") not in (0, 90))
-        page.locator("#gust button").press("Enter")  # by key: a row that grows may move it from under the mouse
+        page.locator("#gust button").press("Enter")  # not by mouse: a row that grows may move it away
         page.locator(f"#actuators tr[data-actuator={surface}] button", has_text="Mend").click()
         window.wait(lambda: "kept 40 %" not in window.row(surface))
         page.locator("[data-do=save]").click()
