@@ -185,8 +185,11 @@ def effectiveness(flight: Flight) -> Iterator[Panel]:
     log = {name: flight.column(name) for name in names if name in flight.columns}
     estimated = has_estimates(log, flight.actuators)
     own = flight.flown_by or not estimated
-    threshold = None if own else flight.scenario.controller.model_dump().get("threshold")
-    for name in flight.actuators:
+    chosen = {} if own else flight.scenario.controller.model_dump()
+    for name, actuator in flight.actuators.items():
+        threshold = None if actuator["kind"] == "servo" else chosen.get("propeller_threshold")
+        if threshold is None:
+            threshold = chosen.get("threshold")
         series = [Series(response_of(name), "true", "truth")]
         if estimated:
             series.append(Series(f"{name}_effectiveness_estimate", "believed", "belief"))
