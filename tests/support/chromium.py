@@ -99,10 +99,17 @@ class Window:
         self.page.goto(file.as_uri() + query)
 
     def look(self) -> None:
-        """Wait until the page has asked for nothing for half a second, and see whether it fits into the window."""
+        """Wait until the page has asked for nothing for half a second, and see whether it fits into the window.
+
+        Plots follow a change of the window in one of the next frames, which a busy machine draws late.
+        """
+        from playwright.sync_api import TimeoutError as Late
+
         self.page.wait_for_load_state("networkidle")
-        wide = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
-        if self.page.evaluate(wide) > 0:
+        fits = "document.documentElement.scrollWidth <= document.documentElement.clientWidth"
+        try:
+            self.page.wait_for_function(fits, timeout=10_000)
+        except Late:
             self.wrong.append(f"wider than the window of {self.page.viewport_size['width']}")
 
     def resize(self, width: int) -> None:
