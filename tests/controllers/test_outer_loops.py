@@ -9,6 +9,7 @@ import pytest
 from vtail_setup import PAPER, WEATHER, records_of, setpoint, trim_state, vtail_setup
 
 from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.config import AdaptiveInversionSettings
 from testbed.controllers.outer_loops import accumulate, clip, given_up, pid_loops, regulate, wrap
 from testbed.controllers.records import P_DOT, Q_DOT, R_DOT, REGULATOR_STATE, U_DOT
 
@@ -19,9 +20,9 @@ LEVEL = {"altitude": MODEL.altitude_m, "airspeed": MODEL.airspeed_m_s}
 
 def desired(reference: dict[str, float], **state: float) -> np.ndarray:
     """x_dc_dot of one step of the paper's loops at the trim, with these changes."""
-    m, c, _, s, w = records_of(SETUP)
+    m, c, k, s, w = records_of(SETUP)
     w.f[:] = [0.1, 0.2, 0.3, 0.4]
-    pid_loops(trim_state(MODEL, **state), setpoint(**{**LEVEL, **reference}), m, c, s, w.f, w.nu)
+    pid_loops(trim_state(MODEL, **state), setpoint(**{**LEVEL, **reference}), m, c, k, s, w.f, w.nu)
     assert w.nu == pytest.approx(s.x_dc_dot - w.f), "nu is the bracket of (29)"
     return np.array(s.x_dc_dot)
 
@@ -189,22 +190,22 @@ def test_sinking_air_is_met_with_pitch_and_thrust_while_all_motors_work(sink: fl
 
 def test_a_slow_wing_is_made_to_follow_by_more_pitch() -> None:
     """With `climb_kp` 1 a climb rate that is 1 m/s too low asks for 1 m/s of path more, and none where it is as wanted."""
-    m, c, _, s, w = records_of(SETUP)
+    m, c, k, s, w = records_of(SETUP)
     asked = []
     for kp in (0.0, 1.0):
         c.climb_kp = kp
         s.pitch_integral = MODEL.alpha_rad
-        pid_loops(trim_state(MODEL, climb_rate=-1.0), setpoint(**LEVEL), m, c, s, w.f, w.nu)
+        pid_loops(trim_state(MODEL, climb_rate=-1.0), setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         asked.append(float(s.x_dc_dot[Q_DOT]))
     assert asked[1] - asked[0] == pytest.approx(c.q_kp * c.pitch_kp / MODEL.airspeed_m_s)
 
 
 def test_an_error_beyond_the_climb_limit_does_not_wind_up_pitch() -> None:
-    m, c, _, s, w = records_of(SETUP)
+    m, c, k, s, w = records_of(SETUP)
     for error, integrated in ((1.0, 1.0), (100.0, c.climb_max / c.altitude_kp)):
         s.pitch_integral = 0.0
         altitude = MODEL.altitude_m - min(error, c.altitude_error_max)
-        pid_loops(trim_state(MODEL, altitude=altitude), setpoint(**LEVEL), m, c, s, w.f, w.nu)
+        pid_loops(trim_state(MODEL, altitude=altitude), setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         assert s.pitch_integral == pytest.approx(c.altitude_ki * integrated * c.dt)
 
 
@@ -218,6 +219,25 @@ def test_an_aircraft_that_is_too_slow_gives_up_altitude() -> None:
         k.x_trim[1], k.x_trim[7] = MODEL.alpha_rad, MODEL.alpha_rad
         regulate(y, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
         assert w.nu[0] == pytest.approx(altitude_error)
+
+
+@pytest.mark.parametrize(
+    ("settings", "missing", "given_m"), [(WEATHER, 4.0, 4.0), (WEATHER, 1.0, 0.0), (PAPER, 4.0, 0.0)]
+)
+def test_the_loops_of_the_paper_give_up_altitude_but_in_its_preset(
+    settings: AdaptiveInversionSettings, missing: float, given_m: float
+) -> None:
+    """2 m for each m/s beyond the 2 m/s of V/9: what is asked is what an aircraft so much higher asks for."""
+    m, c, k, s, w = records_of(vtail_setup(settings, released=()))
+    c.altitude_ki = 0.0
+    slow = trim_state(MODEL, airspeed=MODEL.airspeed_m_s - missing)
+    for _ in range(round(10.0 * max(c.give_up_time, c.dt) / c.dt)):
+        pid_loops(slow, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+    asked, c.give_up_time = float(s.x_dc_dot[Q_DOT]), 0.0
+    higher = trim_state(MODEL, airspeed=MODEL.airspeed_m_s - missing, altitude=MODEL.altitude_m + given_m)
+    pid_loops(higher, setpoint(**LEVEL), m, c, k, s, w.f, w.nu)
+    assert asked == pytest.approx(float(s.x_dc_dot[Q_DOT]), abs=1e-3)
+    assert (asked < -1e-2) == (given_m > 0.0)
 
 
 @pytest.mark.parametrize(("commanded", "given_m"), [(0.0, 2.0), (6.0, 2.0), (-1.0, 0.0)])

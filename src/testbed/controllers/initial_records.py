@@ -11,6 +11,7 @@ from testbed.aircraft.design_model import DesignModel
 from testbed.aircraft.propulsors import EngineMap, Propulsor
 from testbed.common.signals import RATES
 from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.inversion.degraded_aircraft import forward_curvature
 from testbed.controllers.inversion.estimator import HEALTHY_VARIANCE
 from testbed.controllers.records import memory_dtype, model_dtype, settings_dtype
 from testbed.controllers.setup import Setup
@@ -55,6 +56,7 @@ def model_record(setup: Setup) -> np.ndarray:
     m.bias[:] = np.array(model.bias)[:4] + offsets.sum(axis=1)
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
     m.sideslip[:], m.gyroscopic[:] = model.sideslip[:4], model.gyroscopic
+    m.forward = 0.0 if setup.settings.linear else forward_curvature(model)
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
     for i, propulsor in enumerate(model.propulsors):
         if isinstance(propulsor, Propulsor):

@@ -58,14 +58,17 @@ def beyond_stall(y, m, c):
 
 
 @compiled
-def pid_loops(y, ref, m, c, s, f, nu):
+def pid_loops(y, ref, m, c, k, s, f, nu):
     """The paper's outer loops (section 3): each is a cascade of proportional loops, with an integrator in the outermost.
 
-    Fills nu [4] and `s.x_dc_dot` [4].
+    Not of the paper: with a `give_up_time`, altitude is given up for airspeed, or a weak engine ends in a stall. Fills nu [4] and
+    `s.x_dc_dot` [4].
     """
     dt, v = c.dt, max(y.airspeed, 1.0)
     e_speed = clip(ref.airspeed - y.airspeed, c.airspeed_error_max)
     e_height = clip(ref.altitude - y.altitude, c.altitude_error_max)
+    if c.give_up_time > 0.0:
+        e_height = -traded(-e_height, ref.airspeed, y, m, c, k, s)
     e_heading = clip(wrap(ref.heading - y.heading), c.heading_error_max)
 
     # airspeed through u_dot
@@ -124,7 +127,8 @@ def given_up(altitude, c, s):
 def traded(e_height, airspeed, y, m, c, k, s):
     """Altitude error [m] to be regulated in place of `e_height`, for the sake of airspeed.
 
-    A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed. Where a jam
+    A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed, if it is slower
+    than the design by as much: what is wanted beyond that is worth no altitude. Where a jam
     needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So above the airspeeds at which
     it can fly level it climbs, and does not descend to its reference.
 
@@ -243,4 +247,4 @@ def virtual_control(y, ref, m, c, k, s, w):
     if k.regulated:
         regulate(y, ref, m, c, k, s, w.f, w.nu)
     else:
-        pid_loops(y, ref, m, c, s, w.f, w.nu)
+        pid_loops(y, ref, m, c, k, s, w.f, w.nu)

@@ -7,10 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from vtail_setup import vtail_setup
+from vtail_setup import PAPER, WEATHER, trim_state, vtail, vtail_setup
 
 from testbed.aircraft.design_model import ROWS, DesignModel
+from testbed.controllers.config import AdaptiveInversionSettings
+from testbed.controllers.initial_records import model_record
 from testbed.controllers.inversion.degraded_aircraft import forward_curvature
+from testbed.controllers.inversion.law import state_function
+from testbed.plant.jsbsim import Plant
+from testbed.plant.trim import accelerations, trim
 
 X, Z = ROWS.index("u_dot"), ROWS.index("w_dot")
 LIFT, LIFT_SLOPE, LEAST_DRAG, INDUCED = 9.8, 90.0, 0.7, 0.004
@@ -57,3 +62,23 @@ def test_it_is_that_of_a_wing_with_a_parabolic_polar(at: float) -> None:
 
 def test_a_trim_without_lift_has_none() -> None:
     assert forward_curvature(wing(0.05, lift_factor=-1.0)) == 0.0
+
+
+def forward_error(settings: AdaptiveInversionSettings, more_alpha: float) -> float:
+    """u_dot of the law's model less that of the truth [m/s2], this much angle of attack beyond the trim [rad]."""
+    aircraft, model = vtail()
+    plant = Plant(aircraft, 200)
+    level = trim(plant, model.airspeed_m_s, model.altitude_m)
+    state = {**level.state, "alpha": level.state["alpha"] + more_alpha}
+    truth = accelerations(plant, state, level.commands)[0]
+    setup, f = vtail_setup(settings), np.zeros(4)
+    m = model_record(setup)[0]
+    state_function(trim_state(model, alpha=state["alpha"]), m, f)
+    return float(f[3] + m.B[3] @ m.trim_position - truth)
+
+
+@pytest.mark.parametrize("more_alpha", [-0.06, 0.06, 0.09])
+def test_the_law_knows_the_forward_force_of_the_truth_and_the_paper_its_tangent(more_alpha: float) -> None:
+    """0.1 m/s2 of drag that is not there is a tenth of the thrust."""
+    assert abs(forward_error(WEATHER, more_alpha)) < 0.02
+    assert forward_error(PAPER, more_alpha) < -0.25

@@ -247,23 +247,28 @@ def test_a_lost_actuator_with_more_force_than_effectiveness_explains_is_jammed()
 
 
 @pytest.mark.parametrize(
-    ("actuator", "share", "sigma", "jammed"),
+    ("actuator", "share", "in_error", "sigma", "jammed"),
     [
-        (2, 0.5, 0.1, 1),
-        (2, -0.5, 0.1, 1),
-        (2, 0.2, 0.01, 0),
-        (2, 0.5, 0.2, 0),
-        (2, 0.9, 0.1, 0),
-        (0, 0.5, 0.1, 0),
+        (2, 0.5, 0.0, 0.1, 1),
+        (2, 0.1, 0.4, 0.1, 1),
+        (2, -0.5, 0.0, 0.1, 1),
+        (2, 0.2, 0.0, 0.01, 0),
+        (2, 0.5, -0.4, 0.01, 0),
+        (2, 0.5, 0.0, 0.3, 0),
+        (2, 0.9, 0.0, 0.1, 0),
+        (0, 0.5, 0.0, 0.1, 0),
     ],
 )
 def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
-    actuator: int, share: float, sigma: float, jammed: int
+    actuator: int, share: float, in_error: float, sigma: float, jammed: int
 ) -> None:
-    """Not one whose thrust may be nothing, one that works again, or a surface."""
+    """Not one whose thrust may be nothing, one that works again, or a surface. Of two units of thrust the estimate says a share,
+    and the model's error holds another, with a standard deviation."""
     m, c, _, s, _ = records()
-    s.failed[actuator], s.lambda_hat[actuator], s.P[actuator, actuator] = 1, share, sigma**2
+    s.failed[actuator], s.lambda_hat[actuator] = 1, share
     s.filtered_phi[1, :, actuator] = 2.0 * m.B[:, actuator]
+    s.b[:] = 2.0 * in_error * np.array(m.B)[:, actuator]
+    s.model_error_variance[:] = 4.0 * (2.0 * sigma * np.array(m.B)[:, actuator]) ** 2
     steps = math.ceil(c.jam_time / c.dt)
     assert not any(detect_jam(np.zeros(4), 1.0, m, c, s) for _ in range(steps - 2)) and not s.jammed.any()
     for _ in range(4):
@@ -271,5 +276,5 @@ def test_a_flagged_motor_that_keeps_its_thrust_is_jammed(
     assert s.jammed[actuator] == jammed
     if jammed:
         assert s.lambda_hat[actuator] == pytest.approx(
-            np.clip(2.0 * share, m.low[actuator], m.high[actuator])
+            np.clip(2.0 * (share + in_error), m.low[actuator], m.high[actuator])
         )

@@ -153,9 +153,9 @@ def test_the_offset_in_the_model_error_is_that_of_least_squares(pressure_ratio: 
     m, _, _, s, _ = records()
     column = pressure_ratio * np.array(m.B)[:, 0]
     s.b[:] = 1.3 * column
-    offset, ratio = offset_in_model_error(0, pressure_ratio, m, s)
+    offset, sigma = offset_in_model_error(0, pressure_ratio, m, s)
     assert offset == pytest.approx(1.3)
-    assert ratio == pytest.approx(1.3**2 * float(np.sum(column**2 / s.model_error_variance)))
+    assert sigma**-2 == pytest.approx(float(np.sum(column**2 / s.model_error_variance)))
 
 
 def test_the_variance_of_an_offset_is_along_its_column() -> None:

@@ -19,7 +19,7 @@ FLIGHTS = {
     ),
     "offset_test": (
         "jammed_ruddervator.yaml",
-        f"failures=[{{type: bias, {TAIL}, at_s: 2, value: 13.5}}]",
+        f"failures=[{{type: bias, {TAIL}, at_s: 2, value: 12}}]",
         "duration_s=6",
         "commands=[]",
     ),

@@ -171,7 +171,7 @@ def test_without_the_guard_an_airspeed_that_is_asked_for_is_never_seen() -> None
     for ablate in ("", "sensor_guard"):
         log = flown("airspeed", ablate).log
         errors.append(float((log.airspeed_m_s - log.airspeed_command_m_s)[log.time_s > 60.0].abs().mean()))
-    assert errors[0] < 3.0 and errors[1] > 2.0 * errors[0]
+    assert errors[1] > 3.0 * errors[0]
 
 
 @pytest.mark.parametrize(("surface", "vane"), [("rudder", "alpha"), ("aileron", "beta")])

@@ -138,7 +138,7 @@ def test_its_swings_are_noise_of_the_model_error_along_its_column() -> None:
 @pytest.mark.parametrize("actuator", ["left_ruddervator", "right_ruddervator"])
 def test_a_surface_that_swings_is_flown_with(actuator: str) -> None:
     """It is given up for some seconds, and said to be used again."""
-    swing = "amplitude: 15, frequency_hz: 0.5"
+    swing = "amplitude: 15, frequency_hz: 0.4"
     failure = f"failures=[{{type: oscillation, actuator: {actuator}, at_s: 5, {swing}}}]"
     more = ["controller={type: adaptive_inversion}", "requirements=[]", "duration_s=40"]
     flight = fly(load_scenario(ROOT / "scenarios" / "jammed_ruddervator.yaml", [failure, *more]))

@@ -14,9 +14,10 @@ shapes and units are in `records`. pressure_ratio is (V/V_0)^2.
 from __future__ import annotations
 
 from testbed.common.jit import compiled
+from testbed.controllers.inversion.law import forward
 from testbed.controllers.inversion.offset_detection import expect_offset, no_effectiveness
 from testbed.controllers.inversion.sensor_guard import unseen
-from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R
+from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
 
 HEALTHY_VARIANCE = 0.01
 """Initial variance of an effectiveness estimate: 1 with a standard deviation of 0.1."""
@@ -46,6 +47,8 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
     speed = y.airspeed / m.airspeed
     for i in range(4):
         alpha = pressure_ratio * m.A[i, D_ALPHA] * (y.alpha - m.alpha)
+        if i == U_DOT:
+            alpha += pressure_ratio * forward(y, m)
         beta = pressure_ratio * (m.A[i, D_BETA] * y.beta + m.sideslip[i] * abs(y.beta))
         p, q, r = speed * m.A[i, D_P] * y.p, speed * m.A[i, D_Q] * y.q, speed * m.A[i, D_R] * y.r
         squares = alpha * alpha + beta * beta + p * p + q * q + r * r

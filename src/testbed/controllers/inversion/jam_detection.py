@@ -41,8 +41,9 @@ RECENT_FLAG_S = 2.0
 NOT_DESIGNED = 1e9
 """`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
 rough one, and the filter's next step corrects most of it."""
-RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 3.0
-"""Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero."""
+RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 2.0
+"""Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero. At two,
+a stuck one whose thrust may be anything is as likely as a lost one: its density over seven units is e^2 times lower."""
 ENGINE_S = 8.0
 """How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
 climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
@@ -79,7 +80,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
         if s.own_noise[i] > 0.0:  # it swings: its force is not that of its command, and it is no jam
             continue
         still = time_to_stand_still(i, pressure_ratio, m, c, s)
-        time = still if still > 0.0 else time_to_jam(i, m, c, s)
+        time = still if still > 0.0 else time_to_jam(i, pressure_ratio, m, c, s)
         s.reversal_timer[i] = s.reversal_timer[i] + c.dt if time > 0.0 else 0.0
         s.jam_timer[i] = max(s.jam_timer[i] + (c.dt if i == likeliest else -c.dt), 0.0)
         explained = s.jam_timer[i] > (c.jam_time if m.servo[i] else THRUST_JAM_S)
@@ -90,7 +91,7 @@ def detect_jam(e, pressure_ratio, m, c, s):
             time > 0.0 and s.reversal_timer[i] > time + TIMER_ROUNDING
         ):
             position = s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s)
-            if still > 0.0:
+            if still > 0.0 or not m.servo[i]:
                 position += offset_in_model_error(i, pressure_ratio, m, s)[0]
             elif i == likeliest:
                 position += offset
@@ -116,7 +117,7 @@ def wait(c, s):
 
 
 @compiled
-def time_to_jam(i, m, c, s):
+def time_to_jam(i, pressure_ratio, m, c, s):
     """How long an actuator that `acts_reversed`, `has_force_of_its_own` or `keeps_thrust` must do so until it is taken for jammed
     [s]; 0 where it does none of these. On an aircraft that is unstable in pitch `REVERSED_S` of the first is enough. The others
     take an engine that is probed `ENGINE_S`."""
@@ -126,7 +127,7 @@ def time_to_jam(i, m, c, s):
     own_force = has_force_of_its_own(i, c, s)
     if backwards or (own_force and not m.engine[i]):
         return c.persistence
-    if own_force or keeps_thrust(i, m, c, s):
+    if own_force or keeps_thrust(i, pressure_ratio, m, c, s):
         return ENGINE_S if m.engine[i] and c.probes else c.jam_time
     return 0.0
 
@@ -217,13 +218,15 @@ def has_force_of_its_own(i, c, s):
 
 
 @compiled
-def keeps_thrust(i, m, c, s):
+def keeps_thrust(i, pressure_ratio, m, c, s):
     """Whether a motor or engine that was flagged at a high throttle gives thrust beyond doubt at its trim throttle, though less
-    than one that works again: its thrust has not followed its command down."""
-    thrust = abs(s.lambda_hat[i])
-    unexplained = s.failed[i] and not s.jammed[i] and not s.reversed[i] and s.lambda_hat[i] < c.recovery
-    sure = thrust > RESIDUAL_THRUST and thrust > THRUST_SIGMA * deviation(i, s)
-    return c.weighted and not m.servo[i] and unexplained and sure
+    than one that works again: its thrust has not followed its command down. It is what the estimate says and what the model's
+    error holds along its column of B: as the command stands still, the filter cannot tell the two apart."""
+    if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
+        return False
+    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
+    thrust = abs(s.lambda_hat[i] * filtered_position(i, pressure_ratio, m, c, s) + offset)
+    return thrust > RESIDUAL_THRUST * m.trim_position[i] and thrust > THRUST_SIGMA * sigma
 
 
 @compiled

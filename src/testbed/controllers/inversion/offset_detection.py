@@ -75,9 +75,10 @@ def time_to_stand_still(i, pressure_ratio, m, c, s):
         return 0.0
     if s.lambda_hat[i] >= min(DECISION_THRESHOLD, 1.0 - BEYOND_SIGMAS * deviation(i, s)):
         return 0.0
-    ratio = offset_in_model_error(i, pressure_ratio, m, s)[1] / (c.jam_sigma * c.jam_sigma)
-    if ratio > 1.0:
-        return c.persistence / ratio
+    offset, sigma = offset_in_model_error(i, pressure_ratio, m, s)
+    beyond = abs(offset) / (sigma * c.jam_sigma)
+    if beyond > 1.0:
+        return c.persistence / (beyond * beyond)
     sure = BEYOND_SIGMAS * deviation(i, s)
     if s.moved[i] == 0.0 or s.lambda_hat[i] > sure:
         return 0.0
@@ -102,7 +103,7 @@ def offset_in_model_error(i, pressure_ratio, m, s):
     """The offset of actuator i that explains the estimated model error b best, by least squares weighted with its variance.
 
     Returns:
-        The offset [scaled], and the square of the offset over its standard deviation [1].
+        The offset, and the standard deviation that the expected size of b gives it [scaled].
     """
     projection, information = 0.0, 0.0
     for row in range(4):
@@ -110,7 +111,7 @@ def offset_in_model_error(i, pressure_ratio, m, s):
         weight = 1.0 / s.model_error_variance[row]
         projection += column * weight * s.b[row]
         information += column * weight * column
-    return projection / information, projection * projection / information
+    return projection / information, 1.0 / math.sqrt(information)
 
 
 @compiled
