@@ -41,9 +41,9 @@ RECENT_FLAG_S = 2.0
 NOT_DESIGNED = 1e9
 """`designed_position` of a jam for which no regulator has been designed yet. That is done a step later: the first position is a
 rough one, and the filter's next step corrects most of it."""
-RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 2.0
-"""Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero. At two,
-a stuck one whose thrust may be anything is as likely as a lost one: its density over seven units is e^2 times lower."""
+RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 2.5
+"""Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero. At two
+and a half a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
 ENGINE_S = 8.0
 """How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
 climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
