@@ -27,6 +27,7 @@ def bucket() -> Iterator[str]:
     fsspec.filesystem("memory").store.clear()
 
 
+@pytest.mark.nightly
 def test_shards_meet_in_a_bucket(here: Path, called: Called, bucket: str) -> None:
     """What is merged from there has the rows of one machine, and its verdict is written too."""
     file = written(here, SMALL).name

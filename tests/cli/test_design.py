@@ -24,6 +24,7 @@ def test_design_prints_a_controller_block_and_writes_it(here: Path, called: Call
     assert "left_ruddervator" in out and "false alarms: 0 an hour" in out
 
 
+@pytest.mark.nightly
 def test_design_says_what_is_impossible(here: Path, called: Called) -> None:
     status, out, _ = called("design", *PAPER, "--set", "sensors.beta.bias_sigma_deg=0.3")
     assert status == 1

@@ -132,6 +132,7 @@ def test_a_variant_is_of_one_run(here: Path, called: Called) -> None:
     assert called("sweep", written(here).name, "--variant", "fixed_inversion") == expected
 
 
+@pytest.mark.nightly
 def test_ctrl_c_keeps_what_had_finished(tmp_path: Path) -> None:
     sweep = written(tmp_path)
     arguments = command("sweep", sweep, "--out", "out", "--runs", 400, "--jobs", 2, "--no-plots")

@@ -79,6 +79,7 @@ def test_a_full_disk_costs_the_cache_alone(tmp_path: Path) -> None:
     assert not list(tmp_path.rglob("*.nbc"))
 
 
+@pytest.mark.nightly
 def test_code_is_found_again_by_a_copy_of_the_sources(tmp_path: Path) -> None:
     """Two installations with the same sources, one after the other."""
     program = (
@@ -121,6 +122,7 @@ for n in map(int, sys.argv[1:]):
 """
 
 
+@pytest.mark.nightly
 def test_code_for_records_of_two_sizes_that_two_processes_compiled_is_told_apart(tmp_path: Path) -> None:
     """The linker takes the first of two functions of one name, and numba's names do not tell records apart."""
     file = tmp_path / "program.py"

@@ -55,6 +55,7 @@ def test_the_exact_test_of_pairs() -> None:
     assert paired(first, first).p_value == 1.0
 
 
+@pytest.mark.nightly
 def test_the_interval_of_pairs_holds_the_truth() -> None:
     """95 % of intervals hold the true difference, within what 2000 simulated sweeps can tell."""
     rng = np.random.default_rng(8)

@@ -23,6 +23,7 @@ def largest(folder: Path) -> int:
     return max(file.stat().st_size for file in folder.rglob("*") if file.is_file())
 
 
+@pytest.mark.nightly
 def test_a_run_folder_is_whole_or_not_there(tmp_path: Path) -> None:
     flight = make_flight()
     size = largest(write_run_folder(flight, tmp_path / "whole"))

@@ -33,6 +33,7 @@ def alarms(nu: float, threshold: float, persistence_s: float, held: int, seconds
     return count
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("held", [REFERENCE, POSITION])
 @pytest.mark.parametrize(("threshold", "persistence_s"), [(0.7, 0.0), (0.7, 0.1)])
 def test_the_chain_predicts_the_flying_monitor(held: int, threshold: float, persistence_s: float) -> None:

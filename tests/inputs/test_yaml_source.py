@@ -161,6 +161,7 @@ def test_text_that_no_file_can_hold_is_refused() -> None:
     assert all("a NUL character or half a surrogate pair" in p.what for p in source.problems)
 
 
+@pytest.mark.nightly
 def test_reading_stops_at_too_many_values() -> None:
     with pytest.raises(BadInput, match=r"f\.yaml:2: has more than 100000 values"):
         parse("a:\n [" + "{a: 1}," * 40_000 + "]", "f.yaml")

@@ -263,6 +263,7 @@ def test_going_back_wakes_a_frozen_copy_and_nothing_is_left_in_the_end(tmp_path:
     assert (again / "log.csv").read_bytes() == (folder / "log.csv").read_bytes()
 
 
+@pytest.mark.nightly
 def test_a_killed_pilot_is_said(tmp_path: Path) -> None:
     with serving(tmp_path, *SCENARIO) as (address, process):
         page = Page(address)
@@ -274,6 +275,7 @@ def test_a_killed_pilot_is_said(tmp_path: Path) -> None:
         page.close()
 
 
+@pytest.mark.nightly
 def test_a_killed_server_leaves_what_was_saved(tmp_path: Path) -> None:
     with serving(tmp_path, *SCENARIO) as (address, process):
         page = Page(address)

@@ -160,6 +160,7 @@ def test_what_moves_alike_is_said(run: Run) -> None:
     assert not factors["Cn_left_propeller"].known and factors["Cn_left_propeller"].value == 1.0
 
 
+@pytest.mark.nightly
 def test_the_function_of_the_xml_that_a_log_contradicts_is_named(run: Run, tmp_path: Path) -> None:
     """An aircraft whose XML has a pitch damping 1.8 times too large, against a log of the right one."""
     folder = shutil.copytree(load_aircraft("vtail").folder, tmp_path / "vtail")

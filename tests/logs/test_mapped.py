@@ -308,6 +308,7 @@ def test_numbers_that_no_aircraft_has_are_refused(tmp_path: Path, table: pd.Data
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.nightly
 def test_a_log_of_many_years_is_refused_before_it_fills_the_memory(
     tmp_path: Path, table: pd.DataFrame
 ) -> None:

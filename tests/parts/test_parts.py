@@ -119,6 +119,7 @@ def test_a_sweep_flies_them_in_its_workers_and_is_resumed_with_the_same_code_onl
         assert only.returncode == 2 and "other code of my_parts.py" in only.stderr
 
 
+@pytest.mark.nightly
 def test_a_shard_with_other_parts_is_not_merged(own: Path, tmp_path: Path) -> None:
     shard = ("sweep", "sweep.yaml", "--jobs", "1", "--with", "my_parts.py")
     assert in_this_process(tmp_path, *shard, "--shard", "1/2", "--out", "one").returncode == 0

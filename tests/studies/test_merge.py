@@ -139,6 +139,7 @@ def searched_in_shards(file: Path, folder: Path, n: int, how: Options) -> search
     return plan
 
 
+@pytest.mark.nightly
 def test_a_search_is_merged_too(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = REAL.replace("budget: 24", "budget: 20") + "compare: {controller.type: [pid, fixed_inversion]}\n"
     searched_in_shards(
@@ -156,6 +157,7 @@ def test_a_search_is_merged_too(tmp_path: Path, capsys: pytest.CaptureFixture[st
         assert (tmp_path / "whole" / name).read_bytes() == (tmp_path / "out" / name).read_bytes(), name
 
 
+@pytest.mark.nightly
 def test_a_search_with_code_of_the_users_is_joined_and_not_flown_again(tmp_path: Path) -> None:
     text = SEARCH + "compare: {atmosphere.wind_m_s.2: [0, 1]}\n"
     how = Options(save_logs="none", fly=search_flights.gusty, workers=here().workers)

@@ -70,6 +70,7 @@ def test_flights_of_one_environment_have_no_mark(tmp_path: Path) -> None:
     assert "environment" not in table
 
 
+@pytest.mark.nightly
 def test_a_folder_of_another_environment_is_resumed_when_asked(tmp_path: Path) -> None:
     folder = begun_elsewhere(tmp_path / "out")
     more = {"runs": 13, "jobs": 1, "fly": quick, "figures": False, "resume": True}

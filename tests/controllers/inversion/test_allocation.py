@@ -97,6 +97,7 @@ def test_what_is_not_divided_by_the_estimates_has_its_whole_travel() -> None:
     assert np.array_equal(records.s.u, records.s.r)
 
 
+@pytest.mark.nightly
 def test_random_demands_in_every_mode_are_met_as_well_as_the_stops_allow() -> None:
     """Against scipy: any demand, weak and failed actuators, any dynamic pressure, from one step to the next (warm start)."""
     rng = np.random.default_rng(2)

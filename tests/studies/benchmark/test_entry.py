@@ -32,6 +32,7 @@ def entered(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.nightly
 def test_what_was_flown_is_confirmed(entered: Path) -> None:
     same, lines = verify(entered / "entry.yaml", entered / "tiny.yaml", controllers=[MINE], draws=1, jobs=1)
     assert same
@@ -90,6 +91,7 @@ def test_other_code_is_refused(entered: Path, tmp_path: Path) -> None:
         )
 
 
+@pytest.mark.nightly
 def test_a_flight_that_was_made_up_is_found(entered: Path, tmp_path: Path) -> None:
     """Marks that say of every flight of one's own that it was held."""
     said = yamlfile.read(entered / "entry.yaml").tree

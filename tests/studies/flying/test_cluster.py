@@ -125,6 +125,7 @@ def test_workers_need_only_the_package(tmp_path: Path, monkeypatch: pytest.Monke
     assert (repr(flown.record), flown.history) == (repr(expected.record), expected.history)
 
 
+@pytest.mark.nightly
 def test_the_code_of_ones_own_controller_travels(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Class, and the module beside it: both gone after packing, and the row is the same."""
     monkeypatch.setenv("TMPDIR", str(tmp_path))

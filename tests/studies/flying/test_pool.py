@@ -42,6 +42,7 @@ def children(pid: int) -> list[int]:
     return found
 
 
+@pytest.mark.nightly
 def test_workers_do_not_outlive_a_killed_parent(tmp_path: Path) -> None:
     flying = flown(written(tmp_path), tmp_path / "out", "runs=900, jobs=2")
     process = subprocess.Popen(script(flying))
@@ -55,6 +56,7 @@ def test_workers_do_not_outlive_a_killed_parent(tmp_path: Path) -> None:
         time.sleep(0.01)  # hangs here, and so fails, if they stay
 
 
+@pytest.mark.nightly
 def test_a_worker_whose_flight_hangs_ends_with_its_parent(tmp_path: Path) -> None:
     """At once, not after the time limit of the flight, which is minutes."""
     plan = f"testbed.studies.load.load_sweep({str(written(tmp_path))!r}, ['vary.failures.0.value={{choice: [0.2]}}'])"

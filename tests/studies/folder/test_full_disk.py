@@ -22,6 +22,7 @@ STRIDE = 50_021
 """A prime: the limit meets the middle of pages and records."""
 
 
+@pytest.mark.nightly
 def test_a_sweep_goes_on_after_a_full_disk(tmp_path: Path) -> None:
     plan = load_sweep(written(tmp_path))
     whole = fly_here(plan, tmp_path / "whole", FLY, save_logs="all")

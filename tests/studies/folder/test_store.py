@@ -105,6 +105,7 @@ for k in range(len(flights), 100_000):
 """
 
 
+@pytest.mark.nightly
 def test_what_was_stored_outlasts_a_kill_at_any_moment(tmp_path: Path) -> None:
     """Whatever a flight's size, and whether its page had been moved into the file or not."""
     store.create(tmp_path, {})

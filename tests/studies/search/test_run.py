@@ -143,6 +143,7 @@ def test_refused_by_a_worker_too(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.nightly
 def test_variants_meet_the_same_points_and_choices_are_searches_of_their_own(tmp_path: Path) -> None:
     settings = ["goal=probability", "method=plain", "cov=1", "budget=60", "vary.atmosphere.wind_m_s.0={normal: [0, 6]}",
                 "compare={controller.type: [adaptive_inversion, pid]}",
