@@ -135,10 +135,23 @@ def test_its_swings_are_noise_of_the_model_error_along_its_column() -> None:
     assert (s.P[:N] == before[:N]).all()
 
 
-@pytest.mark.parametrize("actuator", ["left_ruddervator", "right_ruddervator"])
-def test_a_surface_that_swings_is_flown_with(actuator: str) -> None:
+FALLS_SHORT = pytest.mark.xfail(
+    strict=True, reason="taken for jammed, offset and reversed in turn: 2.3 m and 19 deg off"
+)
+
+
+@pytest.mark.parametrize(
+    ("actuator", "frequency_hz"),
+    [
+        ("left_ruddervator", 0.5),
+        ("left_ruddervator", 0.4),
+        ("right_ruddervator", 0.4),
+        pytest.param("right_ruddervator", 0.5, marks=FALLS_SHORT),
+    ],
+)
+def test_a_surface_that_swings_is_flown_with(actuator: str, frequency_hz: float) -> None:
     """It is given up for some seconds, and said to be used again."""
-    swing = "amplitude: 15, frequency_hz: 0.4"
+    swing = f"amplitude: 15, frequency_hz: {frequency_hz}"
     failure = f"failures=[{{type: oscillation, actuator: {actuator}, at_s: 5, {swing}}}]"
     more = ["controller={type: adaptive_inversion}", "requirements=[]", "duration_s=40"]
     flight = fly(load_scenario(ROOT / "scenarios" / "jammed_ruddervator.yaml", [failure, *more]))
