@@ -48,6 +48,8 @@ references of altitude and heading than limits that grow with the aircraft's spa
 the v-tail at 18 m/s, and 20 deg. **Inside** is the share of the time
 within them.
 """
+ROUGHEST_M_S = 15.24
+"""W20 of 50 ft/s, to which a healthy flight must have no false alarm."""
 NOTES = """\
 ## How to read it
 
@@ -97,7 +99,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
                 suite, folder, controllers=chosen, word=options.word, draws=draws, resume=folder.exists()
             )
     first, *others = options.folders
-    summaries = [summary_of(first, options.beside), *map(summary_of, others)]
+    summaries = [summary_of(first, options.beside)]
+    summaries += [summary_of(other) | {"weather": to_50_ft_s(other)} for other in others]
     law = summaries[0]["law_sha256"]
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
     if options.parts is not None:
@@ -125,6 +128,21 @@ def summary_of(folder: Path, beside: Sequence[Path] = ()) -> dict[str, Any]:
     frame = pd.concat(frames)
     flown = frame.groupby("draw")["controller"].transform("nunique") == len(plan.labels)
     return scores.summarize(plan, frame[flown]) | {"law_sha256": law}
+
+
+def to_50_ft_s(folder: Path) -> str:
+    """What a folder's flights in weather to `ROUGHEST_M_S` say, in a sentence."""
+    with store.reading(folder) as stored:
+        w20 = {record.run: (record.values.get("atmosphere") or {}).get("turbulence_w20_m_s", 0.0)
+               for _, record in stored.records()}  # fmt: skip
+    flights = benchmark.table(folder)
+    flights = flights[flights["draw"].map(w20) <= ROUGHEST_M_S]
+    said = [
+        f"`{name}` {each['held'].sum()} held, {each['false_alarms'].sum():.0f} false alarms in "
+        f"{each['end_time_s'].sum() / 3600.0:.1f} h"
+        for name, each in flights.groupby("controller")
+    ]
+    return f"To 50 ft/s (W20), {flights['draw'].nunique()} draws: {'; '.join(said)}."
 
 
 def parts_of(summary: dict[str, Any], law: str) -> list[str]:
@@ -162,7 +180,7 @@ def text(summaries: Sequence[dict[str, Any]], parts: Sequence[str] = (), remark:
     """The page's Markdown."""
     lines = [HEAD, *([remark, ""] if remark else []), *markdown(summaries[0]), *parts]
     for summary in summaries[1:]:
-        lines += ["", f"#{HEALTHY_HEAD}", *markdown(summary, "###")]
+        lines += ["", f"#{HEALTHY_HEAD}", summary["weather"], "", *markdown(summary, "###")]
     return "\n".join([*lines, "", NOTES, *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
 
 
