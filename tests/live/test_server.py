@@ -214,6 +214,12 @@ def processes_of(process: subprocess.Popen[str]) -> set[int]:
     return found - {process.pid}
 
 
+def pilot_of(process: subprocess.Popen[str]) -> int:
+    """The process that flies: the child of a server. The others are its copies."""
+    text = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
+    return int(text.split()[0])
+
+
 def soon(met: Callable[[], bool]) -> bool:
     """Whether something comes true within some seconds: copies that tell the story come and go."""
     end = time.monotonic() + 20.0
@@ -268,7 +274,7 @@ def test_a_killed_pilot_is_said(tmp_path: Path) -> None:
     with serving(tmp_path, *SCENARIO) as (address, process):
         page = Page(address)
         page.until("role", flies=True)
-        os.kill(min(processes_of(process)), signal.SIGKILL)
+        os.kill(pilot_of(process), signal.SIGKILL)
         while "has ended" not in page.until("state").get("ended", ""):
             pass
         assert "has ended" in page.ask("pause", on=True)["why"]
@@ -289,11 +295,18 @@ def test_a_killed_server_leaves_what_was_saved(tmp_path: Path) -> None:
     assert testbed.load(tmp_path / saved["folder"]).end_time_s > 0.0
 
 
-def test_ctrl_c_ends_it(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "by",
+    [
+        signal.SIGINT,
+        *(pytest.param(each, marks=pytest.mark.nightly) for each in (signal.SIGTERM, signal.SIGHUP)),
+    ],
+)
+def test_a_signal_ends_it(tmp_path: Path, by: signal.Signals) -> None:
     with serving(tmp_path, *SCENARIO) as (address, process):
         page = Page(address)
         page.until("role", flies=True)
-        process.send_signal(signal.SIGINT)
+        process.send_signal(by)
         assert process.wait(20) == 130
         page.close()
 

@@ -48,7 +48,7 @@ class Aloft:
         self.last_saved: Path | None = None
         self._state: dict[str, Any] = {}
         self._asked: dict[int, Future[None]] = {}
-        self._numbers, self._ended = count(), False
+        self._numbers, self._ended, self._gone = count(), False, False
         self._thread = threading.Thread(target=self._listen, name="pilot", daemon=True)
 
     def start(self) -> None:
@@ -65,7 +65,7 @@ class Aloft:
         number, answer = next(self._numbers), Future[None]()
         self._asked[number] = answer
         self._line.say(("ask", number, message))
-        if not self._thread.is_alive():
+        if self._gone:  # looked at after `_asked` has it: else it could be missed by both
             self._refuse_all()
         return answer
 
@@ -90,6 +90,7 @@ class Aloft:
                 self._take(self._line.hear())
         if not self._ended:
             self._told({**self.state, "ended": _GONE})
+        self._gone = True
         self._refuse_all()
 
     def _take(self, said: tuple[Any, ...]) -> None:

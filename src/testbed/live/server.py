@@ -7,6 +7,7 @@ import contextlib
 import hmac
 import json
 import secrets
+import signal
 import socket
 from collections.abc import Callable
 from contextlib import AbstractAsyncContextManager
@@ -25,6 +26,8 @@ from testbed.live.aloft import Aloft
 from testbed.live.messages import MOST_BYTES, read
 
 _HOST = "127.0.0.1"
+_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+"""Each ends the server, but one that is ignored, as under nohup."""
 _MOST_PAGES = 8
 _MOST_WAITING_BYTES = 200_000
 """A page that has not taken this much yet is sent no frames, until it has."""
@@ -68,17 +71,25 @@ class LiveServer:
         self._pilot: Aloft | None = None
 
     def run(self, pilot: Aloft, ready: Callable[[], object]) -> None:
-        """Serve until interrupted; `ready` is called once browsers can connect."""
+        """Serve until a signal ends it; `ready` is called once browsers can connect. Raises KeyboardInterrupt then."""
         asyncio.run(self._run(pilot, ready))
+        raise KeyboardInterrupt
 
     async def _run(self, pilot: Aloft, ready: Callable[[], object]) -> None:
         self._loop, self._pilot = asyncio.get_running_loop(), pilot
+        ended = asyncio.Event()
+        # A KeyboardInterrupt could come in the middle of a callback of asyncio's, which would then wait for ever for its end.
+        heeded = [each for each in _SIGNALS if callable(signal.getsignal(each))]
+        for number in heeded:
+            self._loop.add_signal_handler(number, ended.set)
         async with self._serving():
             pilot.start()
             try:
                 ready()
-                await asyncio.get_running_loop().create_future()
+                await ended.wait()
             finally:
+                for number in heeded:  # another one does not wait
+                    self._loop.remove_signal_handler(number)
                 await asyncio.to_thread(pilot.end)
 
     def _serving(self) -> AbstractAsyncContextManager[Server]:
