@@ -2,13 +2,13 @@
 
     python benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly
     python benchmarks/benchmark_page.py runs/benchmark runs/healthy --commit 97ad5e2
-    python benchmarks/benchmark_page.py runs/benchmark runs/healthy --beside runs/more --parts runs/ablations
+    python benchmarks/benchmark_page.py runs/benchmark runs/healthy --beside runs/others --parts runs/ablations --more runs/more
 
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
 Else a folder may be unfinished: the draws that every controller has flown count. Of folders `--beside` further controllers on
 the same draws are taken; the one of `--parts` has the default without its parts, of which the page keeps what it says if none is
-given. With `--commit` the page is stamped with the commit that flew them and the environment that they say. An entry is a folder
-in `leaderboard/` with `entry.yaml`.
+given. The one of `--more` has the default and its nearest rival on more draws: the groups are of these. With `--commit` the page is
+stamped with the commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
@@ -89,6 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--beside", nargs="+", type=Path, default=[], help="folders of other controllers, same draws"
     )
     parser.add_argument("--parts", type=Path, help="folder of the default without its parts")
+    parser.add_argument("--more", type=Path, help="folder of the default and its nearest rival on more draws")
     parser.add_argument("--remark", default="", help="what else a reader must know of the flights")
     parser.add_argument("--commit", help="that flew the folders, for the page's stamp")
     options = parser.parse_args(arguments)
@@ -105,7 +106,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
     if options.parts is not None:
         parts = parts_of(summary_of(options.parts), law)
-    PAGE.write_text(text(summaries, parts, options.remark), encoding="utf-8")
+    more = nearest(summary_of(options.more), summaries[0]) if options.more else []
+    PAGE.write_text(text(summaries, parts, more, options.remark), encoding="utf-8")
     if options.commit:
         pages.known("benchmark", options.commit, environment_of(options.folders[0]))
 
@@ -147,12 +149,28 @@ def to_50_ft_s(folder: Path) -> str:
 
 def parts_of(summary: dict[str, Any], law: str) -> list[str]:
     """The lines of what each part of the default brings, which say it if they were flown with another law."""
-    lines = markdown(summary)
-    begin = next(i for i, line in enumerate(lines) if line.startswith("## What the parts of"))
-    end = next(i for i in range(begin + 1, len(lines)) if lines[i].startswith("## "))
+    _, lines = cut(markdown(summary), "## What the parts of")
     before = summary["law_sha256"]
     other = "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
-    return ["", *lines[begin:end], f"Of the first {summary['draws']} draws{other}."]
+    return ["", *lines, f"Of the first {summary['draws']} draws{other}."]
+
+
+def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
+    """The lines without the section whose heading begins so, and those of the section."""
+    begin = next(i for i, line in enumerate(lines) if line.startswith(title))
+    end = next((i for i in range(begin + 1, len(lines)) if lines[i].startswith("## ")), len(lines))
+    return [*lines[:begin], *lines[end:]], [*lines[begin:end]]
+
+
+def nearest(summary: dict[str, Any], first: dict[str, Any]) -> list[str]:
+    """The lines of the default and its nearest rival on more draws. Exits if they are not of the same seed and law."""
+    for key in ("seed", "law_sha256"):
+        if summary[key] != first[key]:
+            sys.exit(f"the flights of --more have another {key}")
+    headline, *rest = markdown(summary)
+    _, groups = cut(rest, "## By group")
+    words = f"{headline} The first {first['draws']} of them are those above; *best of all* is the better of the two."
+    return ["", "## The nearest rival on more draws", "", words, "", *groups[2:]]
 
 
 def kept(page: str, law: str) -> list[str]:
@@ -176,9 +194,14 @@ def environment_of(folder: Path) -> str:
     )
 
 
-def text(summaries: Sequence[dict[str, Any]], parts: Sequence[str] = (), remark: str = "") -> str:
+def text(
+    summaries: Sequence[dict[str, Any]], parts: Sequence[str] = (), more: Sequence[str] = (), remark: str = ""
+) -> str:
     """The page's Markdown."""
-    lines = [HEAD, *([remark, ""] if remark else []), *markdown(summaries[0]), *parts]
+    first = markdown(summaries[0])
+    if more:  # which has the groups
+        first, _ = cut(first, "## By group")
+    lines = [HEAD, *([remark, ""] if remark else []), *first, *more, *parts]
     for summary in summaries[1:]:
         lines += ["", f"#{HEALTHY_HEAD}", summary["weather"], "", *markdown(summary, "###")]
     return "\n".join([*lines, "", NOTES, *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
