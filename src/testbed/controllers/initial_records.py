@@ -56,7 +56,7 @@ def model_record(setup: Setup) -> np.ndarray:
     m.bias[:] = np.array(model.bias)[:4] + offsets.sum(axis=1)
     m.A[:], m.B[:] = np.array(model.derivatives)[:4], np.array(model.input_matrix)[:4] * scale
     m.sideslip[:], m.gyroscopic[:] = model.sideslip[:4], model.gyroscopic
-    m.forward = 0.0 if setup.settings.linear else forward_curvature(model)
+    m.forward_curvature = 0.0 if setup.settings.linear else forward_curvature(model)
     m.B_inv[:], m.B_torque[:] = np.linalg.pinv(m.B), np.array(model.torque_matrix)[:4]
     for i, propulsor in enumerate(model.propulsors):
         if isinstance(propulsor, Propulsor):

@@ -61,8 +61,8 @@ def beyond_stall(y, m, c):
 def pid_loops(y, ref, m, c, k, s, f, nu):
     """The paper's outer loops (section 3): each is a cascade of proportional loops, with an integrator in the outermost.
 
-    Not of the paper: with a `give_up_time`, altitude is given up for airspeed, or a weak engine ends in a stall. Fills nu [4] and
-    `s.x_dc_dot` [4].
+    Not of the paper, and not in its preset, which has no `give_up_time`: altitude is given up for airspeed (`traded`), or a weak
+    engine ends in a stall. Fills nu [4] and `s.x_dc_dot` [4].
     """
     dt, v = c.dt, max(y.airspeed, 1.0)
     e_speed = clip(ref.airspeed - y.airspeed, c.airspeed_error_max)
@@ -127,10 +127,10 @@ def given_up(altitude, c, s):
 def traded(e_height, airspeed, y, m, c, k, s):
     """Altitude error [m] to be regulated in place of `e_height`, for the sake of airspeed.
 
-    A slow aircraft can neither climb nor turn. It is treated as too high, so that it descends to regain airspeed, if it is slower
-    than the design by as much: what is wanted beyond that is worth no altitude. Where a jam
-    needs a slow trim, the propellers that balance its yawing moment cannot slow the aircraft down. So above the airspeeds at which
-    it can fly level it climbs, and does not descend to its reference.
+    A slow aircraft can neither climb nor turn. Once airspeed is more than `slow_descent_from` below what is wanted, or below that
+    of the design if that is less, it is treated as too high, so that it descends to regain airspeed. Where a jam needs a slow trim,
+    the propellers that balance its yawing moment cannot slow the aircraft down. So above the airspeeds at which it can fly level it
+    climbs, and does not descend to its reference.
 
     Args:
         e_height: altitude less its reference, limited [m].

@@ -51,8 +51,8 @@ _DEMANDS = {
     "p_dot": LOOP_GAINS["roll_kp"].ample * LOOP_GAINS["p_kp"].ample * math.radians(25.0),
     "r_dot": LOOP_GAINS["sideslip_kp"].ample * LOOP_GAINS["r_kp"].ample * 0.15,
 }
-"""Acceleration that each cascade asks for at once [rad/s2]: for a climb at its limit (0.11 rad of path), a bank at its limit, and
-0.15 rad of sideslip."""
+"""Acceleration that each cascade asks for at once [rad/s2]: for a climb at its limit (0.11 rad of path), 25 deg of bank, and 0.15
+rad of sideslip."""
 _AMPLE, _U_DOT_MAX, _U_DOT_SHARE = 1.5, 0.7, 0.4
 """Authority over demand that counts as ample; largest acceleration [m/s2], and as a share of the authority."""
 _AIRSPEED_SHARE = 1.0 / 18.0  # deviation of airspeed that is acceptable to a regulator

@@ -160,7 +160,7 @@ def _rates(
     columns = np.moveaxis(x, -1, 0)
     rates = model.rates(dict(zip(REGULATOR_STATE[:8], columns, strict=False)), a, effectiveness)
     pressure_ratio = np.square(x[..., AIRSPEED] / model.airspeed_m_s)
-    # Only beyond the trim: at smaller angles the tangent has more drag than the parabola, which is the safe side.
+    # Only beyond the trim, where a glide is. At smaller angles the tangent is kept: it has more drag, which is the safe side.
     beyond = np.maximum(x[..., ALPHA] - model.alpha_rad, 0.0)
     rates[..., _X] += curvature * pressure_ratio * np.square(beyond)
     return rates
@@ -169,8 +169,9 @@ def _rates(
 def forward_curvature(model: DesignModel) -> float:
     """Half the second derivative of u_dot by alpha at the reference trim [m/s2 per rad^2], without thrust.
 
-    The linear design model leaves it out. Along the body's x axis, X = L sin(alpha) - D cos(alpha). Both lift L and the sine grow
-    with the angle, so X is about a parabola of it. Its tangent at the trim gives an aircraft that glides slower far too much drag.
+    `DesignModel.rates` leaves it out; f_m of the law has it (`law.beyond_tangent`). Along the body's x axis,
+    X = L sin(alpha) - D cos(alpha). Both lift L and the sine grow with the angle, so X is about a parabola of it. Its tangent at
+    the trim gives an aircraft that glides slower far too much drag.
 
     Lift is taken as linear in alpha, and drag as a parabola of lift, D = D_0 + k L^2 (Etkin and Reid, Dynamics of Flight,
     sec. 2.1). Then D'' = D' L' / L, where ' is the derivative by alpha, and

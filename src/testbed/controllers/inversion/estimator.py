@@ -14,7 +14,7 @@ shapes and units are in `records`. pressure_ratio is (V/V_0)^2.
 from __future__ import annotations
 
 from testbed.common.jit import compiled
-from testbed.controllers.inversion.law import forward
+from testbed.controllers.inversion.law import beyond_tangent
 from testbed.controllers.inversion.offset_detection import expect_offset, no_effectiveness
 from testbed.controllers.inversion.sensor_guard import unseen
 from testbed.controllers.records import D_ALPHA, D_BETA, D_P, D_Q, D_R, U_DOT
@@ -48,7 +48,7 @@ def update_model_error_variance(y, pressure_ratio, phi, m, c, s):
     for i in range(4):
         alpha = pressure_ratio * m.A[i, D_ALPHA] * (y.alpha - m.alpha)
         if i == U_DOT:
-            alpha += pressure_ratio * forward(y, m)
+            alpha += pressure_ratio * beyond_tangent(y, m)
         beta = pressure_ratio * (m.A[i, D_BETA] * y.beta + m.sideslip[i] * abs(y.beta))
         p, q, r = speed * m.A[i, D_P] * y.p, speed * m.A[i, D_Q] * y.q, speed * m.A[i, D_R] * y.r
         squares = alpha * alpha + beta * beta + p * p + q * q + r * r

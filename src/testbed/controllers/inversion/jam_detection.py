@@ -43,7 +43,8 @@ NOT_DESIGNED = 1e9
 rough one, and the filter's next step corrects most of it."""
 RESIDUAL_THRUST, THRUST_SIGMA = 0.3, 2.5
 """Share of the trim thrust that a flagged motor must give to be taken for jammed, and its standard deviations above zero. At two
-and a half a stuck one, whose thrust may be anything over seven units, is four times likelier than a lost one."""
+and a half, with a standard deviation of half a unit, a stuck one, whose thrust may be anything over seven units, is four times
+likelier than a lost one."""
 ENGINE_S = 8.0
 """How long an engine must give thrust while it is given up, until it is taken for jammed [s]. The estimate of one that works again
 climbs slowly and may pass its limit, and within this time its probe says so (`probing`)."""
@@ -219,8 +220,8 @@ def has_force_of_its_own(i, c, s):
 
 @compiled
 def keeps_thrust(i, pressure_ratio, m, c, s):
-    """Whether a motor or engine that was flagged at a high throttle gives thrust beyond doubt at its trim throttle, though less
-    than one that works again: its thrust has not followed its command down. It is what the estimate says and what the model's
+    """Whether a motor or engine that was flagged at a high throttle gives thrust at its trim throttle, though less than one that
+    works again: its thrust has not followed its command down. It is what the estimate says and what the model's
     error holds along its column of B: as the command stands still, the filter cannot tell the two apart."""
     if not c.weighted or m.servo[i] or not s.failed[i] or s.jammed[i] or s.lambda_hat[i] >= c.recovery:
         return False

@@ -61,10 +61,10 @@ def effect_ratio(i, pressure_ratio, m):
 
 
 @compiled
-def forward(y, m):
+def beyond_tangent(y, m):
     """What u_dot has beyond its tangent at the trim, at the airspeed V_0 [m/s2] (`degraded_aircraft.forward_curvature`)."""
     change = y.alpha - m.alpha
-    return m.forward * change * change
+    return m.forward_curvature * change * change
 
 
 @compiled
@@ -76,7 +76,7 @@ def state_function(y, m, f):
         angles += m.sideslip[i] * abs(y.beta)
         rates = m.A[i, D_P] * y.p + m.A[i, D_Q] * y.q + m.A[i, D_R] * y.r
         f[i] = pressure_ratio * angles + speed * rates
-    f[U_DOT] += pressure_ratio * forward(y, m)
+    f[U_DOT] += pressure_ratio * beyond_tangent(y, m)
     for i in range(3):  # Euler's -J^-1 (w x J w)
         g = m.gyroscopic[i]
         f[i] += g[0] * y.p * y.p + g[1] * y.q * y.q + g[2] * y.r * y.r
