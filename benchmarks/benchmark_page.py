@@ -157,8 +157,9 @@ def parts_of(summary: dict[str, Any], law: str) -> list[str]:
 
 def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
     """The lines without the section whose heading begins so, and those of the section."""
+    level = f"{title.split()[0]} "
     begin = next(i for i, line in enumerate(lines) if line.startswith(title))
-    end = next((i for i in range(begin + 1, len(lines)) if lines[i].startswith("## ")), len(lines))
+    end = next((i for i in range(begin + 1, len(lines)) if lines[i].startswith(level)), len(lines))
     return [*lines[:begin], *lines[end:]], [*lines[begin:end]]
 
 
@@ -169,8 +170,9 @@ def nearest(summary: dict[str, Any], first: dict[str, Any]) -> list[str]:
             sys.exit(f"the flights of --more have another {key}")
     headline, *rest = markdown(summary)
     _, groups = cut(rest, "## By group")
-    words = f"{headline} The first {first['draws']} of them are those above; *best of all* is the better of the two."
-    return ["", "## The nearest rival on more draws", "", words, "", *groups[2:]]
+    words = f"{headline} The first {first['draws']} of them are those above. {groups[2]}"
+    tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
+    return ["", "## The nearest rival on more draws", "", words, *tables]
 
 
 def kept(page: str, law: str) -> list[str]:
@@ -203,7 +205,14 @@ def text(
         first, _ = cut(first, "## By group")
     lines = [HEAD, *([remark, ""] if remark else []), *first, *more, *parts]
     for summary in summaries[1:]:
-        lines += ["", f"#{HEALTHY_HEAD}", summary["weather"], "", *markdown(summary, "###")]
+        healthy = markdown(summary, "###")
+        for empty in (
+            "### Where `default`",
+            "### Where the others",
+            "### Two halves",
+        ):  # where nothing breaks
+            healthy, _ = cut(healthy, empty)
+        lines += ["", f"#{HEALTHY_HEAD}", summary["weather"], "", *healthy]
     return "\n".join([*lines, "", NOTES, *leaderboard(sorted(ENTRIES.glob("*/entry.yaml")))]) + "\n"
 
 
