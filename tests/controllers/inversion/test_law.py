@@ -11,19 +11,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.signal import lfilter
-from vtail_setup import WEATHER, records_of, setpoint, trim_state, vtail_setup
+from vtail_setup import records_of, trim_state, vtail_setup
 
 from testbed.controllers.inversion.law import (
-    CONFIRM_BELOW,
-    CONFIRM_S,
     adapt,
     compensate,
     invert,
-    is_steady,
     low_pass,
     measured_error,
     modified_inverse,
-    monitor,
     pressure_ratio_of,
     regressor,
     state_function,
@@ -137,102 +133,6 @@ def test_of_a_jammed_actuator_the_position_is_integrated() -> None:
     for _ in range(5000):
         adapt(np.array(m.B)[:, 0] * 9.0, 1.0, m, c, s)
     assert s.lambda_hat[0] == m.high[0]
-
-
-def test_only_an_estimate_that_is_certain_flags() -> None:
-    m, c, _, s, _ = records_of(vtail_setup(WEATHER))
-    s.lambda_hat[0] = 0.05
-    for variance, failed in ((0.16**2, 0), (0.14**2, 1)):
-        s.P[0, 0] = variance
-        changed = [monitor(False, m, c, s) for _ in range(41)]
-        assert s.failed[0] == failed and sum(changed) == failed
-    assert s.jammed[0] == 0
-
-
-@pytest.mark.parametrize(
-    ("before", "others", "failed"),
-    [
-        (0.15, (1.0, 1.0, 1.0), 1),
-        (0.15, (1.0, 0.7, 1.0), 0),  # another one has changed more
-        (0.15, (1.2, 1.0, 1.0), 0),  # another one is at its limit
-        (0.9, (1.2, 0.7, 1.0), 1),  # so much is lost at once by a failure alone
-    ],
-)
-def test_a_weak_actuator_is_flagged_only_if_it_is_to_blame(
-    before: float, others: tuple[float, ...], failed: int
-) -> None:
-    m, c, _, s, _ = records_of(vtail_setup(WEATHER))
-    s.lambda_slow[0], s.lambda_hat[0], s.lambda_hat[1:] = before, 0.05, others
-    s.lambda_slow[1] = others[0]
-    changed = [monitor(False, m, c, s) for _ in range(22)]
-    assert s.failed[0] == failed and sum(changed) == failed
-
-
-@pytest.mark.parametrize(
-    ("left", "right", "flagged"),
-    [
-        (0.10, 0.12, [0, 0]),  # at five times the trim thrust half of it: a brown-out
-        (0.01, 0.12, [1, 0]),  # a lost propeller beside a weak one
-        (0.10, 0.95, [1, 0]),  # its neighbour gives all
-        (0.01, 0.01, [1, 1]),  # neither gives anything
-    ],
-)
-def test_propellers_that_both_give_little_at_full_throttle_are_weak(
-    left: float, right: float, flagged: list[int]
-) -> None:
-    m, c, _, s, _ = records_of(vtail_setup(WEATHER))
-    motors = np.flatnonzero(m.servo == 0)
-    s.position[motors] = 5.0 * m.trim_position[motors]
-    s.lambda_hat[motors] = left, right
-    for _ in range(round(c.persistence / c.dt) + 2):
-        monitor(False, m, c, s)
-    assert list(s.failed[motors]) == flagged
-
-
-def test_a_flag_that_came_early_and_was_taken_back_comes_again_only_after_a_wait() -> None:
-    m, c, _, s, _ = records_of(vtail_setup(WEATHER))
-    s.lambda_hat[0] = 0.03
-    first = [monitor(False, m, c, s) for _ in range(100)].index(1)
-    assert first == round(c.persistence / c.dt) and s.early[0] == 1
-    s.failed[0] = 0
-    s.lambda_hat[0] = CONFIRM_BELOW + 0.01
-    assert not any(monitor(False, m, c, s) for _ in range(1000))
-    s.lambda_hat[0] = CONFIRM_BELOW - 0.01
-    second = [monitor(False, m, c, s) for _ in range(1000)].index(1)
-    assert second == round(CONFIRM_S / c.dt) and s.failed[0] == 1 and s.early[0] == 0
-
-
-def test_what_was_taken_back_is_not_given_up_as_long_as_the_flight_is_steady() -> None:
-    m, c, _, s, _ = records_of(vtail_setup(WEATHER))
-    s.lambda_hat[0], s.early[0] = 0.03, 1
-    assert not any(monitor(True, m, c, s) for _ in range(5000))
-    assert monitor(False, m, c, s) == 1 and s.failed[0] == 1
-
-
-@pytest.mark.parametrize(
-    ("too_low_m", "airspeed_m_s", "steady"),
-    [(1.9, 18.0, True), (2.1, 18.0, False), (-2.1, 18.0, False), (0.0, 25.0, True), (0.0, 16.8, False)],
-)
-def test_a_steady_flight_has_its_altitude_and_its_airspeed(
-    too_low_m: float, airspeed_m_s: float, steady: bool
-) -> None:
-    y = trim_state(MODEL, altitude=300.0, airspeed=airspeed_m_s)
-    assert is_steady(y, setpoint(altitude=300.0 + too_low_m, airspeed=18.0)) == steady
-
-
-def test_a_flag_is_taken_back_after_the_recovery_time() -> None:
-    m, c, _, s, _ = records_of(SETUP)
-    s.failed[2], s.lambda_hat[2] = 1, 0.7
-    changed = [monitor(False, m, c, s) for _ in range(300)]
-    assert changed.index(1) == round(c.recovery_time / c.dt)
-    assert s.failed[2] == 0 and s.since_flag[2] == pytest.approx((300 - 201) * c.dt)
-
-
-def test_a_jammed_actuator_is_not_monitored() -> None:
-    m, c, _, s, _ = records_of(SETUP)
-    s.jammed[1], s.failed[1], s.lambda_hat[1] = 1, 1, 2.0
-    assert not any(monitor(False, m, c, s) for _ in range(1000))
-    assert s.failed[1] == 1
 
 
 def test_inversion_gives_the_rates_back() -> None:

@@ -6,6 +6,7 @@
 * `law`: the paper's equations;
 * `lateness`: actuators that act late are not weak;
 * `estimator`: weighted estimation, a Kalman filter, in place of the paper's (13);
+* `loss_detection`: the paper's monitor, and what the default law asks beyond it;
 * `swing_detection`, `offset_detection` and `jam_detection`: failures that are no loss of effectiveness;
 * `probing`: whether what is given up works again;
 * `allocation`: what to give up when an actuator reaches a stop, by `bounded_least_squares`.

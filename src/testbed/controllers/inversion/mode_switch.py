@@ -9,7 +9,7 @@ import numpy as np
 
 from testbed.common.signals import GUARDED, RATES
 from testbed.common.units import GRAVITY_M_S2
-from testbed.controllers.inversion.law import CONFIRM_S
+from testbed.controllers.inversion.loss_detection import CONFIRM_S
 from testbed.controllers.inversion.mode_trim import NoSteadyFlight, lost_thrust
 from testbed.controllers.inversion.modes import Mode, allocation_of, enumerate_modes
 from testbed.controllers.inversion.regulator import Regulator, regulator_for
@@ -116,7 +116,7 @@ class ModeSwitch:
     def _wait(self, step: int, mode: Mode) -> bool:
         """Take back the flags of a mode that came early, so that these actuators are used on; returns whether there are any.
 
-        Giving up an actuator that only fails on and off cost 30 to 90 m of altitude, where those who went on using it lost 3 m.
+        Giving up an actuator that only fails on and off costs altitude (docs/explanation/control.md, after a release).
         """
         s, names = self._memory[0], self._setup.model.actuators
         more = set(mode.failed) - set(self.mode.failed)

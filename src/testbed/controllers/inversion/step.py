@@ -18,14 +18,13 @@ from testbed.controllers.inversion.law import (
     adapt,
     assume_ideal_actuators,
     effect_ratio,
-    is_steady,
     low_pass,
     measured_error,
-    monitor,
     pressure_ratio_of,
     regressor,
     state_function,
 )
+from testbed.controllers.inversion.loss_detection import is_steady, monitor
 from testbed.controllers.inversion.offset_detection import keep_offsets
 from testbed.controllers.inversion.probing import probe
 from testbed.controllers.inversion.sensor_guard import guard, vane_is_stuck
@@ -128,7 +127,8 @@ def believed_command_step(step, parts):
 
 @compiled
 def add_model_error(f, pressure_ratio, m, s):
-    """Add the estimated model error b to f_m [4]: of u_dot always, of the rotations while a vane is stuck.
+    """Add the estimated model error b to f_m [4]: of u_dot always, of the rotations while a vane is stuck. A regulator
+    does not invert f_m: with it this changes nothing.
 
     The outer loop of airspeed may ask for less acceleration than the error of the modelled drag far from trim, and then airspeed
     would run away. Those of rotation may ask for more, and gusts, which their b follows too, are better left to them. The force of

@@ -72,7 +72,7 @@ def drawn(suite: Suite, dice: Dice, name: str, craft: Craft, aircraft: Aircraft)
         "failures": [*slow, *failures],
         "sensors": {"model": model, "faults": [fault]} if fault else model,
         "atmosphere": atmosphere,
-        "requirements": _limits(suite, craft, airspeed),
+        "requirements": suite.limits.requirements(craft.span_m, airspeed),
     }
     groups = {
         "aircraft": name,
@@ -84,16 +84,6 @@ def drawn(suite: Suite, dice: Dice, name: str, craft: Craft, aircraft: Aircraft)
         "truth": "as designed" if isinstance(truth, str) and not slow else "another than designed",
     }
     return Drawn(values, groups)
-
-
-def _limits(suite: Suite, craft: Craft, airspeed: float) -> list[Values]:
-    """The requirements: a flight that meets them is held."""
-    limits = suite.limits
-    altitude = _short(limits.altitude_spans * craft.span_m + limits.altitude_s * airspeed)
-    return [
-        {"name": "altitude", "metric": "altitude_error_max_m", "at_most": altitude},
-        {"name": "heading", "metric": "heading_error_max_deg", "at_most": limits.heading_deg},
-    ]
 
 
 def _truth(

@@ -1,0 +1,110 @@
+"""Loss detection: the paper's monitor (section 2.3), which flags an actuator whose effectiveness is low, and what the default law
+asks beyond that.
+
+Letters: y measured state, ref references, m design model, c settings, s memory; their fields, shapes and units are in `records`.
+"""
+# mypy: allow-untyped-defs
+
+from __future__ import annotations
+
+import math
+
+from testbed.common.jit import compiled
+from testbed.common.units import GRAVITY_M_S2
+from testbed.controllers.inversion.law import TIMER_ROUNDING
+
+SLOW_LAG_S = 3.0
+"""Time constant of the slow estimate, with which the present one is compared [s]: several times the memory of the filter, 0.6 s."""
+SUDDEN_LOSS = 0.5
+"""Fall of an estimate below the slow one [1] that no error of the estimate explains."""
+INFORMATIVE_STD = 0.5
+"""Largest standard deviation of an estimate [1] that says anything about which actuator has failed."""
+CONFIRM_S, CONFIRM_BELOW = 3.0, 0.15
+"""An actuator without which altitude cannot be held is given up only when its estimate has stayed below `CONFIRM_BELOW` [1] for
+`CONFIRM_S` [s]. That is longer than most pauses of an intermittent failure. What keeps more effectiveness than that is worth using.
+`threshold` would not do for an engine: its estimate takes up errors of the drag, so that of a lost one does not stay below it."""
+MUCH_MORE = 3.0
+"""Ratio of two motors' thrust [1] that is no noise of the estimates."""
+STEADY_M = 2.0
+"""Altitude, or the altitude that missing airspeed is worth, that a level flight loses at most [m]."""
+
+
+@compiled
+def is_to_blame(i, c, s):
+    """Whether a low estimate of actuator i is its own failure, and not the effect of another's.
+
+    It is if the estimate fell by more than `SUDDEN_LOSS`. It also is if no other estimate in use has changed by more, and none of
+    those is at its upper limit. Estimates with a standard deviation above `INFORMATIVE_STD` do not count.
+
+    When another actuator fails, all estimates share the explanation of its force at first. One at its upper limit shows a force
+    that no effectiveness explains. The estimate of an actuator that is weak already has little way to go to the threshold: a
+    surface with 0.1 to 0.25 was given up when a propeller stuck."""
+    fell = s.lambda_slow[i] - s.lambda_hat[i]
+    if fell > SUDDEN_LOSS or not c.weighted:
+        return True
+    for j in range(len(s.lambda_hat)):
+        if j != i and not s.failed[j] and s.P[j, j] < INFORMATIVE_STD * INFORMATIVE_STD:
+            changed = abs(s.lambda_slow[j] - s.lambda_hat[j]) > fell
+            if changed or s.lambda_hat[j] >= c.lambda_max:
+                return False
+    return True
+
+
+@compiled
+def is_steady(y, ref):
+    """Whether the flight goes on as it should: altitude is within `STEADY_M` of its reference, and the energy that is missing as
+    airspeed is worth less than `STEADY_M` of altitude. Without an engine, altitude is kept until airspeed is lost."""
+    missing = (ref.airspeed * ref.airspeed - y.airspeed * y.airspeed) / (2.0 * GRAVITY_M_S2)
+    return abs(ref.altitude - y.altitude) < STEADY_M and missing < STEADY_M
+
+
+@compiled
+def worth(i, m, c, s):
+    """What actuator i gives of what is asked of it [1]: lambda_hat.
+
+    A motor or engine that is asked for more than its trim thrust is judged by that, unless another gives `MUCH_MORE`. Where all
+    give alike at full throttle their supply is weak, and what gives the thrust of the trim is not lost.
+    """
+    if not c.weighted or m.servo[i] or m.trim_position[i] <= 0.0:
+        return s.lambda_hat[i]
+    thrust = s.lambda_hat[i] * s.position[i]
+    for j in range(len(s.lambda_hat)):
+        if not m.servo[j] and s.lambda_hat[j] * s.position[j] > MUCH_MORE * thrust:
+            return s.lambda_hat[i]
+    return max(s.lambda_hat[i], thrust / m.trim_position[i])
+
+
+@compiled
+def monitor(steady, m, c, s):
+    """Section 2.3: flag an actuator as failed when its estimate stays below `threshold`, and remove the flag when the estimate
+    stays above `recovery`. Returns 1 if a flag changed.
+
+    What is compared with `threshold` is what the actuator is `worth`. An actuator is flagged only if its estimate's standard
+    deviation is at most `flag_std_max`. The estimate of an actuator that hardly moves is uncertain, so a low value is no evidence
+    of failure. (13) gives no standard deviation: with it the limit is infinite. With `weighted`, `is_to_blame` must also hold.
+
+    `ModeSwitch` takes a flag back as `early` if altitude cannot be held without the actuator. It is set again when the estimate has
+    stayed low for `CONFIRM_S` and the flight is no longer `steady`: a flight that holds its altitude would lose it by the flag.
+    """
+    changed = 0
+    for i in range(len(s.lambda_hat)):
+        if s.jammed[i]:
+            continue  # its estimate is a position; `jam_detection` has its timers
+        s.lambda_slow[i] += c.dt / SLOW_LAG_S * (s.lambda_hat[i] - s.lambda_slow[i])
+        given = worth(i, m, c, s)
+        if s.failed[i]:
+            beyond, time = s.lambda_hat[i] > c.recovery, c.recovery_time
+        else:
+            certain = s.P[i, i] <= c.flag_std_max * c.flag_std_max
+            low = given < c.threshold + c.threshold_rise[i]  # section 2.3: below a threshold
+            beyond, time = low and certain and is_to_blame(i, c, s), c.persistence
+            if s.early[i]:
+                beyond, time = certain and given < CONFIRM_BELOW, math.inf if steady else CONFIRM_S
+        s.flag_timer[i] = s.flag_timer[i] + c.dt if beyond else 0.0
+        s.since_flag[i] += c.dt
+        if s.flag_timer[i] > time + TIMER_ROUNDING:
+            s.early[i] = 1 if c.weighted and not s.failed[i] and not s.early[i] else 0
+            s.failed[i] = 0 if s.failed[i] else 1
+            s.flag_timer[i], s.since_flag[i] = 0.0, 0.0
+            changed = 1
+    return changed
