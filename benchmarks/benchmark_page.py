@@ -42,7 +42,8 @@ HEAD = """\
 <!-- Written by python benchmarks/benchmark_page.py: change that, not this. -->
 
 This page compares controllers on flights that are drawn from a [suite](../reference/benchmark.md): any failure of any aircraft in
-any weather. Their seed is made from a digest of the controllers' code and a word, here the hash of the commit that froze it.
+any weather. Their seed is made from a digest of the controllers' code and a word, here the hash of the
+commit that froze it, which its author could have made anew.
 **Held** is flown to the end and never farther from the
 references of altitude and heading than limits that grow with the aircraft's span and speed: a span and 0.45 s of flight, 10 m for
 the v-tail at 18 m/s, and 20 deg. **Inside** is the share of the time
@@ -170,7 +171,9 @@ def nearest(summary: dict[str, Any], first: dict[str, Any]) -> list[str]:
             sys.exit(f"the flights of --more have another {key}")
     headline, *rest = markdown(summary)
     _, groups = cut(rest, "## By group")
-    words = f"{headline} The first {first['draws']} of them are those above. {groups[2]}"
+    words = (
+        f"{headline} The first {first['draws']} of them are those above, which had left it open. {groups[2]}"
+    )
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     return ["", "## The nearest rival on more draws", "", words, *tables]
 

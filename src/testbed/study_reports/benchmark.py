@@ -242,7 +242,7 @@ def _others_lose(summary: Summary) -> Iterator[Section]:
         if name != summary["reference"] and (lost := summary["lost"][name])
     ]
     if rows:
-        words = "Draws that it does not hold and another does, and those in which it is outside longest."
+        words = "Draws that it does not hold and another, told nothing, does, and those in which it is outside longest."
         yield Section("Where the others lose", words, ("controller", "draws", "which"), rows)
 
 
