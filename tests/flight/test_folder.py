@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -130,6 +131,33 @@ def test_a_damaged_folder_is_bad_input(tmp_path: Path, name: str, damage: str) -
         (folder / name).write_bytes(b"" if damage == "empty" else b"\x00{,\n1,2,3,x\n")
     with pytest.raises(BadInput):
         load(folder)
+
+
+@pytest.mark.parametrize(
+    ("damage", "words"),
+    [
+        (lambda data: data.decode().encode("utf-16"), "is no text in UTF-8, from byte 0 on"),
+        (lambda data: data[: data.rfind(b",")], "has [0-9]+ values in .*line.*, and [0-9]+ columns"),
+        (lambda _: b"", "cannot be read: Empty CSV file"),
+        (lambda data: data.replace(b",", b";"), "cannot be read: [^\n]{1,200}, expected"),
+    ],
+    ids=["another encoding", "cut off", "empty", "another separator"],
+)
+def test_a_damaged_log_is_refused_in_one_short_sentence(
+    tmp_path: Path, damage: Callable[[bytes], bytes], words: str
+) -> None:
+    file = write_run_folder(make_flight(), tmp_path / "run") / "log.csv"
+    file.write_bytes(damage(file.read_bytes()))
+    with pytest.raises(BadInput, match=f"log.csv: {words}") as caught:
+        load(file.parent)
+    assert len(str(caught.value)) < 500 and "\n" not in str(caught.value)
+
+
+def test_a_mark_of_the_byte_order_is_no_damage(tmp_path: Path) -> None:
+    """An editor may leave one."""
+    file = write_run_folder(make_flight(), tmp_path / "run") / "log.csv"
+    file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())
+    assert load(file.parent).data.tobytes() == make_flight().data.tobytes()
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from sweep_files import here, written
 
 import testbed
 from testbed.api import matrix, sweep
+from testbed.cli.commands import main
 from testbed.inputs.problems import BadInput
 from testbed.reporting import junit
 from testbed.reporting.story import story
@@ -96,7 +97,25 @@ def test_names_of_strangers_stay_text(tmp_path: Path) -> None:
 
 def test_only_an_earlier_verdict_is_replaced(tmp_path: Path) -> None:
     junit.write(tmp_path / "a.xml", "a", [])
-    junit.refuse(tmp_path / "a.xml")
+    junit.refuse(tmp_path / "a.xml", None)
     (tmp_path / "b.xml").write_text("<mine/>")
     with pytest.raises(BadInput, match="exists already"):
-        junit.refuse(tmp_path / "b.xml")
+        junit.refuse(tmp_path / "b.xml", tmp_path / "out")
+
+
+@pytest.mark.parametrize("file", ["out", "out/flights.sqlite", "elsewhere/../out/new/a.xml"])
+@pytest.mark.parametrize("command", ["run left_tail_fail.yaml", "sweep sweep.yaml", "merge one two"])
+def test_none_is_written_among_the_results(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    command: str,
+    file: str,
+) -> None:
+    """It would take the place of the flights; and a folder that its check had made would stand in the way of the command's."""
+    monkeypatch.chdir(tmp_path)
+    sweep_file = written(tmp_path)
+    before = sorted(tmp_path.rglob("*"))
+    assert main([*command.replace("sweep.yaml", str(sweep_file)).split(), "--out", "out", "--junit", file]) == 2
+    assert f"{file}: is in out, which holds the results, expected a file beside it" in capsys.readouterr().err
+    assert sorted(tmp_path.rglob("*")) == before

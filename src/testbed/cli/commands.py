@@ -15,7 +15,7 @@ from pathlib import Path
 
 from testbed.cli import interrupts
 from testbed.cli.parser import FIRST_STEPS, parser
-from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, NOT_MET, Ended
+from testbed.cli.status import BAD_INPUT, ENDED_EARLY, INTERRUPTED, Ended
 from testbed.cli.terminal import give_up_stdout, plain_output
 from testbed.inputs.problems import BadInput
 
@@ -30,10 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             try:
                 return _run(arguments)
             finally:
-                sys.stdout.flush()  # here, so that a closed pipe or a full disk is noticed inside this `try`
-        except BrokenPipeError:  # as with `testbed list | head -1`
-            give_up_stdout()
-            return NOT_MET
+                sys.stdout.flush()  # here, so that a full disk is noticed inside this `try`
         except KeyboardInterrupt:
             return _said(interrupts.WORDS, INTERRUPTED)
         except Exception as error:

@@ -26,7 +26,6 @@ def _run(options: Namespace) -> int:
         return _sweeps(options.runs[0], options.runs[1], options.out)
     from testbed.api.load import load_flight
     from testbed.reporting.comparison.compare import MOST, Comparison
-    from testbed.reporting.html import is_page
 
     problems: list[Problem] = []
     runs, out = options.runs, options.out
@@ -34,7 +33,7 @@ def _run(options: Namespace) -> int:
         what = f"is given {len(runs)} flight{'s' if len(runs) > 1 else ''}"
         problems.append(Problem(what, "compare", expected=f"from 2 to {MOST} flights"))
     file = _file(out)
-    collect(problems, lambda: refuse_unwritable(file, is_page))
+    collect(problems, lambda: refuse_unwritable(file, _is_comparison))
     flights = [collect(problems, lambda run=run: load_flight(run)) for run in runs]  # type: ignore[misc]
     if problems:
         raise BadInput(problems)
@@ -50,13 +49,19 @@ def _file(out: Path) -> Path:
     return out if out.suffix == ".html" else out / "comparison.html"
 
 
+def _is_comparison(file: Path) -> bool:
+    """Whether a page that is there may be replaced; the one of a run or a study is called report.html."""
+    from testbed.reporting.html import is_page
+
+    return file.name != "report.html" and is_page(file)
+
+
 def _sweeps(first: Path, second: Path, out: Path) -> int:
     """Compare two sweeps, and return the exit status: NOT_MET where the second passes less often, beyond chance."""
-    from testbed.reporting.html import is_page
     from testbed.study_reports.sweep import comparison
 
     file = _file(out)
-    refuse_unwritable(file, is_page)
+    refuse_unwritable(file, _is_comparison)
     with working("comparing"):
         changes = comparison.compared(first, second)
     with tidily():

@@ -36,7 +36,7 @@ def _run(options: Namespace) -> int:
     from testbed.reporting import junit
 
     if options.junit is not None:
-        junit.refuse(options.junit)
+        junit.refuse(options.junit, options.out)
     with working("merging"), tidily(), _here(options.folders) as folders:
         summary, missing = merge(folders, options.out, figures=not options.no_plots, mixed=options.mixed)
     word = kind_of(options.out)

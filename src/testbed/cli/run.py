@@ -54,7 +54,7 @@ def _run(options: Namespace) -> int:
     if options.out is not None:  # before the flight, not after it
         collect(problems, lambda: refuse_existing(options.out))
     if options.junit is not None:
-        collect(problems, lambda: junit.refuse(options.junit))
+        collect(problems, lambda: junit.refuse(options.junit, options.out))
     with working("checking"):
         scenario = collect(problems, lambda: checked(options.scenario, options.set))
     stay = contextlib.chdir(".") if options.controller else contextlib.nullcontext()

@@ -26,15 +26,15 @@ def run(kind: Kind, options: Namespace, file: str, *, save_logs: str = "none", *
     from testbed.studies.run import Options
 
     junit = getattr(options, "junit", None)  # which kinds with a verdict take
-    if junit is not None:
-        from testbed.reporting.junit import refuse
-
-        refuse(junit)
     how = Options(
         options.jobs, options.cluster, save_logs, cluster_wait_s=options.cluster_wait, mixed=options.mixed
     )
     shared = {"seed": options.seed, "resume": options.resume, "controllers": options.controller}
     plan, folder = kind.prepare(file, options.out, options.set, **shared, **own)
+    if junit is not None:
+        from testbed.reporting.junit import refuse
+
+        refuse(junit, folder)
     with tidily(), copied(folder, options):
         with flying():
             flights = kind.fly(plan, folder, how, resume=options.resume)

@@ -100,7 +100,7 @@ def _fly_only(kind: Kind, options: Namespace, file: str, **own: Any) -> int:
     folder = options.out or usual.with_name(_name(usual.name, options.only, options.variant))
     refuse_existing(folder)
     if options.junit is not None:
-        junit.refuse(options.junit)
+        junit.refuse(options.junit, folder)
     with later():
         refuse_unwritable(folder)
     with tidily():

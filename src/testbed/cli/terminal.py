@@ -20,15 +20,20 @@ _GREEN, _RED = "32", "31"
 
 
 class _Printable:
-    """A text stream that writes what `printable` makes of a text; all else is the stream's own."""
+    """A text stream that writes what `printable` makes of a text, as long as somebody reads it; all else is the stream's own."""
 
     def __init__(self, stream: TextIO | None) -> None:
         self._stream = stream or open(os.devnull, "w")  # noqa: SIM115  (None if the shell has closed it, as by `>&-`)
 
     def write(self, text: str) -> int:
         erase()
-        self._stream.write(printable(text))
+        with _read_or_not(self._stream):
+            self._stream.write(printable(text))
         return len(text)
+
+    def flush(self) -> None:
+        with _read_or_not(self._stream):
+            self._stream.flush()
 
     def write_in_colour(self, text: str, code: str) -> None:
         """Write `text` in the colour of an ANSI code, if the stream is a terminal that may have colours."""
@@ -36,10 +41,20 @@ class _Printable:
             not self._stream.isatty() or bool(os.environ.get("NO_COLOR")) or os.environ.get("TERM") == "dumb"
         )
         erase()
-        self._stream.write(printable(text) if plain else f"\x1b[{code}m{printable(text)}\x1b[0m")
+        with _read_or_not(self._stream):
+            self._stream.write(printable(text) if plain else f"\x1b[{code}m{printable(text)}\x1b[0m")
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._stream, name)
+
+
+@contextlib.contextmanager
+def _read_or_not(stream: TextIO) -> Iterator[None]:
+    """A reader that goes away, as of `testbed list | head -1`, changes nothing of what a command does and finds."""
+    try:
+        yield
+    except BrokenPipeError:
+        _give_up(stream)
 
 
 @contextlib.contextmanager
@@ -67,10 +82,12 @@ def _show(message: Warning | str, *_: object, **__: object) -> None:
 
 
 def give_up_stdout() -> None:
-    """Let what is still to be written to stdout vanish, because its reader has gone or its disk is full.
+    """Let what is still to be written to stdout vanish, because its disk is full."""
+    _give_up(sys.stdout)
 
-    The remedy is that of the notes on SIGPIPE in Python's `signal` module: the flush at exit then succeeds.
-    """
+
+def _give_up(stream: TextIO) -> None:
+    """The remedy is that of the notes on SIGPIPE in Python's `signal` module: the flush at exit then succeeds."""
     # ValueError: it has no file descriptor, as in a test. AttributeError: a controller of the user's has set it to None.
     with contextlib.suppress(OSError, ValueError, AttributeError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())

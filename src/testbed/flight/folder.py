@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import Callable
@@ -99,9 +100,8 @@ def load(folder: str | Path) -> Flight:
     try:
         columns, data = _read_log(log_file)
     except (ValueError, KeyError, TypeError) as error:  # pyarrow's errors are ValueErrors
-        raise BadInput(
-            [Problem(f"cannot be read: {error!r}", str(folder), expected="a run folder")]
-        ) from None
+        expected = "the log of a run, as it was written"
+        raise BadInput([Problem(_why_not_read(error), str(log_file), expected=expected)]) from None
     scenario = load_scenario(scenario_file, with_aircraft=False)
     return flight_from(scenario, summary, columns, data, summary_file, log_file)
 
@@ -171,7 +171,7 @@ def _read_log(file: Path) -> tuple[tuple[str, ...], np.ndarray]:
     import pyarrow as pa
     import pyarrow.csv
 
-    with file.open(encoding="utf-8") as stream:
+    with file.open(encoding="utf-8-sig") as stream:
         header = stream.readline(_LONGEST_HEADER)
     if len(header) == _LONGEST_HEADER:
         raise ValueError(f"its first line has {_LONGEST_HEADER} characters or more")
@@ -179,6 +179,18 @@ def _read_log(file: Path) -> tuple[tuple[str, ...], np.ndarray]:
     floats = pyarrow.csv.ConvertOptions(column_types=dict.fromkeys(cells, pa.float64()), null_values=[""])
     table = pyarrow.csv.read_csv(file, convert_options=floats)
     return tuple(map(text_of, cells)), np.array([_numbers(table[name]) for name in cells]).T
+
+
+def _why_not_read(error: Exception) -> str:
+    """What is wrong with a log, in words, without the rows that pyarrow cites."""
+    if isinstance(error, UnicodeDecodeError):
+        return f"is no text in UTF-8, from byte {error.start} on"
+    said = str(error).partition("\n")[0]
+    columns = re.search(r"Expected (\d+) columns, got (\d+)", said)
+    if columns:
+        row = re.search(r"Row #(\d+)", said)
+        return f"has {columns[2]} values in {f'line {row[1]}' if row else 'a line'}, and {columns[1]} columns"
+    return f"cannot be read: {said[:200]}"
 
 
 def _numbers(column: Any) -> np.ndarray:

@@ -115,7 +115,10 @@ class LiveServer:
         hosts = request.headers.get_all("Host")
         if len(hosts) != 1 or hosts[0] not in self._hosts:
             return _response(HTTPStatus.MISDIRECTED_REQUEST, "not the address of this server\n")
-        address = urlsplit(request.path)
+        try:
+            address = urlsplit(request.path)
+        except ValueError:
+            return _response(HTTPStatus.BAD_REQUEST, "not an address\n")
         if address.path == "/favicon.ico":
             return _response(HTTPStatus.NO_CONTENT, "")
         given = parse_qs(address.query).get("token", [""])[-1]

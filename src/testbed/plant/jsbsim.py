@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import struct
+import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -61,6 +62,19 @@ class _Listener(jsbsim.FGLogger):
             self.warnings.append(message.strip())
 
 
+class _FirstLogger:
+    """Gives a thread that ends its first logger back: a Python one would be released without the interpreter's lock, and abort."""
+
+    def __init__(self) -> None:
+        self._first = jsbsim.get_logger()
+
+    def __del__(self) -> None:
+        jsbsim.set_logger(self._first)
+
+
+_thread = threading.local()
+
+
 class NoProperty(BadInput):
     """The JSBSim model has no property of this name: a prefix or an engine's number in the aircraft's YAML is wrong, or
     the model lacks a part of an actuator's block."""
@@ -76,6 +90,8 @@ def opened(folder: Path, model: str, physics_hz: float) -> tuple[Any, list[str]]
     It must be known that the model does not end the process, or this process must be one that may end.
     """
     listener = _Listener()
+    if threading.current_thread() is not threading.main_thread() and not hasattr(_thread, "first"):
+        _thread.first = _FirstLogger()
     jsbsim.set_logger(listener)  # thread-local, so set where the model is loaded
     jsbsim.FGJSBBase().debug_lvl = 0
     fdm = jsbsim.FGFDMExec(str(folder.parent.parent))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 from xml.etree import ElementTree
@@ -11,6 +12,7 @@ from testbed.common.text import printable
 from testbed.common.writing import write as write_file
 from testbed.flight.flight import Flight, Outcome
 from testbed.inputs.output_file import refuse_unwritable
+from testbed.inputs.problems import BadInput, Problem
 from testbed.reporting.numbers import number
 from testbed.reporting.story import story
 
@@ -51,8 +53,14 @@ def write(file: Path, name: str, tests: Iterable[Test]) -> None:
     write_file(file, ElementTree.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n")
 
 
-def refuse(file: Path) -> None:
-    """Raise BadInput where `write` could not write, or would replace a file that is none of ours."""
+def refuse(file: Path, folder: Path | None) -> None:
+    """Raise BadInput where `write` could not write, would replace a file that is none of ours, or one of the output folder."""
+    with suppress(OSError, ValueError):  # of a name that `refuse_unwritable` refuses
+        if folder is not None and file.resolve().is_relative_to(folder.resolve()):
+            problem = Problem(
+                f"is in {folder}, which holds the results", str(file), expected="a file beside it"
+            )
+            raise BadInput([problem])
     refuse_unwritable(file, _is_ours)
 
 

@@ -141,7 +141,16 @@ FAULTY = {
     "class Own:\n    parameters = 3\n": "own.py: the attribute `parameters` is 3, expected a mapping",
     STEP.format(bind="1/0", step="0"): "own.py:3: raised while being bound: ZeroDivisionError",
     STEP.format(bind="0", step="k/0"): "own.py:4: raised at 0.000 s: ZeroDivisionError",
-    STEP.format(bind="0", step="[0.0]"): "own.py: at 0.000 s commands are [0.0], expected 4 numbers",
+    STEP.format(bind="0", step="[0.0]"): "own.py: at 0.000 s commands are [0.0], expected 4 finite",
+    STEP.format(
+        bind="0", step="['a'] * 4"
+    ): "own.py: at 0.000 s commands are ['a', 'a', 'a', 'a'], expected 4",
+    STEP.format(bind="0", step="[float('nan')] * 4"): "commands are [nan, nan, nan, nan], expected 4 finite",
+    STEP.format(bind="0", step="[[0.0] * 4] * 4"): "own.py: at 0.000 s commands are",
+    STEP.format(bind="channels[0].fill(0)", step="0"): "own.py:3: raised while being bound: ValueError",
+    OWN.format(
+        init="0", update="update", body="return [1j] * 4"
+    ): "commands are [1j, 1j, 1j, 1j], expected 4",
     STEP.format(bind="0", step="[0.0] * 4") + "    reasons = 5\n": "own.py: raised in its reasons: TypeError",
 }
 

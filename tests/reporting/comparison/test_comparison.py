@@ -140,6 +140,9 @@ def test_the_command(
     (tmp_path / "mine.html").write_text("mine")
     assert main(["compare", "a", "b", "--out", "mine.html"]) == 2, "nobody else's"
     assert (tmp_path / "mine.html").read_text() == "mine"
+    report = (tmp_path / "here/comparison.html").replace(tmp_path / "a/report.html")
+    assert main(["compare", "a", "b", "--out", "a/report.html"]) == 2, "that of a run"
+    assert report.is_file()
     assert main(["compare", "a", "none"]) == 2
     assert "none: there is no such folder" in capsys.readouterr().err
     assert main(["compare", "a"]) == 2

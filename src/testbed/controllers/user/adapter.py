@@ -41,8 +41,8 @@ _KEPT = ("effectiveness", "failed")
 """Attributes of the user's object that are logged, if it has them."""
 
 
-_TEXTS = "US"
-"""Kinds of numpy arrays of texts: numpy would make numbers of them."""
+_NUMBERS = "biufO"
+"""Kinds of numpy arrays of real numbers, or of objects that may be: numpy would make numbers of texts and complex ones, too."""
 _LARGEST = 1e12
 """No command comes near it; beyond, products overflow."""
 _SLOW_S, _LONG_S = 3.0, 60.0
@@ -122,7 +122,7 @@ class AsItIs:
     """A user's class with `bind` and `step`, and with `reasons` if it gives any."""
 
     def __init__(self, setup: Setup, flown: Any, name: str) -> None:
-        self._dt, self._n, self._name = setup.dt_s, len(setup.actuators), name
+        self._dt, self._names, self._name = setup.dt_s, setup.model.actuators, name
         self._flown, self._step = flown, flown.step
         self.senses = callable(getattr(flown, "bind_sensed", None))
         self.outside = can_be_closed(flown)
@@ -130,7 +130,7 @@ class AsItIs:
     def bind(self, states: np.ndarray, setpoints: np.ndarray, telemetry: np.ndarray) -> None:
         """See `Controller.bind`; raises BadInput when the user's code fails."""
         with in_words(self._name, "while being bound"):
-            self._flown.bind(states, setpoints, telemetry)
+            self._flown.bind(_to_read(states), _to_read(setpoints), telemetry)
 
     def bind_sensed(self, sensed: np.ndarray) -> None:
         """Take the rows of `signals.SENSED`, for a class that has this method."""
@@ -144,15 +144,12 @@ class AsItIs:
     def step(self, step: int) -> np.ndarray:
         """See `Controller.step`; raises BadInput, with the time, when the user's code fails."""
         try:
-            commands: np.ndarray = self._step(step)
-            if len(commands) == self._n:
-                return commands
+            answer = self._step(step)
         except (KeyboardInterrupt, BadInput):
             raise
         except BaseException as error:
             raise BadInput([raised(error, self._name, f"at {step * self._dt:.3f} s")]) from error
-        what = f"at {step * self._dt:.3f} s commands are {shown(commands)}"
-        raise BadInput([Problem(what, self._name, expected=f"{self._n} numbers")])
+        return checked(answer, "commands", self._names, self._name, step * self._dt)
 
     @property
     def reasons(self) -> Sequence[tuple[int, str]]:
@@ -209,7 +206,7 @@ class CustomController:
             self._spent_s += perf_counter() - begin
         if self._spent_s > _SLOW_S:
             self._say_how_long(step)
-        commands = self._checked(answer, "commands", time_s)
+        commands = checked(answer, "commands", self._names, self._name, time_s)
         self._write_telemetry(step, commands, kept, time_s)
         return commands
 
@@ -220,25 +217,33 @@ class CustomController:
             words = f"{self._name}: takes {each_s:.2g} s in each control step, {whole_s:.0f} s for the whole flight"
             warnings.warn(words, stacklevel=2)
 
-    def _checked(self, answer: Any, what: str, time_s: float) -> np.ndarray:
-        """The answer as [n] finite numbers; raises BadInput when it is anything else."""
-        expected = f"{self._n} finite numbers of at most {_LARGEST:g}: {', '.join(self._names)}"
-        try:
-            given = np.asarray(answer)
-            values = given.astype(float) if given.dtype.kind not in _TEXTS else np.full(0, math.nan)
-        except (Exception, SystemExit):  # whatever its `__array__` raises
-            values = np.full(0, math.nan)
-        if values.shape != (self._n,) or not (np.abs(values) <= _LARGEST).all():
-            problem = f"at {time_s:.3f} s {what} are {shown(answer)}"
-            raise BadInput([Problem(problem, self._name, expected=expected)])
-        return values
-
     def _write_telemetry(self, step: int, commands: np.ndarray, kept: Sequence[Any], time_s: float) -> None:
         n, row = self._n, self._telemetry[step]
         self._log.write(row, commands, self._states[step])
         for i, (name, own) in enumerate(zip(_KEPT, kept, strict=True), 2):
             if own is not None:
-                row[i * n : (i + 1) * n] = self._checked(own, name, time_s)
+                row[i * n : (i + 1) * n] = checked(own, name, self._names, self._name, time_s)
+
+
+def checked(answer: Any, what: str, actuators: Sequence[str], name: str, time_s: float) -> np.ndarray:
+    """The answer of the user's code of this name as a finite number for each actuator; raises BadInput when it is anything else."""
+    n = len(actuators)
+    expected = f"{n} finite numbers of at most {_LARGEST:g}: {', '.join(actuators)}"
+    try:
+        given = np.asarray(answer)
+        values = given.astype(float) if given.dtype.kind in _NUMBERS else np.full(0, math.nan)
+    except (Exception, SystemExit):  # whatever its `__array__` raises
+        values = np.full(0, math.nan)
+    if values.shape != (n,) or not (np.abs(values) <= _LARGEST).all():
+        raise BadInput([Problem(f"at {time_s:.3f} s {what} are {shown(answer)}", name, expected=expected)])
+    return values
+
+
+def _to_read(rows: np.ndarray) -> np.ndarray:
+    """The same rows, which the user's code cannot change: they are the log."""
+    seen = rows.view()
+    seen.setflags(write=False)
+    return seen
 
 
 class CommandLog:
