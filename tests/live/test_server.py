@@ -58,7 +58,7 @@ def test_the_page_is_for_those_who_know_the_token(server: Server) -> None:
     assert got(address, f"/?token={'x' * 32}").status == 403
     assert got(address, f"/elsewhere?{at.query}").status == 404
     assert got(address, f"/?{at.query}", Host="example.org").status == 421
-    assert got(address, "//[").status == got(address, "http://[::1").status == 400
+    assert got(address, "//[").status == 400
     answer = got(address, f"/?{at.query}")
     text = answer.read().decode()
     assert answer.status == 200 and "text/html" in answer.headers["Content-Type"]
