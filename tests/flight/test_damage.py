@@ -78,7 +78,7 @@ def test_a_flight_that_diverged_is_read(tmp_path: Path) -> None:
     ("change", "said"),
     [
         ({"end_time_s": 1e308}, "end_time_s: is 1e+308, expected at most 60, as the scenario says"),
-        ({"end_time_s": 30.0}, "time_s: ends at 59.995 s, expected the flight's end, 30 s"),
+        ({"end_time_s": 30.0, "outcome": "ground_contact"}, "time_s: ends at 59.995 s, expected the flight's end, 30 s"),
         ({"events": [{"time_s": 61, "kind": "diagnosis", "text": ""}]}, "events.0.time_s: is 61, expected at most the flight"),
     ],
 )  # fmt: skip

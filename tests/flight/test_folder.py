@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -170,6 +171,15 @@ def test_a_summary_of_another_shape_is_bad_input(tmp_path: Path, key: str, wrong
     summary = json.loads((folder / "summary.json").read_text())
     (folder / "summary.json").write_text(json.dumps({**summary, key: wrong}))
     with pytest.raises(BadInput, match=rf"summary\.json: {key}(\.\w+)?: is "):
+        load(folder)
+
+
+def test_a_scenario_of_a_longer_flight_is_bad_input(tmp_path: Path) -> None:
+    folder = write_run_folder(make_flight(), tmp_path / "run")
+    file = folder / "scenario.yaml"
+    longer = re.sub(r"(?m)^duration_s: .*$", "duration_s: 500.0", file.read_text())
+    file.write_text(longer)
+    with pytest.raises(BadInput, match=r"end_time_s: is .*, expected 500, as the scenario says"):
         load(folder)
 
 

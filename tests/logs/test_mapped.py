@@ -183,6 +183,24 @@ def test_other_files_are_refused(tmp_path: Path, table: pd.DataFrame, content: b
     assert not (tmp_path / "out").exists()
 
 
+@pytest.mark.parametrize(
+    ("before", "after", "words"),
+    [
+        ("gy,", "gx,", "has 2 columns 'gx', expected one"),
+        (",gx,", ", gx,", "expected one of t_us, ' gx', gy"),
+    ],
+)
+def test_heads_that_mislead_are_refused(
+    tmp_path: Path, table: pd.DataFrame, before: str, after: str, words: str
+) -> None:
+    arguments = _written(tmp_path, table)
+    head, _, rows = (tmp_path / "log.csv").read_text().partition("\n")
+    assert before in head
+    (tmp_path / "log.csv").write_text(f"{head.replace(before, after, 1)}\n{rows}")
+    ended = in_this_process(tmp_path, *arguments)
+    assert ended.returncode == 2 and words in ended.stderr
+
+
 def test_a_file_of_lines_is_no_table(tmp_path: Path, table: pd.DataFrame) -> None:
     """Such as a DataFlash log that was written as text, or a pointer to a large file."""
     arguments = _written(tmp_path, table)

@@ -116,6 +116,8 @@ def test_none_is_written_among_the_results(
     monkeypatch.chdir(tmp_path)
     sweep_file = written(tmp_path)
     before = sorted(tmp_path.rglob("*"))
-    assert main([*command.replace("sweep.yaml", str(sweep_file)).split(), "--out", "out", "--junit", file]) == 2
+    assert (
+        main([*command.replace("sweep.yaml", str(sweep_file)).split(), "--out", "out", "--junit", file]) == 2
+    )
     assert f"{file}: is in out, which holds the results, expected a file beside it" in capsys.readouterr().err
     assert sorted(tmp_path.rglob("*")) == before

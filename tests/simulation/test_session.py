@@ -600,6 +600,7 @@ def test_before_the_first_step_there_is_nothing_to_show() -> None:
         (lambda s: s.run_to(0.2), "run_to: is 0.2, expected a time from 0.5, which is now, to duration_s 2"),
         (lambda s: s.run_to(float("nan")), "run_to: is nan"),
         (lambda s: s.extend(1.0), "extend: is 1.0, expected whole control steps"),
+        (lambda s: s.extend(10**400), "extend: is 1000"),
         (lambda s: s.extend(2.001), "extend: is 2.001, expected whole control steps"),
     ],
 )  # fmt: skip

@@ -53,6 +53,10 @@ def _other_events(flight: Flight, file: str) -> Iterator[Problem]:
             f"at most {flight.scenario.duration_s:g}, as the scenario says",
         )
         yield Problem(what, file, None, "end_time_s", expected)
+    short_s = flight.scenario.duration_s - flight.end_time_s - 1.0 / flight.scenario.rate_hz
+    if flight.outcome is Outcome.completed and short_s > _ROUNDED_S:
+        expected = f"{flight.scenario.duration_s:g}, as the scenario says: it was flown to the end"
+        yield Problem(f"is {flight.end_time_s:g}", file, None, "end_time_s", expected)
     for i, event in enumerate(flight.events):
         if event["time_s"] > flight.end_time_s + _ROUNDED_S:
             what, expected = f"is {event['time_s']:g}", f"at most the flight's end, {flight.end_time_s:g}"

@@ -245,9 +245,13 @@ def _refuse_words(file: Path, name: str, kind: Any) -> None:
 
 
 def _refuse_missing(file: Path, names: list[str], there: list[str], source: Source) -> None:
-    problems = []
+    """Raise BadInput for columns that are not there, or more than once."""
+    twice = [f"has {there.count(name)} columns {shown(name)!r}" for name in names if there.count(name) > 1]
+    problems = [Problem(what, str(file), expected="one") for what in twice]
     for name in (each for each in names if each not in there):
-        expected, suggestion = guess(name, map(shown, there))
+        # a blank at either end would not be seen
+        known = (shown(each) if each == each.strip() else repr(shown(each)) for each in there)
+        expected, suggestion = guess(name, known)
         problems.append(
             Problem(
                 f"has no column {shown(name)!r}, which {source.file} names",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Callable, Mapping, Sequence
 from numbers import Integral, Real
@@ -112,7 +113,10 @@ class Session:
         """Let a flight that goes on last until this time [s], later than planned; a whole number of control steps."""
         self._refuse_over()
         planned, parts = self._planned, self.parts
-        steps = float(duration_s) * planned.rate_hz if isinstance(duration_s, Real) else math.nan
+        steps = math.nan
+        if isinstance(duration_s, Real):
+            with contextlib.suppress(OverflowError):
+                steps = float(duration_s) * planned.rate_hz
         if not planned.steps < steps <= MAX_STEPS or abs(steps - round(steps)) > 1e-6:
             least = f"whole control steps of 1/{planned.rate_hz} s, more than {planned.duration_s:g} s, at most {MAX_STEPS}"
             raise _refused("extend", f"is {duration_s!r}", least)
