@@ -22,11 +22,11 @@ from testbed.controllers.inversion.law import (
     compensate,
     invert,
     measured_error,
-    monitor,
     pressure_ratio_of,
     regressor,
     state_function,
 )
+from testbed.controllers.inversion.loss_detection import monitor
 from testbed.controllers.records import (
     P_DOT,
     Q_DOT,
