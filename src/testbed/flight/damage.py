@@ -53,7 +53,7 @@ def _other_events(flight: Flight, file: str) -> Iterator[Problem]:
             f"at most {flight.scenario.duration_s:g}, as the scenario says",
         )
         yield Problem(what, file, None, "end_time_s", expected)
-    short_s = flight.scenario.duration_s - flight.end_time_s - 1.0 / flight.scenario.rate_hz
+    short_s = flight.scenario.duration_s - flight.end_time_s - 1.0 / flight.scenario.log_hz
     if flight.outcome is Outcome.completed and short_s > _ROUNDED_S:
         expected = f"{flight.scenario.duration_s:g}, as the scenario says: it was flown to the end"
         yield Problem(f"is {flight.end_time_s:g}", file, None, "end_time_s", expected)
