@@ -228,13 +228,13 @@ class CustomController:
 def checked(answer: Any, what: str, actuators: Sequence[str], name: str, time_s: float) -> np.ndarray:
     """The answer of the user's code of this name as a finite number for each actuator; raises BadInput when it is anything else."""
     n = len(actuators)
-    expected = f"{n} finite numbers of at most {_LARGEST:g}: {', '.join(actuators)}"
     try:
         given = np.asarray(answer)
         values = given.astype(float) if given.dtype.kind in _NUMBERS else np.full(0, math.nan)
     except (Exception, SystemExit):  # whatever its `__array__` raises
         values = np.full(0, math.nan)
     if values.shape != (n,) or not (np.abs(values) <= _LARGEST).all():
+        expected = f"{n} finite numbers of at most {_LARGEST:g}: {', '.join(actuators)}"
         raise BadInput([Problem(f"at {time_s:.3f} s {what} are {shown(answer)}", name, expected=expected)])
     return values
 
