@@ -171,9 +171,7 @@ def nearest(summary: dict[str, Any], first: dict[str, Any]) -> list[str]:
             sys.exit(f"the flights of --more have another {key}")
     headline, *rest = markdown(summary)
     _, groups = cut(rest, "## By group")
-    words = (
-        f"{headline} The first {first['draws']} of them are those above, which had left it open. {groups[2]}"
-    )
+    words = f"{headline} They were flown after the first {first['draws']} of them, which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     return ["", "## The nearest rival on more draws", "", words, *tables]
 

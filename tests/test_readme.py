@@ -81,6 +81,12 @@ def test_its_table_of_controllers_is_that_of_the_page() -> None:
 
 
 SAID = {
+    "benchmark": (
+        r"(?s)\[(\d+ of \d+ draws)\].* Of \[(\d+)\]\S+ the default holds (\S+), "
+        r"`indi` with its diagnosis (\S+): (\S+ \(\S+ to \S+\))\.",
+        r"(?s)It does not hold (\d+ of \d+ draws) .*"
+        r"## The nearest.*?Of (\d+) draws `default` holds (\S+) .*?`indi_monitor`, holds (\S+): (\S+ \(\S+ to \S+\))\.",
+    ),
     "adoption": (r"\[(\d+) of 48 fixed-wing models\]", r"(\d+) of the 48 fixed-wing models"),
     "gallery": (
         r"Of (\d+) lost ailerons .*\[(\d+) are held\]\S+ and (\d+) survived; "
