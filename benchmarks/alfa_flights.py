@@ -268,6 +268,6 @@ what is left; each of {groups} flights is left out of what it is judged with. No
 | **the leak**: the throttle has not changed for {still:g} s | {rule} |
 | the leak, published: an output has not changed for 6 s | | 0.97 | 1.00 | |
 
-The last two rows detect nothing. The failures were made by holding an output, and the log has what was held; any detector that is
-given commands can learn this. The throttle, the one command of the copies at hand, tells the engine's failures alone.
+The last two rows detect nothing: failures were made by holding an output, which is in the log. The throttle, the one command of
+the copies at hand, tells the engine's failures alone.
 """

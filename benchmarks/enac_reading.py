@@ -11,7 +11,7 @@ from enac_filter import ORDER, Filtered, filtered, lagged, moments_of, predictor
 from enac_logs import STEP_S, Flight
 from scipy.stats import norm
 
-from testbed.logs.chain import likeliest
+from testbed.logs.chain import likeliest, probabilities
 from testbed.logs.smoothing import smoothed
 
 LAGS = 4
@@ -22,6 +22,7 @@ CLASSES = np.array([(1.0, 1.0), (0.3, 1.0)] + [(1.0, level) for level in (0.9, 0
 """Effectiveness of the right and the left elevon in the nine classes of the authors, which all are of 21 July."""
 FLAG = 0.75
 """An elevon is flagged while it is said to be weaker."""
+_WEAK = (CLASSES < FLAG).astype(float)
 UNKNOWN = np.array([0.2, 0.05])
 """Standard deviations, from flight to flight, of the gain of both elevons, and of their difference."""
 WINDOW_S, LATE_S, WRONG_S = 10.0, 3.0, 10.0
@@ -32,11 +33,16 @@ STRETCH = 600
 """Samples on either side of a drop, of which its noise is taken for what can be reached at best."""
 
 
+LIKELY = 0.9
+"""Probability of being weaker than FLAG from which on an elevon is flagged from the whole log. With 1 - LIKELY the flag
+goes, also in flight, where one is raised by far more: there each sample is another chance to be wrong."""
+
+
 class Settings(NamedTuple):
     """What is chosen on 21 July.
 
     Minus the logarithms of the probabilities that the class changes, in a sample in flight and in a step of the whole log; and the
-    probability of being weaker than FLAG from which on an elevon is flagged. Below 0.1 the flag goes.
+    probability of being weaker than FLAG from which on an elevon is flagged in flight.
     """
 
     change: float
@@ -64,18 +70,19 @@ class Regression:
 class Reading(NamedTuple):
     """What is said of a flight.
 
-    At each sample: time, truth [rows, 2], the likeliest class and which elevons are flagged [rows, 2], from the whole log and in
-    flight, and the probability in flight that each is weaker than FLAG [rows, 2]. In steps of 1 s: the effectiveness [steps, 2].
+    At each sample: time, truth [rows, 2], and from the whole log and in flight the likeliest class, the probability that each
+    elevon is weaker than FLAG [rows, 2] and which are flagged [rows, 2]. In steps of 1 s: the effectiveness [steps, 2].
     Of the flight: the gain of both elevons, and for each drop the probability that the best of all tests flags it in time.
     """
 
     time_s: np.ndarray
     truth: np.ndarray
     told: np.ndarray
+    weak: np.ndarray
     flagged: np.ndarray
     told_in_flight: np.ndarray
+    weak_in_flight: np.ndarray
     flagged_in_flight: np.ndarray
-    weak: np.ndarray
     effectiveness: np.ndarray
     gain: float
     reachable: np.ndarray
@@ -138,20 +145,26 @@ def told(data: Regression, moments: np.ndarray, settings: Settings) -> Reading:
     towards = np.einsum("k,kri,kr->ki", weight, phi, z).reshape(-1, BLOCK, 2).sum(axis=1)
     changes = np.diff(levels, axis=0, prepend=levels[:1]) != 0
     effectiveness, _ = smoothed(information, towards, 0.002, changes)
-    each = np.append(np.repeat(course, BLOCK), np.full(len(data.z) - blocks * BLOCK, course[-1]))
-    in_flight, probability = first.log_probability.argmax(axis=1), weak(first)
+    step = np.minimum(np.arange(len(data.z)) // BLOCK, blocks - 1)
+    after, in_flight = probabilities(*_steps(whole, settings))[step], first.log_probability
+    weak_after, weak_before = after @ _WEAK, weak(first)
     return Reading(
-        data.time_s, data.truth, each, CLASSES[each] < FLAG, in_flight, raised(probability, settings.sure),
-        probability, effectiveness, gain, reachable(data, gain),
+        data.time_s, data.truth, after.argmax(axis=1), weak_after, raised(weak_after, LIKELY),
+        in_flight.argmax(axis=1), weak_before, raised(weak_before, settings.sure), effectiveness, gain, reachable(data, gain),
     )  # fmt: skip
 
 
 def _course(made: Filtered, settings: Settings) -> np.ndarray:
     """[steps] likeliest course of classes, from the whole log."""
+    return likeliest(*_steps(made, settings))
+
+
+def _steps(made: Filtered, settings: Settings) -> tuple[np.ndarray, np.ndarray]:
+    """([steps, classes] log-likelihoods of the steps, relative to the first class's, [classes, classes] cost of each change)."""
     rows = len(made.evidence) // BLOCK * BLOCK
     evidence = made.evidence[:rows].reshape(-1, BLOCK, len(CLASSES)).sum(axis=1)
     cost = np.where(np.eye(len(CLASSES), dtype=bool), 0.0, -settings.step_change)
-    return likeliest(evidence - evidence[:, :1], cost)
+    return evidence - evidence[:, :1], cost
 
 
 def _common(made: Filtered, course: np.ndarray) -> tuple[float, float]:
@@ -167,16 +180,16 @@ def _common(made: Filtered, course: np.ndarray) -> tuple[float, float]:
 
 def weak(made: Filtered) -> np.ndarray:
     """[rows, 2] probability that each elevon is weaker than FLAG."""
-    return np.exp(made.log_probability) @ (CLASSES < FLAG)
+    return np.exp(made.log_probability) @ _WEAK
 
 
 def raised(probability: np.ndarray, sure: float) -> np.ndarray:
-    """[rows, 2] where each elevon is flagged: from `sure` on, until the probability that it is weak is below 0.1."""
+    """[rows, 2] where each elevon is flagged: from `sure` on, until the probability that it is weak is below 1 - LIKELY."""
     flagged = np.zeros(probability.shape, dtype=bool)
     for elevon in range(2):
         now = False
         for k, each in enumerate(probability[:, elevon]):
-            now = each > (0.1 if now else sure)
+            now = each > (1.0 - LIKELY if now else sure)
             flagged[k, elevon] = now
     return flagged
 

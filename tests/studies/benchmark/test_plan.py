@@ -15,6 +15,7 @@ from suite_files import tree, written
 from testbed.air.config import severity
 from testbed.air.dryden import EXCEEDED_FT, EXCEEDED_FT_S, intensities_and_lengths
 from testbed.aircraft.changes import ChangedAircraft, load_with_changes
+from testbed.aircraft.description import load_aircraft
 from testbed.aircraft.shipped import files_in
 from testbed.api.benchmark import prepare
 from testbed.failures import TABLE
@@ -148,10 +149,15 @@ def test_severer_weather_is_rougher_air_for_every_aircraft(file: Path) -> None:
     assert intensity_m_s(suite.weather["light"], once) == intensity_m_s(suite.weather["severe"], once)
 
 
+def test_the_shipped_suites_have_the_same_aircraft() -> None:
+    one, other = (load_suite(file)[0] for file in files_in("scenarios/suites"))
+    assert one.aircraft == other.aircraft and one.truth == other.truth
+
+
 @pytest.mark.nightly
-@pytest.mark.parametrize("file", files_in("scenarios/suites"), ids=lambda file: file.stem)
-def test_every_aircraft_of_a_shipped_suite_can_begin_wherever_it_is_drawn(file: Path) -> None:
+def test_every_aircraft_of_the_shipped_suites_can_begin_wherever_it_is_drawn() -> None:
     """Slowest and fastest, lowest and highest; as it is, and heavy with its centre of gravity either way."""
+    file = files_in("scenarios/suites")[0]
     suite, _ = load_suite(file)
     assert suite.truth is not None
     heavy = float(suite.truth.mass.quantiles(np.array([1.0]))[0])
@@ -173,11 +179,8 @@ def test_every_aircraft_of_a_shipped_suite_can_begin_wherever_it_is_drawn(file: 
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize("file", files_in("scenarios/suites"), ids=lambda file: file.stem)
-def test_spans_and_masses_of_shipped_suites_are_those_of_the_models(file: Path) -> None:
-    from testbed.aircraft.description import load_aircraft
-
-    plan = plan_of(file)
+def test_spans_and_masses_of_the_shipped_suites_are_those_of_the_models() -> None:
+    plan = plan_of(files_in("scenarios/suites")[0])
     for (name, one), place in zip(plan.suite.aircraft.items(), plan.aircraft_names, strict=True):
         plant = Plant(load_aircraft(place), 200)
         assert one.span_m == pytest.approx(plant.span_m, rel=0.02), name
