@@ -7,8 +7,9 @@
 The first folder is of the suite `open`, the second of `healthy`; with `--fly` they are flown, or their missing flights are.
 Else a folder may be unfinished: the draws that every controller has flown count. Of folders `--beside` further controllers on
 the same draws are taken; the one of `--parts` has the default without its parts, of which the page keeps what it says if none is
-given. The one of `--more` has the default and its nearest rival on more draws: the groups are of these. With `--commit` the page is
-stamped with the commit that flew them and the environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
+given, and those of `--acts` have it without one part each (`parts_where_they_act.py`). The one of `--more` has the default and its
+nearest rival on more draws: the groups are of these. With `--commit` the page is stamped with the commit that flew them and the
+environment that they say. An entry is a folder in `leaderboard/` with `entry.yaml`.
 """
 
 from __future__ import annotations
@@ -90,6 +91,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         "--beside", nargs="+", type=Path, default=[], help="folders of other controllers, same draws"
     )
     parser.add_argument("--parts", type=Path, help="folder of the default without its parts")
+    parser.add_argument("--acts", nargs="+", type=Path, default=[], help="folders of kinds of flights")
     parser.add_argument("--more", type=Path, help="folder of the default and its nearest rival on more draws")
     parser.add_argument("--remark", default="", help="what else a reader must know of the flights")
     parser.add_argument("--commit", help="that flew the folders, for the page's stamp")
@@ -106,7 +108,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     law = summaries[0]["law_sha256"]
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
     if options.parts is not None:
-        parts = parts_of(summary_of(options.parts), law)
+        parts = parts_of(summary_of(options.parts), law, [*map(summary_of, options.acts)])
     more = nearest(summary_of(options.more), summaries[0]) if options.more else []
     PAGE.write_text(text(summaries, parts, more, options.remark), encoding="utf-8")
     if options.commit:
@@ -148,12 +150,27 @@ def to_50_ft_s(folder: Path) -> str:
     return f"To 50 ft/s (W20), {flights['draw'].nunique()} draws: {'; '.join(said)}."
 
 
-def parts_of(summary: dict[str, Any], law: str) -> list[str]:
-    """The lines of what each part of the default brings, which say it if they were flown with another law."""
+def parts_of(summary: dict[str, Any], law: str, acts: Sequence[dict[str, Any]] = ()) -> list[str]:
+    """The lines of what each part of the default brings, also where it acts, which say it if they were flown with another law."""
     _, lines = cut(markdown(summary), "## What the parts of")
     before = summary["law_sha256"]
     other = "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
-    return ["", *lines, f"Of the first {summary['draws']} draws{other}."]
+    return ["", *lines, *where_they_act(acts), f"Of the first {summary['draws']} draws{other}."]
+
+
+def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
+    """A table of what single parts bring in the kinds of flights that they are for."""
+    if not summaries:
+        return
+    first = summaries[0]
+    yield f"Where they act, {first['draws']} draws with these failures alone, seed {first['seed']}:"
+    yield from ("", "| flights | without | held | held, minus `default` | inside, minus `default` |")
+    yield "| --- | --- | --- | --- | --- |"
+    for summary in summaries:
+        _, lines = cut(markdown(summary), "## What the parts of")
+        row = next(line for line in lines if line.startswith("| `no_"))
+        yield f"| {summary['suite'].replace('_', ' ')} |{row.split('|', 2)[2]}"
+    yield ""
 
 
 def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
