@@ -123,6 +123,18 @@ def regression(
     return Regression(time_s[rows], z, np.asarray(phi), truth[rows])
 
 
+def thinned(flight: Flight) -> Flight:
+    """A flight with every second sample replaced by the mean of its neighbours: a drawing leaves points out."""
+    kept = np.arange(0, len(flight.time_s), 2)
+
+    def drawn(values: np.ndarray) -> np.ndarray:
+        return np.stack(
+            [np.interp(flight.time_s, flight.time_s[kept], each) for each in values[kept].T], axis=1
+        )
+
+    return Flight(flight.time_s, drawn(flight.rates), drawn(flight.commands))
+
+
 def errors(data: Regression, gain: float = 1.0) -> np.ndarray:
     """[rows, 2] what the model leaves, with what was broken known."""
     return data.z - gain * np.einsum("kri,ki->kr", data.phi, data.truth)

@@ -77,7 +77,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
         file, out = options.folder / f"{kind}.yaml", options.folder / kind
         file.write_text(yaml.safe_dump(suite_of(kind), sort_keys=False), encoding="utf-8")
         flown = testbed.benchmark(file, out, seed=options.seed, draws=options.draws, resume=out.exists())
-        print(f"{kind}: {flown.out}", flush=True)
+        print(flown.groupby("controller")[["survived", "held", "inside"]].mean(), flush=True)
 
 
 if __name__ == "__main__":
