@@ -159,17 +159,24 @@ def parts_of(summary: dict[str, Any], law: str, acts: Sequence[dict[str, Any]] =
 
 
 def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
-    """A table of what single parts bring in the kinds of flights that they are for."""
+    """A table of what single parts bring in the kinds of flights that they are for: differences from the default."""
     if not summaries:
         return
     first = summaries[0]
-    yield f"Where they act, {first['draws']} draws with these failures alone, seed {first['seed']}:"
-    yield from ("", "| flights | without | held | held, minus `default` | inside, minus `default` |")
-    yield "| --- | --- | --- | --- | --- |"
+    yield f"Where they act: {first['draws']} draws with these failures alone, seed {first['seed']}, minus `default`."
+    yield from ("", "| flights | without | survived | held | inside |", "| --- | --- | --- | --- | --- |")
     for summary in summaries:
-        _, lines = cut(markdown(summary), "## What the parts of")
-        row = next(line for line in lines if line.startswith("| `no_"))
-        yield f"| {summary['suite'].replace('_', ' ')} |{row.split('|', 2)[2]}"
+        for name in summary["ablated"]:
+            against, without = (
+                summary["scores"][name]["against_reference"],
+                summary["controllers"][name]["ablate"],
+            )
+            keys = (("survived", "difference"), ("held", "difference"), ("inside", "estimate"))
+            cells = [
+                f"{against[key][value]:+.3f} ({against[key]['low']:+.3f} to {against[key]['high']:+.3f})"
+                for key, value in keys
+            ]
+            yield f"| {summary['suite'].replace('_', ' ')} | {', '.join(without)} | {' | '.join(cells)} |"
     yield ""
 
 
@@ -221,6 +228,11 @@ def text(
     first = markdown(summaries[0])
     if more:  # which has the groups
         first, _ = cut(first, "## By group")
+    if first_halves := [
+        line for line in first if line.startswith("The intervals of the first and the second half")
+    ]:
+        first, _ = cut(first, "## Two halves")  # its table says the same twice
+        first += ["", "## Two halves of the draws", "", *first_halves]
     lines = [HEAD, *([remark, ""] if remark else []), *first, *more, *parts]
     for summary in summaries[1:]:
         healthy = markdown(summary, "###")

@@ -111,8 +111,8 @@ def test_the_nightly_workflow_runs(tmp_path: Path) -> None:
         assert [each.returncode for each in done] == [status, *[0] * (len(steps) - 1)], night
         assert (folder / "comparison.html").is_file() == bool(night)
         shutil.copy(folder / "runs/matrix/matrix.csv", folder / "expected.csv")
-        for made in (*(folder / "runs").glob("shard-*"), folder / "runs/matrix"):
-            shutil.rmtree(made)
+        shutil.rmtree(folder / "runs/matrix")
+        steps = [step for step in steps if "--shard" not in step]  # what they fly again is the same
 
 
 def steps_of(workflow: Path) -> list[str]:
