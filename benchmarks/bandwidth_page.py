@@ -50,7 +50,7 @@ Mean of the estimate, true value 1, of altitude references that go up and down a
 
 As before, at w = {W:g} rad/s. Prediction: `rate_limited_offset_reading`, by the describing function of a rate limit, with the share
 and the amplitude of the reference as they were flown. The limit acts from R / A w = 1 on. It makes the position late, and the
-more so the larger the command is; with less than 14 deg/s the pitch loop swings by itself, and there is no reading.""",
+more so the larger the command is; where the pitch loop swings by itself, there is no reading.""",
     "sampled": f"""\
 ## A loss, seen in large steps
 
@@ -135,9 +135,10 @@ NAMES = {
 def pairs(rows: Mapping[str, Sequence[Row]]) -> dict[str, list[tuple[float, float]]]:
     found = {}
     for group, name in NAMES.items():
-        found[f"{name}, ideal plant"] = [(row.predicted, row.ideal) for row in rows[group]]
-        found[f"{name}, flown"] = [(row.predicted, row.flown) for row in rows[group]]
-        found[f"{name}, flown, same r"] = [(row.same_r, row.flown) for row in rows[group]]
+        read = [row for row in rows[group] if not math.isnan(row.flown)]
+        found[f"{name}, ideal plant"] = [(row.predicted, row.ideal) for row in read]
+        found[f"{name}, flown"] = [(row.predicted, row.flown) for row in read]
+        found[f"{name}, flown, same r"] = [(row.same_r, row.flown) for row in read]
     return found
 
 

@@ -46,7 +46,7 @@ from paper.replay import Behind, replay
 
 from paper import bandwidth, rate_limits
 from testbed.controllers.config import AdaptiveInversionSettings
-from testbed.flight.flight import Flight
+from testbed.flight.flight import Flight, Outcome
 from testbed.metrics import readings
 from testbed.scenario.model import Scenario
 from testbed.simulation import fly
@@ -79,7 +79,7 @@ def weaving() -> Values:
     """Altitude references that go up and down, so that the tails' references are nearly a sine of frequency W."""
     times = np.arange(1.0, MOVING_S - 1.0, math.pi / W)
     commands = [{"at_s": round(float(t), 3), "altitude_m": 300 + 2 * (-1) ** i} for i, t in enumerate(times)]
-    return {"commands": commands, "command_rates": {"altitude_m_s": 3}, "duration_s": MOVING_S}
+    return {"commands": commands, "command_rates": {"altitude_m_s": 1.8}, "duration_s": MOVING_S}
 
 
 def loss() -> Values:
@@ -101,7 +101,9 @@ def stopped(stop_deg: float) -> Values:
 
 MOVING = [(lag, plain) for plain in (True, False) for lag in LAGS]
 LIMITED = [(rate, plain) for plain in (True, False) for rate in (25.0, 20.0, 18.0, 16.0, 14.0)]
-"""Rate limits of both tails that no law knows [deg/s]. With less these flights begin to swing by themselves, and are lost."""
+"""Rate limits of both tails that no law knows [deg/s]. With the lowest these flights swing by themselves, or are lost."""
+OWN_SWING = 2.0
+"""Share of the reference that moves, above which it is the loop that swings: the commands alone make 1 to 1.7."""
 SAMPLED_HZ, SAMPLED = 50, (0.25, 0.5, 1.0, 1.5, 1.75)
 """Control rate of the flights with values of gamma dt that sampling limits."""
 LOSSES = [(gamma, lag) for gamma in GAMMAS for lag in (30.0, 10.0, 5.0)]
@@ -127,10 +129,15 @@ def flights() -> Iterator[Values]:
         yield {"failures": [stopped(stop_deg)], "controller": law(8.0, 0.05, plain), "duration_s": 120}
 
 
+FOUND = ("share", "fastest", "reading", "lowest", "reading_same_r", "lowest_same_r")
+
+
 def fly_and_read(scenario: Scenario) -> Flight:
     """Fly, and add what is measured of the left tail: the mean estimate once settled, the lowest after a loss, how much of the
-    reference moves; and the first two once more for (13) alone with this reference."""
+    reference moves; and the first two once more for (13) alone with this reference. Of an aircraft that was lost nothing is."""
     flight = fly(scenario)
+    if flight.outcome is not Outcome.completed:
+        return replace(flight, metrics={**flight.metrics, **dict.fromkeys(FOUND, math.nan)})
     log = readings(flight)
     r = log.log[f"{TAILS[0]}_reference"] / SCALE_DEG
     alone = replay_of(scenario, r, log.log[f"{TAILS[0]}_effectiveness"])
@@ -163,8 +170,21 @@ def servo(lag: float) -> complex:
     return bandwidth.lag(W, 1.0 / lag)
 
 
+def no_reading(record: Record) -> str:
+    """Why a flight with commands that move has no reading, or empty."""
+    if record["outcome"] != "completed":
+        return "lost"
+    return "swings by itself" if record["metrics"]["share"] > OWN_SWING else ""
+
+
+def unread(what: str) -> Row:
+    return Row(what, *[math.nan] * 5)
+
+
 def moving_row(lag: float, plain: bool, record: Record) -> Row:
     found, modelled = record["metrics"], 1.0 if plain else servo(MODEL_LAG)
+    if without := no_reading(record):
+        return unread(f"{'plain' if plain else 'compensated'}, servo {lag:g} rad/s: {without}")
     share = found["share"]
     predicted = bandwidth.offset_reading_within(servo(lag) / modelled, share)
     ideal = ideal_reading(lag, 0.0 if plain else MODEL_LAG, share)
@@ -176,6 +196,8 @@ def moving_row(lag: float, plain: bool, record: Record) -> Row:
 
 def limited_row(rate: float, plain: bool, record: Record) -> Row:
     found, modelled = record["metrics"], 1.0 if plain else servo(MODEL_LAG)
+    if without := no_reading(record):
+        return unread(f"{'plain' if plain else 'compensated'}, {rate:g} deg/s: {without}")
     share, limit = found["share"], rate / SCALE_DEG / found["fastest"]
     predicted = rate_limits.rate_limited_offset_reading(share, limit, servo(MODEL_LAG), modelled)
     ideal = ideal_reading(MODEL_LAG, 0.0 if plain else MODEL_LAG, share, limit)
