@@ -92,7 +92,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     )
     parser.add_argument("--parts", type=Path, help="folder of the default without its parts")
     parser.add_argument("--acts", nargs="+", type=Path, default=[], help="folders of kinds of flights")
-    parser.add_argument("--more", type=Path, help="folder of the default and its nearest rival on more draws")
+    parser.add_argument(
+        "--more", nargs="+", type=Path, default=[],
+        help="folder of the default and its nearest rival on more draws, and folders of others on the same",
+    )  # fmt: skip
     parser.add_argument("--remark", default="", help="what else a reader must know of the flights")
     parser.add_argument("--commit", help="that flew the folders, for the page's stamp")
     options = parser.parse_args(arguments)
@@ -109,7 +112,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parts = kept(PAGE.read_text(encoding="utf-8"), law)
     if options.parts is not None:
         parts = parts_of(summary_of(options.parts), law, [*map(summary_of, options.acts)])
-    more = nearest(summary_of(options.more), summaries[0]) if options.more else []
+    more = nearest(options.more, summaries[0]) if options.more else []
     PAGE.write_text(text(summaries, parts, more, options.remark), encoding="utf-8")
     if options.commit:
         pages.known("benchmark", options.commit, environment_of(options.folders[0]))
@@ -188,8 +191,10 @@ def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
     return [*lines[:begin], *lines[end:]], [*lines[begin:end]]
 
 
-def nearest(summary: dict[str, Any], first: dict[str, Any]) -> list[str]:
-    """The lines of the default and its nearest rival on more draws. Exits if they are not of the same seed and law."""
+def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
+    """The lines of the default and its nearest rival on more draws, and what others, in the further folders, hold of the same.
+    Exits if they are not of the same seed and law."""
+    summary, of_all = summary_of(folders[0]), summary_of(folders[0], folders[1:])
     for key in ("seed", "law_sha256"):
         if summary[key] != first[key]:
             sys.exit(f"the flights of --more have another {key}")
@@ -197,7 +202,19 @@ def nearest(summary: dict[str, Any], first: dict[str, Any]) -> list[str]:
     _, groups = cut(rest, "## By group")
     words = f"{headline} They were flown after the first {first['draws']} of them, which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
-    return ["", "## The nearest rival on more draws", "", words, *tables]
+    others = [name for name in of_all["scores"] if name not in summary["scores"]]
+    said = [_against(name, of_all["scores"][name]) for name in others]
+    more = [f"Others on the same draws: {'; '.join(said)}.", ""] if said else []
+    return ["", "## The nearest rival on more draws", "", *more, words, *tables]
+
+
+def _against(name: str, score: dict[str, Any]) -> str:
+    """What a controller holds, and its difference from the default, in words."""
+    difference = score["against_reference"]["held"]
+    return (
+        f"`{name}` {score['held']['estimate']:.3f}, {difference['difference']:+.3f} "
+        f"({difference['low']:+.3f} to {difference['high']:+.3f})"
+    )
 
 
 def kept(page: str, law: str) -> list[str]:

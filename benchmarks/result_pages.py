@@ -56,9 +56,9 @@ _NAMED = "vtail vtail_aft aerosonde " + " ".join(
 PAGES: tuple[Page, ...] = (
     Page("readme", ("benchmarks/readme.py",), "97001 to 97005", 20, _AFT, ("../README.md",), stamped=False),
     Page("paper_table", ("benchmarks/results_table.py",), "1", 3, (*FLOWN, *_LOSSES)),
-    Page("time_step", ("benchmarks/time_step.py",), "1", 20, (*FLOWN, *_LOSSES[:1]), ("explanation/pure_function.md",)),
-    Page("performance", ("benchmarks/performance.py",), "1", 60),
-    Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 300, _SWEPT),
+    Page("time_step", ("benchmarks/time_step.py",), "1", 11, (*FLOWN, *_LOSSES[:1]), ("explanation/pure_function.md",)),
+    Page("performance", ("benchmarks/performance.py",), "1", 30),
+    Page("monte_carlo", ("benchmarks/monte_carlo_page.py",), "drawn from those of the sweeps", 360, _SWEPT),
     Page(
         "benchmark",
         ("benchmarks/benchmark_page.py runs/benchmark runs/healthy --fly",),
@@ -66,8 +66,8 @@ PAGES: tuple[Page, ...] = (
         9000,
         (*_AFT, "adoption", "scenarios/suites"),
     ),
-    Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 400, (*FLOWN, "aircraft/vtail_aft")),
-    Page("own_logs", ("benchmarks/diagnose_own_flights.py",), "96001 to 96002", 300, (*FLOWN, "logs")),
+    Page("detection", ("benchmarks/detection.py",), "95001 to 95020", 270, (*FLOWN, "aircraft/vtail_aft")),
+    Page("own_logs", ("benchmarks/diagnose_own_flights.py",), "96001 to 96002", 290, (*FLOWN, "logs")),
     Page(
         "real_flights",
         ("benchmarks/real_flights.py ../fault_detection ../alfa ../htm-state",),
@@ -80,15 +80,15 @@ PAGES: tuple[Page, ...] = (
         "what_a_log_tells",
         ("benchmarks/what_a_log_tells.py",),
         "96301",
-        30,
+        9,
         (*FLOWN, "logs"),
         ("explanation/what_a_log_tells.md",),
     ),
-    Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 600),
-    Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 1800, _THEORY),
-    Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 600, _THEORY),
-    Page("section4_bandwidth", ("benchmarks/section4_bandwidth.py",), "1", 1200, _THEORY),
-    Page("decoupling", ("benchmarks/decoupling.py",), "90001 to 90006", 600, (*_THEORY, "aircraft/vtail_aft")),
+    Page("jam_trims", ("benchmarks/jam_trims.py",), "none", 380),
+    Page("section4_noise", ("benchmarks/section4_noise.py",), "1 to 4", 430, _THEORY),
+    Page("section4_input_matrix", ("benchmarks/section4_input_matrix.py",), "1", 170, _THEORY),
+    Page("section4_bandwidth", ("benchmarks/section4_bandwidth.py",), "1", 90, _THEORY),
+    Page("decoupling", ("benchmarks/decoupling.py",), "90001 to 90006", 390, (*_THEORY, "aircraft/vtail_aft")),
     Page(
         "smallest_failures",
         (
@@ -100,7 +100,7 @@ PAGES: tuple[Page, ...] = (
         9000,
         _SEARCHED,
     ),
-    Page("rare_failures", ("benchmarks/rare_failures.py",), "0 to 99", 1800, ("searches",)),
+    Page("rare_failures", ("benchmarks/rare_failures.py",), "0 to 99", 320, ("searches",)),
     Page(
         "rare_flights",
         (
@@ -111,12 +111,12 @@ PAGES: tuple[Page, ...] = (
         7200,
         (*_SEARCHED, "scenarios/searches/rare_gust.yaml"),
     ),
-    Page("f16_collision", ("benchmarks/f16_collision.py",), "0 to 4", 400, ("searches",)),
+    Page("f16_collision", ("benchmarks/f16_collision.py",), "0 to 4", 140, ("searches",)),
     Page(
         "adoption",
         ("benchmarks/adopt_all.py runs/adopted --document docs/results/adoption.md",),
         "none",
-        400,
+        230,
         ("adoption", "plant", "simulation"),
     ),
     Page(
@@ -130,7 +130,7 @@ PAGES: tuple[Page, ...] = (
             f"benchmarks/aircraft_pictures.py {_NAMED} runs/adopted/*",
         ),
         "1 and 2",
-        1800,
+        560,
         ("adoption", *FLOWN, "aircraft"),
     ),
 )  # fmt: skip
