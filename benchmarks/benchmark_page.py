@@ -175,10 +175,7 @@ def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
                 summary["controllers"][name]["ablate"],
             )
             keys = (("survived", "difference"), ("held", "difference"), ("inside", "estimate"))
-            cells = [
-                f"{against[key][value]:+.3f} ({against[key]['low']:+.3f} to {against[key]['high']:+.3f})"
-                for key, value in keys
-            ]
+            cells = [_difference(against[key], value) for key, value in keys]
             yield f"| {summary['suite'].replace('_', ' ')} | {', '.join(without)} | {' | '.join(cells)} |"
     yield ""
 
@@ -203,18 +200,21 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
     words = f"{headline} They were flown after the first {first['draws']} of them, which are those above. {groups[2]}"
     tables = [re.sub(r" [^|]* \|$", "", line) for line in groups[3:]]  # best of all two says nothing more
     others = [name for name in of_all["scores"] if name not in summary["scores"]]
-    said = [_against(name, of_all["scores"][name]) for name in others]
-    more = [f"Others on the same draws: {'; '.join(said)}.", ""] if said else []
+    against = {name: of_all["scores"][name]["against_reference"] for name in others}
+    more = [_against(against), ""] if others else []
     return ["", "## The nearest rival on more draws", "", *more, words, *tables]
 
 
-def _against(name: str, score: dict[str, Any]) -> str:
-    """What a controller holds, and its difference from the default, in words."""
-    difference = score["against_reference"]["held"]
-    return (
-        f"`{name}` {score['held']['estimate']:.3f}, {difference['difference']:+.3f} "
-        f"({difference['low']:+.3f} to {difference['high']:+.3f})"
-    )
+def _against(others: dict[str, Any]) -> str:
+    """Differences of controllers from the default in a sentence: of each in *held*, of the nearest in *inside*."""
+    held = (f"`{name}` {_difference(one['held'], 'difference')}" for name, one in others.items())
+    name, best = max(others.items(), key=lambda each: each[1]["inside"]["estimate"])
+    inside = _difference(best["inside"], "estimate")
+    return f"Others on the same draws: {'; '.join(held)}. In *inside* the nearest of these is `{name}`, {inside}."
+
+
+def _difference(one: dict[str, float], value: str) -> str:
+    return f"{one[value]:+.3f} ({one['low']:+.3f} to {one['high']:+.3f})"
 
 
 def kept(page: str, law: str) -> list[str]:
