@@ -210,7 +210,7 @@ def _against(others: dict[str, Any]) -> str:
     held = (f"`{name}` {_difference(one['held'], 'difference')}" for name, one in others.items())
     name, best = max(others.items(), key=lambda each: each[1]["inside"]["estimate"])
     inside = _difference(best["inside"], "estimate")
-    return f"Others on the same draws: {'; '.join(held)}. In *inside* the nearest of these is `{name}`, {inside}."
+    return f"Others, same draws: {'; '.join(held)}. *Inside*, the nearest: `{name}`, {inside}."
 
 
 def _difference(one: dict[str, float], value: str) -> str:
