@@ -170,20 +170,17 @@ def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
     yield from ("", "| flights | without | survived | held | inside |", "| --- | --- | --- | --- | --- |")
     for summary in summaries:
         for name in summary["ablated"]:
-            against, without = (
-                summary["scores"][name]["against_reference"],
-                summary["controllers"][name]["ablate"],
-            )
-            keys = (("survived", "difference"), ("held", "difference"), ("inside", "estimate"))
-            cells = [_difference(against[key], value) for key, value in keys]
-            yield f"| {summary['suite'].replace('_', ' ')} | {', '.join(without)} | {' | '.join(cells)} |"
+            against, without = summary["scores"][name]["against_reference"], summary["controllers"][name]
+            cells = [_difference(against[key]) for key in ("survived", "held", "inside")]
+            flights, parts = summary["suite"].replace("_", " "), ", ".join(without["ablate"])
+            yield f"| {flights} | {parts} | {' | '.join(cells)} |"
     yield ""
 
 
 def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
-    """The lines without the section whose heading begins so, and those of the section."""
+    """The lines without the section whose heading begins so, and those of the section; none if there is no such section."""
     level = f"{title.split()[0]} "
-    begin = next(i for i, line in enumerate(lines) if line.startswith(title))
+    begin = next((i for i, line in enumerate(lines) if line.startswith(title)), len(lines))
     end = next((i for i in range(begin + 1, len(lines)) if lines[i].startswith(level)), len(lines))
     return [*lines[:begin], *lines[end:]], [*lines[begin:end]]
 
@@ -207,14 +204,15 @@ def nearest(folders: Sequence[Path], first: dict[str, Any]) -> list[str]:
 
 def _against(others: dict[str, Any]) -> str:
     """Differences of controllers from the default in a sentence: of each in *held*, of the nearest in *inside*."""
-    held = (f"`{name}` {_difference(one['held'], 'difference')}" for name, one in others.items())
+    held = (f"`{name}` {_difference(one['held'])}" for name, one in others.items())
     name, best = max(others.items(), key=lambda each: each[1]["inside"]["estimate"])
-    inside = _difference(best["inside"], "estimate")
+    inside = _difference(best["inside"])
     return f"Others, same draws: {'; '.join(held)}. *Inside*, the nearest: `{name}`, {inside}."
 
 
-def _difference(one: dict[str, float], value: str) -> str:
-    return f"{one[value]:+.3f} ({one['low']:+.3f} to {one['high']:+.3f})"
+def _difference(one: dict[str, float]) -> str:
+    value = one["difference"] if "difference" in one else one["estimate"]
+    return f"{value:+.3f} ({one['low']:+.3f} to {one['high']:+.3f})"
 
 
 def kept(page: str, law: str) -> list[str]:
@@ -245,11 +243,8 @@ def text(
     first = markdown(summaries[0])
     if more:  # which has the groups
         first, _ = cut(first, "## By group")
-    if first_halves := [
-        line for line in first if line.startswith("The intervals of the first and the second half")
-    ]:
-        first, _ = cut(first, "## Two halves")  # its table says the same twice
-        first += ["", "## Two halves of the draws", "", *first_halves]
+    first, halves = cut(first, "## Two halves")
+    first += ["", *halves[:3]] if halves else []  # the words: its table says the same twice
     lines = [HEAD, *([remark, ""] if remark else []), *first, *more, *parts]
     for summary in summaries[1:]:
         healthy = markdown(summary, "###")

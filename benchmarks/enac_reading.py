@@ -31,8 +31,6 @@ LABEL_S = 1.6
 FALSE_PER_H = 2.0
 STRETCH = 600
 """Samples on either side of a drop, of which its noise is taken for what can be reached at best."""
-
-
 LIKELY = 0.9
 """Probability of being weaker than FLAG from which on an elevon is flagged from the whole log. With 1 - LIKELY the flag
 goes, also in flight, where one is raised by far more: there each sample is another chance to be wrong."""
