@@ -158,7 +158,7 @@ def parts_of(summary: dict[str, Any], law: str, acts: Sequence[dict[str, Any]] =
     _, lines = cut(markdown(summary), "## What the parts of")
     before = summary["law_sha256"]
     other = "" if before == law else f", seed {summary['seed']}, flown with another law, `{before[:16]}`"
-    return ["", *lines, *where_they_act(acts), f"Of the first {summary['draws']} draws{other}."]
+    return ["", *lines, f"Of the first {summary['draws']} draws{other}.", *where_they_act(acts)]
 
 
 def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
@@ -166,6 +166,7 @@ def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
     if not summaries:
         return
     first = summaries[0]
+    yield ""
     yield f"Where they act: {first['draws']} draws with these failures alone, seed {first['seed']}, minus `default`."
     yield from ("", "| flights | without | survived | held | inside |", "| --- | --- | --- | --- | --- |")
     for summary in summaries:
@@ -174,7 +175,6 @@ def where_they_act(summaries: Sequence[dict[str, Any]]) -> Iterator[str]:
             cells = [_difference(against[key]) for key in ("survived", "held", "inside")]
             flights, parts = summary["suite"].replace("_", " "), ", ".join(without["ablate"])
             yield f"| {flights} | {parts} | {' | '.join(cells)} |"
-    yield ""
 
 
 def cut(lines: Sequence[str], title: str) -> tuple[list[str], list[str]]:
@@ -220,10 +220,16 @@ def kept(page: str, law: str) -> list[str]:
     section = re.search(r"^## What the parts of .*?^Of the first .*?$", page, re.DOTALL | re.MULTILINE)
     if section is None:
         return []
+    acts = re.search(r"^Where they act: .*?(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
+    table = ["", acts[0].rstrip()] if acts else []
     flown = re.search(r"seed (\d+), .*? digest `(\w+)`", page)
     if flown is None or law.startswith(flown[2]) or "another law" in section[0]:
-        return ["", section[0]]
-    return ["", f"{section[0].removesuffix('.')}, seed {flown[1]}, flown with another law, `{flown[2]}`."]
+        return ["", section[0], *table]
+    return [
+        "",
+        f"{section[0].removesuffix('.')}, seed {flown[1]}, flown with another law, `{flown[2]}`.",
+        *table,
+    ]
 
 
 def environment_of(folder: Path) -> str:
