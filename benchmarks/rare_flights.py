@@ -1,6 +1,6 @@
 """How rare is rare in flight: plain sampling as the check of a failure of 1 in 1000, and one of 1 in 100 000 that it cannot check.
 
-    nice python benchmarks/rare_flights.py --out runs/rare_flights          # hours; may be stopped and run again
+    nice python benchmarks/rare_flights.py --out runs/rare_flights          # may be stopped and run again
     python benchmarks/rare_flights.py --out runs/rare_flights --page        # docs/results/rare_flights.md from what is there
 
 The case is `scenarios/searches/rare_gust.yaml`, with its limits and with wider ones. Flights are short, so that many can be made.
@@ -49,7 +49,7 @@ class Limits:
 CHECKED, RARE = Limits(4, 9), Limits(5.75, 12.5)
 SEARCHES = [
     (limits, method, seed)
-    for method, seeds in (("adaptive", (1, 2, 3, 4, 5)), ("subset", (1,)))
+    for method, seeds in (("adaptive", (1, 2, 3)), ("subset", (1,)))
     for limits in (RARE, CHECKED)
     for seed in seeds
 ]
@@ -73,7 +73,7 @@ def _parser() -> argparse.ArgumentParser:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--out", type=Path, required=True, help="folder of the searches, kept as they come")
-    parser.add_argument("--plain", type=int, default=100_000, help="plain flights")
+    parser.add_argument("--plain", type=int, default=30_000, help="plain flights")
     parser.add_argument("--jobs", type=int)
     parser.add_argument("--page", action="store_true", help=f"write {PAGE.name}, without flying")
     return parser

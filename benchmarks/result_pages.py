@@ -93,7 +93,7 @@ PAGES: tuple[Page, ...] = (
         "smallest_failures",
         (
             "benchmarks/smallest_failures.py --csv runs/smallest.csv",
-            "benchmarks/smallest_failures.py --csv runs/smallest.csv --controllers default --budget 3000",
+            "benchmarks/smallest_failures.py --csv runs/smallest.csv --controllers default --budget 1000",
             "benchmarks/smallest_failures.py --csv runs/smallest.csv --page",
         ),
         "90001",
@@ -107,7 +107,7 @@ PAGES: tuple[Page, ...] = (
             "benchmarks/rare_flights.py --out runs/rare_flights",
             "benchmarks/rare_flights.py --out runs/rare_flights --page",
         ),
-        "1 to 5",
+        "1 to 3",
         7200,
         (*_SEARCHED, "scenarios/searches/rare_gust.yaml"),
     ),

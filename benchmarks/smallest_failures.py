@@ -1,7 +1,7 @@
 """The smallest failure that breaks altitude or heading, for every type of failure and each controller: who needs the bigger one?
 
     python benchmarks/smallest_failures.py --csv runs/smallest.csv             # may be stopped and run again
-    python benchmarks/smallest_failures.py --csv runs/smallest.csv --controllers default --budget 3000    # the check: hours
+    python benchmarks/smallest_failures.py --csv runs/smallest.csv --controllers default --budget 1000    # the check
     python benchmarks/smallest_failures.py --csv runs/smallest.csv --page      # docs/results/smallest_failures.md from the CSV
 
 What is searched is the failure's severity, if its type has one, and a gust three seconds after it. All controllers meet the same
@@ -33,7 +33,7 @@ from testbed.studies.search.space import Coordinate, Origin, Space
 
 PAGE = Path(__file__).parents[1] / "docs" / "results" / "smallest_failures.md"
 COMPARED = ("default", "indi")
-BUDGET, CHECK = 300, 3000
+BUDGET, CHECK = 300, 1000
 """Most flights of each search, and of one that checks it."""
 BASE = """\
 name: smallest failure
